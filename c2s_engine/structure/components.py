@@ -1,0 +1,111 @@
+"""Components and the structure S = {G, R, E, O1..N, T} (the paper, "Logical Structure Schema")."""
+
+import re
+from typing import Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from c2s_engine.structure.specs import (
+    AnySpec,
+    EgoSpec,
+    PlaceSpec,
+    RestrictionsSpec,
+    SettingsSpec,
+)
+from c2s_engine.structure.vocabulary import Origin
+
+ComponentId = str
+"""G, R, E, T, or O1, O2, ...: stable; removing O1 does not rename O2."""
+
+OBJECT_ID = re.compile(r"O[1-9][0-9]?")
+
+
+class Frozen(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class Link(Frozen):
+    """What a component rests on."""
+
+    kind: Literal["text", "rule", "clause", "snippet", "chunk"]
+    label: str = Field(description="the words of the text, the rule's or the source's name")
+    span: tuple[int, int] | None = Field(None, description="offsets in the user's text")
+
+
+class Assumption(Frozen):
+    """What the text left open, and the value that was chosen."""
+
+    field: str
+    value: str
+    reason: str
+
+
+class Unmet(Frozen):
+    """What the text asks for and the spec cannot say."""
+
+    text: str
+    reason: str
+    span: tuple[int, int] | None = None
+
+
+class Component(Frozen):
+    """One component of S with its fragment of the program."""
+
+    id: ComponentId
+    description: str = ""
+    spec: AnySpec
+    code: str = ""
+    origin: Origin = "rendered"
+    links: tuple[Link, ...] = ()
+    assumed: tuple[Assumption, ...] = ()
+    unmet: tuple[Unmet, ...] = ()
+    key: str = Field("", description="the digest under which `code` was written; empty: not written yet")
+    conflict: str | None = Field(None, description="what would be written, where code by hand stands against it")
+
+    @property
+    def kind(self) -> str:
+        """G, R, E, O or T."""
+        return self.id[0]
+
+
+class Structure(Frozen):
+    """S, with the text it was read from."""
+
+    text: str = ""
+    settings: Component = Component(id="G", spec=SettingsSpec())
+    place: Component = Component(id="R", spec=PlaceSpec())
+    ego: Component = Component(id="E", spec=EgoSpec())
+    objects: tuple[Component, ...] = ()
+    restrictions: Component = Component(id="T", spec=RestrictionsSpec())
+    not_understood: tuple[Unmet, ...] = Field((), description="spans of the text that no component took up")
+
+    @property
+    def components(self) -> tuple[Component, ...]:
+        """In the order of writing (Algorithm 1): G, R, E, O1..N, T."""
+        return (self.settings, self.place, self.ego, *self.objects, self.restrictions)
+
+    @property
+    def ids(self) -> tuple[ComponentId, ...]:
+        return tuple(c.id for c in self.components)
+
+    def __getitem__(self, cid: ComponentId) -> Component:
+        for component in self.components:
+            if component.id == cid:
+                return component
+        raise KeyError(f"there is no component {cid}; there are {', '.join(self.ids)}")
+
+    def __contains__(self, cid: ComponentId) -> bool:
+        return cid in self.ids
+
+    def with_component(self, component: Component) -> "Structure":
+        """A copy in which that component takes the place of the one with its id."""
+        slot = {"G": "settings", "R": "place", "E": "ego", "T": "restrictions"}.get(component.id)
+        if slot:
+            return self.model_copy(update={slot: component})
+        self[component.id]
+        objects = tuple(component if o.id == component.id else o for o in self.objects)
+        return self.model_copy(update={"objects": objects})
+
+    def next_object_id(self) -> ComponentId:
+        numbers = [int(o.id[1:]) for o in self.objects]
+        return f"O{max(numbers, default=0) + 1}"

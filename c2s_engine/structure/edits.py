@@ -1,0 +1,186 @@
+"""Edits of S as data: chat, panes, CLI and undo share one path."""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from c2s_engine.structure.components import Component, ComponentId, Structure, Unmet
+from c2s_engine.structure.specs import SPEC_OF, AnySpec, ObjectSpec
+
+
+class EditError(ValueError):
+    """An edit that cannot be made; the message says why and what would do."""
+
+
+class _Edit(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class SetDescription(_Edit):
+    """Say a component in other words. The caller interprets the sentence and follows with SetSpec."""
+
+    kind: Literal["description"] = "description"
+    component: ComponentId
+    description: str
+
+
+class SetSpec(_Edit):
+    """Replace a component's spec (and what is assumed and unmet in it)."""
+
+    kind: Literal["spec"] = "spec"
+    component: ComponentId
+    spec: AnySpec
+    description: str | None = None
+    assumed: tuple | None = None
+    unmet: tuple[Unmet, ...] | None = None
+
+
+class SetField(_Edit):
+    """Set one field of a spec by its path: `speed`, `placement.gap`, `phases.0.action`."""
+
+    kind: Literal["field"] = "field"
+    component: ComponentId
+    path: str
+    value: Any = None
+
+
+class AddObject(_Edit):
+    """Add an object; `component` names it, or the next free id is taken."""
+
+    kind: Literal["add"] = "add"
+    spec: ObjectSpec
+    description: str = ""
+    component: ComponentId | None = None
+
+
+class RemoveObject(_Edit):
+    kind: Literal["remove"] = "remove"
+    component: ComponentId
+
+
+class MoveObject(_Edit):
+    """Move an object to another place (0-based) in the order of writing."""
+
+    kind: Literal["move"] = "move"
+    component: ComponentId
+    index: int
+
+
+class SetCode(_Edit):
+    """Write a fragment by hand; `code=None` gives it back to the writer."""
+
+    kind: Literal["code"] = "code"
+    component: ComponentId
+    code: str | None
+
+
+class Replace(_Edit):
+    """Take a whole new S (a new text, an import)."""
+
+    kind: Literal["replace"] = "replace"
+    structure: Structure
+
+
+Edit = Annotated[
+    SetDescription | SetSpec | SetField | AddObject | RemoveObject | MoveObject | SetCode | Replace,
+    Field(discriminator="kind"),
+]
+
+
+def apply(structure: Structure, edit: Edit) -> Structure:
+    """The structure after the edit; raises EditError. Code is not written here (see regenerate.py)."""
+    if isinstance(edit, Replace):
+        return edit.structure
+    if isinstance(edit, AddObject):
+        cid = edit.component or structure.next_object_id()
+        if cid in structure:
+            raise EditError(f"there is already a component {cid}")
+        added = Component(id=cid, description=edit.description, spec=edit.spec)
+        return structure.model_copy(update={"objects": (*structure.objects, added)})
+    if edit.component not in structure:
+        raise EditError(f"there is no component {edit.component}; there are {', '.join(structure.ids)}")
+    if isinstance(edit, RemoveObject | MoveObject) and not edit.component.startswith("O"):
+        raise EditError(f"{edit.component} is no object; only O1, O2, ... can be removed or moved")
+    if isinstance(edit, RemoveObject):
+        users = [c.id for c in structure.components if c.id != edit.component and edit.component in references(c)]
+        if users:
+            raise EditError(f"{edit.component} is referred to by {', '.join(users)}: change that first")
+        kept = tuple(o for o in structure.objects if o.id != edit.component)
+        return structure.model_copy(update={"objects": kept})
+    component = structure[edit.component]
+    if isinstance(edit, MoveObject):
+        rest = [o for o in structure.objects if o.id != edit.component]
+        rest.insert(max(0, min(edit.index, len(rest))), component)
+        return structure.model_copy(update={"objects": tuple(rest)})
+    return structure.with_component(_changed(component, edit))
+
+
+def _changed(component: Component, edit: SetDescription | SetSpec | SetField | SetCode) -> Component:
+    if isinstance(edit, SetDescription):
+        return component.model_copy(update={"description": edit.description})
+    if isinstance(edit, SetCode):
+        if edit.code is None:
+            return component.model_copy(update={"code": "", "origin": "rendered", "key": "", "conflict": None})
+        return component.model_copy(update={"code": edit.code, "origin": "by_hand", "conflict": None})
+    if isinstance(edit, SetSpec):
+        if edit.spec.component != component.kind:
+            raise EditError(f"a spec of {edit.spec.component} does not fit {component.id}")
+        update: dict[str, Any] = {"spec": edit.spec}
+        for name in ("description", "assumed", "unmet"):
+            if getattr(edit, name) is not None:
+                update[name] = getattr(edit, name)
+        return component.model_copy(update=update)
+    if edit.path == "description":
+        return component.model_copy(update={"description": str(edit.value)})
+    data = component.spec.model_dump(mode="json")
+    _put(data, edit.path.split("."), edit.value, edit.path)
+    try:
+        spec = SPEC_OF[component.kind].model_validate(data)
+    except ValidationError as error:
+        first = error.errors()[0]
+        where = ".".join(str(part) for part in first["loc"])
+        raise EditError(f"{component.id}.{where or edit.path}: {first['msg']}") from None
+    dropped = edit.path.split(".")[0]
+    assumed = tuple(a for a in component.assumed if a.field.split(".")[0] != dropped)
+    return component.model_copy(update={"spec": spec, "assumed": assumed})
+
+
+def _put(data: Any, path: list[str], value: Any, whole: str) -> None:
+    key: Any = int(path[0]) if path[0].isdigit() else path[0]
+    try:
+        if len(path) == 1:
+            if isinstance(data, list) and key == len(data):
+                data.append(value)
+            elif isinstance(data, list) and value is None:
+                del data[key]
+            else:
+                data[key]  # an unknown field is an error
+                data[key] = value
+            return
+        if data[key] is None:
+            data[key] = {}
+        _put(data[key], path[1:], value, whole)
+    except (KeyError, IndexError, TypeError):
+        known = ", ".join(data) if isinstance(data, dict) else f"0 to {len(data)}" if isinstance(data, list) else "none"
+        raise EditError(f"there is no field {whole}: {path[0]} is not one of {known}") from None
+
+
+def references(component: Component) -> frozenset[ComponentId]:
+    """The objects that a component's spec refers to by id ('ego' counts as E)."""
+    found: set[str] = set()
+
+    def walk(value: Any, key: str = "") -> None:
+        if isinstance(value, dict):
+            for k, v in value.items():
+                walk(v, k)
+        elif isinstance(value, list | tuple):
+            for v in value:
+                walk(v, key)
+        elif isinstance(value, str) and key in _REFERENCE_FIELDS:
+            found.add("E" if value == "ego" else value)
+
+    walk(component.spec.model_dump(exclude_defaults=True))
+    return frozenset(found - {component.id})
+
+
+_REFERENCE_FIELDS = {"of", "target", "react_to", "hidden_by", "subject", "other"}

@@ -1,0 +1,111 @@
+"""What a run showed: the facts that events, scores and the "said / seen" marks are read from.
+
+Derived in the check process (dryrun/), judged anywhere: nothing here needs Scenic. All values are SI but those whose
+name says otherwise. The vocabulary is that of benchmark/records/FORMAT.md.
+"""
+
+from typing import Literal
+
+from pydantic import BaseModel, ConfigDict
+
+EGO = "ego"
+
+
+class _Frozen(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class EventFact(_Frozen):
+    """An event that an object showed: its name in FORMAT.md, the other party where there is one, when (s)."""
+
+    event: str
+    time: float
+    other: str | None = None
+
+
+class StartFact(_Frozen):
+    """How an object stands to another at the start (FORMAT.md `starts`).
+
+    `relations`: every half-plane and quadrant that holds. `lanes`: every lane relation that holds.
+    `gap`: m between the two bounding boxes, along the road where both are on it.
+    """
+
+    relations: tuple[str, ...] = ()
+    lanes: tuple[str, ...] = ()
+    gap: float = 0.0
+
+
+class ObjectFacts(_Frozen):
+    """One object of the scene. `name` is its variable in the program (`queue[1]` for a member of a list)."""
+
+    name: str
+    component: str | None = None
+    types: tuple[str, ...]  # every type of FORMAT.md that it is: ("car", "vehicle"), ("pedestrian", "vru"), ...
+    blueprint: str = ""
+    length: float
+    width: float
+    height: float = 1.5
+    moves: bool
+    held_speed: float | None = None  # the speed held for the longest while in motion, m/s
+    starts: dict[str, StartFact] = {}  # by the other object's name
+    hidden_behind: tuple[str, ...] = ()
+    events: tuple[EventFact, ...] = ()
+
+    def shows(self, event: str, other: str | None = None) -> bool:
+        """Whether it showed that event (towards that other object, where one is named)."""
+        return any(e.event == event and (other is None or e.other == other) for e in self.events)
+
+
+class RoadFacts(_Frozen):
+    """The road on ego's path (FORMAT.md `road`)."""
+
+    lanes_same_direction: int = 0
+    oncoming_lane: bool = False
+    intersection: Literal["none", "3way", "4way", "other"] = "none"
+    signalized: bool = False
+    curve: bool = False
+    straight: bool = False
+    speed_limit_kmh: float | None = None
+
+
+class RunFacts(_Frozen):
+    """One rollout: the scene that was sampled and what happened in it."""
+
+    seed: int
+    duration: float
+    ended_by: Literal["time", "terminated", "collision", "rejected", "error", "cancelled"]
+    reason: str = ""
+    road: RoadFacts = RoadFacts()
+    light: str | None = None  # red, yellow, green when ego first comes within 30 m; "" : a light, never so near
+    infrastructure: tuple[str, ...] = ()  # traffic_light, stop_sign, yield_sign, crosswalk on ego's path
+    speed_limits_kmh: tuple[float, ...] = ()  # the map's for ego's road, those on sign props and scene parameters
+    temporary: tuple[str, ...] = ()  # construction_zone, cones, barrier, debris, lane_closure, warning_sign
+    weather: tuple[str, ...] = ()
+    time: tuple[str, ...] = ()  # day, dawn, dusk, night (dawn and dusk are alike to the sun)
+    objects: tuple[ObjectFacts, ...] = ()
+
+    @property
+    def ran(self) -> bool:
+        """Whether it ran to its end, to a collision, or to the program's own termination (FORMAT.md, CSR)."""
+        return self.ended_by in ("time", "terminated", "collision")
+
+
+class Track(_Frozen):
+    """An object's way: position (m), heading (rad, Scenic's: 0 is north, anticlockwise), speed (m/s) per step."""
+
+    name: str
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+    heading: tuple[float, ...]
+    speed: tuple[float, ...]
+    length: float
+    width: float
+    kind: str = "car"
+
+
+class Trajectories(_Frozen):
+    """The ways of all objects, one sample a step, and the lights' states as changes (time, intersection, state)."""
+
+    step: float
+    tracks: tuple[Track, ...]
+    lights: tuple[tuple[float, str, str], ...] = ()

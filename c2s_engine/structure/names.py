@@ -1,0 +1,41 @@
+"""Which names a fragment of Scenic defines and which it reads, without Scenic (the front does not import it).
+
+Scenic's tokens are Python's, so the standard tokenizer finds the names; definitions are what stands at the left margin.
+"""
+
+import io
+import keyword
+import re
+import tokenize
+
+_DEFINITION = re.compile(r"^(?P<kind>behavior|monitor|scenario|class|def)\s+(?P<name>\w+)")
+_ASSIGNMENT = re.compile(r"^(?P<name>[A-Za-z_]\w*)\s*(?::[^=]+)?=(?!=)")
+_PARAM = re.compile(r"^param\s+(?P<names>.+)")
+
+
+def defines(code: str) -> dict[str, str]:
+    """The names that a fragment defines at top level, each with its kind (value, behavior, class, def, monitor)."""
+    found: dict[str, str] = {}
+    for line in code.splitlines():
+        if match := _DEFINITION.match(line):
+            found[match["name"]] = match["kind"]
+        elif match := _ASSIGNMENT.match(line):
+            found.setdefault(match["name"], "value")
+        elif match := _PARAM.match(line):
+            for name in re.findall(r"(\w+)\s*=", match["names"]):
+                found[f"param {name}"] = "param"
+    return found
+
+
+def uses(code: str) -> frozenset[str]:
+    """Every name that occurs in a fragment, other than keywords and what follows a dot."""
+    names: set[str] = set()
+    previous = ""
+    try:
+        for token in tokenize.generate_tokens(io.StringIO(code).readline):
+            if token.type == tokenize.NAME and previous != "." and not keyword.iskeyword(token.string):
+                names.add(token.string)
+            previous = token.string
+    except (tokenize.TokenError, SyntaxError, IndentationError):
+        names.update(re.findall(r"(?<!\.)\b[A-Za-z_]\w*", code))
+    return frozenset(names)

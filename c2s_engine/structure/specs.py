@@ -1,0 +1,167 @@
+"""The typed specs of S: what each component can say, independent of any wording and of Scenic.
+
+The JSON schema that models fill, the vocabulary of the prompts and the documentation are generated from these
+classes. All numbers are SI (m, s, m/s, m/s2, rad); km/h appear at the user's face only.
+"""
+
+import re
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, field_validator
+
+from c2s_engine.structure import vocabulary as v
+from c2s_engine.structure.quantity import Quantity
+
+Speed = Annotated[Quantity, Field(description="m/s, or [low, high]")]
+Metres = Annotated[Quantity, Field(description="m, or [low, high]")]
+Seconds = Annotated[Quantity, Field(description="s, or [low, high]")]
+Reference = Annotated[str, Field(pattern=r"^(ego|O[1-9][0-9]?)$", description="'ego' or an object's id: O1, O2, ...")]
+
+
+class Spec(BaseModel):
+    """Base of the typed specs: closed, immutable, small when dumped."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class Trigger(Spec):
+    """When a phase begins. A phase without one begins as soon as the one before it is over."""
+
+    kind: v.TriggerKind = Field(description="what is watched")
+    value: Quantity | None = Field(None, description="distance: m; ttc, time: s since the start; place: m before it")
+    of: Reference | None = Field(None, description="distance, ttc: to whom (default ego; for ego: the nearest object)")
+    action: v.Action | None = Field(None, description="action: the action of `of` that is waited for")
+    place: v.TriggerPlace | None = Field(None, description="place: what is reached")
+
+
+class Phase(Spec):
+    """One step of a behaviour: an action, how, towards whom, from when."""
+
+    action: v.Action
+    speed: Speed | None = Field(None, description="speed to reach or to hold in this phase, m/s")
+    rate: Quantity | None = Field(None, description="acceleration or deceleration, a positive number, m/s2")
+    side: v.Side | None = Field(
+        None, description="lane_change, cut_in, cut_out, swerve, drift, leave_road: towards which side"
+    )
+    target: Reference | None = Field(None, description="whom it is about: followed, overtaken, yielded to, hit")
+    duration: Seconds | None = Field(None, description="how long it lasts, s")
+    trigger: Trigger | None = None
+
+
+class PlaceSpec(Spec):
+    """R: the place where it happens, seen from ego."""
+
+    component: Literal["R"] = "R"
+    kind: v.PlaceKind = "road"
+    arms: Literal[3, 4] | None = Field(None, description="intersection: number of roads that meet")
+    control: v.Control | None = Field(None, description="intersection: what regulates it")
+    manoeuvre: v.Manoeuvre | None = Field(None, description="ego's way through the intersection")
+    lanes: int | None = Field(None, ge=1, le=4, description="at least so many lanes in ego's direction")
+    ego_lane: v.EgoLane | None = Field(None, description="which of them ego starts in")
+    oncoming: bool | None = Field(None, description="whether a lane of the other direction adjoins (no divider)")
+    curve: v.Side | None = Field(None, description="curve: bend to that side")
+    shoulder: bool | None = Field(None, description="whether there is a shoulder or parking lane beside ego's lanes")
+    sidewalk: bool | None = Field(None, description="whether there is a sidewalk beside ego's lanes")
+    crosswalk: bool | None = Field(None, description="whether a crosswalk lies on ego's way")
+    speed_limit: float | None = Field(None, gt=0, le=40, description="posted limit, m/s")
+    distance: Metres | None = Field(None, description="from ego's start to the intersection, ramp or crosswalk, m")
+
+
+class EgoSpec(Spec):
+    """E: the vehicle under test: how it drives, and how it reacts."""
+
+    component: Literal["E"] = "E"
+    type: v.VehicleType = "car"
+    model: str | None = Field(None, description="a CARLA blueprint, where the text names one")
+    speed: Speed | None = Field(None, description="initial and cruising speed, m/s; 0: it stands at first")
+    phases: tuple[Phase, ...] = Field((), description="what it does of its own accord, in order")
+    reaction: v.Reaction = Field("none", description="how it answers what the others do")
+    react_to: Reference | None = Field(None, description="to whom; default: whatever comes into its way")
+    hard: bool = Field(False, description="whether it reacts with an emergency manoeuvre")
+
+    @field_validator("model")
+    @classmethod
+    def _blueprint(cls, value: str | None) -> str | None:
+        return _checked_blueprint(value)
+
+
+class Placement(Spec):
+    """Where an object starts."""
+
+    position: v.Position = "ahead"
+    of: Reference = Field("ego", description="seen from whom")
+    side: v.Side | None = Field(None, description="roadside, sidewalk, parked, beside, partly_in_lane, crossing")
+    gap: Metres | None = Field(None, description="between the bounding boxes, along the road, m")
+    hidden_by: Reference | None = Field(None, description="the object that blocks ego's view of it at first")
+    facing: Literal["along", "against", "across"] | None = Field(None, description="its heading against the road's")
+
+
+class ObjectSpec(Spec):
+    """O: another road user, obstacle or thing at the road."""
+
+    component: Literal["O"] = "O"
+    name: str = Field("actor", description="a short name in the program, such as lead or pedestrian")
+    type: v.ObjectType = "car"
+    model: str | None = Field(None, description="a CARLA blueprint, where the text names one")
+    count: int = Field(1, ge=1, le=8)
+    spacing: Metres | None = Field(None, description="between the members where there are several, m")
+    placement: Placement = Placement()
+    speed: Speed | None = Field(None, description="initial speed, m/s; 0: it stands at first")
+    phases: tuple[Phase, ...] = Field((), description="what it does, in order; none: it keeps on as it started")
+    limit: float | None = Field(None, gt=0, le=40, description="speed_sign: what it says, m/s")
+
+    @field_validator("name")
+    @classmethod
+    def _identifier(cls, value: str) -> str:
+        name = re.sub(r"\W+", "_", value.strip().lower()).strip("_")
+        return name if name and not name[0].isdigit() else f"object_{name}".rstrip("_")
+
+    @field_validator("model")
+    @classmethod
+    def _blueprint(cls, value: str | None) -> str | None:
+        return _checked_blueprint(value)
+
+
+class SettingsSpec(Spec):
+    """G: the global configuration (the paper's G_settings)."""
+
+    component: Literal["G"] = "G"
+    map: str | None = Field(None, description="a CARLA town or a map of the user's; none: the default")
+    weather: tuple[v.Weather, ...] = Field((), description="none: the default, clear")
+    time: v.TimeOfDay | None = Field(None, description="none: the default, day")
+    preset: str | None = Field(None, description="a CARLA weather preset, where the text names one")
+    parameters: dict[str, float] = Field({}, description="single CARLA weather parameters that override the rest")
+    light: v.LightState | None = Field(None, description="state of the traffic light that ego faces")
+
+
+class Condition(Spec):
+    """A condition on the scene or the run."""
+
+    kind: v.ConditionKind
+    subject: Reference = "ego"
+    other: Reference | None = None
+    minimum: float | None = Field(None, description="at least so much: m or s")
+    maximum: float | None = Field(None, description="at most so much: m or s")
+    action: v.Action | None = None
+
+
+class RestrictionsSpec(Spec):
+    """T: what must hold at the start, and when the run is over."""
+
+    component: Literal["T"] = "T"
+    require: tuple[Condition, ...] = ()
+    terminate_when: tuple[Condition, ...] = ()
+    duration: float | None = Field(None, gt=0, le=120, description="the run's length, s")
+
+
+AnySpec = Annotated[
+    SettingsSpec | PlaceSpec | EgoSpec | ObjectSpec | RestrictionsSpec, Field(discriminator="component")
+]
+
+SPEC_OF = {"G": SettingsSpec, "R": PlaceSpec, "E": EgoSpec, "O": ObjectSpec, "T": RestrictionsSpec}
+
+
+def _checked_blueprint(value: str | None) -> str | None:
+    if value is not None and not re.fullmatch(r"[a-z]+(\.[a-z0-9_]+)+", value):
+        raise ValueError(f"{value!r} is no CARLA blueprint (vehicle.maker.model)")
+    return value

@@ -1,0 +1,48 @@
+"""The closed vocabulary of the specs: the names. Their meanings stand in data/vocabulary.yaml.
+
+A test holds that both list the same names; schema, prompts and documentation take the meanings from there.
+"""
+
+from typing import Literal
+
+VehicleType = Literal["car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle"]
+ObjectType = Literal[
+    "car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle",
+    "pedestrian", "child", "animal",
+    "cone", "barrier", "debris", "warning_sign", "stop_sign", "yield_sign", "speed_sign",
+    "construction_zone", "lane_closure",
+    "obstacle", "container", "trash", "box", "bench", "bus_stop", "kiosk", "vending_machine", "plant_pot", "barrel",
+]  # fmt: skip
+
+PlaceKind = Literal[
+    "road", "straight", "curve", "intersection", "roundabout", "motorway", "on_ramp", "off_ramp", "crosswalk"
+]
+Control = Literal["signal", "stop", "yield", "none"]
+Manoeuvre = Literal["left", "right", "straight", "u_turn"]
+EgoLane = Literal["leftmost", "middle", "rightmost"]
+
+Position = Literal[
+    "ahead", "behind", "beside", "left_lane", "right_lane", "oncoming_lane",
+    "crossing_left", "crossing_right", "opposite_approach",
+    "roadside", "sidewalk", "parked", "partly_in_lane", "hidden", "on_ramp", "intersection_exit",
+]  # fmt: skip
+Side = Literal["left", "right"]
+
+Action = Literal[
+    "stationary", "keep_lane", "accelerate", "brake", "stop", "wait", "start",
+    "lane_change", "cut_in", "cut_out", "overtake", "follow", "swerve", "drift",
+    "turn_left", "turn_right", "go_straight", "u_turn",
+    "cross_road", "move_along", "enter_road", "leave_road", "reverse", "oncoming",
+    "run_red", "run_stop", "yield", "lose_control", "collide",
+]  # fmt: skip
+
+TriggerKind = Literal["distance", "ttc", "time", "place", "action"]
+TriggerPlace = Literal["intersection", "crosswalk"]
+Reaction = Literal["brake", "follow", "yield", "evade", "none"]
+
+Weather = Literal["clear", "cloudy", "wet", "rain", "heavy_rain", "fog", "snow", "wind"]
+TimeOfDay = Literal["day", "dawn", "dusk", "night"]
+LightState = Literal["red", "yellow", "green"]
+ConditionKind = Literal["distance", "visible", "not_visible", "time", "travelled", "collision", "stopped", "action"]
+
+Origin = Literal["rendered", "generated", "by_hand", "imported"]

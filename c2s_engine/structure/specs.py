@@ -90,7 +90,12 @@ class Placement(Spec):
 
     position: v.Position = "ahead"
     of: Reference = Field("ego", description="seen from whom")
-    side: v.Side | None = Field(None, description="roadside, sidewalk, parked, beside, partly_in_lane, crossing")
+    along: v.Along | None = Field(
+        None, description="lengthwise to `of`; default: what the position says, else ahead"
+    )
+    side: v.Side | None = Field(
+        None, description="beside, roadside, sidewalk, parked, partly_in_lane, intersection_exit: on which side"
+    )
     gap: Metres | None = Field(None, description="between the bounding boxes, along the road, m")
     hidden_by: Reference | None = Field(None, description="the object that blocks ego's view of it at first")
     facing: Literal["along", "against", "across"] | None = Field(None, description="its heading against the road's")

@@ -24,9 +24,10 @@ EgoLane = Literal["leftmost", "middle", "rightmost"]
 Position = Literal[
     "ahead", "behind", "beside", "left_lane", "right_lane", "oncoming_lane",
     "crossing_left", "crossing_right", "opposite_approach",
-    "roadside", "sidewalk", "parked", "partly_in_lane", "hidden", "on_ramp", "intersection_exit",
+    "roadside", "sidewalk", "parked", "partly_in_lane", "on_ramp", "intersection_exit",
 ]  # fmt: skip
 Side = Literal["left", "right"]
+Along = Literal["ahead", "abreast", "behind"]
 
 Action = Literal[
     "stationary", "keep_lane", "accelerate", "brake", "stop", "wait", "start",

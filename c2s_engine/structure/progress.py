@@ -82,6 +82,9 @@ class Passage(_Progress):
     source: str = ""
     clause: str = ""
     component: str = ""
+    id: str = Field("", description="of the snippet or chunk in its store")
+    page: int | None = None
+    ranks: dict[str, int] = Field({}, description="its rank (from 1) in each list that held it: embedding, bm25")
 
 
 class Say(_Progress):

@@ -1,0 +1,239 @@
+"""The client of Ollama's chat API: streams, can be cancelled, tries again where that helps, keeps the ledger.
+
+The `ollama` package (and httpx under it) is imported at the first call: the front must be on the screen before that.
+"""
+
+import asyncio
+import time
+from collections.abc import AsyncIterator, Callable
+from contextlib import suppress
+from typing import Any
+from urllib.parse import urlsplit
+
+from c2s_engine import paths
+from c2s_engine.models import faults
+from c2s_engine.models.errors import (
+    AnswerRepeats,
+    AnswerTruncated,
+    ContextOverflow,
+    ModelCutOff,
+    ModelError,
+    ModelNotSet,
+    NotRecorded,
+)
+from c2s_engine.models.ledger import Ledger, Row
+from c2s_engine.models.messages import Piece, Question, Reply
+from c2s_engine.models.recording import Recording
+from c2s_engine.models.repetition import repeats
+from c2s_engine.models.settings import ModelSettings
+from c2s_engine.structure.progress import Token, Usage
+
+OnEvent = Callable[[Token | Usage], None]
+SURELY_TOO_LONG = 1.5
+"""A prompt estimated at over so many times `num_ctx` is not sent at all."""
+
+
+class OllamaClient:
+    """One model at one host. Use it as an async context manager, or call `close`."""
+
+    def __init__(self, settings: ModelSettings | None = None, ledger: Ledger | None = None) -> None:
+        self.settings = settings or ModelSettings()
+        self.ledger = ledger or Ledger()
+        folder = self.settings.record_folder or paths.data_folder() / "answers"
+        self.recording = Recording(folder) if self.settings.record != "off" else None
+        self._client: Any = None
+        self._capabilities: frozenset[str] | None = None
+
+    async def __aenter__(self) -> "OllamaClient":
+        return self
+
+    async def __aexit__(self, *exc: object) -> None:
+        await self.close()
+
+    async def close(self) -> None:
+        """Close the connections."""
+        if self._client is not None:
+            client, self._client = self._client, None
+            await client.close()
+
+    @property
+    def api(self) -> Any:
+        """The `ollama.AsyncClient`, made at the first use."""
+        if self._client is None:
+            import httpx
+            import ollama
+
+            limits = httpx.Timeout(self.settings.timeout, connect=self.settings.connect_timeout)
+            local = urlsplit(self.settings.host if "//" in self.settings.host else f"//{self.settings.host}").hostname
+            proxied = local not in ("127.0.0.1", "localhost", "::1", "0.0.0.0")
+            self._client = ollama.AsyncClient(host=self.settings.host, timeout=limits, trust_env=proxied)
+        return self._client
+
+    # What the host has
+
+    async def models(self) -> list[dict[str, Any]]:
+        """The models at the host: name, size (bytes), parameters, quantization."""
+        with faults.translated(self.settings):
+            answer = await self.api.list()
+        return [
+            {
+                "name": m.model or "",
+                "size": int(m.size or 0),
+                "parameters": (m.details and m.details.parameter_size) or "",
+                "quantization": (m.details and m.details.quantization_level) or "",
+                "digest": m.digest or "",
+            }
+            for m in answer.models
+        ]
+
+    async def pull(self, model: str) -> AsyncIterator[tuple[str, int, int]]:
+        """Fetch a model; yields (what is done, bytes so far, bytes in all)."""
+        with faults.translated(self.settings, model):
+            async for step in await self.api.pull(model, stream=True):
+                yield step.status or "", int(step.completed or 0), int(step.total or 0)
+
+    async def capabilities(self) -> frozenset[str]:
+        """What Ollama says the model can do ("completion", "thinking", ...); asked once."""
+        if not self.settings.model:
+            raise ModelNotSet
+        if self._capabilities is None:
+            with faults.translated(self.settings):
+                shown = await self.api.show(self.settings.model)
+            self._capabilities = frozenset(shown.capabilities or ())
+        return self._capabilities
+
+    # Asking
+
+    async def chat(self, question: Question, on_event: OnEvent | None = None) -> Reply:
+        """The whole answer to a question; raises ModelError. Its pieces go to `on_event` as they come."""
+        reply = None
+        async for piece in self.stream(question):
+            if on_event and piece.text:
+                on_event(Token(text=piece.text, component=question.component, thinking=piece.thinking))
+            reply = piece.reply or reply
+        if reply is None:
+            raise ModelCutOff(self.settings.model)
+        if on_event:
+            on_event(self.ledger.rows[-1].usage())
+        return reply
+
+    async def stream(self, question: Question) -> AsyncIterator[Piece]:
+        """The answer's pieces; the last one carries the whole. Faults that may pass are tried again with back-off."""
+        digest = question.digest(self.settings.model, self.options(question))
+        if self.recording and self.settings.record == "replay":
+            reply = self.recording.get(digest)
+            if reply is None:
+                raise NotRecorded(question.purpose, str(self.recording.folder))
+            self._enter(question, reply, 1)
+            yield Piece(text=reply.text, reply=reply)
+            return
+        if not self.settings.model:
+            raise ModelNotSet
+        if question.tokens > SURELY_TOO_LONG * self.settings.num_ctx:
+            raise ContextOverflow(question.tokens, self.settings.num_ctx)
+        for attempt in range(self.settings.retries + 1):
+            if attempt:
+                await asyncio.sleep(self.settings.backoff * 2 ** (attempt - 1))
+                yield Piece(restarted=True)
+            began = time.monotonic()
+            try:
+                async for piece in self._once(question):
+                    if piece.reply:
+                        self._enter(question, piece.reply, attempt + 1)
+                        if self.recording:
+                            self.recording.put(digest, self.settings.model, question.purpose, piece.reply)
+                    yield piece
+                return
+            except ModelError as error:
+                self._enter_fault(question, error, time.monotonic() - began, attempt + 1)
+                if not error.retry or attempt == self.settings.retries:
+                    raise
+
+    def options(self, question: Question) -> dict[str, Any]:
+        """The options of every call: `num_ctx` is always named and always the same."""
+        return {
+            "num_ctx": self.settings.num_ctx,
+            "num_predict": question.answer_tokens or self.settings.answer_tokens,
+            "temperature": self.settings.temperature,
+            "seed": self.settings.seed,
+        }
+
+    async def _think(self) -> dict[str, Any]:
+        """The `think` argument: left out for models that cannot think (Ollama refuses it there)."""
+        if "thinking" not in await self.capabilities():
+            return {}
+        return {"think": self.settings.think if self.settings.think is not None else False}
+
+    async def _once(self, question: Question) -> AsyncIterator[Piece]:
+        settings = self.settings
+        think = await self._think()
+        began = time.monotonic()
+        text, thinking, watched, last = "", "", 0, None
+        with faults.translated(settings):
+            stream = await self.api.chat(
+                model=settings.model,
+                messages=[m.model_dump() for m in question.messages],
+                stream=True,
+                format=question.schema_,
+                options=self.options(question),
+                keep_alive=settings.keep_alive,
+                **think,
+            )
+            try:
+                async for chunk in stream:
+                    last = chunk
+                    if chunk.message.thinking:
+                        thinking += chunk.message.thinking
+                        yield Piece(text=chunk.message.thinking, thinking=True)
+                    if chunk.message.content:
+                        text += chunk.message.content
+                        yield Piece(text=chunk.message.content)
+                    if len(text) + len(thinking) - watched >= 256:
+                        watched = len(text) + len(thinking)
+                        if repeats(text or thinking):
+                            raise AnswerRepeats(settings.model)
+            finally:
+                with suppress(RuntimeError):
+                    await stream.aclose()
+        if last is None or not last.done:
+            raise ModelCutOff(settings.model)
+        reply = Reply(
+            text=text,
+            thinking=thinking,
+            prompt_tokens=last.prompt_eval_count or 0,
+            answer_tokens=last.eval_count or 0,
+            seconds=time.monotonic() - began,
+            done_reason=last.done_reason or "stop",
+        )
+        self._examine(question, reply)
+        yield Piece(reply=reply)
+
+    def _examine(self, question: Question, reply: Reply) -> None:
+        """Raise where the prompt was cut to the context, or the answer was cut at its end."""
+        num_ctx = self.settings.num_ctx
+        if reply.prompt_tokens >= num_ctx - 1 or (
+            question.tokens > num_ctx and 0 < reply.prompt_tokens < 0.8 * question.tokens
+        ):
+            raise ContextOverflow(max(question.tokens, reply.prompt_tokens), num_ctx)
+        if reply.done_reason == "length":
+            raise AnswerTruncated(self.settings.model, reply.answer_tokens)
+
+    def _enter(self, question: Question, reply: Reply, tries: int, outcome: str = "ok") -> None:
+        self.ledger.add(
+            Row(
+                scenario=self.ledger.scenario,
+                purpose=question.purpose,
+                component=question.component,
+                model=self.settings.model,
+                prompt_tokens=reply.prompt_tokens,
+                answer_tokens=reply.answer_tokens,
+                seconds=reply.seconds,
+                tries=tries,
+                outcome=outcome,
+            )
+        )
+
+    def _enter_fault(self, question: Question, error: ModelError, seconds: float, tries: int) -> None:
+        """A failed try costs too: its tokens are estimated, since the model did not count them."""
+        spent = Reply(text="", prompt_tokens=question.tokens, seconds=seconds)
+        self._enter(question, spent, tries, type(error).__name__)

@@ -38,13 +38,13 @@ class MapLibrary:
         self.carla_root = Path(root).expanduser() if root else None
         self._digests: dict[tuple[str, int, int], str] = {}
 
-    def list(self) -> list[MapFile]:
+    def list(self) -> tuple[MapFile, ...]:
         """All maps by name, the shipped town first; of two files with one name the first found."""
-        return [self._map_file(name, path) for name, path in self._files().items()]
+        return tuple(self._map_file(name, path) for name, path in self._files().items())
 
-    def names(self) -> list[str]:
+    def names(self) -> tuple[str, ...]:
         """The names of all maps, without reading the files."""
-        return list(self._files())
+        return tuple(self._files())
 
     def find(self, name: str) -> MapFile:
         """The map of that name (case aside), or the file at that path; raises MapNotFound."""

@@ -1,0 +1,203 @@
+"""`c2s bench`: run, explain, compare, rate and tabulate."""
+
+import json
+import os
+import sys
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from c2s_bench.records import BenchmarkError, Record, load
+
+app = typer.Typer(
+    help="The benchmark: how well methods turn texts into programs that do what the text says.",
+    invoke_without_command=True,
+    no_args_is_help=False,
+)
+
+
+class SplitName(StrEnum):
+    """The parts of the benchmark: ids divisible by 3 report (test), the others develop (dev)."""
+
+    dev = "dev"
+    test = "test"
+    all = "all"
+
+
+Runs = Annotated[int, typer.Option("--runs", min=1, max=50, help="Rollouts of each program (K).")]
+Jobs = Annotated[int, typer.Option("--jobs", min=1, help="Processes at a time.")]
+SplitOption = Annotated[SplitName, typer.Option("--split", help="Which part: ids divisible by 3 are `test`.")]
+Files = Annotated[
+    list[Path] | None, typer.Option("--records", help="Records of your own in the same format (may be repeated).")
+]
+Scheduler = Annotated[str, typer.Option("--scheduler", help="Run on the Dask cluster at that address.")]
+Fresh = Annotated[bool, typer.Option("--fresh", help="Run again what is known from before.")]
+Reveal = Annotated[bool, typer.Option("--reveal", help="Show the reporting part record by record, too.")]
+Seed = Annotated[int, typer.Option("--seed", help="Of the first rollout.")]
+Method = Annotated[str, typer.Option("--method", help="embedded, typed, mixed, C1 to C12, assemble, full-script.")]
+Model = Annotated[str, typer.Option("--model", help="The language model, for methods that use one.")]
+EngineOption = Annotated[str, typer.Option("--engine", hidden=True)]
+CORES = os.cpu_count() or 1
+
+
+@app.callback()
+def bench(
+    context: typer.Context,
+    method: Method = "embedded",
+    model: Model = "",
+    split: SplitOption = SplitName.all,
+    runs: Runs = 5,
+    jobs: Jobs = CORES,
+    records: Files = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+    explain: Annotated[str, typer.Option("--explain", metavar="ID", help="Show one record atom by atom.")] = "",
+    reveal: Reveal = False,
+    scheduler: Scheduler = "",
+    out: Annotated[Path | None, typer.Option("--out", help="Write the results there as JSON lines.")] = None,
+    seed: Seed = 0,
+    map_name: Annotated[str | None, typer.Option("--map", help="Place every scenario on that map.")] = None,
+    fresh: Fresh = False,
+    engine: EngineOption = "",
+) -> None:
+    """Run a method on the records and print the paper's table; what is known from before is not run again."""
+    if context.invoked_subcommand:
+        return
+    with _one_sentence():
+        from c2s_bench import tables
+        from c2s_bench.execute import execute
+        from c2s_bench.explain import explain as explanation
+        from c2s_bench.results import as_json as json_of
+        from c2s_bench.results import results_file, save
+        from c2s_bench.tasks import Setup
+
+        chosen = load(records, split.value)
+        if explain:
+            chosen = [_record(load(records), explain, reveal)]
+        setup = Setup(method, model, map_name, runs, seed)
+        results = execute(chosen, setup, jobs=jobs, scheduler=scheduler, fresh=fresh, engine=engine)
+        if explain:
+            typer.echo(explanation(chosen[0], results[0]))
+            return
+        stem = "-".join([setup.name, *(p.stem for p in records or ())])
+        save(results, results_file(stem))
+        if out:
+            save([r for r in results if reveal or not r.withheld], out)
+        if as_json:
+            typer.echo(json.dumps(json_of(results, setup, reveal), indent=1))
+        else:
+            typer.echo(tables.by_source(results))
+            typer.echo("\nBy kind of atom, where the program ran:\n\n" + tables.by_kind(results))
+            _list_failures(results, reveal)
+
+
+@app.command()
+def compare(a: str, b: str, reveal: Reveal = False) -> None:
+    """Show what changed from A to B (files of results, or methods that were run), by record and atom."""
+    with _one_sentence():
+        from c2s_bench.compare import compare as difference
+        from c2s_bench.results import load_results
+
+        typer.echo(difference(load_results(a), load_results(b), (a, b), reveal))
+
+
+@app.command()
+def distribution(records: Files = None) -> None:
+    """Print how the records are distributed, beside the paper's table."""
+    with _one_sentence():
+        from c2s_bench.distribution import markdown
+
+        typer.echo(markdown(load(records)))
+
+
+@app.command()
+def table(
+    models: Annotated[str, typer.Option("--models", help="Models, by commas; `embedded` is the method without one.")],
+    method: Method = "C11",
+    split: SplitOption = SplitName.all,
+    runs: Runs = 5,
+    jobs: Jobs = CORES,
+    scheduler: Scheduler = "",
+    baselines: Annotated[bool, typer.Option(help="Also the two baselines, with the first model.")] = True,
+    engine: EngineOption = "",
+) -> None:
+    """Print the paper's second table: models and baselines."""
+    with _one_sentence():
+        from c2s_bench import tables
+        from c2s_bench.execute import execute
+        from c2s_bench.results import total_of
+        from c2s_bench.tasks import Setup
+
+        names = [m.strip() for m in models.split(",") if m.strip()]
+        setups = {m: Setup("embedded" if m == "embedded" else method, "" if m == "embedded" else m) for m in names}
+        first = next((m for m in names if m != "embedded"), "")
+        if baselines and first:
+            setups |= {f"{m} ({first})": Setup(m, first) for m in ("assemble", "full-script")}
+        chosen, rows = load(split=split.value), {}
+        for label, setup in setups.items():
+            setup = Setup(setup.method, setup.model, None, runs)
+            rows[label] = total_of(execute(chosen, setup, jobs=jobs, scheduler=scheduler, engine=engine))
+        typer.echo(tables.models(rows))
+
+
+@app.command()
+def ablation(
+    model: Model = "",
+    only: Annotated[str, typer.Option("--only", help="Configurations, by commas; default C1 to C12.")] = "",
+    split: SplitOption = SplitName.all,
+    runs: Runs = 5,
+    jobs: Jobs = CORES,
+    scheduler: Scheduler = "",
+    engine: EngineOption = "",
+) -> None:
+    """Print the paper's first table: the twelve prompting configurations with one model."""
+    with _one_sentence():
+        from c2s_bench import tables
+        from c2s_bench.execute import execute
+        from c2s_bench.results import total_of
+        from c2s_bench.tasks import Setup
+
+        known = [f"C{n}" for n in range(1, 13)]
+        names = [n.strip() for n in only.split(",") if n.strip()] or known
+        if wrong := [n for n in names if n not in known]:
+            raise BenchmarkError(f"{wrong[0]} is no configuration; there are C1 to C12")
+        chosen = load(split=split.value)
+        rows = {
+            name: total_of(
+                execute(chosen, Setup(name, model, None, runs), jobs=jobs, scheduler=scheduler, engine=engine)
+            )
+            for name in names
+        }
+        typer.echo(tables.ablation(rows))
+
+
+def _record(records: list[Record], identity: str, reveal: bool) -> Record:
+    for record in records:
+        if record.id == identity:
+            if record.withheld and not reveal:
+                raise BenchmarkError(f"{identity} is of the reporting part, kept unseen: --reveal shows it")
+            return record
+    raise BenchmarkError(f"there is no record {identity}")
+
+
+def _list_failures(results: list, reveal: bool) -> None:
+    shown = [r for r in results if not r.score.ran and (reveal or not r.withheld)]
+    if shown:
+        typer.echo("\nDid not run:\n")
+        for result in shown:
+            typer.echo(f"- {result.id}: {result.reason}")
+
+
+class _one_sentence:
+    """Faults that the user can mend end the command with their sentence, not with a traceback."""
+
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, kind: type | None, error: BaseException | None, trace: object) -> None:
+        if isinstance(error, BenchmarkError):
+            typer.echo(str(error), err=True)
+            raise typer.Exit(1) from None
+        if isinstance(error, KeyboardInterrupt):
+            typer.echo("Stopped. The same command goes on from here.", err=True)
+            sys.exit(130)

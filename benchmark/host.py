@@ -1,0 +1,103 @@
+"""An engine that lives in a thread of this process and works through tasks."""
+
+import asyncio
+import importlib
+import threading
+import time
+from contextlib import AbstractAsyncContextManager
+from typing import Any
+
+from c2s_bench.tasks import Outcome, Setup, Task
+
+from c2s_engine.structure.progress import Finished, ProgramChanged, Say, Usage
+
+REAL = "c2s_bench.host:real_engine"
+
+
+def real_engine(setup: Setup) -> AbstractAsyncContextManager[Any]:
+    """The facade, with the model that is asked for."""
+    from c2s_engine.api import Engine, Settings
+
+    return Engine(Settings(model=setup.model) if setup.model else Settings())
+
+
+def factory_of(name: str) -> Any:
+    """The engine factory `module:function`."""
+    module, _, attribute = name.partition(":")
+    return getattr(importlib.import_module(module), attribute)
+
+
+class EngineHost:
+    """Starts the engine at the first task and keeps it; another model is another engine."""
+
+    def __init__(self, factory: str = REAL):
+        self._factory = factory_of(factory)
+        self._loop = asyncio.new_event_loop()
+        self._thread = threading.Thread(target=self._loop.run_forever, name="engine", daemon=True)
+        self._thread.start()
+        self._engines: dict[tuple[str, str | None], tuple[Any, Any]] = {}
+        self._lock = threading.Lock()
+
+    def run(self, task: Task) -> Outcome:
+        """What the task's method makes of its text; a fault becomes the outcome's `error`."""
+        with self._lock:
+            try:
+                return asyncio.run_coroutine_threadsafe(self._run(task), self._loop).result()
+            except Exception as error:  # any fault of one task must not end the others
+                return Outcome(task.key, task.id, error=f"{type(error).__name__}: {error}")
+
+    def close(self) -> None:
+        """Stop the engines and the thread."""
+        asyncio.run_coroutine_threadsafe(self._close(), self._loop).result()
+        self._loop.call_soon_threadsafe(self._loop.stop)
+        self._thread.join()
+        self._loop.close()
+
+    async def _engine(self, setup: Setup) -> Any:
+        key = (setup.model, setup.map)
+        if key not in self._engines:
+            manager = self._factory(setup)
+            self._engines[key] = (manager, await manager.__aenter__())
+        return self._engines[key][1]
+
+    async def _run(self, task: Task) -> Outcome:
+        setup = task.setup
+        engine = await self._engine(setup)
+        tokens, last, said = 0, 0.0, ""
+        finished: Finished | None = None
+        began = time.perf_counter()
+        async for event in engine.generate(
+            task.text, method=setup.method, map=setup.map, seed=setup.seed, run=True, runs=setup.runs
+        ):
+            match event:
+                case ProgramChanged():
+                    last = time.perf_counter() - began
+                case Usage():
+                    tokens += event.prompt_tokens + event.answer_tokens
+                case Say(severity="error"):
+                    said = event.text
+                case Finished():
+                    finished = event
+        if finished is None:
+            return Outcome(task.key, task.id, error=said or "the engine ended without a result")
+        return Outcome(
+            task.key,
+            task.id,
+            program=finished.program.text,
+            stages=tuple(_stage(s) for s in finished.stages),
+            facts=tuple(f.model_dump(mode="json", exclude_defaults=True) for f in finished.facts),
+            seconds=last or finished.seconds,
+            tokens=finished.details.get("tokens", tokens),
+            error=said if not finished.stages and not finished.ok else "",
+        )
+
+    async def _close(self) -> None:
+        for manager, _ in self._engines.values():
+            await manager.__aexit__(None, None, None)
+        self._engines.clear()
+
+
+def _stage(stage: Any) -> dict[str, Any]:
+    errors = [d for d in stage.diagnostics if d.severity == "error"]
+    message = " ".join(errors[0].message.split()) if errors else ""
+    return {"name": stage.name, "ok": stage.ok, "seconds": stage.seconds, "message": message}

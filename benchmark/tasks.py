@@ -1,0 +1,102 @@
+"""One task of the benchmark: a method on a record's text, and what came of it, as plain JSON."""
+
+import hashlib
+import json
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from c2s_bench.records import Record
+
+import c2s_engine
+from c2s_engine.paths import shipped
+from c2s_engine.structure.facts import RunFacts
+
+NOT_THE_METHOD = ("cli.py", "session/")  # parts of the engine that no result depends on
+
+
+@dataclass(frozen=True)
+class Setup:
+    """How records are run: method, model (empty: none), map (None: the method's choice), K rollouts, first seed."""
+
+    method: str = "embedded"
+    model: str = ""
+    map: str | None = None
+    runs: int = 5
+    seed: int = 0
+
+    @property
+    def name(self) -> str:
+        """A name for files and tables."""
+        return f"{self.method}@{self.model}" if self.model else self.method
+
+
+@dataclass(frozen=True)
+class Task:
+    """What a worker gets; `key` is the digest of all that the outcome depends on."""
+
+    key: str
+    id: str
+    text: str
+    setup: Setup
+
+    def as_dict(self) -> dict[str, Any]:
+        return asdict(self)
+
+    @classmethod
+    def from_dict(cls, data: dict[str, Any]) -> "Task":
+        return cls(data["key"], data["id"], data["text"], Setup(**data["setup"]))
+
+
+@dataclass
+class Outcome:
+    """What a method made of a record's text. `seconds` from the text to the last version of the program."""
+
+    key: str
+    id: str
+    program: str = ""
+    stages: tuple[dict[str, Any], ...] = ()
+    facts: tuple[dict[str, Any], ...] = ()
+    seconds: float = 0.0
+    tokens: float = 0.0
+    error: str = ""  # why there is no result; such an outcome is not kept
+
+    def run_facts(self) -> Sequence[RunFacts]:
+        return [RunFacts.model_validate(f) for f in self.facts]
+
+    @property
+    def reason(self) -> str:
+        """In one line, why it did not run, where it did not."""
+        for stage in self.stages:
+            if not stage["ok"]:
+                return f"{stage['name']}: {stage.get('message', '')}"
+        broken = [f for f in self.facts if f["ended_by"] not in ("time", "terminated", "collision")]
+        return self.error or (f"run {broken[0]['ended_by']}: {broken[0].get('reason', '')}" if broken else "")
+
+
+def tasks_for(records: Sequence[Record], setup: Setup) -> list[Task]:
+    """The tasks of those records, each under the digest of text, setup, engine and data."""
+    state = engine_digest()
+    return [
+        Task(_digest([r.text, asdict(setup), state]), r.id, r.text, setup)  # the expectation is no part: it is scored
+        for r in records
+    ]
+
+
+@cache
+def engine_digest() -> str:
+    """The digest of the engine's code and of the shipped data (maps included)."""
+    root = Path(c2s_engine.__file__).parent
+    found = hashlib.sha256()
+    for base, pattern in ((root, "**/*.py"), (shipped(), "**/*")):
+        for file in sorted(base.glob(pattern)):
+            relative = file.relative_to(base).as_posix()
+            if file.is_file() and "__pycache__" not in relative and not relative.startswith(NOT_THE_METHOD):
+                found.update(relative.encode() + b"\0" + hashlib.sha256(file.read_bytes()).digest())
+    return found.hexdigest()[:16]
+
+
+def _digest(value: Any) -> str:
+    return hashlib.sha256(json.dumps(value, sort_keys=True).encode()).hexdigest()[:24]

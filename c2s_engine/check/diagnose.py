@@ -1,0 +1,71 @@
+"""From an exception to a diagnostic: which line of the user's program, which component, why, and what to do."""
+
+import traceback
+from typing import Any
+
+from c2s_engine.check import errors
+from c2s_engine.structure.diagnostics import Diagnostic, StageName
+from c2s_engine.structure.program import FragmentSpan
+
+
+class Program:
+    """The checked text with its lines and the components that they belong to."""
+
+    def __init__(self, text: str, filename: str, spans: Any = ()) -> None:
+        self.text = text
+        self.filename = filename
+        self.lines = text.split("\n")
+        self.lines = [line + "\n" for line in self.lines[:-1]] + ([self.lines[-1]] if self.lines[-1] else [])
+        self.spans = tuple(s if isinstance(s, FragmentSpan) else FragmentSpan.model_validate(s) for s in spans)
+
+    def component_at(self, line: int | None) -> str | None:
+        if line is None:
+            return None
+        return next((s.component for s in self.spans if s.first <= line <= s.last), None)
+
+    def line(self, number: int | None) -> str:
+        if number is None or not 1 <= number <= len(self.lines):
+            return ""
+        return self.lines[number - 1].rstrip("\r\n")
+
+    def locate(self, diagnostic: Diagnostic) -> Diagnostic:
+        """The diagnostic with the component and the text of its line."""
+        return diagnostic.model_copy(
+            update={
+                "component": diagnostic.component or self.component_at(diagnostic.line),
+                "text": diagnostic.text or self.line(diagnostic.line).strip(),
+            }
+        )
+
+
+def diagnose(error: BaseException, stage: StageName, program: Program) -> Diagnostic:
+    """The diagnostic of an exception that a stage raised."""
+    line, column = position(error, program)
+    found = errors.explain(error, stage, program.line(line))
+    diagnostic = Diagnostic(
+        stage=stage, message=found.message, code=found.code, line=line, column=column, fix=found.fix
+    )
+    return program.locate(diagnostic)
+
+
+def position(error: BaseException, program: Program) -> tuple[int | None, int | None]:
+    """Line and column (1-based) in the user's program, as far as the exception tells."""
+    line = getattr(error, "lineno", None)
+    name = getattr(error, "filename", None)
+    if isinstance(line, int) and (name in (None, program.filename)):
+        return min(line, max(1, len(program.lines))), _column(getattr(error, "offset", None))
+    location = getattr(error, "_scenic_location", None)
+    if location is not None and location.filename == program.filename:
+        return location.lineno, None
+    current: BaseException | None = error
+    while current is not None:
+        frames = [f for f in traceback.extract_tb(current.__traceback__) if f.filename == program.filename]
+        if frames:
+            column = frames[-1].colno
+            return frames[-1].lineno, None if column is None else column + 1
+        current = current.__cause__ or current.__context__
+    return None, None
+
+
+def _column(offset: Any) -> int | None:
+    return offset if isinstance(offset, int) and offset > 0 else None

@@ -1,0 +1,210 @@
+"""What a forked child does: run a preamble, a program or expressions, and report over its socket."""
+
+import contextlib
+import importlib
+import io
+import marshal
+import os
+import pickle
+import socket
+import sys
+import time
+import warnings
+from typing import Any
+
+from c2s_engine.check import confine, diagnose, reading, sampling, warm, wire, zygote
+from c2s_engine.check.naming import Names
+from c2s_engine.structure.diagnostics import Diagnostic, StageResult
+
+_prepared: dict[str, Any] = {}
+"""In a snapshot: the namespace in which the preamble was run."""
+
+
+def handle(conn: socket.socket) -> None:
+    """Do the one job that arrives over the socket."""
+    wire.send(conn, {"pid": os.getpid()})
+    try:
+        job, blob = wire.receive(conn)
+    except wire.Closed:
+        return
+    _silence()
+    if job["kind"] == "reader":
+        confine.limit(memory=6 << 30)
+        reading.serve(conn)
+    elif job["kind"] == "map":
+        _load_map(conn, job)
+    elif job["kind"] == "preamble":
+        _preamble(conn, job, blob)
+    elif job["kind"] == "places":
+        from c2s_engine.check import places
+
+        places.answer(conn, job, _prepared)
+    else:
+        _Check(conn, job, blob).run()
+
+
+def _silence() -> None:
+    """Native libraries that print must not reach the protocol."""
+    null = os.open(os.devnull, os.O_RDWR)
+    for fd in (0, 1, 2):
+        os.dup2(null, fd)
+    os.close(null)
+    sys.stdin = io.StringIO()
+    sys.stdout = sys.stderr = io.TextIOWrapper(open(os.devnull, "wb"))  # noqa: SIM115
+    warnings.simplefilter("ignore")
+
+
+def _load_map(conn: socket.socket, job: dict[str, Any]) -> None:
+    from scenic.domains.driving.roads import Network
+
+    try:
+        Network.fromFile(job["path"])
+    except Exception as error:
+        wire.send(conn, {"failed": str(error)})
+        return
+    wire.send(conn, {"ready": True})
+    zygote.serve(conn, handle)
+
+
+def _preamble(conn: socket.socket, job: dict[str, Any], blob: bytes) -> None:
+    """Run the statements up to `model` and stay, so that programs with the same ones start from here."""
+    from scenic.syntax import veneer
+
+    codes, count, _, _ = pickle.loads(blob)
+    namespace, options = begin(job)
+    try:
+        for code in codes[:count]:
+            _exec(marshal.loads(code), namespace)
+    except BaseException as error:
+        wire.send(conn, {"failed": str(error)})
+        return
+    _prepared.update(namespace=namespace, options=options, count=count, veneer=veneer)
+    wire.send(conn, {"ready": True})
+    zygote.serve(conn, handle)
+
+
+def begin(job: dict[str, Any]) -> tuple[dict[str, Any], Any]:
+    """Scenic's start of a top-level module: the namespace and the options."""
+    from scenic.syntax import translator, veneer
+
+    options = translator.CompileOptions(mode2D=True, paramOverrides=dict(job.get("params") or {}))
+    namespace: dict[str, Any] = {"__name__": "__main__"}
+    veneer.activate(options, namespace)
+    exec(compile(translator.preamble, "<veneer>", "exec"), namespace)
+    namespace[translator.namespaceReference] = namespace
+    return namespace, options
+
+
+def _exec(code: Any, namespace: dict[str, Any]) -> None:
+    from scenic.syntax import translator
+
+    translator.executeCodeIn(code, namespace)
+
+
+class _Check:
+    """One program in this process."""
+
+    def __init__(self, conn: socket.socket, job: dict[str, Any], blob: bytes) -> None:
+        self.conn, self.job = conn, job
+        self.codes, _, self.requirements, self.digest = pickle.loads(blob)
+        self.program = diagnose.Program(job["program"], job["filename"], job["spans"])
+        self.limits = job["limits"]
+
+    def run(self) -> None:
+        isolation = confine.confine(self.job)
+        wire.send(self.conn, {"isolation": isolation})
+        warm.reseed(self.job["seed"])
+        scenario = self._stage("compile", self._compile)
+        if scenario is not None and self.job["upto"] != "compile":
+            self._scenes(scenario)
+        wire.send(self.conn, {"end": True})
+
+    def _stage(self, name: Any, work: Any) -> Any:
+        started = time.perf_counter()
+        self._send({"begin": name})
+        result, found = None, ()
+        try:
+            result = work()
+        except BaseException as error:
+            if isinstance(error, SystemExit | KeyboardInterrupt):
+                error = RuntimeError(f"the program tried to end the process ({type(error).__name__})")
+            found = (diagnose.diagnose(error, name, self.program),)
+        self._finish(name, started, found)
+        return result
+
+    def _finish(self, name: Any, started: float, found: tuple[Diagnostic, ...]) -> None:
+        ok = not any(d.severity == "error" for d in found)
+        stage = StageResult(name=name, ok=ok, seconds=time.perf_counter() - started, diagnostics=found)
+        self._send({"stage": stage.model_dump(mode="json")})
+
+    def _send(self, message: dict[str, Any]) -> None:
+        wire.send(self.conn, message)
+
+    def _compile(self) -> Any:
+        from scenic.syntax import translator, veneer
+
+        old = list(sys.modules)
+        if _prepared:
+            namespace, options, done = _prepared["namespace"], _prepared["options"], _prepared["count"]
+        else:
+            (namespace, options), done = begin(self.job), 0
+        self.names = Names(self.program)
+        try:
+            with self.names.watching():
+                for code in self.codes[done:]:
+                    _exec(marshal.loads(code), namespace)
+                translator.storeScenarioStateIn(namespace, self.requirements, self.digest, options)
+        finally:
+            veneer.deactivate()
+            translator.purgeModulesUnsafeToCache(old)
+        with self.names.watching():
+            scenario = translator.constructScenarioFrom(namespace)
+        self.names.gather(namespace, scenario)
+        return scenario
+
+    def _scenes(self, scenario: Any) -> None:
+        run = self._runner() if self.job["upto"] == "run" else None
+        sampler = sampling.Sampler(scenario, self.program, self.limits, self.names)
+        started, found, seconds = time.perf_counter(), [], 0.0
+        ran: list[Diagnostic] = []
+        self._send({"begin": "sample"})
+        for k in range(max(1, self.job["runs"])):
+            seed = self.job["seed"] + k
+            begun = time.perf_counter()
+            scene, iterations, trouble = sampler.sample(seed)
+            seconds += time.perf_counter() - begun
+            self._send({"iterations": iterations})
+            found.extend(trouble)
+            if scene is None:
+                break
+            if run is not None:
+                self._send({"begin": "run"})
+                ran.extend(self._rollout(run, scenario, scene, seed))
+                self._send({"begin": "sample"})
+        self._finish("sample", time.perf_counter() - seconds, tuple(found))
+        if run is not None and not found:
+            self._finish("run", started + seconds, tuple(ran))
+
+    def _runner(self) -> Any:
+        module, _, name = self.job["runner"].partition(":")
+        return getattr(importlib.import_module(module), name)
+
+    def _rollout(self, run: Any, scenario: Any, scene: Any, seed: int) -> list[Diagnostic]:
+        names, components = self.names.of(scenario, scene)
+        try:
+            facts, tracks = run(
+                scene, names=names, components=components, seed=seed, seconds=self.job["seconds"],
+                trajectories=self.job["trajectories"], map_path=str(scene.params.get("map", "")),
+            )  # fmt: skip
+        except BaseException as error:
+            return [diagnose.diagnose(error, "run", self.program)]
+        self._send({"facts": facts.model_dump(mode="json")})
+        if tracks is not None:
+            self._send({"trajectories": tracks.model_dump(mode="json")})
+        if facts.ended_by in ("rejected", "error"):
+            return [Diagnostic(stage="run", message=facts.reason or f"the run was {facts.ended_by}", code="run")]
+        return []
+
+
+with contextlib.suppress(ImportError):
+    import resource  # noqa: F401

@@ -1,0 +1,89 @@
+"""A program cut at its top-level statements, each parsed and compiled once: an edit costs only what it touches.
+
+The pieces together are exactly what Scenic's compiler makes of the whole: a test compares the AST hashes.
+"""
+
+import ast
+import hashlib
+import io
+import tokenize
+from dataclasses import dataclass
+from typing import Any
+
+CONTINUES = frozenset({"else", "elif", "except", "finally", "interrupt"})
+
+
+@dataclass(frozen=True)
+class Piece:
+    """Source lines `first`..`last` (1-based, inclusive) that hold one top-level statement."""
+
+    first: int
+    last: int
+    text: str
+
+
+class Cut(Exception):
+    """The text cannot be cut: its brackets or strings do not end."""
+
+
+def cut(text: str) -> list[Piece]:
+    """Cut at top-level statements; raises Cut where the tokenizer finds no end."""
+    lines = list(io.StringIO(text))
+    starts: list[int] = []
+    ends: list[int] = []
+    depth = 0
+    begins, decorated = True, False
+    try:
+        for token in tokenize.generate_tokens(io.StringIO(text).readline):
+            if token.type == tokenize.INDENT:
+                depth += 1
+            elif token.type == tokenize.DEDENT:
+                depth -= 1
+            elif token.type == tokenize.NEWLINE:
+                begins = True
+                if ends:
+                    ends[-1] = max(ends[-1], token.start[0])
+            elif token.type in (tokenize.NL, tokenize.COMMENT, tokenize.ENDMARKER):
+                continue
+            elif begins:
+                begins = False
+                if depth == 0 and token.string not in CONTINUES and not decorated:
+                    starts.append(token.start[0])
+                    ends.append(token.start[0])
+                if depth == 0:
+                    decorated = token.string == "@"
+    except (tokenize.TokenError, IndentationError, SyntaxError) as error:
+        raise Cut(str(error)) from None
+    return [Piece(first, last, "".join(lines[first - 1 : last])) for first, last in zip(starts, ends, strict=True)]
+
+
+def parse(text: str, filename: str, offset: int = 0) -> Any:
+    """Scenic's syntax tree of a text that begins after `offset` lines."""
+    from scenic.syntax.parser import parse_string
+
+    return parse_string("\n" * offset + text, "exec", filename=filename)
+
+
+def translate(tree: Any, filename: str, requirements: list, syntax_id: int) -> tuple[ast.Module, list, int]:
+    """The Python tree of a Scenic tree, as a continuation of what has `requirements` and `syntax_id` so far."""
+    from scenic.syntax.compiler import ScenicToPythonTransformer
+
+    transformer = ScenicToPythonTransformer(filename)
+    transformer.inBehavior = transformer.inMonitor = transformer.inCompose = False
+    transformer.inSetup = transformer.inInterruptBlock = False
+    transformer.requirements = list(requirements)
+    transformer.nextSyntaxId = syntax_id
+    result = ast.fix_missing_locations(transformer.visit(tree))
+    return result, transformer.requirements, transformer.nextSyntaxId
+
+
+def ast_hash(dumps: list[str]) -> bytes:
+    """Scenic's digest of a module, from the dumps of its statements."""
+    whole = f"Module(body=[{', '.join(dumps)}], type_ignores=[])"
+    return hashlib.blake2b(whole.encode(), digest_size=4).digest()
+
+
+def compile_text(text: str, filename: str) -> tuple[ast.Module, list, bytes]:
+    """A whole text at once: Python tree, requirements, digest (the library modules)."""
+    tree, requirements, _ = translate(parse(text, filename), filename, [], 0)
+    return tree, requirements, hashlib.blake2b(ast.dump(tree).encode(), digest_size=4).digest()

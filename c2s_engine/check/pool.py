@@ -1,0 +1,132 @@
+"""The warm processes: the root with Scenic, one a map, one a preamble, and the reader."""
+
+import asyncio
+import os
+import socket
+from collections import OrderedDict
+from pathlib import Path
+from typing import Any
+
+from c2s_engine.check import wire
+from c2s_engine.check.processes import Child, Zygote
+
+MAPS = 4
+PREAMBLES = 8
+READ_SECONDS = 10.0
+
+
+class TooSlow(Exception):
+    """The reader did not come back within READ_SECONDS."""
+
+
+class Pool:
+    """Finds or makes the warmest process to fork a job from."""
+
+    def __init__(self, root: Zygote) -> None:
+        self.root = root
+        self.lost = asyncio.Event()
+        self.maps: OrderedDict[Any, asyncio.Task[Zygote | None]] = OrderedDict()
+        self.preambles: OrderedDict[Any, asyncio.Task[Zygote | None]] = OrderedDict()
+        self._reader: Child | None = None
+        self._reading = asyncio.Lock()
+        self._watch = asyncio.create_task(self._root_gone())
+
+    @classmethod
+    async def start(cls, control: socket.socket) -> "Pool":
+        return cls(await Zygote.over(control))
+
+    async def _root_gone(self) -> None:
+        await self.root._task
+        self.lost.set()
+
+    async def read(self, request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
+        """Have the reader parse a program; raises TooSlow, or wire.Closed where it dies of it."""
+        task = asyncio.create_task(self._read(request))
+        return await asyncio.shield(task)
+
+    async def _read(self, request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
+        async with self._reading:
+            if self._reader is None:
+                self._reader = await self.root.spawn({"kind": "reader"})
+            reader = self._reader
+            try:
+                reader.writer.write(wire.encode(request))
+                return await asyncio.wait_for(wire.read(reader.reader), READ_SECONDS)
+            except (TimeoutError, wire.Closed, ConnectionError) as error:
+                reader.kill()
+                self._reader = None
+                if isinstance(error, TimeoutError):
+                    raise TooSlow from None
+                raise wire.Closed from None
+
+    async def nearest(self, map_path: str, preamble: tuple | None, job: dict[str, Any], blob: bytes) -> Zygote:
+        """The zygote that has most of what a program needs; makes those that are missing."""
+        zygote = self.root
+        key = _file_key(map_path)
+        if key is not None:
+            zygote = await self._get(self.maps, key, MAPS, self.root, {"kind": "map", "path": map_path}) or self.root
+        if preamble is not None:
+            job = {**job, "kind": "preamble"}
+            zygote = await self._get(self.preambles, (key, *preamble), PREAMBLES, zygote, job, blob) or zygote
+        return zygote
+
+    async def _get(
+        self,
+        shelf: OrderedDict[Any, asyncio.Task[Zygote | None]],
+        key: Any,
+        bound: int,
+        parent: Zygote,
+        job: dict[str, Any],
+        blob: bytes = b"",
+    ) -> Zygote | None:
+        task = shelf.get(key)
+        if task is not None and task.done() and (task.cancelled() or task.exception() or not _living(task)):
+            task = None
+        if task is None:
+            task = shelf[key] = asyncio.create_task(_grow(parent, job, blob))
+        shelf.move_to_end(key)
+        while len(shelf) > bound:
+            _, old = shelf.popitem(last=False)
+            old.add_done_callback(_drop)
+        try:
+            return await asyncio.shield(task)
+        except (wire.Closed, TimeoutError):
+            return None
+
+    def close(self) -> None:
+        for shelf in (self.preambles, self.maps):
+            for task in shelf.values():
+                task.cancel() if not task.done() else _drop(task)
+        if self._reader is not None:
+            self._reader.kill()
+        self.root.close()
+
+
+def _living(task: asyncio.Task[Zygote | None]) -> bool:
+    zygote = task.result()
+    return zygote is not None and zygote.alive
+
+
+def _drop(task: asyncio.Task[Zygote | None]) -> None:
+    if not task.cancelled() and task.exception() is None and (zygote := task.result()) is not None:
+        zygote.close()
+
+
+async def _grow(parent: Zygote, job: dict[str, Any], blob: bytes) -> Zygote | None:
+    child = await parent.spawn(job, blob)
+    try:
+        header, _ = await asyncio.wait_for(wire.read(child.reader), 120)
+    except (TimeoutError, wire.Closed):
+        child.kill()
+        return None
+    if not header.get("ready"):
+        child.kill()
+        return None
+    return child.becomes_zygote()
+
+
+def _file_key(path: str) -> tuple | None:
+    if not path or not Path(path).is_file():
+        return None
+    stat = os.stat(path)
+    return (os.path.realpath(path), stat.st_mtime_ns, stat.st_size)

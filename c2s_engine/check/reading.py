@@ -1,0 +1,147 @@
+"""The reader process: parses, lints and compiles programs piece by piece and remembers the pieces. It runs none of it."""
+
+import ast
+import hashlib
+import marshal
+import pickle
+import socket
+import time
+from collections import OrderedDict
+from dataclasses import dataclass, field
+from typing import Any
+
+from c2s_engine.check import diagnose, lint, pieces, safety, wire
+from c2s_engine.structure.diagnostics import Diagnostic, StageResult
+
+KEEP = 4000  # pieces
+
+
+@dataclass
+class Compiled:
+    """One piece: its code, what it adds to the requirements, its digest's text, and what the lints found in it."""
+
+    code: bytes
+    requirements: list
+    syntax_id: int
+    dump: str
+    facts: lint.PieceFacts
+    unsafe: list[Diagnostic]
+    first: int
+    simple: bool
+    model: bool
+    map: str | None = None
+
+
+@dataclass
+class Reader:
+    """Reads programs; keeps what it compiled."""
+
+    cache: OrderedDict = field(default_factory=OrderedDict)
+
+    def read(self, request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
+        """The stages parse and safety of a request, and the code where they pass."""
+        text, filename = request["program"], request["filename"]
+        where = diagnose.Program(text, filename, request["spans"])
+        stages: list[StageResult] = []
+        started = time.perf_counter()
+        try:
+            parts = self._compile(where)
+        except Exception as error:
+            stages.append(_stage("parse", started, (diagnose.diagnose(error, "parse", where),)))
+            return {"stages": _dump(stages)}, b""
+        found = lint.check([p.facts for p in parts], where)
+        stages.append(_stage("parse", started, found))
+        started = time.perf_counter()
+        if not stages[-1].ok or request["upto"] == "parse":
+            return {"stages": _dump(stages)}, b""
+        if not request["trust"]:
+            allow = {tuple(pair) for pair in request["allow"]}
+            unsafe = tuple(where.locate(d) for p in parts for d in p.unsafe if not safety.allowed(d, allow))
+            stages.append(_stage("safety", started, unsafe))
+            if not stages[-1].ok or request["upto"] == "safety":
+                return {"stages": _dump(stages)}, b""
+        digest = pieces.ast_hash([p.dump for p in parts])
+        count = next((i + 1 for i, p in enumerate(parts) if p.model), 0)
+        simple = bool(count) and all(p.simple for p in parts[:count])
+        key = hashlib.blake2b(repr([(p.dump, p.first) for p in parts[:count]]).encode(), digest_size=16).hexdigest()
+        maps = [p.map for p in parts[:count] if p.map]
+        header = {
+            "stages": _dump(stages),
+            "ast_hash": digest.hex(),
+            "preamble": key if simple else "",
+            "map": maps[-1] if simple and maps else "",
+        }
+        requirements = [r for p in parts for r in p.requirements]
+        blob = pickle.dumps(([p.code for p in parts], count, requirements, digest))
+        return header, blob
+
+    def _compile(self, where: diagnose.Program) -> list[Compiled]:
+        try:
+            parts = pieces.cut(where.text)
+        except pieces.Cut:
+            self._blame_component(where)
+            parts = [pieces.Piece(1, len(where.lines), where.text)]
+        done: list[Compiled] = []
+        count, syntax_id = 0, 0
+        for part in parts:
+            key = (part.text, part.first, where.filename, count, syntax_id)
+            compiled = self.cache.get(key)
+            if compiled is None:
+                compiled = self.cache[key] = self._piece(part, where.filename, count, syntax_id)
+                if len(self.cache) > KEEP:
+                    self.cache.popitem(last=False)
+            else:
+                self.cache.move_to_end(key)
+            count += len(compiled.requirements)
+            syntax_id = compiled.syntax_id
+            done.append(compiled)
+        return done
+
+    def _piece(self, part: pieces.Piece, filename: str, count: int, syntax_id: int) -> Compiled:
+        tree = pieces.parse(part.text, filename, part.first - 1)
+        facts = lint.gather(tree)
+        unsafe = safety.examine(tree)
+        simple, model, path = lint.preamble(tree)
+        python, requirements, syntax_id = pieces.translate(tree, filename, [None] * count, syntax_id)
+        return Compiled(
+            code=marshal.dumps(compile(python, filename, "exec")),
+            requirements=requirements[count:],
+            syntax_id=syntax_id,
+            dump=", ".join(ast.dump(s) for s in python.body),
+            facts=facts,
+            unsafe=unsafe,
+            first=part.first,
+            simple=simple,
+            model=model,
+            map=path,
+        )
+
+    def _blame_component(self, where: diagnose.Program) -> None:
+        """Where a text has no end, parse it by components: the one left open is to blame, not the last line."""
+        for span in where.spans:
+            lines = where.lines[span.first - 1 : span.last]
+            try:
+                pieces.cut("".join(lines))
+            except pieces.Cut:
+                pieces.parse("".join(lines), where.filename, span.first - 1)
+
+
+def _stage(name: Any, started: float, found: tuple[Diagnostic, ...]) -> StageResult:
+    ok = not any(d.severity == "error" for d in found)
+    return StageResult(name=name, ok=ok, seconds=time.perf_counter() - started, diagnostics=found)
+
+
+def _dump(stages: list[StageResult]) -> list[dict]:
+    return [s.model_dump(mode="json") for s in stages]
+
+
+def serve(conn: socket.socket) -> None:
+    """Answer read requests one after the other until the server hangs up."""
+    reader = Reader()
+    while True:
+        try:
+            request, _ = wire.receive(conn)
+        except wire.Closed:
+            return
+        header, blob = reader.read(request)
+        wire.send(conn, header, blob)

@@ -1,0 +1,151 @@
+"""One request from beginning to end: read, find a warm process, fork, watch the limits, gather the report."""
+
+import asyncio
+import os
+import signal
+import time
+from pathlib import Path
+from typing import Any
+
+from c2s_engine.check import wire
+from c2s_engine.check.pool import Pool, TooSlow
+from c2s_engine.check.processes import Child
+from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits, PlacesReport, PlacesRequest
+from c2s_engine.structure.diagnostics import Diagnostic, StageName, StageResult
+from c2s_engine.structure.facts import RunFacts, Trajectories
+
+
+async def check(pool: Pool, request: CheckRequest, runner: str | None) -> CheckReport:
+    """Check a program; whatever happens to its process becomes a diagnostic."""
+    job = request.model_dump(mode="json")
+    folder = Path(request.folder or os.getcwd())
+    job["filename"] = str(folder / request.filename)
+    job["runner"] = runner
+    gathered = _Gathered()
+    started = time.perf_counter()
+    try:
+        header, blob = await pool.read(job)
+    except TooSlow:
+        return gathered.failed("parse", started, "parse_time", "the program takes too long to parse; make it simpler")
+    except wire.Closed:
+        return gathered.failed(
+            "parse", started, "parse_crash", "the program is nested too deeply or too large to parse; make it simpler"
+        )
+    gathered.stages = [StageResult.model_validate(s) for s in header["stages"]]
+    gathered.ast_hash = header.get("ast_hash", "")
+    if not blob or request.upto in ("parse", "safety"):
+        return gathered.report()
+    if request.upto == "run" and not runner:
+        return gathered.failed("run", started, "no_runner", "this check server was started without a runner")
+    map_path = _map_path(header["map"], request, folder)
+    preamble = (
+        (header["preamble"], job["filename"], repr(sorted(request.params.items()))) if header["preamble"] else None
+    )
+    zygote = await pool.nearest(map_path, preamble, job, blob)
+    child = await zygote.spawn({**job, "kind": "check"}, blob)
+    return await _watch(child, request.limits, gathered)
+
+
+def _map_path(said: str, request: CheckRequest, folder: Path) -> str:
+    path = request.params.get("map", said)
+    return str(folder / str(path)) if path else ""
+
+
+class _Gathered:
+    """What a child has reported so far."""
+
+    def __init__(self) -> None:
+        self.stages: list[StageResult] = []
+        self.facts: list[RunFacts] = []
+        self.trajectories: list[Trajectories] = []
+        self.iterations: list[int] = []
+        self.isolation = ""
+        self.ast_hash = ""
+        self.stage: StageName = "compile"
+        self.places: dict[str, Any] | None = None
+        self.ended = False
+
+    def take(self, message: dict[str, Any]) -> None:
+        if "stage" in message:
+            self.stages.append(StageResult.model_validate(message["stage"]))
+        elif "begin" in message:
+            self.stage = message["begin"]
+        elif "facts" in message:
+            self.facts.append(RunFacts.model_validate(message["facts"]))
+        elif "trajectories" in message:
+            self.trajectories.append(Trajectories.model_validate(message["trajectories"]))
+        elif "iterations" in message:
+            self.iterations.append(int(message["iterations"]))
+        elif "isolation" in message:
+            self.isolation = str(message["isolation"])
+        elif "places" in message:
+            self.places = message["places"]
+        elif "end" in message:
+            self.ended = True
+
+    def failed(self, stage: StageName, started: float, code: str, message: str) -> CheckReport:
+        found = Diagnostic(stage=stage, code=code, message=message)
+        seconds = time.perf_counter() - started
+        self.stages.append(StageResult(name=stage, ok=False, seconds=seconds, diagnostics=(found,)))
+        return self.report()
+
+    def report(self) -> CheckReport:
+        return CheckReport(
+            stages=tuple(self.stages),
+            facts=tuple(self.facts),
+            trajectories=tuple(self.trajectories),
+            iterations=tuple(self.iterations),
+            isolation=self.isolation,
+            ast_hash=self.ast_hash,
+        )
+
+
+async def _follow(child: Child, gathered: _Gathered) -> None:
+    while not gathered.ended:
+        header, _ = await wire.read(child.reader)
+        gathered.take(header)
+
+
+async def _watch(child: Child, limits: Limits, gathered: _Gathered) -> CheckReport:
+    started = time.perf_counter()
+    try:
+        await asyncio.wait_for(_follow(child, gathered), limits.wall)
+    except TimeoutError:
+        return gathered.failed(gathered.stage, started, "limit_wall", f"stopped after {limits.wall:g} s (wall time)")
+    except (wire.Closed, ValueError, KeyError):
+        status = await child.status()
+        code, message = _death(status, limits)
+        return gathered.failed(gathered.stage, started, code, message)
+    finally:
+        child.kill()
+    return gathered.report()
+
+
+def _death(status: int, limits: Limits) -> tuple[str, str]:
+    number = status & 0x7F if status >= 0 else 0
+    if number == signal.SIGXCPU or number == signal.SIGKILL:
+        return "limit_cpu", f"stopped after {limits.cpu:g} s of CPU time"
+    if number == signal.SIGSEGV:
+        return "crash", "the program crashed the interpreter (it is nested or recursing too deeply)"
+    if number:
+        return "crash", f"the program ended its process ({signal.Signals(number).name})"
+    return "exit", "the program ended its process"
+
+
+async def places(pool: Pool, request: PlacesRequest) -> PlacesReport:
+    """Evaluate expressions in the names that a program on that map has."""
+    text = f"param map = {request.map!r}\nparam carla_map = None\nmodel scenic.simulators.carla.model\n"
+    check_request = CheckRequest(program=text, filename="places.scenic", upto="compile")
+    job = check_request.model_dump(mode="json")
+    job["filename"] = str(Path(request.map).parent / "places.scenic")
+    if not Path(request.map).is_file():
+        raise ValueError(f"there is no map file {request.map}")
+    header, blob = await pool.read(job)
+    zygote = await pool.nearest(request.map, (header["preamble"], job["filename"], "[]"), job, blob)
+    child = await zygote.spawn({**job, "kind": "places", "expressions": request.expressions}, b"")
+    gathered = _Gathered()
+    report = await _watch(child, check_request.limits, gathered)
+    if gathered.places is None:
+        found = [d.message for s in report.stages for d in s.diagnostics]
+        raise ValueError(found[0] if found else f"the map {request.map} could not be read")
+    return PlacesReport.model_validate(gathered.places)

@@ -1,0 +1,110 @@
+"""The dual retriever over one shelf: embedding alone, BM25 alone, or both fused."""
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+
+from c2s_engine.retrieve.abstain import answerable
+from c2s_engine.retrieve.fusion import fuse
+from c2s_engine.retrieve.rows import Kind
+from c2s_engine.retrieve.store import Shelf
+from c2s_engine.retrieve.tokens import tokenise
+
+Method = Literal["embedding", "bm25", "fused"]
+DEPTH = 50  # items of each list that are fused
+WEIGHTS = {"embedding": 1.0, "bm25": 1.0}
+
+
+@dataclass
+class Hit:
+    """An item that was found: the row that stands for it, its cosine, and its rank in each list."""
+
+    row: int
+    item: str
+    score: float
+    cosine: float
+    ranks: dict[str, int] = field(default_factory=dict)
+
+
+@dataclass
+class Found:
+    """The hits, best first, and whether they are good enough to be an answer."""
+
+    hits: list[Hit]
+    answerable: bool
+    cosine: float
+    coverage: float
+
+
+def retrieve(
+    shelf: Shelf, kind: Kind, query: str, vector: np.ndarray, method: Method, limit: int, component: str | None = None
+) -> Found:
+    """The best items of a shelf for a query with its vector (filtered by component, where one is named)."""
+    if not len(shelf):
+        return Found([], False, 0.0, 0.0)
+    allowed = shelf.components == component if component else None
+    cosines = shelf.vectors @ vector
+    near = np.where(allowed, cosines, -2.0) if allowed is not None else cosines
+    by_meaning = _best(shelf, near, np.arange(len(shelf)), near, DEPTH)
+    terms = tokenise(query)
+    documents, scores = shelf.postings.scores(terms)
+    if allowed is not None:
+        kept = allowed[documents]
+        documents, scores = documents[kept], scores[kept]
+    by_words = _best(shelf, scores, documents, None, DEPTH)
+    rankings = {"embedding": [r for r, _ in by_meaning], "bm25": [r for r, _ in by_words]}
+    ranks: dict[str, dict[str, int]] = {}
+    standing: dict[str, int] = {}
+    for name, rows in rankings.items():
+        for rank, row in enumerate(rows, 1):
+            ranks.setdefault(shelf.items[row], {})[name] = rank
+            standing.setdefault(shelf.items[row], row)
+    number = {item: i for i, item in enumerate(standing)}
+    lists = {name: [number[shelf.items[r]] for r in rows] for name, rows in rankings.items()}
+    used = lists if method == "fused" else {method: lists[method]}
+    items = list(standing)
+    hits = []
+    for index, score in fuse(used, WEIGHTS)[:limit]:
+        row = standing[items[index]]
+        hits.append(Hit(row, items[index], score, float(cosines[row]), ranks[items[index]]))
+    cosine = float(near[by_meaning[0][0]]) if by_meaning else 0.0
+    covered = _coverage(shelf, terms, [row for row, _ in by_words[:5]])
+    return Found(hits, bool(hits) and answerable(kind, cosine, covered), cosine, covered)
+
+
+def _best(
+    shelf: Shelf, scores: np.ndarray, rows: np.ndarray, mask: np.ndarray | None, depth: int
+) -> list[tuple[int, float]]:
+    """The best rows, one an item: its best row stands for it. Ties go to the earlier row."""
+    wanted = min(len(rows), depth * 6)
+    if wanted == 0:
+        return []
+    part = np.argpartition(-scores, wanted - 1)[:wanted] if wanted < len(rows) else np.arange(len(rows))
+    part = part[np.lexsort((rows[part], -scores[part]))]
+    found: list[tuple[int, float]] = []
+    seen: set[str] = set()
+    for i in part:
+        if mask is not None and mask[i] <= -2.0:
+            break
+        row = int(rows[i])
+        if shelf.items[row] not in seen:
+            seen.add(shelf.items[row])
+            found.append((row, float(scores[i])))
+            if len(found) == depth:
+                break
+    return found
+
+
+def _coverage(shelf: Shelf, terms: list[str], rows: list[int]) -> float:
+    """The largest share of the query's idf that one of these rows holds."""
+    rarity = {t: max(shelf.postings.rarity(t), 0.0) for t in set(terms)}
+    total = sum(rarity.values())
+    if not total or not rows:
+        return 0.0
+    best = 0.0
+    for row in rows:
+        record = shelf.table.slice(row, 1)
+        held = set(tokenise(record.column("lexical")[0].as_py()))
+        best = max(best, sum(r for t, r in rarity.items() if t in held) / total)
+    return best

@@ -154,10 +154,10 @@ class Town:
         link = None
         if "after" in plan:
             link = self.lines[plan["after"]]
-        line.road = self._road(line.id, plan["name"], line.start, line.pieces, _lanes(line, linked=link is not None), -1)
-        line.road.add_type(
-            xodr.RoadType[profile["type"]], 0, country="DE", speed=profile["limit"], speed_unit="km/h"
+        line.road = self._road(
+            line.id, plan["name"], line.start, line.pieces, _lanes(line, linked=link is not None), -1
         )
+        line.road.add_type(xodr.RoadType[profile["type"]], 0, country="DE", speed=profile["limit"], speed_unit="km/h")
         if link:
             line.road.add_predecessor(xodr.ElementType.road, link.id, xodr.ContactPoint.end)
             link.road.add_successor(xodr.ElementType.road, line.id, xodr.ContactPoint.start)
@@ -288,7 +288,12 @@ class Town:
             sweep = (_bearing((x, y), following.out) - gap - begin) % math.tau
             radius = plan["radius"] - half
             start = Pose(x + radius * math.cos(begin), y + radius * math.sin(begin), begin + math.pi / 2)
-            ring = Line({"id": plan["roads"] + number, "name": "ring", "profile": plan["ring"]}, profile, start, arc(sweep, radius))
+            ring = Line(
+                {"id": plan["roads"] + number, "name": "ring", "profile": plan["ring"]},
+                profile,
+                start,
+                arc(sweep, radius),
+            )
             self._add_line(ring)
             rings.append(ring)
         group = xodr.JunctionGroup(plan["name"], plan["id"], xodr.JunctionGroupType.roundabout)

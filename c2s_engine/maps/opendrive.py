@@ -1,0 +1,220 @@
+"""OpenDRIVE as XML, read with care, and its geometry: where (road, s, t) lies and how wide lanes are. Units: m, rad."""
+
+import math
+import xml.etree.ElementTree as ET
+from bisect import bisect_right
+from dataclasses import dataclass
+from pathlib import Path
+from xml.parsers import expat
+
+MAX_BYTES = 200_000_000
+DRIVABLE = frozenset({"driving", "entry", "exit", "offRamp", "onRamp", "connectingRamp"})
+"""The lane types that Scenic drives on."""
+
+
+class BrokenMap(ValueError):
+    """A map file that cannot be read; the message is one sentence that says why."""
+
+
+def parse(path: Path) -> ET.Element:
+    """The root element of an OpenDRIVE file; refuses document types and entities. Raises BrokenMap."""
+    builder = ET.TreeBuilder()
+    parser = expat.ParserCreate()
+    parser.buffer_text = True
+    parser.StartElementHandler = lambda tag, attributes: builder.start(tag.rpartition("}")[2], attributes)
+    parser.EndElementHandler = builder.end
+
+    def refuse(*_: object) -> None:
+        raise BrokenMap(
+            f"{path.name} declares a document type or entities, which no OpenDRIVE map needs: it is not read."
+        )
+
+    parser.StartDoctypeDeclHandler = refuse
+    parser.EntityDeclHandler = refuse
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise BrokenMap(f"{path.name} is larger than {MAX_BYTES // 1_000_000} MB: it is not read as a map.")
+        with path.open("rb") as file:
+            parser.ParseFile(file)
+        root = builder.close()
+    except expat.ExpatError as error:
+        reason = expat.errors.messages.get(error.code, "no XML")
+        raise BrokenMap(f"{path.name} is no well-formed XML: {reason} in line {error.lineno}.") from None
+    except OSError as error:
+        raise BrokenMap(f"{path.name} cannot be read: {error.strerror or error}.") from None
+    if root.tag != "OpenDRIVE":
+        raise BrokenMap(f"{path.name} is no OpenDRIVE map: its outermost element is <{root.tag[:40]}>.")
+    return root
+
+
+def number(element: ET.Element, name: str, default: float | None = None) -> float:
+    """An attribute as a finite number; raises BrokenMap."""
+    text = element.get(name)
+    try:
+        value = float(text) if text is not None else default
+    except ValueError:
+        value = None
+    if value is None or not math.isfinite(value):
+        raise BrokenMap(f"<{element.tag} {name}={text!r}> in the map should be a number.")
+    return value
+
+
+@dataclass(frozen=True)
+class Piece:
+    """One geometry of a reference line, beginning at s."""
+
+    s: float
+    x: float
+    y: float
+    heading: float
+    length: float
+    kind: str
+    terms: tuple[float, ...]
+
+    def at(self, ds: float) -> tuple[float, float, float]:
+        """(x, y, heading) that far along."""
+        u, v, turn = self._local(max(0.0, min(ds, self.length)))
+        c, s = math.cos(self.heading), math.sin(self.heading)
+        return self.x + u * c - v * s, self.y + u * s + v * c, self.heading + turn
+
+    def _local(self, ds: float) -> tuple[float, float, float]:
+        if self.kind == "arc" and self.terms[0]:
+            k = self.terms[0]
+            return math.sin(k * ds) / k, (1 - math.cos(k * ds)) / k, k * ds
+        if self.kind == "spiral":
+            return self._spiral(ds)
+        if self.kind == "poly3":
+            _, b, c, d = self.terms
+            return ds, self.terms[0] + ds * (b + ds * (c + ds * d)), math.atan(b + ds * (2 * c + 3 * d * ds))
+        if self.kind == "paramPoly3":
+            *t, scale = self.terms
+            p = ds / self.length * scale if self.length else 0.0
+            u, v = (t[i] + p * (t[i + 1] + p * (t[i + 2] + p * t[i + 3])) for i in (0, 4))
+            du, dv = (t[i + 1] + p * (2 * t[i + 2] + 3 * p * t[i + 3]) for i in (0, 4))
+            return u, v, math.atan2(dv, du)
+        return ds, 0.0, 0.0
+
+    def _spiral(self, ds: float) -> tuple[float, float, float]:
+        """By Simpson's rule over the heading."""
+        begin, end = self.terms
+        rate = (end - begin) / self.length if self.length else 0.0
+
+        def turn(s: float) -> float:
+            return begin * s + rate * s * s / 2
+
+        count = 2 * max(2, math.ceil(ds / 4))
+        step = ds / count
+        weights = [1, *([4, 2] * (count // 2))[:-1], 1]
+        u = sum(w * math.cos(turn(i * step)) for i, w in enumerate(weights)) * step / 3
+        v = sum(w * math.sin(turn(i * step)) for i, w in enumerate(weights)) * step / 3
+        return u, v, turn(ds)
+
+
+@dataclass(frozen=True)
+class Lane:
+    """A lane of a section: its signed id, type, and width as (offset in the section, a, b, c, d)."""
+
+    id: int
+    type: str
+    widths: tuple[tuple[float, ...], ...]
+
+    def width(self, ds: float) -> float:
+        return _cubic(self.widths, ds)
+
+
+@dataclass(frozen=True)
+class Section:
+    """A lane section that begins at s."""
+
+    s: float
+    lanes: tuple[Lane, ...]
+
+    def side(self, sign: int) -> list[Lane]:
+        """The lanes left (1) or right (-1) of the reference line, from the middle outwards."""
+        return sorted((lane for lane in self.lanes if lane.id * sign > 0), key=lambda lane: abs(lane.id))
+
+    def driving(self, sign: int) -> list[Lane]:
+        return [lane for lane in self.side(sign) if lane.type in DRIVABLE]
+
+
+@dataclass(frozen=True)
+class Road:
+    """A road's geometry and lanes."""
+
+    id: int
+    length: float
+    pieces: tuple[Piece, ...]
+    offsets: tuple[tuple[float, ...], ...]
+    sections: tuple[Section, ...]
+
+    def at(self, s: float, t: float = 0.0) -> tuple[float, float, float]:
+        """(x, y, heading of the reference line) at road coordinates, t to the left."""
+        piece = self.pieces[max(0, bisect_right([p.s for p in self.pieces], s) - 1)]
+        x, y, heading = piece.at(s - piece.s)
+        return x - t * math.sin(heading), y + t * math.cos(heading), heading
+
+    def section(self, s: float) -> Section:
+        return self.sections[max(0, bisect_right([sec.s for sec in self.sections], s) - 1)]
+
+    def edges(self, s: float, lane: int, section: Section | None = None) -> tuple[float, float]:
+        """The inner and outer edge (t) of a lane."""
+        section = section or self.section(s)
+        sign = 1 if lane > 0 else -1
+        t = _cubic(self.offsets, s) if self.offsets else 0.0
+        for beside in section.side(sign):
+            width = sign * max(0.0, beside.width(s - section.s))
+            if beside.id == lane:
+                return t, t + width
+            t += width
+        raise KeyError(lane)
+
+
+def _cubic(records: tuple[tuple[float, ...], ...], s: float) -> float:
+    begin, a, b, c, d = (0.0, 0.0, 0.0, 0.0, 0.0)
+    for record in records:
+        if record[0] <= s + 1e-9:
+            begin, a, b, c, d = record
+    ds = s - begin
+    return a + ds * (b + ds * (c + ds * d))
+
+
+def _terms(element: ET.Element, *names: str) -> tuple[float, ...]:
+    return tuple(number(element, name, 0.0) for name in names)
+
+
+def _piece(element: ET.Element) -> Piece:
+    shape = element[0] if len(element) else ET.Element("line")
+    length = number(element, "length")
+    terms: tuple[float, ...] = ()
+    if shape.tag == "arc":
+        terms = _terms(shape, "curvature")
+    elif shape.tag == "spiral":
+        terms = _terms(shape, "curvStart", "curvEnd")
+    elif shape.tag == "poly3":
+        terms = _terms(shape, "a", "b", "c", "d")
+    elif shape.tag == "paramPoly3":
+        scale = length if shape.get("pRange") == "arcLength" else 1.0
+        terms = (*_terms(shape, "aU", "bU", "cU", "dU", "aV", "bV", "cV", "dV"), scale)
+    return Piece(number(element, "s"), number(element, "x"), number(element, "y"), number(element, "hdg"), length,
+                 shape.tag, terms)  # fmt: skip
+
+
+def _section(element: ET.Element) -> Section:
+    lanes = [
+        Lane(int(number(lane, "id")), lane.get("type", "none"),
+             tuple(_terms(width, "sOffset", "a", "b", "c", "d") for width in lane.iter("width")))
+        for side in ("left", "right")
+        for lane in element.findall(f"{side}/lane")
+    ]  # fmt: skip
+    return Section(number(element, "s"), tuple(lanes))
+
+
+def read_road(element: ET.Element) -> Road:
+    """Geometry and lanes of a <road>; raises BrokenMap."""
+    pieces = tuple(_piece(geometry) for geometry in element.findall("planView/geometry"))
+    sections = tuple(_section(section) for section in element.findall("lanes/laneSection"))
+    rid = int(number(element, "id"))
+    if not pieces or not sections:
+        raise BrokenMap(f"Road {rid} of the map has no {'geometry' if not pieces else 'lanes'}.")
+    offsets = tuple(_terms(offset, "s", "a", "b", "c", "d") for offset in element.findall("lanes/laneOffset"))
+    return Road(rid, number(element, "length"), pieces, offsets, sections)

@@ -1,0 +1,110 @@
+"""What a junction is, from its roads and ways alone: an intersection, a part of a roundabout, a merge or a diverge."""
+
+import math
+import xml.etree.ElementTree as ET
+from collections import defaultdict
+from dataclasses import dataclass
+from typing import Literal
+
+from c2s_engine.maps.opendrive import Road, number
+
+JunctionKind = Literal["intersection", "roundabout", "on_ramp", "off_ramp", "transition"]
+GENTLE = math.radians(25)
+"""Ways of merges and diverges turn by less."""
+
+
+@dataclass(frozen=True)
+class Link:
+    """A way through a junction: from a road (its end or start) over a connecting road to a road (its start or end)."""
+
+    junction: int
+    source: int
+    way: int
+    forward: bool
+    at_end: bool
+    target: int | None
+    target_start: bool
+
+
+@dataclass(frozen=True)
+class JunctionInfo:
+    """A junction: its kind, the roads that lead into it and out of it, and the ramp where it is one."""
+
+    id: int
+    name: str
+    kind: JunctionKind
+    incoming: tuple[int, ...]
+    outgoing: tuple[int, ...]
+    ramp: int | None = None
+
+
+def junction_infos(
+    root: ET.Element, links: list[Link], lanes: dict[int, tuple[int, int]], geometry: dict[int, Road]
+) -> dict[int, JunctionInfo]:
+    """Every junction with ways through it. `lanes`: driving lanes (left, right) of each road."""
+    ways: dict[int, list[Link]] = defaultdict(list)
+    for link in links:
+        if link.way in geometry and link.source in geometry:
+            ways[link.junction].append(link)
+    names = {int(number(j, "id")): j.get("name") or "" for j in root.findall("junction")}
+    marked = {
+        int(number(reference, "junction"))
+        for group in root.findall("junctionGroup")
+        if group.get("type") == "roundabout"
+        for reference in group.findall("junctionReference")
+    }
+    rings = marked or _rings(ways, lanes, geometry)
+    return {
+        jid: _info(jid, names.get(jid, ""), found, jid in rings, lanes, geometry)
+        for jid, found in ways.items()
+        if found
+    }
+
+
+def _info(
+    jid: int, name: str, links: list[Link], ring: bool, lanes: dict[int, tuple[int, int]], geometry: dict[int, Road]
+) -> JunctionInfo:
+    incoming = tuple(dict.fromkeys(link.source for link in links))
+    outgoing = tuple(dict.fromkeys(link.target for link in links if link.target is not None))
+    if ring:
+        return JunctionInfo(jid, name, "roundabout", incoming, outgoing)
+    one_way = not set(incoming) & set(outgoing)
+    if not one_way or any(abs(turn(geometry[link.way])) > GENTLE for link in links):
+        return JunctionInfo(jid, name, "intersection", incoming, outgoing)
+    if len(incoming) > 1 and len(outgoing) == 1:
+        return JunctionInfo(jid, name, "on_ramp", incoming, outgoing, min(incoming, key=lambda r: sum(lanes[r])))
+    if len(incoming) == 1 and len(outgoing) > 1:
+        return JunctionInfo(jid, name, "off_ramp", incoming, outgoing, min(outgoing, key=lambda r: sum(lanes[r])))
+    return JunctionInfo(jid, name, "transition" if len(incoming) == 1 else "intersection", incoming, outgoing)
+
+
+def turn(road: Road) -> float:
+    """Change of heading from a road's start to its end, left positive."""
+    return math.remainder(road.at(road.length)[2] - road.at(0.0)[2], math.tau)
+
+
+def _rings(ways: dict[int, list[Link]], lanes: dict[int, tuple[int, int]], geometry: dict[int, Road]) -> set[int]:
+    """Junctions on a circle of one-way roads that bend to the left, for maps that do not mark roundabouts."""
+    into = {(link.source, link.at_end): junction for junction, found in ways.items() for link in found}
+    following: dict[int, set[int]] = defaultdict(set)
+    for junction, found in ways.items():
+        for link in found:
+            if link.target not in geometry or 0 not in lanes[link.target]:
+                continue
+            bend = turn(geometry[link.target]) * (1 if link.target_start else -1)
+            after = into.get((link.target, link.target_start))
+            if after is not None and after != junction and math.radians(8) < bend < math.radians(200):
+                following[junction].add(after)
+    found_rings: set[int] = set()
+    for start in following:
+        path = [start]
+        while len(path) <= 10 and len(following[path[-1]]) == 1:
+            (step,) = following[path[-1]]
+            if step == start:
+                if len(path) >= 3:
+                    found_rings.update(path)
+                break
+            if step in path:
+                break
+            path.append(step)
+    return found_rings

@@ -1,25 +1,3 @@
-"""The scripted server as a fixture."""
+from tests.models.fixtures import client_of, server
 
-from collections.abc import Callable, Iterator
-
-import pytest
-
-from c2s_engine.models import ModelSettings, OllamaClient
-from tests.models.fake_ollama import FakeOllama
-
-
-@pytest.fixture
-def server() -> Iterator[FakeOllama]:
-    with FakeOllama() as running:
-        yield running
-        assert not running.violations
-
-
-@pytest.fixture
-def client_of() -> Callable[..., OllamaClient]:
-    """A client for a server, with quick tries."""
-
-    def make(server: FakeOllama, **settings) -> OllamaClient:
-        return OllamaClient(ModelSettings(**{"model": "small", "host": server.host, "backoff": 0.001, **settings}))
-
-    return make
+__all__ = ["client_of", "server"]

@@ -1,0 +1,115 @@
+"""The paper's Interpreter: a text to one sentence per component (R, E, O1..N, T, and what is said of G)."""
+
+import re
+from typing import Any, get_args
+
+from pydantic import BaseModel, ConfigDict
+
+from c2s_engine.interpret.llm.asking import Asker, prompt
+from c2s_engine.interpret.llm.schema import limits
+from c2s_engine.interpret.llm.units import annotate
+from c2s_engine.structure import vocabulary as v
+from c2s_engine.structure.components import Link
+
+
+class ObjectSentence(BaseModel):
+    model_config = ConfigDict(frozen=True)
+
+    type: str
+    sentence: str
+
+
+class Sentences(BaseModel):
+    """What the text says of each component; empty where it says nothing."""
+
+    model_config = ConfigDict(frozen=True)
+
+    settings: str = ""
+    place: str = ""
+    ego: str = ""
+    objects: tuple[ObjectSentence, ...] = ()
+    restrictions: str = ""
+
+    def of(self, cid: str) -> str:
+        """A component's sentence."""
+        if cid.startswith("O"):
+            return self.objects[int(cid[1:]) - 1].sentence
+        return {"G": self.settings, "R": self.place, "E": self.ego, "T": self.restrictions}[cid]
+
+    @property
+    def ids(self) -> list[str]:
+        return ["G", "R", "E", *(f"O{i + 1}" for i in range(len(self.objects))), "T"]
+
+    def listed(self) -> str:
+        """`O1 (van): sentence` lines of all that is said, for a prompt."""
+        kinds = {f"O{i + 1}": f" ({o.type})" for i, o in enumerate(self.objects)}
+        return "\n".join(f"{cid}{kinds.get(cid, '')}: {self.of(cid)}" for cid in self.ids if self.of(cid))
+
+
+def sentences_schema() -> dict[str, Any]:
+    """The schema of the answer; everything but the settings and restrictions is asked for."""
+    sentence = {"type": "string", "maxLength": limits()["lengths"]["sentence"]}
+    item = {
+        "type": "object",
+        "properties": {"type": {"type": "string", "enum": list(get_args(v.ObjectType))}, "sentence": sentence},
+        "required": ["type", "sentence"],
+        "additionalProperties": False,
+    }
+    return {
+        "type": "object",
+        "properties": {
+            "settings": sentence,
+            "place": sentence,
+            "ego": sentence,
+            "objects": {"type": "array", "items": item, "maxItems": limits()["lengths"]["objects"]},
+            "restrictions": sentence,
+        },
+        "required": ["objects"],
+        "additionalProperties": False,
+    }
+
+
+async def read_components(text: str, asker: Asker) -> Sentences:
+    """The sentences of a text; raises ModelError."""
+    if not text.strip():
+        return Sentences()
+    return await asker.form(prompt("components"), annotate(text), sentences_schema(), purpose="interpret", build=_tidy)
+
+
+def _tidy(value: dict[str, Any]) -> Sentences:
+    longest = limits()["lengths"]["sentence"]
+
+    def clean(words: str) -> str:
+        return re.sub(r"\s+", " ", words).strip()[:longest]
+
+    objects = tuple(
+        ObjectSentence(type=o["type"], sentence=clean(o["sentence"])) for o in value["objects"] if clean(o["sentence"])
+    )
+    plain = {name: clean(value.get(name, "")) for name in ("settings", "place", "ego", "restrictions")}
+    if not objects and not plain["ego"] and not plain["place"]:
+        raise ValueError("nothing is said of ego, the place or any object")
+    return Sentences(objects=objects, **plain)
+
+
+_SENTENCE = re.compile(r"[^.!?;]+(?:[.](?=\d)[^.!?;]+)*[.!?;]?")
+
+
+def link(text: str, sentence: str) -> tuple[Link, ...]:
+    """The part of the user's text that a component's sentence rests on: that with most words in common."""
+    wanted = _content(sentence)
+    best, score = None, 0
+    for match in _SENTENCE.finditer(text):
+        common = len(wanted & _content(match[0]))
+        if common > score:
+            best, score = match, common
+    if best is None:
+        return ()
+    start = best.start() + len(best[0]) - len(best[0].lstrip())
+    return (Link(kind="text", label=text[start : best.end()].strip(), span=(start, best.end())),)
+
+
+def _content(text: str) -> set[str]:
+    return {w for w in re.findall(r"[a-z0-9]{3,}", text.lower()) if w not in _COMMON}
+
+
+_COMMON = {"the", "and", "ego", "its", "that", "when", "with", "from", "which", "for", "has", "are", "was", "vehicle"}

@@ -1,0 +1,105 @@
+"""The embedded interpreter's answer for single components of a reading that a model began."""
+
+import re
+from functools import cached_property
+from typing import Any
+
+from c2s_engine.interpret.llm import words
+from c2s_engine.interpret.llm.components import Sentences
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.edits import _REFERENCE_FIELDS
+from c2s_engine.structure.specs import SPEC_OF, AnySpec, ObjectSpec
+
+
+class Embedded:
+    """The embedded reading of a text, made when first needed."""
+
+    def __init__(self, interpreter: Any, text: str) -> None:
+        self.interpreter = interpreter
+        self.text = text
+
+    @cached_property
+    def structure(self) -> Structure:
+        return self._read(self.text)
+
+    def _read(self, text: str) -> Structure:
+        found = self.interpreter.interpret(text)
+        return getattr(found, "structure", found)
+
+    def spec(self, cid: str, sentences: Sentences) -> AnySpec:
+        """The spec that stands in for a component; references are those of the model's numbering."""
+        if not cid.startswith("O"):
+            theirs = self.structure[cid].spec
+        else:
+            partner = self._partners(sentences).get(cid)
+            theirs = partner.spec if partner else self._by_itself(sentences, cid)
+        back = {their.id: mine for mine, their in self._partners(sentences).items()}
+        return _renumbered(theirs, {"ego": "ego", **back})
+
+    def _partners(self, sentences: Sentences) -> dict[str, Component]:
+        """Which embedded object is which of the model's: the likest first, by type and words in common."""
+        pairs = [
+            (_likeness(wanted.type, wanted.sentence, their), -i, -j)
+            for i, wanted in enumerate(sentences.objects)
+            for j, their in enumerate(self.structure.objects)
+        ]
+        found: dict[str, Component] = {}
+        taken: set[int] = set()
+        for likeness, i, j in sorted(pairs, reverse=True):
+            mine = f"O{1 - i}"
+            if likeness >= 1 and mine not in found and j not in taken:
+                found[mine] = self.structure.objects[-j]
+                taken.add(j)
+        return found
+
+    def _by_itself(self, sentences: Sentences, cid: str) -> ObjectSpec:
+        """The component's own sentence read alone; at least an object of the type that the model named."""
+        wanted = sentences.objects[int(cid[1:]) - 1]
+        objects = self._read(wanted.sentence).objects
+        if objects:
+            return objects[0].spec
+        return ObjectSpec(type=wanted.type, name=wanted.type)
+
+
+def _likeness(kind: str, sentence: str, other: Component) -> float:
+    spec = other.spec
+    same = 2.0 if spec.type == kind else 1.0 if _family(spec.type) == _family(kind) else 0.0
+    mine, theirs = (set(re.findall(r"[a-z]{4,}", s.lower())) for s in (sentence, other.description))
+    return same + len(mine & theirs) / (1 + len(mine | theirs)) if same else 0.0
+
+
+def _family(kind: str) -> str:
+    return "person" if kind in words.PERSONS else "thing" if words.is_thing(kind) else "vehicle"
+
+
+def _renumbered(spec: AnySpec, ids: dict[str, str]) -> AnySpec:
+    """The spec with its references translated; those without a counterpart are left out."""
+
+    def walk(value: Any, key: str = "") -> Any:
+        if isinstance(value, dict):
+            pairs = ((k, walk(v, k)) for k, v in value.items())
+            return {k: v for k, v in pairs if v is not _GONE}
+        if isinstance(value, list | tuple):
+            return [walk(v, key) for v in value]
+        if key in _REFERENCE_FIELDS and isinstance(value, str):
+            return ids.get(value, _GONE)
+        return value
+
+    return SPEC_OF[spec.component].model_validate(walk(spec.model_dump(exclude_none=True)))
+
+
+def distinct_names(structure: Structure) -> Structure:
+    """The objects' names in the program made distinct: a model may call two of them `car`."""
+    taken = {"ego"}
+    for component in structure.objects:
+        name, number = component.spec.name, 2
+        while name in taken:
+            name, number = f"{component.spec.name}{number}", number + 1
+        taken.add(name)
+        if name != component.spec.name:
+            spec = component.spec.model_copy(update={"name": name})
+            structure = structure.with_component(component.model_copy(update={"spec": spec}))
+    return structure
+
+
+_GONE = object()

@@ -1,0 +1,139 @@
+"""The JSON schemas that a model's answers are held to: made from the specs, small, closed, with bounds.
+
+Beyond pydantic's own schema: references are inlined, optional fields are left out instead of null, references are
+limited to the objects that there are, numbers have the bounds of data/models.yaml, and fields that a text fills only
+by naming something (a blueprint, a map) are offered only where it does.
+"""
+
+from collections.abc import Iterable
+from functools import cache
+from typing import Any
+
+import yaml
+from pydantic import BaseModel
+
+from c2s_engine import paths
+from c2s_engine.structure.specs import SPEC_OF
+
+REFERENCES = {"of", "target", "react_to", "hidden_by", "subject", "other"}
+ASKED = {"G": (), "R": ("kind",), "E": (), "O": ("name", "type", "placement"), "T": ()}
+"""The fields that every answer must have."""
+NAMED_ONLY = {"model", "parameters", "preset", "map"}
+
+
+@cache
+def limits() -> dict[str, Any]:
+    """The table data/models.yaml: bounds of numbers (SI) by field, and lengths of lists."""
+    return yaml.safe_load(paths.shipped("models.yaml").read_text(encoding="utf-8"))
+
+
+def spec_schema(kind: str, ids: Iterable[str], *, allowed: dict[str, list[str]] | None = None) -> dict[str, Any]:
+    """The schema of one spec. `ids`: what may be referred to; `allowed`: narrower choices for a field's words."""
+    schema = compact(SPEC_OF[kind], tuple(ids), allowed or {})
+    schema["required"] = [n for n in ASKED[kind] if n in schema["properties"]] or schema.get("required", [])
+    schema["properties"]["unmet"] = {"type": "string", "maxLength": limits()["lengths"]["unmet"]}
+    return schema
+
+
+def compact(model: type[BaseModel], ids: tuple[str, ...] = (), allowed: dict[str, list[str]] | None = None) -> dict:
+    """The inlined, closed schema of a pydantic class."""
+    whole = model.model_json_schema()
+    return _node(whole, whole.get("$defs", {}), "", ids, allowed or {})
+
+
+def _node(node: dict[str, Any], defs: dict[str, Any], name: str, ids: tuple[str, ...], allowed: dict) -> dict[str, Any]:
+    if "$ref" in node:
+        return _node(defs[node["$ref"].rsplit("/", 1)[-1]], defs, name, ids, allowed)
+    if "anyOf" in node:
+        choices = [c for c in node["anyOf"] if c.get("type") != "null"]
+        if len(choices) == 1:
+            return _node(choices[0], defs, name, ids, allowed)
+        return {"anyOf": [_node(c, defs, name, ids, allowed) for c in choices]}
+    if name in REFERENCES:
+        return {"type": "string", "enum": _referable(name, ids)}
+    if "const" in node:
+        return {"type": "string", "enum": [node["const"]]}
+    if "enum" in node:
+        words = [w for w in node["enum"] if w in allowed.get(name, node["enum"])]
+        return {"enum": words} if not all(isinstance(w, str) for w in words) else {"type": "string", "enum": words}
+    kind = node.get("type")
+    if kind == "object":
+        return _object(node, defs, ids, allowed)
+    if kind == "array":
+        return _array(node, defs, name, ids, allowed)
+    if kind in ("number", "integer"):
+        low, high = limits()["numbers"].get(name, (node.get("minimum", 0), node.get("maximum", 1000)))
+        return {"type": kind, "minimum": low, "maximum": high}
+    if kind == "string":
+        return {"type": "string", "maxLength": limits()["lengths"]["string"]}
+    return {"type": kind} if kind else {}
+
+
+def _object(node: dict[str, Any], defs: dict, ids: tuple[str, ...], allowed: dict) -> dict[str, Any]:
+    names = [n for n in node.get("properties", {}) if n != "component" and (n not in NAMED_ONLY or n in allowed)]
+    names = [n for n in names if n not in REFERENCES or _referable(n, ids)]
+    properties = {n: _node(node["properties"][n], defs, n, ids, allowed) for n in names}
+    schema: dict[str, Any] = {"type": "object", "properties": properties, "additionalProperties": False}
+    required = [n for n in node.get("required", ()) if n in names]
+    if required:
+        schema["required"] = required
+    return schema
+
+
+def _referable(name: str, ids: tuple[str, ...]) -> list[str]:
+    return [i for i in ids if name != "hidden_by" or i != "ego"]
+
+
+def _array(node: dict[str, Any], defs: dict, name: str, ids: tuple[str, ...], allowed: dict) -> dict[str, Any]:
+    if "prefixItems" in node:
+        item = _node(node["prefixItems"][0], defs, name, ids, allowed)
+        return {"type": "array", "items": item, "minItems": 2, "maxItems": 2}
+    longest = limits()["lengths"].get(name, limits()["lengths"]["list"])
+    return {"type": "array", "items": _node(node["items"], defs, name, ids, allowed), "maxItems": longest}
+
+
+def accepts(schema: dict[str, Any], value: Any, at: str = "") -> str:
+    """What is wrong with a value by such a schema, in a phrase; empty where nothing is."""
+    where = at or "the answer"
+    if "anyOf" in schema:
+        wrong = [accepts(choice, value, at) for choice in schema["anyOf"]]
+        return "" if "" in wrong else wrong[-1 if isinstance(value, list) else 0]
+    if "enum" in schema and value not in schema["enum"]:
+        return f"{where} must be one of {', '.join(map(str, schema['enum']))}, not {value!r}"
+    kind = schema.get("type")
+    if kind and not _is(kind, value):
+        return f"{where} must be {_A[kind]}"
+    if kind in ("number", "integer") and not schema["minimum"] <= value <= schema["maximum"]:
+        return f"{where} must lie between {schema['minimum']} and {schema['maximum']} (SI units), not {value}"
+    if kind == "object":
+        return _object_fault(schema, value, at)
+    if kind == "array":
+        if not schema.get("minItems", 0) <= len(value) <= schema.get("maxItems", len(value)):
+            return f"{where} must have {schema.get('minItems', 0)} to {schema.get('maxItems')} items"
+        wrong = (accepts(schema["items"], item, f"{at}[{i}]") for i, item in enumerate(value))
+        return next((w for w in wrong if w), "")
+    return ""
+
+
+def _object_fault(schema: dict[str, Any], value: dict[str, Any], at: str) -> str:
+    if extra := sorted(set(value) - set(schema["properties"])):
+        return f"{at or 'the answer'} has no field {extra[0]}; there are {', '.join(schema['properties'])}"
+    if missing := [n for n in schema.get("required", ()) if n not in value]:
+        return f"{at or 'the answer'} lacks {missing[0]}"
+    wrong = (accepts(schema["properties"][n], v, f"{at}.{n}".lstrip(".")) for n, v in value.items())
+    return next((w for w in wrong if w), "")
+
+
+def _is(kind: str, value: Any) -> bool:
+    if isinstance(value, bool):
+        return kind == "boolean"
+    return isinstance(value, _TYPES[kind])
+
+
+_TYPES: dict[str, Any] = {
+    "object": dict, "array": list, "string": str, "number": (int, float), "integer": int, "boolean": bool,
+}  # fmt: skip
+_A = {
+    "object": "an object", "array": "a list", "string": "a string", "number": "a number", "integer": "a whole number",
+    "boolean": "true or false",
+}  # fmt: skip

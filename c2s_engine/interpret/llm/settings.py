@@ -1,0 +1,92 @@
+"""The paper's SettingsDetector: map, weather, time, light and ego's model, each with a confidence."""
+
+import re
+from typing import Any, get_args
+
+from pydantic import BaseModel, ConfigDict
+
+from c2s_engine.interpret.llm import words
+from c2s_engine.interpret.llm.asking import Asker, prompt
+from c2s_engine.interpret.llm.schema import limits
+from c2s_engine.structure import vocabulary as v
+from c2s_engine.structure.components import Assumption, Unmet
+from c2s_engine.structure.specs import SettingsSpec
+
+ACCEPTED = 0.6
+"""From this confidence on a detected setting is taken (the paper, Algorithm 1); else the default stands."""
+
+BLUEPRINT = re.compile(r"[a-z]+(\.[a-z0-9_]+)+")
+TOWN = re.compile(r"Town\d\d(HD|_Opt)?")
+
+
+class Detected(BaseModel):
+    """The settings that were taken, and those that were not with the reason."""
+
+    model_config = ConfigDict(frozen=True)
+
+    spec: SettingsSpec
+    ego_model: str | None = None
+    assumed: tuple[Assumption, ...] = ()
+    unmet: tuple[Unmet, ...] = ()
+
+
+def settings_schema() -> dict[str, Any]:
+    """The schema of the detector's answer."""
+
+    def confident(value: dict[str, Any]) -> dict[str, Any]:
+        confidence = {"type": "number", "minimum": 0, "maximum": 1}
+        return {
+            "type": "object",
+            "properties": {"value": value, "confidence": confidence},
+            "required": ["value", "confidence"],
+            "additionalProperties": False,
+        }
+
+    word = {"type": "string", "maxLength": limits()["lengths"]["string"]}
+    weather = {"type": "array", "items": _enum(v.Weather), "maxItems": limits()["lengths"]["weather"]}
+    return {
+        "type": "object",
+        "properties": {
+            "map": confident(word),
+            "weather": confident(weather),
+            "time": confident(_enum(v.TimeOfDay)),
+            "light": confident(_enum(v.LightState)),
+            "ego_model": confident(word),
+            "unmet": {"type": "string", "maxLength": limits()["lengths"]["unmet"]},
+        },
+        "additionalProperties": False,
+    }
+
+
+def _enum(literal: Any) -> dict[str, Any]:
+    return {"type": "string", "enum": list(get_args(literal))}
+
+
+async def detect(text: str, asker: Asker) -> Detected:
+    """The settings of a text; raises ModelError."""
+    system = prompt("settings", weather=words.lines("weather"), times=words.lines("times"))
+    return await asker.form(system, text, settings_schema(), purpose="settings", component="G", build=accepted)
+
+
+def accepted(found: dict[str, Any]) -> Detected:
+    """What of an answer is taken: confident enough, and naming what there is."""
+    taken: dict[str, Any] = {}
+    assumed: list[Assumption] = []
+    for name in ("map", "weather", "time", "light", "ego_model"):
+        if name not in found or found[name]["value"] in ("", []):
+            continue
+        value, confidence = found[name]["value"], found[name]["confidence"]
+        form = {"map": TOWN, "ego_model": BLUEPRINT}.get(name)
+        if form and not form.fullmatch(value):
+            continue
+        if confidence >= ACCEPTED:
+            taken[name] = value
+        else:
+            reason = f"{value} was detected with a confidence of {confidence:.2f} only"
+            assumed.append(Assumption(field="model" if name == "ego_model" else name, value="default", reason=reason))
+    weather = tuple(dict.fromkeys(taken.get("weather", ())))
+    if len(weather) > 1:
+        weather = tuple(w for w in weather if w != "clear")
+    spec = SettingsSpec(map=taken.get("map"), weather=weather, time=taken.get("time"), light=taken.get("light"))
+    unmet = (Unmet(text=found["unmet"], reason="no setting says this"),) if found.get("unmet") else ()
+    return Detected(spec=spec, ego_model=taken.get("ego_model"), assumed=tuple(assumed), unmet=unmet)

@@ -1,0 +1,229 @@
+"""The typed way: the text into components, then each component's spec, every answer held to a JSON schema.
+
+Where an answer cannot be used, the embedded interpreter's answer for that component stands in: marked in `assumed`,
+counted in `fallbacks`, said in `notes`. Whatever the model answers, the result is a valid S.
+"""
+
+import re
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from pydantic import BaseModel, ConfigDict
+
+from c2s_engine.interpret.llm import fallback, words
+from c2s_engine.interpret.llm.asking import Asker, OnEvent, prompt
+from c2s_engine.interpret.llm.components import Sentences, link, read_components
+from c2s_engine.interpret.llm.schema import spec_schema
+from c2s_engine.interpret.llm.settings import BLUEPRINT, Detected, detect
+from c2s_engine.interpret.llm.units import annotate
+from c2s_engine.models.client import OllamaClient
+from c2s_engine.models.errors import ModelError
+from c2s_engine.structure import vocabulary as v
+from c2s_engine.structure.components import Assumption, Component, Structure, Unmet
+from c2s_engine.structure.progress import Say
+from c2s_engine.structure.specs import SPEC_OF, AnySpec, ObjectSpec, RestrictionsSpec, SettingsSpec
+
+_KINDS = {"G": "settings", "R": "place", "E": "ego", "T": "restrictions"}
+
+
+class Embedded(Protocol):
+    """The embedded interpreter, or whatever answers a text with something that has a `structure`."""
+
+    def interpret(self, text: str) -> Any: ...
+
+
+class Reading(BaseModel):
+    """What was understood with a model. `fallbacks`: component -> why the embedded answer stands there."""
+
+    model_config = ConfigDict(frozen=True)
+
+    structure: Structure
+    fallbacks: dict[str, str] = {}
+    notes: tuple[str, ...] = ()
+
+    @property
+    def share(self) -> float:
+        """The share of components that the model itself filled in."""
+        return 1 - len(self.fallbacks) / len(self.structure.components)
+
+
+async def interpret(
+    text: str,
+    *,
+    client: OllamaClient,
+    embedded: Embedded,
+    on_event: OnEvent | None = None,
+) -> Reading:
+    """S for a text; never raises ModelError (what went wrong is in `notes`)."""
+    return await TypedReader(client, embedded, on_event).read(text)
+
+
+class TypedReader:
+    """Reads one text."""
+
+    def __init__(self, client: OllamaClient, embedded: Embedded, on_event: OnEvent | None = None) -> None:
+        self.asker = Asker(client, on_event)
+        self.embedded = embedded
+        self.on_event = on_event
+
+    async def read(self, text: str) -> Reading:
+        """The whole text into S."""
+        stand_in = fallback.Embedded(self.embedded, text)
+        try:
+            sentences = await read_components(text, self.asker)
+        except ModelError as error:
+            return self._all_embedded(text, stand_in.structure, str(error))
+        structure = Structure(text=text)
+        fallbacks: dict[str, str] = {}
+        components: dict[str, Component] = {}
+        try:
+            detected = await self._settings(text, sentences)
+        except ModelError as error:
+            fallbacks["G"] = str(error)
+            detected = Detected(spec=stand_in.structure.settings.spec)
+        components["G"] = self._component(
+            "G", sentences, text, detected.spec, detected.assumed, detected.unmet, fallbacks.get("G")
+        )
+        for cid in sentences.ids[1:]:
+            try:
+                spec, unmet = await self._spec(cid, text, sentences)
+                components[cid] = self._component(cid, sentences, text, spec, (), unmet)
+            except ModelError as error:
+                fallbacks[cid] = str(error)
+                spec = stand_in.spec(cid, sentences)
+                components[cid] = self._component(cid, sentences, text, spec, (), (), str(error))
+        ego = components["E"]
+        if detected.ego_model and not ego.spec.model:
+            components["E"] = ego.model_copy(update={"spec": ego.spec.model_copy(update={"model": detected.ego_model})})
+        objects = tuple(components[c] for c in sentences.ids if c.startswith("O"))
+        structure = Structure(
+            text=text, settings=components["G"], place=components["R"], ego=components["E"], objects=objects,
+            restrictions=components["T"],
+        )  # fmt: skip
+        return self._done(fallback.distinct_names(structure), fallbacks)
+
+    def _done(self, structure: Structure, fallbacks: dict[str, str]) -> Reading:
+        notes: tuple[str, ...] = ()
+        if fallbacks:
+            which, reason = ", ".join(fallbacks), next(iter(fallbacks.values()))
+            notes = (f"{which}: read by the embedded interpreter instead of the model. {reason}",)
+        self._say(notes)
+        return Reading(structure=structure, fallbacks=fallbacks, notes=notes)
+
+    def _all_embedded(self, text: str, structure: Structure, reason: str) -> Reading:
+        structure = structure.model_copy(update={"text": text})
+        for component in structure.components:
+            marked = component.model_copy(update={"assumed": (*component.assumed, _mark(reason))})
+            structure = structure.with_component(marked)
+        notes = (f"The whole text was read by the embedded interpreter instead of the model. {reason}",)
+        self._say(notes)
+        return Reading(structure=structure, fallbacks=dict.fromkeys(structure.ids, reason), notes=notes)
+
+    def _say(self, notes: tuple[str, ...]) -> None:
+        for note in notes if self.on_event else ():
+            self.on_event(Say(text=note, severity="warning"))
+
+    def _component(
+        self, cid: str, sentences: Sentences, text: str, spec: AnySpec, assumed: tuple[Assumption, ...],
+        unmet: tuple[Unmet, ...], failed: str | None = None,
+    ) -> Component:  # fmt: skip
+        sentence = sentences.of(cid)
+        marks = (*assumed, _mark(failed)) if failed else assumed
+        return Component(
+            id=cid, description=sentence, spec=spec, links=link(text, sentence) if sentence else (), assumed=marks,
+            unmet=unmet,
+        )  # fmt: skip
+
+    async def _settings(self, text: str, sentences: Sentences) -> Detected:
+        """The detector looks at the whole text: settings are often said in passing."""
+        if not sentences.settings and not _SETTINGS_WORDS.search(text):
+            return Detected(spec=SettingsSpec())
+        return await detect(text, self.asker)
+
+    async def _spec(self, cid: str, text: str, sentences: Sentences) -> tuple[AnySpec, tuple[Unmet, ...]]:
+        if not sentences.of(cid):
+            return SPEC_OF[cid[0]](), ()
+        return await self.fill(cid, sentences.of(cid), text, sentences)
+
+    async def fill(self, cid: str, sentence: str, text: str, sentences: Sentences) -> tuple[AnySpec, tuple[Unmet, ...]]:
+        """The spec of one component by its sentence; raises ModelError."""
+        system, schema = form_of(cid, text, sentences)
+        user = prompt("ask", text=annotate(text), components=sentences.listed(), id=cid, sentence=annotate(sentence))
+        purpose = "object" if cid.startswith("O") else _KINDS[cid]
+        return await self.asker.form(system, user, schema, purpose=purpose, component=cid, build=_builder(cid))
+
+
+def form_of(cid: str, text: str, sentences: Sentences) -> tuple[str, dict[str, Any]]:
+    """The instructions and the schema for one component."""
+    others = [o for o in sentences.ids if o.startswith("O") and o != cid]
+    named: dict[str, list[str]] = {"model": []} if BLUEPRINT_WORD.search(text) else {}
+    triggers = words.lines("triggers")
+    if cid == "R":
+        return prompt("place", places=words.lines("places")), spec_schema("R", ["ego", *others])
+    if cid == "T":
+        ids = ["ego", *others]
+        return prompt("restrictions", ids=", ".join(ids), conditions=words.lines("conditions")), spec_schema("T", ids)
+    if cid == "E":
+        allowed = words.actions_for("vehicle")
+        system = prompt(
+            "ego", types=", ".join(v.VehicleType.__args__), reactions=words.lines("reactions"),
+            ids=", ".join(others) or "nobody is there", actions=words.lines("actions", allowed), triggers=triggers,
+        )  # fmt: skip
+        schema = spec_schema("E", others, allowed={"action": words.all_actions(), **named})
+        schema["properties"]["phases"]["items"]["properties"]["action"]["enum"] = allowed
+        return system, schema
+    kind = sentences.objects[int(cid[1:]) - 1].type
+    return _object_form(kind, ["ego", *others], named)
+
+
+def _object_form(kind: str, ids: list[str], named: dict[str, list[str]]) -> tuple[str, dict[str, Any]]:
+    types = [t for t in v.ObjectType.__args__ if words.is_thing(t) == words.is_thing(kind)]
+    if words.is_thing(kind):
+        where = [p for p in v.Position.__args__ if p in _THINGS_STAND]
+        schema = spec_schema("O", ids, allowed={"type": types, "position": where})
+        for name in ("phases", "speed"):
+            del schema["properties"][name]
+        for name in ("along", "facing", "hidden_by"):
+            schema["properties"]["placement"]["properties"].pop(name, None)
+        positions = words.lines("positions", where)
+        return prompt("thing", types=", ".join(types), ids=", ".join(ids), positions=positions), schema
+    person = kind in words.PERSONS
+    types = [t for t in types if (t in words.PERSONS) == person]
+    where = [p for p in v.Position.__args__ if not person or p not in _NO_PERSONS]
+    allowed = words.actions_for(kind)
+    schema = spec_schema("O", ids, allowed={"type": types, "position": where, **named})
+    del schema["properties"]["limit"]
+    schema["properties"]["phases"]["items"]["properties"]["action"]["enum"] = allowed
+    system = prompt(
+        "object", types=", ".join(types), ids=", ".join(ids), positions=words.lines("positions", where),
+        actions=words.lines("actions", allowed), triggers=words.lines("triggers"),
+    )  # fmt: skip
+    return system, schema
+
+
+def _builder(cid: str) -> Callable[[dict[str, Any]], tuple[AnySpec, tuple[Unmet, ...]]]:
+    def build(value: dict[str, Any]) -> tuple[AnySpec, tuple[Unmet, ...]]:
+        left = value.pop("unmet", "")
+        if "model" in value and not BLUEPRINT.fullmatch(value["model"]):
+            del value["model"]
+        unmet = (Unmet(text=left, reason="the form has no field for it"),) if left.strip() else ()
+        return SPEC_OF[cid[0]].model_validate(value), unmet
+
+    return build
+
+
+def _mark(reason: str) -> Assumption:
+    return Assumption(field="*", value="embedded interpreter", reason=reason)
+
+
+_THINGS_STAND = {
+    "ahead", "left_lane", "right_lane", "oncoming_lane", "roadside", "sidewalk", "partly_in_lane", "intersection_exit",
+}  # fmt: skip
+_NO_PERSONS = {"beside", "parked", "on_ramp", "crossing_left", "crossing_right", "opposite_approach"}
+BLUEPRINT_WORD = re.compile(r"\b(?:vehicle|walker)\.\w+")
+_SETTINGS_WORDS = re.compile(
+    r"\b(?:Town\d|weather|rain|drizzl|shower|fog|mist|snow|ice|icy|wind|gust|storm|wet|slipper|cloud|overcast|clear|"
+    r"sun|night|dark|dusk|dawn|day|morning|noon|evening|twilight|light|red|green|yellow|amber|vehicle\.)",
+    re.I,
+)
+__all__ = ["Embedded", "ObjectSpec", "Reading", "RestrictionsSpec", "TypedReader", "form_of", "interpret"]

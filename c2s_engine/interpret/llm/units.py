@@ -1,0 +1,24 @@
+"""Quantities of a text with their SI values beside them: small models fill fields well and convert units badly."""
+
+import re
+
+_NUMBER = r"(?<![\w.])(\d+(?:[.,]\d+)?)(?:\s*(?:-|–|to|and)\s*(\d+(?:[.,]\d+)?))?\s*"
+_UNITS = (
+    (r"(?:km/h|kmh|kph|km per hour|kilomet(?:re|er)s per hour)", 1 / 3.6, "m/s"),
+    (r"(?:mph|mi/h|miles per hour)", 0.44704, "m/s"),
+    (r"(?:feet|foot|ft)\b", 0.3048, "m"),
+    (r"(?:yards?|yd)\b", 0.9144, "m"),
+    (r"g(?=[\s.,;)]|$)", 9.81, "m/s2"),
+)
+
+
+def annotate(text: str) -> str:
+    """The text, with `[= 13.9 m/s]` after each quantity that is not in SI units."""
+    for unit, factor, name in _UNITS:
+        text = re.sub(_NUMBER + unit, lambda m, f=factor, n=name: f"{m[0]} [= {_value(m, f)} {n}]", text, flags=re.I)
+    return text
+
+
+def _value(match: re.Match[str], factor: float) -> str:
+    values = [float(g.replace(",", ".")) * factor for g in match.groups() if g]
+    return " to ".join(f"{v:.1f}" for v in values)

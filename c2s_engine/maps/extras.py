@@ -78,6 +78,8 @@ class MapExtras:
     crosswalks: tuple[Crosswalk, ...]
     controls: tuple[ControlPoint, ...]
     geometry: dict[int, opendrive.Road]
+    approaches: frozenset[tuple[int, int, bool]]
+    """(junction, road, whether the road's end meets it)"""
 
     def limit(self, road: int) -> float | None:
         """The posted limit on a road or on a junction's way (m/s), where the map has one."""
@@ -122,7 +124,8 @@ def _read(path: Path, mtime: int, size: int) -> MapExtras:
     connections = _connections(root)
     junctions = junction_infos(root, connections, {i: (r.left, r.right) for i, r in roads.items()}, geometry)
     crosswalks = tuple(c for e in elements for c in _crosswalks(e, geometry[int(number(e, "id"))]))
-    return MapExtras(roads, junctions, crosswalks, tuple(_controls(elements, geometry, roads, connections)), geometry)
+    approaches = frozenset((link.junction, link.source, link.at_end) for link in connections)
+    return MapExtras(roads, junctions, crosswalks, tuple(_controls(elements, geometry, roads, connections)), geometry, approaches)
 
 
 def _road_info(element: ET.Element, road: opendrive.Road) -> RoadInfo:

@@ -133,8 +133,8 @@ class CheckClient:
         for future in list(self._pending.values()):
             if not future.done():
                 future.set_exception(ConnectionResetError())
-        with contextlib.suppress(ProcessLookupError):
-            process.kill()
+        if process.stdin is not None:
+            process.stdin.close()
 
 
 class SyncCheckClient:

@@ -4,12 +4,15 @@ The pieces together are exactly what Scenic's compiler makes of the whole: a tes
 """
 
 import ast
+import copyreg
 import hashlib
 import io
+import re
 import tokenize
 from dataclasses import dataclass
 from typing import Any
 
+_MARGIN = re.compile(r"[A-Za-z_@#]")
 CONTINUES = frozenset({"else", "elif", "except", "finally", "interrupt"})
 
 
@@ -23,7 +26,11 @@ class Piece:
 
 
 class Cut(Exception):
-    """The text cannot be cut: its brackets or strings do not end."""
+    """The text cannot be cut: a bracket or string that begins in the statement on line `first` does not end."""
+
+    def __init__(self, message: str, first: int = 1) -> None:
+        super().__init__(message)
+        self.first = first
 
 
 def cut(text: str) -> list[Piece]:
@@ -53,7 +60,7 @@ def cut(text: str) -> list[Piece]:
                 if depth == 0:
                     decorated = token.string == "@"
     except (tokenize.TokenError, IndentationError, SyntaxError) as error:
-        raise Cut(str(error)) from None
+        raise Cut(str(error), starts[-1] if starts else 1) from None
     return [Piece(first, last, "".join(lines[first - 1 : last])) for first, last in zip(starts, ends, strict=True)]
 
 
@@ -62,6 +69,45 @@ def parse(text: str, filename: str, offset: int = 0) -> Any:
     from scenic.syntax.parser import parse_string
 
     return parse_string("\n" * offset + text, "exec", filename=filename)
+
+
+def shifted(tree: Any, lines: int) -> Any:
+    """The tree moved down by that many lines, in place."""
+    for node in ast.walk(tree):
+        if getattr(node, "lineno", None) is not None:
+            node.lineno += lines
+        if getattr(node, "end_lineno", None) is not None:
+            node.end_lineno += lines
+    return tree
+
+
+def portable() -> None:
+    """Teach pickle to copy Scenic's tree nodes (their constructors demand arguments)."""
+    import inspect
+
+    from scenic.syntax import ast as scenic_ast
+
+    for _, kind in inspect.getmembers(scenic_ast, inspect.isclass):
+        if issubclass(kind, scenic_ast.AST):
+            copyreg.pickle(kind, _reduce)
+
+
+def _reduce(node: Any) -> tuple:
+    return _rebuild, (type(node), dict(node.__dict__))
+
+
+def _rebuild(kind: type, state: dict[str, Any]) -> Any:
+    node = ast.AST.__new__(kind)
+    node.__dict__.update(state)
+    return node
+
+
+def unfinished(lines: list[str], first: int) -> str:
+    """The statement on line `first` that does not end, up to the next line that looks like a new statement."""
+    last = first
+    while last < len(lines) and not _MARGIN.match(lines[last]):
+        last += 1
+    return "".join(lines[first - 1 : last])
 
 
 def translate(tree: Any, filename: str, requirements: list, syntax_id: int) -> tuple[ast.Module, list, int]:

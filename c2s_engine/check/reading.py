@@ -1,4 +1,4 @@
-"""The reader process: parses, lints and compiles programs piece by piece and remembers the pieces. It runs none of it."""
+"""The reader process: parses, lints and compiles programs piece by piece, remembers the pieces, runs none."""
 
 import ast
 import hashlib
@@ -37,6 +37,10 @@ class Reader:
     """Reads programs; keeps what it compiled."""
 
     cache: OrderedDict = field(default_factory=OrderedDict)
+    trees: OrderedDict = field(default_factory=OrderedDict)
+
+    def __post_init__(self) -> None:
+        pieces.portable()
 
     def read(self, request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
         """The stages parse and safety of a request, and the code where they pass."""
@@ -78,8 +82,8 @@ class Reader:
     def _compile(self, where: diagnose.Program) -> list[Compiled]:
         try:
             parts = pieces.cut(where.text)
-        except pieces.Cut:
-            self._blame_component(where)
+        except pieces.Cut as endless:
+            pieces.parse(pieces.unfinished(where.lines, endless.first), where.filename, endless.first - 1)
             parts = [pieces.Piece(1, len(where.lines), where.text)]
         done: list[Compiled] = []
         count, syntax_id = 0, 0
@@ -98,7 +102,7 @@ class Reader:
         return done
 
     def _piece(self, part: pieces.Piece, filename: str, count: int, syntax_id: int) -> Compiled:
-        tree = pieces.parse(part.text, filename, part.first - 1)
+        tree = self._tree(part, filename)
         facts = lint.gather(tree)
         unsafe = safety.examine(tree)
         simple, model, path = lint.preamble(tree)
@@ -116,14 +120,20 @@ class Reader:
             map=path,
         )
 
-    def _blame_component(self, where: diagnose.Program) -> None:
-        """Where a text has no end, parse it by components: the one left open is to blame, not the last line."""
-        for span in where.spans:
-            lines = where.lines[span.first - 1 : span.last]
+    def _tree(self, part: pieces.Piece, filename: str) -> Any:
+        """The piece's Scenic tree, parsed only where its text is new, whatever line it stands on."""
+        stored = self.trees.get(part.text)
+        if stored is None:
             try:
-                pieces.cut("".join(lines))
-            except pieces.Cut:
-                pieces.parse("".join(lines), where.filename, span.first - 1)
+                stored = pickle.dumps(pieces.parse(part.text, filename))
+            except Exception:
+                return pieces.parse(part.text, filename, part.first - 1)
+            self.trees[part.text] = stored
+            if len(self.trees) > KEEP:
+                self.trees.popitem(last=False)
+        else:
+            self.trees.move_to_end(part.text)
+        return pieces.shifted(pickle.loads(stored), part.first - 1)
 
 
 def _stage(name: Any, started: float, found: tuple[Diagnostic, ...]) -> StageResult:

@@ -1,5 +1,6 @@
-"""What is loaded once, before anything is checked: Scenic, its library's code, and maps; and the hooks that keep them."""
+"""What is loaded once before anything is checked: Scenic, its library's code, maps; and the hooks that keep them."""
 
+import functools
 import gc
 import hashlib
 import importlib
@@ -36,7 +37,10 @@ def warm(standins: Path, runner: str | None = None) -> None:
     import scenic.syntax.translator as translator
     from scenic.domains.driving import roads
 
+    from scenic.core import type_support
+
     translator.compileStream = _compile_stream
+    type_support.saveErrorLocation = _error_location
     roads.Network.fromFile = classmethod(_from_file(roads.Network.fromFile.__func__))
     for name in (
         "scenic.domains.driving.actions", "scenic.domains.driving.simulators", "scenic.domains.driving.workspace",
@@ -94,6 +98,27 @@ def _write(path: Path, data: bytes) -> None:
         os.replace(file.name, path)
     except OSError:
         pass
+
+
+def _error_location() -> Any:
+    """Scenic's saveErrorLocation without reading sources: the innermost frame outside Scenic's core."""
+    import traceback
+
+    frame = sys._getframe(1)
+    while frame is not None:
+        name = frame.f_code.co_filename
+        if not (_is_hidden(name)):
+            return traceback.FrameSummary(name, frame.f_lineno, frame.f_code.co_name, lookup_line=False)
+        frame = frame.f_back  # type: ignore[assignment]
+    return None
+
+
+@functools.cache
+def _is_hidden(filename: str) -> bool:
+    from scenic.core import errors
+
+    parents = Path(filename).parents
+    return filename in errors.hiddenFolders or any(folder in parents for folder in errors.hiddenFolders)
 
 
 def _compile_stream(stream: Any, namespace: dict, options: Any, filename: str) -> tuple[Any, str]:

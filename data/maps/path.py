@@ -40,7 +40,7 @@ def length_of(pieces: list[Piece]) -> float:
 def arc(turn: float, radius: float) -> list[Piece]:
     """An arc that turns by so much (rad, left positive), in pieces short enough to be sampled finely by a parser."""
     whole = abs(turn) * radius
-    count = max(1, math.ceil(whole / min(60.0, max(radius / 2, 12.0))))
+    count = max(1, math.ceil(whole / min(60.0, radius)))
     return [("arc", whole / count, math.copysign(1 / radius, turn))] * count
 
 

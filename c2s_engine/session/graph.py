@@ -1,0 +1,140 @@
+"""The one orchestrator: a LangGraph graph whose nodes are thin over `steps`. The state is plain data, so that a
+checkpointer can keep it; typed progress events go out on the custom stream.
+"""
+
+from typing import Any, TypedDict
+
+from langgraph.config import get_stream_writer
+from langgraph.graph import END, START, StateGraph
+from pydantic import TypeAdapter
+
+from c2s_engine.session import steps
+from c2s_engine.session.methods import Method, method_named
+from c2s_engine.session.steps import Tools
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.diagnostics import StageResult
+from c2s_engine.structure.edits import Edit
+from c2s_engine.structure.progress import StructureChanged
+
+EDITS: TypeAdapter[list[Edit]] = TypeAdapter(list[Edit])
+
+
+class State(TypedDict, total=False):
+    """A turn's input (text or edits and how to work), and what came of it. JSON-like values only."""
+
+    text: str
+    edits: list[dict[str, Any]]
+    method: str
+    map: str | None
+    seed: int
+    runs: int
+    upto: str
+    trajectories: bool
+    structure: dict[str, Any]
+    program: dict[str, Any]
+    stages: list[dict[str, Any]]
+    report: dict[str, Any]
+    rewritten: list[str]
+    places: int
+    folder: str
+    room: float
+    map_name: str
+    details: dict[str, Any]
+    stop: bool
+
+
+def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
+    """interpret -> configure -> write -> check; each may end the turn with a diagnostic."""
+
+    def structure_of(state: State) -> Structure:
+        return Structure.model_validate(state.get("structure") or {})
+
+    def with_stage(state: State, result: StageResult) -> list[dict[str, Any]]:
+        return [*state.get("stages", []), result.model_dump(mode="json")]
+
+    def method_of(state: State) -> Method:
+        return method_named(state.get("method") or tools.settings.method, tools)
+
+    async def interpret(state: State) -> State:
+        emit = get_stream_writer()
+        if not state.get("text"):
+            return {"stages": [], "details": {}}
+        structure, edits, details, result = await method_of(state).interpret(state["text"], structure_of(state), emit)
+        if structure is not None:
+            emit(StructureChanged(structure=structure))
+        return {
+            "structure": (structure or structure_of(state)).model_dump(mode="json"),
+            "edits": [e.model_dump(mode="json") for e in edits],
+            "stages": [result.model_dump(mode="json")],
+            "details": details,
+            "stop": not result.ok,
+        }
+
+    async def configure(state: State) -> State:
+        emit = get_stream_writer()
+        before = structure_of(state)
+        edits = EDITS.validate_python(state.get("edits") or [])
+        structure = before
+        for edit in edits:
+            structure = steps.apply(structure, edit)
+        structure, found, result = await steps.configure(structure, tools, emit, given=state.get("map"))
+        emit(StructureChanged(structure=structure))
+        update: State = {
+            "structure": structure.model_dump(mode="json"),
+            "edits": [],
+            "stages": with_stage(state, result),
+            "places": found.count,
+            "stop": found.writer is None,
+        }
+        if found.writer is not None:
+            update |= {
+                "folder": str(found.writer.map.path.parent),
+                "room": found.writer.room,
+                "map_name": found.writer.map.name,
+            }
+        return update
+
+    async def write(state: State) -> State:
+        emit = get_stream_writer()
+        method = method_of(state)
+        structure, program, written, result = await method.write(
+            structure_of(state), emit, map_name=state["map_name"], room=state["room"], folder=state["folder"]
+        )
+        emit(StructureChanged(structure=structure))
+        return {
+            "structure": structure.model_dump(mode="json"),
+            "program": program.model_dump(mode="json"),
+            "rewritten": written,
+            "stages": with_stage(state, result),
+            "stop": not result.ok,
+        }
+
+    async def check(state: State) -> State:
+        from c2s_engine.structure.program import Program
+
+        report = await steps.check(
+            Program.model_validate(state["program"]),
+            tools,
+            get_stream_writer(),
+            folder=state["folder"],
+            upto=state.get("upto", "run"),  # type: ignore[arg-type]
+            seed=state.get("seed", 0),
+            runs=state.get("runs", 1),
+            trajectories=state.get("trajectories", False),
+        )
+        stages = [*state.get("stages", []), *(s.model_dump(mode="json") for s in report.stages)]
+        kept = report.model_dump(mode="json", exclude={"trajectories"})
+        return {"report": kept, "stages": stages}
+
+    def onward(then: str) -> Any:
+        return lambda state: END if state.get("stop") else then
+
+    graph = StateGraph(State)
+    for name, node in (("interpret", interpret), ("configure", configure), ("write", write), ("check", check)):
+        graph.add_node(name, node)
+    graph.add_edge(START, "interpret")
+    graph.add_conditional_edges("interpret", onward("configure"), ["configure", END])
+    graph.add_conditional_edges("configure", onward("write"), ["write", END])
+    graph.add_conditional_edges("write", onward("check"), ["check", END])
+    graph.add_edge("check", END)
+    return graph.compile(checkpointer=checkpointer)

@@ -1,0 +1,125 @@
+"""Which map a structure is written for, and whether that map has its place (DESIGN, "R")."""
+
+from dataclasses import dataclass
+
+from c2s_engine.check.client import CheckClient
+from c2s_engine.check.protocol import PlacesRequest
+from c2s_engine.maps.extras import read_extras
+from c2s_engine.maps.library import SHIPPED, MapFile, MapLibrary, MapNotFound
+from c2s_engine.structure.components import Assumption, Structure
+from c2s_engine.structure.diagnostics import Diagnostic
+from c2s_engine.structure.specs import SettingsSpec
+from c2s_engine.write.typed import ResolveError, TypedWriter, make_plan
+from c2s_engine.write.typed.writer import MapChoice
+
+DEFAULT_MAP = "Town05"
+ROOMS = (1.0, 0.7, 0.45, 0.25)
+
+
+@dataclass(frozen=True)
+class Resolution:
+    """The map and the room that fit, how many places match, and what was assumed about it; or why nothing fits."""
+
+    writer: TypedWriter | None
+    count: int = 0
+    assumed: tuple[Assumption, ...] = ()
+    diagnostic: Diagnostic | None = None
+
+
+def map_choice(library: MapLibrary, map_file: MapFile) -> MapChoice:
+    return MapChoice(
+        name=map_file.name,
+        path=library.working_copy(map_file),
+        carla_map=map_file.carla_map,
+        digest=map_file.digest,
+        extras=read_extras(map_file.path),
+    )
+
+
+async def resolve(
+    structure: Structure,
+    library: MapLibrary,
+    check: CheckClient,
+    *,
+    given: str | None = None,
+    default: str | None = None,
+) -> Resolution:
+    """Find a map that has the place: the one given, else the text's, else the default, else the shipped town.
+
+    A map that the caller gives must do: where it is not there or lacks the place, that is a diagnostic.
+    """
+    spec = structure.settings.spec
+    named = spec.map if isinstance(spec, SettingsSpec) else None
+    assumed: list[Assumption] = []
+    try:
+        plan = make_plan(structure)
+    except ResolveError as error:
+        return Resolution(None, diagnostic=_diagnostic(str(error), "contradiction", error.fields))
+    for wanted in dict.fromkeys(w for w in (given, named, default or DEFAULT_MAP, SHIPPED) if w):
+        try:
+            choice = map_choice(library, library.find(wanted))
+        except MapNotFound as error:
+            if wanted == given:
+                return Resolution(None, diagnostic=_diagnostic(str(error), "unknown-map", ("G.map",)))
+            if wanted == named:
+                assumed.append(Assumption(field="map", value=SHIPPED, reason=f"{wanted} is not on this machine"))
+            continue
+        writers = {f"room {r}": TypedWriter(choice, room=r) for r in ROOMS}
+        expressions = {name: w.place(plan).expression for name, w in writers.items()}
+        report = await check.places(PlacesRequest(map=str(choice.path), expressions=expressions))
+        for name, writer in writers.items():
+            if report.counts.get(name):
+                if wanted not in (given, named):
+                    reason = "no map is named" if named is None else f"{named} cannot be used here"
+                    if wanted == SHIPPED and not library_has(library, DEFAULT_MAP):
+                        reason += f"; {DEFAULT_MAP}, the paper's default, is not on this machine"
+                    assumed.append(Assumption(field="map", value=choice.name, reason=reason))
+                return Resolution(writer, report.counts[name], tuple(assumed))
+        if wanted == given:
+            break
+        assumed.append(Assumption(field="map", value=SHIPPED, reason=f"{wanted} has no such place"))
+    nearest = await _nearest(structure, library, check, given)
+    return Resolution(
+        None, diagnostic=_diagnostic(f"{given or 'no map at hand'} has no such place. {nearest}", "no-place", ("R",))
+    )
+
+
+def library_has(library: MapLibrary, name: str) -> bool:
+    return name in library.names()
+
+
+async def _nearest(structure: Structure, library: MapLibrary, check: CheckClient, given: str | None) -> str:
+    """Which single field of R, left open, would give places."""
+    place = structure.place.spec
+    choice = map_choice(library, library.find(given or SHIPPED))
+    found = []
+    for field in (
+        "control",
+        "arms",
+        "lanes",
+        "ego_lane",
+        "oncoming",
+        "shoulder",
+        "sidewalk",
+        "crosswalk",
+        "curve",
+        "speed_limit",
+        "kind",
+    ):
+        if getattr(place, field) in (None, "road"):
+            continue
+        relaxed = place.model_copy(update={field: "road" if field == "kind" else None})
+        changed = structure.with_component(structure.place.model_copy(update={"spec": relaxed}))
+        try:
+            expression = TypedWriter(choice, room=ROOMS[-1]).place(make_plan(changed)).expression
+        except ResolveError:
+            continue
+        report = await check.places(PlacesRequest(map=str(choice.path), expressions={field: expression}))
+        if report.counts.get(field):
+            found.append(f"R.{field} left open gives {report.counts[field]} places on {choice.name}")
+    return "; ".join(found) + "." if found else "Change R.kind, or name another map."
+
+
+def _diagnostic(message: str, code: str, fields: tuple[str, ...]) -> Diagnostic:
+    component = fields[0].split(".")[0] if fields else None
+    return Diagnostic(stage="resolve", message=message, code=code, component=component, text=", ".join(fields))

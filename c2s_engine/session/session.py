@@ -1,0 +1,246 @@
+"""One open session: turns upon S that are durable, undone and redone, and what is typed meanwhile."""
+
+import asyncio
+import fcntl
+from collections.abc import AsyncIterator, Callable, Iterable
+from contextlib import aclosing
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from c2s_engine.session.errors import SessionError
+from c2s_engine.session.journal import Drafts, Journal, Pending
+from c2s_engine.session.state import State, summary
+from c2s_engine.session.store import Row, Store, TurnRow
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.diagnostics import StageResult
+from c2s_engine.structure.edits import Edit
+from c2s_engine.structure.facts import RunFacts
+from c2s_engine.structure.program import Program
+from c2s_engine.structure.progress import Finished, ProgramChanged, Say, StructureChanged
+
+ROOT = "start"
+
+
+@dataclass(frozen=True)
+class Turn:
+    """One step of a session's history, as the chat shows it."""
+
+    index: int
+    kind: str  # say, apply, regenerate
+    text: str
+    when: float  # s since the epoch
+    summary: str
+    replies: tuple[str, ...] = ()
+
+
+class Session:
+    """Made by `Sessions.open`. One turn at a time; a cancelled turn leaves everything as it was."""
+
+    def __init__(self, store: Store, row: Row, folder: Path, engine: Any):
+        from c2s_engine.session.saver import SessionSaver
+        from c2s_engine.session.turns import build_turns
+
+        self._store, self._thread, self._folder = store, row.thread, folder
+        self.name = row.name
+        self._lock = _locked(folder, row.name)
+        self._journal = Journal(folder / "journal.jsonl")
+        self._drafts = Drafts(folder / "drafts")
+        self._saver = SessionSaver(store)
+        self._graph = build_turns(engine, self._saver)
+        self._running = False
+        row = store.row(row.name) or row
+        self._head, self._redo = row.head or self._root(), list(row.redo)
+        self._state = self._load(self._head)
+
+    @property
+    def structure(self) -> Structure:
+        return self._state.structure
+
+    @property
+    def program(self) -> Program:
+        return self._state.program
+
+    @property
+    def stages(self) -> tuple[StageResult, ...]:
+        return self._state.stages
+
+    @property
+    def facts(self) -> tuple[RunFacts, ...]:
+        return self._state.facts
+
+    @property
+    def history(self) -> list[Turn]:
+        """The turns that lead here, the first first."""
+        path = [t for t in self._path() if t.kind != ROOT]
+        return [Turn(i, t.kind, t.text, t.when, t.summary, t.replies) for i, t in enumerate(path)]
+
+    @property
+    def can_undo(self) -> bool:
+        return len(self._path()) > 1
+
+    @property
+    def can_redo(self) -> bool:
+        return bool(self._redo)
+
+    @property
+    def pending(self) -> Pending | None:
+        """A turn that a crash interrupted; `resume` runs it, `drop_pending` forgets it, another turn replaces it."""
+        return None if self._running else self._journal.pending
+
+    def say(self, text: str, **options: Any) -> AsyncIterator[Any]:
+        """A chat turn; options are the facade's (method, seed, run)."""
+        return self._turn(lambda: self._journal.begin("say", text, options=options))
+
+    def apply(self, edits: Edit | Iterable[Edit], **options: Any) -> AsyncIterator[Any]:
+        """Edits of S, by hand or from a pane."""
+        made = tuple(edits) if isinstance(edits, Iterable) and not hasattr(edits, "kind") else (edits,)
+        said = ", ".join(_said(e) for e in made)
+        return self._turn(lambda: self._journal.begin("apply", said, made, options=options))  # type: ignore[arg-type]
+
+    def regenerate(self, components: Iterable[str] = (), **options: Any) -> AsyncIterator[Any]:
+        """Write those components anew (default: all that the engine wrote)."""
+        chosen = tuple(components)
+        said = f"write {', '.join(chosen) or 'all'} anew"
+        return self._turn(lambda: self._journal.begin("regenerate", said, components=chosen, options=options))
+
+    def resume(self) -> AsyncIterator[Any]:
+        """Run the turn that a crash interrupted."""
+        turn = self.pending
+        if turn is None:
+            raise SessionError("no turn was interrupted")
+        return self._turn(lambda: turn)
+
+    def drop_pending(self) -> None:
+        """Forget the turn that a crash interrupted."""
+        if turn := self.pending:
+            self._journal.end(turn)
+
+    async def undo(self) -> AsyncIterator[Any]:
+        """Go back to before the last turn."""
+        self._free()
+        path = self._path()
+        if len(path) < 2:
+            raise SessionError("there is nothing to undo")
+        for event in self._go(path[-2].checkpoint, [*self._redo, path[-1].checkpoint]):
+            yield event
+
+    async def redo(self) -> AsyncIterator[Any]:
+        """Bring back the turn that was undone last."""
+        self._free()
+        if not self._redo:
+            raise SessionError("there is nothing to redo")
+        for event in self._go(self._redo[-1], self._redo[:-1]):
+            yield event
+
+    def save_draft(self, pane: str, text: str) -> None:
+        """Keep what is typed in a pane and not sent; durable when this returns."""
+        self._drafts.save(pane, text)
+
+    def draft(self, pane: str) -> str:
+        return self._drafts.load(pane)
+
+    def close(self) -> None:
+        """Let other processes open it."""
+        if not self._lock.closed:
+            self._lock.close()
+
+    async def _turn(self, begin: Callable[[], Pending]) -> AsyncIterator[Any]:
+        self._free()
+        self._running = True
+        turn: Pending | None = None
+        finished: Finished | None = None
+        said: list[str] = []
+        try:
+            turn = begin()
+            values = {"request": turn.model_dump(mode="json"), "state": self._state.model_dump(mode="json")}
+            stream = self._graph.astream(values, self._config(self._head), stream_mode="custom", durability="exit")
+            async with aclosing(stream) as events:  # type: ignore[type-var]
+                async for event in events:
+                    if isinstance(event, Finished):
+                        finished = event
+                        continue
+                    if isinstance(event, Say):
+                        said.append(event.text)
+                    yield event
+            if finished:
+                await asyncio.to_thread(self._commit, turn, finished, tuple(said))
+        finally:
+            self._running = False
+            if turn:
+                self._journal.end(turn)
+        if finished:
+            yield finished
+
+    def _commit(self, turn: Pending, finished: Finished, said: tuple[str, ...]) -> None:
+        """Make the newest checkpoint the head."""
+        latest = self._saver.get_tuple({"configurable": {"thread_id": self._thread}})
+        assert latest
+        after = State.of(finished)
+        row = TurnRow(
+            latest.config["configurable"]["checkpoint_id"], self._head, turn.kind, turn.text, turn.when,
+            summary(self._state, after), said,
+        )  # fmt: skip
+        self._store.add_turn(self._thread, row)
+        self._head, self._redo, self._state = row.checkpoint, [], after
+        self._store.prune(self._thread)
+
+    def _go(self, checkpoint: str, redo: list[str]) -> Iterable[Any]:
+        before = self._state
+        self._state = self._load(checkpoint)
+        self._store.move(self._thread, checkpoint, redo)
+        self._head, self._redo = checkpoint, redo
+        rewritten = [c.id for c in self.structure.components if c not in before.structure.components]
+        yield StructureChanged(structure=self.structure)
+        yield ProgramChanged(program=self.program, rewritten=tuple(rewritten))
+        yield self._state.finished()
+
+    def _path(self) -> list[TurnRow]:
+        turns, path, at = self._store.turns(self._thread), [], self._head
+        while at in turns:
+            path.append(turns[at])
+            at = turns[at].parent or ""
+        return path[::-1]
+
+    def _load(self, checkpoint: str) -> State:
+        found = self._saver.get_tuple(self._config(checkpoint))
+        if found is None:
+            raise SessionError(f"the session {self.name!r} lacks its checkpoint {checkpoint}: export what is there")
+        return State.model_validate(found.checkpoint["channel_values"]["state"])
+
+    def _root(self) -> str:
+        """The checkpoint of an empty S, at which every session starts."""
+        at = self._graph.update_state(
+            {"configurable": {"thread_id": self._thread}},
+            {"request": {}, "state": State().model_dump(mode="json")},
+            as_node="turn",
+        )
+        checkpoint = at["configurable"]["checkpoint_id"]
+        self._store.add_turn(self._thread, TurnRow(checkpoint, None, ROOT, "", 0.0))
+        return checkpoint
+
+    def _config(self, checkpoint: str) -> Any:
+        return {"configurable": {"thread_id": self._thread, "checkpoint_ns": "", "checkpoint_id": checkpoint}}
+
+    def _free(self) -> None:
+        if self._lock.closed:
+            raise SessionError(f"the session {self.name!r} is closed")
+        if self._running:
+            raise SessionError("a turn is still running: wait for it or cancel it first")
+
+
+def _locked(folder: Path, name: str) -> Any:
+    folder.mkdir(parents=True, exist_ok=True)
+    handle = (folder / "lock").open("w")
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        handle.close()
+        raise SessionError(f"the session {name!r} is open in another process: close it there first") from None
+    return handle
+
+
+def _said(edit: Any) -> str:
+    target = getattr(edit, "component", None) or ""
+    path = getattr(edit, "path", "")
+    return f"{edit.kind} {target}{'.' + path if path else ''}".strip()

@@ -1,0 +1,64 @@
+"""What stands at the end of a turn."""
+
+from collections.abc import Collection
+
+from pydantic import BaseModel, ConfigDict
+
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.diagnostics import StageResult
+from c2s_engine.structure.facts import RunFacts
+from c2s_engine.structure.program import Program
+from c2s_engine.structure.progress import Finished
+
+
+class State(BaseModel):
+    """S, its program, how the checks of it went, and what its rollouts showed."""
+
+    model_config = ConfigDict(frozen=True)  # fields of later versions are passed over
+
+    structure: Structure = Structure()
+    program: Program = Program(text="")
+    stages: tuple[StageResult, ...] = ()
+    facts: tuple[RunFacts, ...] = ()
+
+    @classmethod
+    def of(cls, finished: Finished) -> "State":
+        return cls(structure=finished.structure, program=finished.program, stages=finished.stages, facts=finished.facts)
+
+    def finished(self) -> Finished:
+        """The event that tells a front to show this."""
+        ok = all(s.ok for s in self.stages)
+        return Finished(ok=ok, structure=self.structure, program=self.program, stages=self.stages, facts=self.facts)
+
+
+def cleared(structure: Structure, components: Collection[str] = ()) -> Structure:
+    """The structure with those components' fragments (default: all that the engine wrote) marked as not written."""
+
+    def clear(component: Component) -> Component:
+        ours = component.origin in ("rendered", "generated")
+        asked = component.id in components if components else True
+        return component.model_copy(update={"key": ""}) if ours and asked else component
+
+    for component in structure.components:
+        structure = structure.with_component(clear(component))
+    return structure
+
+
+def summary(before: State, after: State) -> str:
+    """In a few words, what a turn changed."""
+    old = {c.id: c for c in before.structure.components}
+    new = {c.id: c for c in after.structure.components}
+    changed = [i for i in new if i in old and (old[i].spec, old[i].code) != (new[i].spec, new[i].code)]
+    parts = [
+        f"{word} {', '.join(ids)}"
+        for word, ids in (
+            ("added", [i for i in new if i not in old]),
+            ("removed", [i for i in old if i not in new]),
+            ("changed", changed),
+        )
+        if ids
+    ]
+    failed = next((s.name for s in after.stages if not s.ok), "")
+    if failed and after != before:
+        parts.append(f"{failed} fails")
+    return "; ".join(parts) or "nothing changed"

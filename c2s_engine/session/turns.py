@@ -1,0 +1,64 @@
+"""The graph of a session: one run of it is one turn, and leaves one checkpoint.
+
+Its state is plain JSON, so that a checkpoint outlives versions of the classes in it. The steps of a turn are the
+engine's own (say, apply); their events are streamed on as they come.
+"""
+
+from collections.abc import AsyncIterator
+from contextlib import aclosing
+from typing import Any, Protocol, TypedDict
+
+from langgraph.checkpoint.base import BaseCheckpointSaver
+from langgraph.config import get_stream_writer
+from langgraph.graph import END, START, StateGraph
+from langgraph.graph.state import CompiledStateGraph
+
+from c2s_engine.session.journal import Pending
+from c2s_engine.session.state import State, cleared
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.progress import Finished
+
+
+class Engine(Protocol):
+    """What a session asks of the facade."""
+
+    def say(self, structure: Structure, text: str, **options: Any) -> AsyncIterator[Any]: ...
+
+    def apply(self, structure: Structure, edits: Any, **options: Any) -> AsyncIterator[Any]: ...
+
+
+class TurnState(TypedDict, total=False):
+    """What a checkpoint holds."""
+
+    request: dict[str, Any]
+    state: dict[str, Any]
+
+
+def build_turns(engine: Engine, checkpointer: BaseCheckpointSaver) -> CompiledStateGraph:
+    """The graph that takes a request upon a state to the next state."""
+
+    async def turn(values: TurnState) -> TurnState:
+        write = get_stream_writer()
+        before = State.model_validate(values["state"])
+        request = Pending.model_validate(values["request"])
+        after = before
+        async with aclosing(_events(engine, before.structure, request)) as events:  # type: ignore[type-var]
+            async for event in events:
+                if isinstance(event, Finished):
+                    after = State.of(event)
+                write(event)
+        return {"request": {}, "state": after.model_dump(mode="json")}
+
+    graph = StateGraph(TurnState)
+    graph.add_node("turn", turn)
+    graph.add_edge(START, "turn")
+    graph.add_edge("turn", END)
+    return graph.compile(checkpointer=checkpointer)
+
+
+def _events(engine: Engine, structure: Structure, request: Pending) -> AsyncIterator[Any]:
+    if request.kind == "say":
+        return engine.say(structure, request.text, **request.options)
+    if request.kind == "regenerate":
+        structure = cleared(structure, request.components)
+    return engine.apply(structure, list(request.edits), **request.options)

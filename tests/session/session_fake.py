@@ -1,0 +1,48 @@
+"""An engine with the facade's face whose turns are told by their text."""
+
+import asyncio
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import AddObject, EditError, apply
+from c2s_engine.structure.program import assemble
+from c2s_engine.structure.progress import Finished, Say, StructureChanged
+from c2s_engine.structure.specs import ObjectSpec
+
+
+class FakeEngine:
+    """`say` adds an object with the text as its name; "wait" in it waits until `go` is set, "fail" raises."""
+
+    def __init__(self):
+        self.go = asyncio.Event()
+        self.waiting = asyncio.Event()
+        self.stopped = 0
+
+    async def say(self, structure: Structure, text: str, **options):
+        yield Say(text=f"heard {text}")
+        if "wait" in text:
+            try:
+                self.waiting.set()
+                await self.go.wait()
+            except BaseException:
+                self.stopped += 1
+                raise
+        if "fail" in text:
+            raise RuntimeError("out of order")
+        edits = [] if text.endswith("?") else [AddObject(spec=ObjectSpec(name=text), description=text)]
+        async for event in self.apply(structure, edits, **options):
+            yield event
+
+    async def apply(self, structure: Structure, edits, **options):
+        for edit in edits:
+            try:
+                structure = apply(structure, edit)
+            except EditError as error:
+                yield Say(text=str(error), severity="error")
+        for component in structure.components:
+            if component.origin == "rendered" and not component.key:
+                written = component.model_copy(
+                    update={"key": "k", "code": f"## {component.id}: {component.description}"}
+                )
+                structure = structure.with_component(written)
+        yield StructureChanged(structure=structure)
+        yield Finished(ok=True, structure=structure, program=assemble(structure))

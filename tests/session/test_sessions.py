@@ -1,0 +1,224 @@
+"""Sessions: durable turns, undo and redo byte for byte, and the life of a session as a whole."""
+
+import asyncio
+import sqlite3
+
+import pytest
+from session_fake import FakeEngine
+
+from c2s_engine.session import store as session_store
+from c2s_engine.session.sessions import SessionError, Sessions
+from c2s_engine.structure.edits import RemoveObject, SetField
+from c2s_engine.structure.progress import Finished, ProgramChanged, Say
+
+
+async def take(events):
+    return [event async for event in events]
+
+
+def whole(session):
+    return session.structure.model_dump_json(), session.program.model_dump_json()
+
+
+@pytest.fixture
+def sessions(tmp_path):
+    made = Sessions(tmp_path / "sessions")
+    yield made
+    made.close()
+
+
+async def test_a_turn_is_durable_when_its_end_is_told(sessions, tmp_path):
+    session = sessions.open("one", FakeEngine())
+    assert session.structure.objects == () and session.history == []
+    async for event in session.say("cyclist"):
+        if isinstance(event, Finished):
+            other = Sessions(tmp_path / "sessions")
+            assert other.list()[0].last == "cyclist"
+            other.close()
+            break
+    session.close()
+    again = Sessions(tmp_path / "sessions").open("one", FakeEngine())
+    assert whole(again) == whole(session)
+    (turn,) = again.history
+    assert (turn.index, turn.kind, turn.text, turn.summary) == (0, "say", "cyclist", "added O1; changed G, R, E, T")
+    assert turn.replies == ("heard cyclist",) and again.pending is None
+
+
+async def test_undo_and_redo_restore_byte_for_byte(sessions):
+    session = sessions.open("one", FakeEngine())
+    states = [whole(session)]
+    for text in ("car", "truck", "what?", "bus"):
+        await take(session.say(text))
+        states.append(whole(session))
+    for k in range(3, -1, -1):
+        assert session.can_undo
+        events = await take(session.undo())
+        assert whole(session) == states[k] and isinstance(events[-1], Finished)
+    assert not session.can_undo and session.history == []
+    with pytest.raises(SessionError, match="nothing to undo"):
+        await take(session.undo())
+    for k in range(1, 5):
+        events = await take(session.redo())
+        assert whole(session) == states[k]
+    rewritten = next(e for e in events if isinstance(e, ProgramChanged)).rewritten
+    assert rewritten == ("O3",) and not session.can_redo
+    with pytest.raises(SessionError, match="nothing to redo"):
+        await take(session.redo())
+
+
+async def test_undo_and_redo_outlive_the_process(sessions):
+    session = sessions.open("one", FakeEngine())
+    for text in ("car", "truck", "bus"):
+        await take(session.say(text))
+    await take(session.undo())
+    await take(session.undo())
+    session.close()
+    session = sessions.open("one", FakeEngine())
+    assert [t.text for t in session.history] == ["car"]
+    await take(session.redo())
+    assert [t.text for t in session.history] == ["car", "truck"] and session.can_redo
+
+
+async def test_a_turn_after_undo_begins_a_new_branch(sessions):
+    session = sessions.open("one", FakeEngine())
+    for text in ("car", "truck"):
+        await take(session.say(text))
+    await take(session.undo())
+    await take(session.apply(SetField(component="O1", path="count", value=2)))
+    assert [t.text for t in session.history] == ["car", "field O1.count"] and not session.can_redo
+    assert session.history[-1].summary == "changed O1"
+    await take(session.apply([RemoveObject(component="O1")]))
+    assert session.structure.objects == () and session.history[-1].summary == "removed O1"
+
+
+async def test_regenerate_writes_what_is_asked_anew(sessions):
+    session = sessions.open("one", FakeEngine())
+    await take(session.say("car"))
+    before = whole(session)
+    await take(session.regenerate(["O1"]))
+    assert whole(session) == before and session.history[-1].text == "write O1 anew"
+
+
+async def test_a_cancelled_turn_leaves_everything_as_it_was(sessions):
+    engine = FakeEngine()
+    session = sessions.open("one", engine)
+    await take(session.say("car"))
+    before = whole(session)
+    task = asyncio.create_task(take(session.say("wait")))
+    await engine.waiting.wait()
+    with pytest.raises(SessionError, match="still running"):
+        await take(session.say("truck"))
+    task.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await task
+    assert engine.stopped == 1 and whole(session) == before and session.pending is None
+    await take(session.say("truck"))
+    assert [t.text for t in session.history] == ["car", "truck"]
+    await take(session.undo())
+    assert whole(session) == before
+
+
+async def test_closing_the_iterator_cancels_too(sessions):
+    engine = FakeEngine()
+    session = sessions.open("one", engine)
+    events = session.say("wait")
+    assert isinstance(await anext(events), Say)
+    await events.aclose()
+    assert session.structure.objects == () and session.pending is None
+    await take(session.say("truck"))
+    assert len(session.structure.objects) == 1
+
+
+async def test_a_fault_of_the_engine_ends_the_turn_only(sessions):
+    session = sessions.open("one", FakeEngine())
+    with pytest.raises(RuntimeError, match="out of order"):
+        await take(session.say("fail"))
+    await take(session.say("car"))
+    assert [t.text for t in session.history] == ["car"]
+
+
+async def test_one_process_at_a_time(sessions):
+    session = sessions.open("one", FakeEngine())
+    with pytest.raises(SessionError, match="open in another process"):
+        sessions.open("one", FakeEngine())
+    session.close()
+    with pytest.raises(SessionError, match="is closed"):
+        await take(session.say("car"))
+    sessions.open("one", FakeEngine()).close()
+
+
+async def test_list_rename_duplicate_delete(sessions):
+    session = sessions.open("one", FakeEngine())
+    await take(session.say("car"))
+    await take(session.say("truck"))
+    session.save_draft("chat", "and then")
+    session.close()
+    sessions.duplicate("one", "two")
+    sessions.rename("one", "uno")
+    two = sessions.open("two", FakeEngine())
+    assert whole(two) == whole(session) and two.draft("chat") == ""
+    await take(two.undo())
+    await take(two.say("bus"))
+    two.close()
+    assert {(s.name, s.turns, s.last) for s in sessions.list()} == {("uno", 2, "truck"), ("two", 2, "bus")}
+    with pytest.raises(SessionError, match="already a session 'two'"):
+        sessions.rename("uno", "two")
+    sessions.delete("uno")
+    assert [s.name for s in sessions.list()] == ["two"]
+    two = sessions.open("two", FakeEngine())
+    assert [o.description for o in two.structure.objects] == ["car", "bus"]
+    for call in (lambda: sessions.delete("uno"), lambda: sessions.open("uno", FakeEngine(), create=False)):
+        with pytest.raises(SessionError, match="no session 'uno'"):
+            call()
+    with pytest.raises(SessionError, match="one line of 1 to 80"):
+        sessions.open("a\nb", FakeEngine())
+
+
+async def test_export_and_import_as_one_file(sessions, tmp_path):
+    session = sessions.open("one", FakeEngine())
+    states = [whole(session)]
+    for text in ("car", "what is ahead?", "truck"):
+        await take(session.say(text))
+        states.append(whole(session))
+    session.close()
+    sessions.export("one", tmp_path / "one.c2s")
+    elsewhere = Sessions(tmp_path / "elsewhere")
+    assert elsewhere.import_file(tmp_path / "one.c2s") == "one"
+    assert elsewhere.import_file(tmp_path / "one.c2s") == "one 2"
+    copy = elsewhere.open("one 2", FakeEngine())
+    assert copy.history == session.history and whole(copy) == states[-1]
+    for k in (2, 1, 0):
+        await take(copy.undo())
+        assert whole(copy) == states[k]
+    (tmp_path / "other.json").write_text('{"format": "something"}')
+    with pytest.raises(SessionError, match="no exported session"):
+        elsewhere.import_file(tmp_path / "other.json")
+
+
+async def test_the_database_is_bounded(sessions, tmp_path, monkeypatch):
+    monkeypatch.setattr(session_store.Store.prune, "__defaults__", (5,))
+    session = sessions.open("one", FakeEngine())
+    for k in range(12):
+        await take(session.apply([], seed=k))
+    counts = {}
+    with sqlite3.connect(tmp_path / "sessions" / "sessions.sqlite") as db:
+        for table in ("turns", "checkpoints", "writes"):
+            counts[table] = db.execute(f"SELECT count(DISTINCT checkpoint_id) FROM {table}").fetchone()[0]
+    assert counts["turns"] == counts["checkpoints"] == 6 and counts["writes"] <= 6
+    for _ in range(5):
+        await take(session.undo())
+    assert not session.can_undo
+
+
+async def test_one_checkpoint_a_turn(sessions, tmp_path):
+    session = sessions.open("one", FakeEngine())
+    for text in ("car", "truck", "bus"):
+        await take(session.say(text))
+    with sqlite3.connect(tmp_path / "sessions" / "sessions.sqlite") as db:
+        assert db.execute("SELECT count(*) FROM checkpoints").fetchone()[0] == 4
+
+
+def test_a_file_that_is_no_database_is_one_sentence(tmp_path):
+    (tmp_path / "sessions.sqlite").write_bytes(b"nonsense" * 1000)
+    with pytest.raises(SessionError, match="cannot be read"):
+        Sessions(tmp_path)

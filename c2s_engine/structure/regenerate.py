@@ -15,9 +15,15 @@ from c2s_engine.structure.edits import Edit, apply, references
 
 
 class FragmentWriter(Protocol):
-    """Writes one component's fragment; `reads` says whose interfaces it looks at for that."""
+    """Writes one component's fragment.
+
+    `reads`: the components whose interfaces it looks at for that. `inputs`: what else of S it looks at, as plain data
+    (for the typed writer the facts of the plan that the fragment rests on), and no more than that.
+    """
 
     def config(self) -> dict[str, Any]: ...
+
+    def inputs(self, structure: Structure, cid: ComponentId) -> Any: ...
 
     def reads(self, structure: Structure, cid: ComponentId) -> frozenset[ComponentId]: ...
 
@@ -34,27 +40,11 @@ def digest(value: Any) -> str:
 
 
 def key_of(structure: Structure, cid: ComponentId, writer: FragmentWriter) -> str:
-    """The digest under which a component's fragment is up to date.
-
-    Of the components read, both the interface and the spec's own digest count where the writer says that it reads
-    the spec (`reads`): a fragment that places itself by another's gap must follow it.
-    """
-    component = structure[cid]
-    read = {
-        other: [interface(structure[other]), facts_read(structure[other], writer)]
-        for other in sorted(writer.reads(structure, cid))
-        if other in structure
-    }
-    return digest(
-        [component.description if writer.config().get("reads_descriptions") else "",
-         component.spec.model_dump(mode="json"), read, writer.config()]
-    )  # fmt: skip
-
-
-def facts_read(component: Component, writer: FragmentWriter) -> Any:
-    """What of another component a writer looks at besides its names; a writer may narrow it by `view`."""
-    view = getattr(writer, "view", None)
-    return view(component) if view else None
+    """The digest under which a component's fragment is up to date."""
+    component, config = structure[cid], writer.config()
+    read = {other: interface(structure[other]) for other in sorted(writer.reads(structure, cid)) if other in structure}
+    described = [component.description] if config.get("reads_descriptions") else []
+    return digest([described, component.spec.model_dump(mode="json"), read, writer.inputs(structure, cid), config])
 
 
 def order(structure: Structure, cids: Iterable[ComponentId], writer: FragmentWriter) -> list[ComponentId]:

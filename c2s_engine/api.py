@@ -1,0 +1,265 @@
+"""The facade that the command line, the app and the benchmark use. Imports neither torch, lancedb nor scenic."""
+
+import time
+from collections.abc import AsyncIterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from c2s_engine.check.client import CheckClient
+from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits, PlacesRequest, Upto
+from c2s_engine.config import Settings
+from c2s_engine.maps.library import MapFile, MapLibrary
+from c2s_engine.session.steps import Tools
+from c2s_engine.structure.components import ComponentId, Structure
+from c2s_engine.structure.diagnostics import StageResult
+from c2s_engine.structure.edits import Edit, apply
+from c2s_engine.structure.facts import RunFacts
+from c2s_engine.structure.program import FragmentSpan, Program, assemble
+from c2s_engine.structure.progress import Finished, Progress
+
+RUNNER = "c2s_engine.dryrun.runner:run_scene"
+
+
+class Engine:
+    """One per process: `async with Engine() as engine`. The check server starts first, the rest when it is needed."""
+
+    def __init__(self, settings: Settings | None = None):
+        self.settings = settings or Settings()
+        self.library = MapLibrary(self.settings.map_folders, self.settings.carla_root)
+        self.check_client = CheckClient(runner=RUNNER)
+        self.tools = Tools(self.settings, self.library, self.check_client)
+        self._retrieval: Any = None
+        self._graph: Any = None
+
+    async def __aenter__(self) -> "Engine":
+        await self.start()
+        return self
+
+    async def __aexit__(self, *_: object) -> None:
+        await self.close()
+
+    async def start(self) -> None:
+        await self.check_client.start()
+
+    async def close(self) -> None:
+        await self.check_client.close()
+        if self._retrieval is not None:
+            await self._retrieval.close()
+
+    # Turns.
+
+    async def generate(
+        self,
+        text: str,
+        *,
+        method: str | None = None,
+        map: str | None = None,
+        seed: int = 0,
+        run: bool = True,
+        runs: int | None = None,
+        trajectories: bool = False,
+    ) -> AsyncIterator[Progress]:
+        """A new scenario from a text. The last event is Finished."""
+        inputs = {"text": text, "structure": {}, "edits": []}
+        async for event in self.turn(inputs, method, map, seed, run, runs, trajectories):
+            yield event
+
+    async def apply(
+        self,
+        structure: Structure,
+        edits: Sequence[Edit],
+        *,
+        method: str | None = None,
+        map: str | None = None,
+        seed: int = 0,
+        run: bool = True,
+        runs: int | None = None,
+        trajectories: bool = False,
+    ) -> AsyncIterator[Progress]:
+        """Edits of S: only what they make dirty is written anew. Raises EditError where one cannot be made."""
+        after = structure
+        for edit in edits:
+            after = apply(after, edit)
+        inputs = {
+            "text": "",
+            "structure": structure.model_dump(mode="json"),
+            "edits": [e.model_dump(mode="json") for e in edits],
+        }
+        async for event in self.turn(inputs, method, map, seed, run, runs, trajectories):
+            yield event
+
+    async def say(self, structure: Structure | None, text: str, *, method: str | None = None, **options: Any) -> AsyncIterator[Progress]:
+        """A turn of the chat upon S: a question, an edit, or a new scenario."""
+        from c2s_engine.session.talk import say
+
+        async for event in say(self, structure, text, method=method, **options):
+            yield event
+
+    async def turn(
+        self,
+        inputs: dict[str, Any],
+        method: str | None,
+        map: str | None,
+        seed: int,
+        run: bool,
+        runs: int | None,
+        trajectories: bool,
+        graph: Any = None,
+        config: dict[str, Any] | None = None,
+    ) -> AsyncIterator[Progress]:
+        """One passage through the graph (the session's, where it gives its own)."""
+        started = time.perf_counter()
+        state: dict[str, Any] = {}
+        inputs = {
+            **inputs,
+            "method": method or self.settings.method,
+            "map": map,
+            "seed": seed,
+            "runs": runs or self.settings.runs,
+            "upto": "run" if run else "sample",
+            "trajectories": trajectories,
+            "program": {},
+            "report": {},
+            "rewritten": [],
+            "stages": [],
+            "details": {},
+            "places": 0,
+            "stop": False,
+        }
+        graph = graph or self.graph()
+        async for mode, item in graph.astream(inputs, config, stream_mode=["custom", "values"], durability="exit" if config else None):
+            if mode == "custom":
+                yield item
+            else:
+                state = item
+        yield finished(state, time.perf_counter() - started)
+
+    def graph(self) -> Any:
+        """The graph without a checkpointer."""
+        if self._graph is None:
+            from c2s_engine.session.graph import build_graph
+
+            self._graph = build_graph(self.tools)
+        return self._graph
+
+    # Single services.
+
+    async def check(
+        self,
+        program: str,
+        *,
+        spans: Sequence[FragmentSpan] = (),
+        upto: Upto = "sample",
+        seed: int = 0,
+        runs: int = 1,
+        seconds: float | None = None,
+        trajectories: bool = False,
+        trust: bool = False,
+        folder: str | None = None,
+        filename: str = "program.scenic",
+        limits: Limits | None = None,
+    ) -> CheckReport:
+        """Check any program."""
+        return await self.check_client.check(
+            CheckRequest(
+                program=program,
+                spans=tuple(spans),
+                upto=upto,
+                seed=seed,
+                runs=runs,
+                seconds=seconds or self.settings.seconds,
+                trajectories=trajectories,
+                trust=trust,
+                folder=folder,
+                filename=filename,
+                allow=self.settings.allow,
+                limits=limits or Limits(),
+            )
+        )
+
+    def reach(self, structure: Structure, edit: Edit) -> list[ComponentId]:
+        """What an edit will make dirty, before it is made (with the typed writer)."""
+        from c2s_engine.session.places import map_choice
+        from c2s_engine.structure.regenerate import reach
+        from c2s_engine.write.typed import TypedWriter
+
+        name = map_of(structure) or "town"
+        return reach(structure, edit, TypedWriter(map_choice(self.library, self.library.find(name))))
+
+    def maps(self) -> tuple[MapFile, ...]:
+        return self.library.list()
+
+    async def survey(self, map_file: MapFile) -> dict[str, int]:
+        """How many places of each kind a map has."""
+        from c2s_engine.maps.expressions import survey
+        from c2s_engine.maps.extras import read_extras
+
+        path = self.library.working_copy(map_file)
+        report = await self.check_client.places(PlacesRequest(map=str(path), expressions=survey(read_extras(map_file.path))))
+        return dict(report.counts)
+
+    async def search(self, query: str, *, kind: str = "doc", component: str | None = None, limit: int = 5) -> list[Any]:
+        """Passages or snippets near to a query."""
+        return await (await self.retrieval()).search(query, kind=kind, component=component, limit=limit)
+
+    async def retrieval(self) -> Any:
+        """The retrieval worker's client, started when first needed."""
+        if self._retrieval is None:
+            from c2s_engine.retrieve.client import RetrievalClient
+
+            self._retrieval = RetrievalClient()
+        return self._retrieval
+
+
+def map_of(structure: Structure) -> str | None:
+    """The map that the structure's program names."""
+    import re
+
+    match = re.search(r"localPath\('([^']+)\.xodr'\)", structure.settings.code)
+    return match[1] if match else None
+
+
+def finished(state: dict[str, Any], seconds: float) -> Finished:
+    """The last event of a turn, from the graph's final state."""
+    structure = Structure.model_validate(state.get("structure") or {})
+    program = Program.model_validate(state["program"]) if state.get("program") else assemble(structure)
+    stages = tuple(StageResult.model_validate(s) for s in state.get("stages", []))
+    report = state.get("report") or {}
+    facts = tuple(RunFacts.model_validate(f) for f in report.get("facts", []))
+    details = {
+        **(state.get("details") or {}),
+        "rewritten": state.get("rewritten", []),
+        "places": state.get("places", 0),
+        "map": state.get("map_name"),
+        "folder": state.get("folder"),
+        "iterations": report.get("iterations", []),
+        "isolation": report.get("isolation", ""),
+    }
+    ok = bool(stages) and all(s.ok for s in stages) and bool(program.text)
+    return Finished(
+        ok=ok, structure=structure, program=program, stages=stages, facts=facts, seconds=round(seconds, 3), details=details
+    )
+
+
+def save(program: Program, folder: str | None, target: Path) -> list[Path]:
+    """Write a program, and its map beside it (unless the map already lies there); the files written.
+
+    Raises OSError; the program's text is written beside and renamed, so that a full disk loses nothing.
+    """
+    import re
+    import shutil
+
+    written = []
+    draft = target.with_name(f".{target.name}.part")
+    try:
+        draft.write_text(program.text, encoding="utf-8")
+        draft.replace(target)
+    finally:
+        draft.unlink(missing_ok=True)
+    written.append(target)
+    for name in re.findall(r"localPath\('([^']+)'\)", program.text):
+        source, copy = Path(folder or ".") / name, target.parent / name
+        if source.is_file() and (not copy.exists() or copy.read_bytes() != source.read_bytes()) and source.resolve() != copy.resolve():
+            shutil.copyfile(source, copy)
+            written.append(copy)
+    return written

@@ -1,0 +1,55 @@
+"""Settings of the engine: what a user may set once, in config.toml, by environment or in code."""
+
+import os
+import tomllib
+from pathlib import Path
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from c2s_engine import paths
+
+
+class ConfigError(ValueError):
+    """The settings file cannot be used; the message says why."""
+
+
+class Settings(BaseModel):
+    """Every field may stand in config.toml under the same name."""
+
+    model_config = ConfigDict(extra="ignore")
+
+    method: str = "embedded"
+    """How programs are written: embedded, typed, mixed, chat2scenic:C1 ... chat2scenic:C12, chatscene, nl2scenic."""
+    map: str | None = None
+    """The map where the text names none; none: the paper's default Town05 where it is installed, else `town`."""
+    map_folders: tuple[str, ...] = ()
+    """Folders in which further .xodr files lie."""
+    carla_root: str | None = None
+    """Where CARLA is installed; without it, $CARLA_ROOT."""
+    model: str | None = None
+    """The Ollama model; none: methods without a model only."""
+    runs: int = 1
+    """Rollouts of the dry run a program."""
+    seconds: float = 20.0
+    """Simulated seconds a rollout, where the program does not end sooner."""
+    allow: tuple[tuple[str, str], ...] = ()
+    """Further (module, name) pairs that checked programs may import."""
+
+
+def load_settings(path: Path | None = None) -> Settings:
+    """The settings of config.toml, else the defaults; raises ConfigError."""
+    path = path or paths.config_file()
+    values: dict = {}
+    if path.is_file():
+        try:
+            values = tomllib.loads(path.read_text(encoding="utf-8"))
+        except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+            raise ConfigError(f"{path} cannot be read: {error}. Mend or remove the file.") from None
+    if model := os.environ.get("C2S_MODEL"):
+        values["model"] = model
+    try:
+        return Settings.model_validate(values)
+    except ValidationError as error:
+        first = error.errors()[0]
+        where = ".".join(str(part) for part in first["loc"])
+        raise ConfigError(f"{path}: {where}: {first['msg']}") from None

@@ -1,0 +1,70 @@
+"""Methods by name: how a text is interpreted and how S is written, behind one face (text -> program)."""
+
+import time
+from typing import Any, Protocol
+
+from c2s_engine.session.places import map_choice
+from c2s_engine.session.steps import Emit, Tools, timed, write
+from c2s_engine.structure.components import ComponentId, Structure
+from c2s_engine.structure.diagnostics import Diagnostic, StageResult
+from c2s_engine.structure.edits import Edit
+from c2s_engine.structure.program import Program
+from c2s_engine.structure.progress import Say, StageDone, StageStarted
+from c2s_engine.write.typed import TypedWriter
+
+Interpreted = tuple[Structure | None, list[Edit], dict[str, Any], StageResult]
+Written = tuple[Structure, Program, list[ComponentId], StageResult]
+
+
+class UnknownMethod(ValueError):
+    """No method of that name; the message names those that there are."""
+
+
+class Method(Protocol):
+    """What the graph asks of a method."""
+
+    name: str
+
+    async def interpret(self, text: str, structure: Structure, emit: Emit) -> Interpreted: ...
+
+    async def write(self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str) -> Written: ...
+
+
+class EmbeddedMethod:
+    """No model: the embedded interpreter and the typed writer."""
+
+    name = "embedded"
+
+    def __init__(self, tools: Tools):
+        self.tools = tools
+
+    async def interpret(self, text: str, structure: Structure, emit: Emit) -> Interpreted:
+        from c2s_engine.interpret import EmbeddedInterpreter, InterpretError
+
+        emit(StageStarted(stage="interpret"))
+        started = time.perf_counter()
+        try:
+            found = EmbeddedInterpreter().interpret(text)
+        except InterpretError as error:
+            result = timed("interpret", started, (Diagnostic(stage="interpret", message=str(error), code="text"),))
+            emit(StageDone(result=result))
+            return None, [], {}, result
+        result = timed("interpret", started)
+        emit(StageDone(result=result))
+        if found.structure.not_understood:
+            words = "; ".join(f'"{n.text}"' for n in found.structure.not_understood[:5])
+            emit(Say(text=f"Not understood: {words}.", severity="warning"))
+        return found.structure, [], {"tokens": 0}, result
+
+    async def write(self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str) -> Written:
+        chosen = map_choice(self.tools.library, self.tools.library.find(map_name))
+        return write(structure, [], TypedWriter(chosen, room=room), emit)
+
+
+def method_named(name: str, tools: Tools) -> Method:
+    """The method of that name; raises UnknownMethod."""
+    if name == "embedded":
+        return EmbeddedMethod(tools)
+    from c2s_engine.session.model_methods import model_method
+
+    return model_method(name, tools)

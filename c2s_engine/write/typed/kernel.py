@@ -1,0 +1,27 @@
+"""The driving kernel: the few functions and behaviours that generated programs share, emitted only where used."""
+
+import re
+from functools import cache
+from importlib.resources import files
+
+ORDER = (
+    "way", "approach", "along", "straight_on", "need", "passed", "ttc", "pace", "meet", "lead_on",
+    "drive", "turn_round", "backwards", "walk",
+)  # fmt: skip
+_NAMES = {"drive": "Drive", "turn_round": "TurnRound", "backwards": "Backwards", "walk": "Walk"}
+
+
+@cache
+def source(name: str) -> str:
+    """The Scenic text of one kernel part."""
+    return (files("c2s_engine.write.typed.kernel_parts") / f"{name}.scenic").read_text()
+
+
+def needed(code: str) -> frozenset[str]:
+    """The kernel parts whose names a piece of code uses."""
+    return frozenset(p for p in ORDER if re.search(rf"\b{_NAMES.get(p, p)}\(", code))
+
+
+def text(parts: frozenset[str]) -> str:
+    """Their Scenic text, in a fixed order."""
+    return "\n\n".join(source(p).rstrip("\n") for p in ORDER if p in parts)

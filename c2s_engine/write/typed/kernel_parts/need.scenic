@@ -1,0 +1,15 @@
+def need(car, other):
+    """The deceleration (m/s2) that keeps `car` from reaching `other`, if both go on as they do; 0: no conflict."""
+    place = (other.position - car.position).rotatedBy(-car.heading)
+    motion = other.velocity.rotatedBy(-car.heading)
+    across = abs(math.sin(other.heading - car.heading))
+    gap = place.y - (car.length + other.width * across + other.length * (1 - across)) / 2
+    reach = (car.width + other.length * across + other.width * (1 - across)) / 2 + 0.5
+    closing = car.speed - motion.y
+    if place.y <= 0:
+        return 0
+    if gap < 5 and car.speed < 2 and motion.y < 1 and abs(place.x) < reach:
+        return 9
+    if closing <= 0.1 or abs(place.x + motion.x * max(gap, 0) / closing) > reach:
+        return 0
+    return closing ** 2 / (2 * max(gap - 2, 0.3))

@@ -1,0 +1,12 @@
+def way(lane, turn=ManeuverType.STRAIGHT, metres=900):
+    """Points 2 m apart along a lane and on through the junctions ahead: by `turn` at the first, then straight on."""
+    points = []
+    while len(points) < metres / 2:
+        points += lane.centerline.pointsSeparatedBy(2)
+        onward = [m for m in lane.maneuvers if m.type is turn] or list(lane.maneuvers)
+        if not onward:
+            break
+        if onward[0].connectingLane:
+            points += onward[0].connectingLane.centerline.pointsSeparatedBy(2)
+        lane, turn = onward[0].endLane, ManeuverType.STRAIGHT
+    return points

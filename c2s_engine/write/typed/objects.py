@@ -1,0 +1,191 @@
+"""O1..N: road users, obstacles and things at the road."""
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import high, low, middle
+from c2s_engine.structure.specs import ObjectSpec, Phase
+from c2s_engine.write.typed import behaviour, scope
+from c2s_engine.write.typed.placement import Spot, place_object
+from c2s_engine.write.typed.plan import Plan, speed_of
+from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS, LENGTH, ROLE, is_static, is_vehicle, is_walker
+
+
+def write_object(structure: Structure, cid: str, plan: Plan) -> str:
+    """The fragment of one object."""
+    spec = structure[cid].spec
+    assert isinstance(spec, ObjectSpec)
+    spot = place_object(structure, cid, plan)
+    name = scope.variables(structure)[cid]
+    if spec.type in ("construction_zone", "lane_closure"):
+        return _works(spec, spot, name)
+    lines: list[str] = []
+    moving = not is_static(spec)
+    speed = speed_of(spec, plan.place)
+    prefix = scope.constant(structure, cid)
+    if moving and high(speed) > 0:
+        lines.append(f"{prefix}_SPEED = {scope.quantity(speed)}  # m/s")
+    lines += spot.constants
+    if moving:
+        lines += ["", f"behavior {scope.camel(name)}Behavior():"]
+        statements = _walker(structure, spec, plan, spot, prefix, speed) if is_walker(spec.type) else _driver(
+            structure, cid, spec, plan, spot, prefix, speed
+        )
+        lines += [f"    {s}" for s in statements] + [""]
+    lines += _statement(spec, spot, name, moving)
+    return "\n".join(lines)
+
+
+def _statement(spec: ObjectSpec, spot: Spot, name: str, moving: bool) -> list[str]:
+    extras = [f"with blueprint {_blueprint(spec)}"]
+    role = ROLE.get(spec.type)
+    if spec.type == "speed_sign":
+        role = f"speed_sign:{round((spec.limit or 13.9) * 3.6)}"
+    if role:
+        extras.append(f"with rolename '{role}'")
+    if not (is_vehicle(spec.type) or is_walker(spec.type)) and not any("regionContainedIn" in s for s in spot.specifiers):
+        extras.append("with regionContainedIn everywhere")
+    if not (is_vehicle(spec.type) or is_walker(spec.type)) and not any(s.startswith("facing") for s in spot.specifiers):
+        extras.append("facing roadDirection")
+    if moving:
+        extras.append(f"with behavior {scope.camel(name)}Behavior()")
+    specifiers = [*spot.specifiers, *extras]
+    head = f"new {CLASS[spec.type]} {specifiers[0]}"
+    if spec.count > 1:
+        rest = ", ".join(specifiers[1:])
+        return [f"{name} = [{head}, {rest}", f"    for i in range({spec.count})]"]
+    return [f"{name} = {head},", *(f"    {s}," for s in specifiers[1:-1]), f"    {specifiers[-1]}"]
+
+
+def _blueprint(spec: ObjectSpec) -> str:
+    if spec.model:
+        return f"'{spec.model}'"
+    choices = BLUEPRINTS[spec.type]
+    return f"'{choices[0]}'" if len(choices) == 1 else f"Uniform({', '.join(repr(c) for c in choices)})"
+
+
+def _works(spec: ObjectSpec, spot: Spot, name: str) -> str:
+    """Cones across and along the lane, a barrier and a sign: what makes a work zone or closes a lane."""
+    at = spot.specifiers[0].removeprefix("at ")
+    origin = f"{name}_spot"
+    oriented = at if at.startswith("(new OrientedPoint") else f"(new OrientedPoint at {at}, facing roadDirection)"
+    lines = [*spot.constants, f"{origin} = {oriented}"]
+    cone = f"new Cone at {origin} offset by {{x}} @ {{y}}, with blueprint {_blueprint(spec)}, with regionContainedIn everywhere"
+    rows = "((-1.4, -6), (-0.5, -4), (0.5, -2), (1.4, 0), (1.4, 4), (1.4, 8))"
+    lines.append(f"{name} = [{cone.format(x='x', y='y')}")
+    lines.append(f"    for x, y in {rows}]")
+    lines.append(
+        f"{name}_barrier = new Barrier at {origin} offset by 0 @ 5, facing {origin}.heading + 90 deg,"
+        " with blueprint 'static.prop.streetbarrier', with regionContainedIn everywhere"
+    )
+    if spec.type == "construction_zone":
+        lines.append(
+            f"{name}_sign = new TrafficWarning at {origin} offset by 0.4 @ -9, facing {origin}.heading,"
+            " with blueprint 'static.prop.trafficwarning', with rolename 'warning_sign', with regionContainedIn everywhere"
+        )
+    return "\n".join(lines)
+
+
+def _driver(
+    structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, spot: Spot, prefix: str, speed: float | tuple[float, float]
+) -> list[str]:
+    """The behaviour of a vehicle."""
+    crossing = spec.type == "bicycle" and any(p.action in ("cross_road", "enter_road") for p in spec.phases) and spot.off_road
+    if crossing:
+        return _rider_across(structure, spec, plan, prefix, speed)
+    standing = high(speed) == 0
+    actor = behaviour.Actor(
+        cid=cid,
+        spec=spec,
+        structure=structure,
+        plan=plan,
+        line=spot.line,
+        lane=spot.lane,
+        speed="0" if standing else f"{prefix}_SPEED",
+        value=middle(speed),
+        approach=spot.approach,
+    )
+    statements = behaviour.body(actor)
+    if spot.off_road:  # beside the lane: it keeps beside it until it enters
+        statements = [statements[0], *_off_road(statements[1:], spec)]
+    if spot.approach and plan.junction and not any(p.action in ("collide", "yield", "stop", "run_stop", "wait") for p in spec.phases):
+        statements = [_synchronised(s, prefix) for s in statements]
+    if any(p.action == "run_red" for p in spec.phases):
+        statements.insert(1, "take SetTrafficLightAction('red', distance=150)")
+    return statements
+
+
+def _synchronised(statement: str, prefix: str) -> str:
+    """On a crossing way it arrives when ego does."""
+    plain = f"do Drive(line, {prefix}_SPEED)"
+    met = f"do Drive(line, lambda: meet(self, line, ego, way(egoLane, EGO_TURN), {prefix}_SPEED))"
+    return statement.replace(plain, met)
+
+
+def _off_road(statements: list[str], spec: ObjectSpec) -> list[str]:
+    return [s.replace("do Drive(line, 0)", "wait") if s.startswith("do Drive(line, 0)") and False else s for s in statements]
+
+
+def _start_condition(structure: Structure, spec: ObjectSpec, phase: Phase, plan: Plan, walk: float, reach: float) -> str:
+    """When somebody sets out across the road: the stated trigger, or so that ego meets it on its lane."""
+    t = phase.trigger
+    other = scope.reference(structure, t.of) if t and t.of else "ego"
+    if t and t.kind == "time":
+        return f"simulation().currentTime * simulation().timestep >= {scope.number(middle(t.value or 2))}"
+    if t and t.kind == "ttc" and t.value is not None:
+        return f"(distance from self to {other}) < {scope.number(middle(t.value))} * max({other}.speed, 3) + 2.5"
+    if t and t.value is not None and t.kind == "distance":
+        return f"(distance from self to {other}) < {scope.number(middle(t.value))}"
+    if t and t.kind == "action":
+        return f"{other}.speed < 0.5" if t.action in ("stop", "stationary") else f"(distance from self to {other}) < 25"
+    return f"(distance from self to ego) < {scope.number(reach / max(walk, 0.3) + 0.8)} * ego.speed + 5"
+
+
+def _walker(
+    structure: Structure, spec: ObjectSpec, plan: Plan, spot: Spot, prefix: str, speed: float | tuple[float, float]
+) -> list[str]:
+    """The behaviour of somebody on foot."""
+    lines: list[str] = []
+    pace = f"{prefix}_SPEED" if high(speed) > 0 else scope.number(2.2 if spec.type == "child" else 1.4)
+    value = middle(speed) or 1.4
+    phases = spec.phases or (Phase(action="move_along"),)
+    for i, phase in enumerate(phases):
+        last = i == len(phases) - 1
+        own = scope.quantity(phase.speed) if phase.speed is not None and i > 0 else pace
+        if phase.action in ("cross_road", "enter_road", "collide"):
+            if i == 0 and low(speed) == 0 or phase.trigger or i == 0:
+                reach = 7.0 if spec.placement.side == "left" else 4.0
+                lines += [f"while not ({_start_condition(structure, spec, phase, plan, value, reach)}):", "    wait"]
+            step = f"do Walk(self.heading, {own})"
+        elif phase.action in ("stop", "stationary", "wait"):
+            step = f"do Walk(self.heading, 0)"
+        else:
+            step = f"do Walk(self.heading, {own})"
+        ending = f" for {scope.quantity(phase.duration)} seconds" if phase.duration is not None else ""
+        if not ending and not last:
+            following = phases[i + 1]
+            if following.trigger and following.trigger.kind == "distance" and following.trigger.value is not None:
+                ending = f" until (distance from self to ego) < {scope.number(middle(following.trigger.value))}"
+            else:
+                crossing = phase.action in ("cross_road", "enter_road")
+                ending = f" for {scope.number(4.5 / max(value, 0.3) if crossing else 2)} seconds"
+        lines.append(step + ending)
+    return lines
+
+
+def _rider_across(
+    structure: Structure, spec: ObjectSpec, plan: Plan, prefix: str, speed: float | tuple[float, float]
+) -> list[str]:
+    """A cyclist that crosses the road from beside it."""
+    value = middle(speed) or 4.0
+    phase = next(p for p in spec.phases if p.action in ("cross_road", "enter_road"))
+    own = f"{prefix}_SPEED" if high(speed) > 0 else scope.number(value)
+    reach = 7.0 if spec.placement.side == "left" else 4.0
+    return [
+        f"while not ({_start_condition(structure, spec, phase, plan, value, reach)}):",
+        "    wait",
+        "line = straight_on(self)",
+        f"take SetSpeedAction({own})",
+        f"do Drive(line, {own})",
+    ]
+
+
+_ = LENGTH

@@ -1,0 +1,88 @@
+"""R: the place, its lanes and approaches, and the parts of the driving kernel that the program uses."""
+
+from c2s_engine.maps.expressions import PlaceCode
+from c2s_engine.write.typed import kernel
+from c2s_engine.write.typed.plan import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME, MANOEUVRE, Plan
+from c2s_engine.write.typed.scope import number, quantity
+
+
+def write_place(plan: Plan, code: PlaceCode, parts: frozenset[str]) -> str:
+    """The fragment of R: kernel, choice of the place, lanes by name, ego's start."""
+    if plan.approaches:
+        parts = parts | {"approach"}
+    if code.yields == "spots":
+        parts = parts | {"along"}
+    lines = ["import math", "", *kernel.text(parts).splitlines(), ""] if parts else []
+    if code.comment:
+        lines.append(f"# {code.comment}")
+    lines += _choice(plan, code)
+    lines += _lanes(plan)
+    lines += _start(plan, code)
+    return "\n".join(lines)
+
+
+def _choice(plan: Plan, code: PlaceCode) -> list[str]:
+    if code.yields == "lanes":
+        return [f"egoLane = Uniform(*{_wrapped(code.expression)})"]
+    if code.yields == "spots":
+        return [
+            f"spots = {_wrapped(code.expression)}",
+            "crossing = Uniform(*[(network.laneAt(s), along(network.laneAt(s), s)) for s in spots])",
+            "egoLane = crossing[0]",
+        ]
+    if not plan.approaches:
+        return [f"egoTurn = Uniform(*{_wrapped(code.expression)})", "egoLane = egoTurn.startLane"]
+    lines = [f"ways = {_wrapped(code.expression)}"]
+    roles = ", ".join(f"approach(m, {APPROACH_ANGLE[p]}, ManeuverType.{t})" for p, t in plan.approaches)
+    lines += [
+        f"junctions = [(m, {roles}) for m in ways]",
+        "junction = Uniform(*[j for j in junctions if all(j)])",
+        "egoTurn = junction[0]",
+        "egoLane = egoTurn.startLane",
+    ]
+    names: dict[str, int] = {}
+    for i, (position, turn) in enumerate(plan.approaches, start=1):
+        lines.append(f"{approach_name(plan, position, turn)} = junction[{i}]")
+        names[position] = i
+    return lines
+
+
+def approach_name(plan: Plan, position: str, turn: str) -> str:
+    """The variable of the approach by which an object reaches the junction."""
+    same = [t for p, t in plan.approaches if p == position]
+    base = APPROACH_NAME[position]
+    return base if len(same) == 1 else f"{base}{''.join(w.capitalize() for w in turn.split('_'))}"
+
+
+def _wrapped(expression: str) -> str:
+    return expression if len(expression) < 90 else expression.replace(" for ", "\n    for ", 1).replace(" if ", "\n    if ", 1)
+
+
+def _lanes(plan: Plan) -> list[str]:
+    lines = []
+    for k in sorted(plan.offsets - {0}):
+        index = plan.base + k
+        lines.append(f"{LANE_NAME[k]} = egoLane.group.lanes[{index}]")
+    if plan.oncoming:
+        lines.append("oncomingLane = egoLane.group.opposite.lanes[-1]")
+    if plan.exit_lane:
+        lines.append("exitLane = egoTurn.endLane")
+    return lines
+
+
+def _start(plan: Plan, code: PlaceCode) -> list[str]:
+    lines = []
+    if plan.junction or plan.place.kind in ("on_ramp", "off_ramp"):
+        lines.append(f"EGO_TURN = ManeuverType.{MANOEUVRE[plan.place.manoeuvre or 'straight']}")
+    if plan.distance is None:
+        spread = 0 if plan.place.kind == "curve" else 20
+        start = f"Range({number(plan.before)}, {number(plan.before + spread)})" if spread else number(plan.before)
+        lines.append(f"EGO_AT = {start}  # m along its lane")
+    elif code.yields == "spots":
+        lines += [f"EGO_TO_CROSSWALK = {quantity(plan.distance)}  # m", "EGO_AT = crossing[1] - EGO_TO_CROSSWALK"]
+    else:
+        lines += [
+            f"EGO_TO_JUNCTION = {quantity(plan.distance)}  # m",
+            "EGO_AT = egoLane.centerline.length - EGO_TO_JUNCTION",
+        ]
+    return lines

@@ -1,0 +1,226 @@
+"""Where an object starts, as Scenic: a point on a lane by its distance along it, or a spot beside the road."""
+
+from dataclasses import dataclass
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import low, middle
+from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.place import approach_name
+from c2s_engine.write.typed.plan import APPROACH_ANGLE, LANE_NAME, Plan, default_gap, speed_of, turn_of
+from c2s_engine.write.typed.tables import LENGTH, is_vehicle, is_walker
+
+
+@dataclass(frozen=True)
+class Spot:
+    """`constants`: lines before the object; `at`: the specifier's text ({i} counts members); `line`: its way's points."""
+
+    constants: tuple[str, ...]
+    specifiers: tuple[str, ...]
+    line: str
+    lane: int | None = None
+    approach: str | None = None
+    off_road: bool = False
+    heading: str = ""  # the road's heading at the spot, where it stands beside it
+
+
+def place_object(structure: Structure, cid: str, plan: Plan) -> Spot:
+    """The spot of an object."""
+    spec = structure[cid].spec
+    assert isinstance(spec, ObjectSpec)
+    position = spec.placement.position
+    if spec.placement.hidden_by and not is_vehicle(spec.type):
+        return _hidden(structure, spec)
+    if position in APPROACH_ANGLE:
+        return _approaching(structure, cid, spec, plan)
+    if position == "oncoming_lane":
+        return _oncoming(structure, cid, spec, plan)
+    if position == "on_ramp":
+        return _on_ramp(structure, cid, spec, plan)
+    if position == "intersection_exit":
+        return _exit(structure, cid, spec, plan)
+    if position in ("roadside", "sidewalk", "parked"):
+        return _beside_road(structure, cid, spec, plan)
+    return _on_lane(structure, cid, spec, plan)
+
+
+def position_constant(structure: Structure, cid: str) -> str:
+    """The constant that says how far along the lane something starts, m."""
+    return "EGO_AT" if cid in ("ego", "E") else f"{scope.constant(structure, cid)}_AT"
+
+
+def _gap(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
+    return spec.placement.gap if spec.placement.gap is not None else default_gap(spec, plan.ego_speed)
+
+
+def _of_length(structure: Structure, of: str) -> float:
+    spec = structure.ego.spec if of in ("ego", "E") else structure[of].spec
+    return LENGTH.get(getattr(spec, "type", "car"), 4.8)
+
+
+def _at(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, sign: int, extra: float | None = None) -> str:
+    """`X_AT = OTHER_AT + gap + half lengths`."""
+    of = spec.placement.of
+    half = (LENGTH[spec.type] + _of_length(structure, of)) / 2 if extra is None else extra
+    gap = _gap(structure, cid, spec, plan)
+    base = position_constant(structure, of)
+    if of not in ("ego", "E") and structure[of].spec.placement.position in APPROACH_ANGLE:
+        sign = -sign if False else sign
+    op = "+" if sign > 0 else "-"
+    text = scope.quantity(gap) if isinstance(gap, tuple | list) else scope.number(gap)
+    tail = f" {op} {text}" if text != "0" else ""
+    return f"{position_constant(structure, cid)} = {base}{tail} {op} {scope.number(half)}  # m along the lane"
+
+
+def _step(spec: ObjectSpec) -> str:
+    spacing = middle(spec.spacing) if spec.spacing is not None else 3.0
+    return scope.number(LENGTH[spec.type] + spacing)
+
+
+def _member(spec: ObjectSpec, base: str, sign: int = 1) -> str:
+    if spec.count == 1:
+        return base
+    return f"{base} {'+' if sign > 0 else '-'} {_step(spec)} * i"
+
+
+def _along(spec: ObjectSpec) -> int:
+    """+1 ahead, 0 abreast, -1 behind."""
+    along = spec.placement.along
+    if along:
+        return {"ahead": 1, "abreast": 0, "behind": -1}[along]
+    return {"behind": -1, "beside": 0}.get(spec.placement.position, 1)
+
+
+def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
+    k = plan.lane_of[cid] or 0
+    lane = LANE_NAME[k]
+    sign = _along(spec)
+    at = position_constant(structure, cid)
+    if sign == 0:
+        gap = spec.placement.gap
+        line = f"{at} = {position_constant(structure, spec.placement.of)}" + (f" + {scope.quantity(gap)}" if gap else "")
+    else:
+        line = _at(structure, cid, spec, plan, sign)
+    point = f"{lane}.centerline.pointAlongBy({_member(spec, at, sign or 1)})"
+    specifiers: tuple[str, ...] = (f"at {point}",)
+    if spec.placement.position == "partly_in_lane":
+        side = -1.7 if spec.placement.side == "left" else 1.7
+        specifiers = (
+            f"at (new OrientedPoint at {point}, facing roadDirection) offset by {scope.number(side)} @ 0",
+            "with regionContainedIn everywhere",
+        )
+    way = f"way({lane}, EGO_TURN)" if plan.junction and k == 0 and not turn_given(spec) else f"way({lane})"
+    if turn_given(spec):
+        way = f"way({lane}, ManeuverType.{turn_of(spec.phases)})"
+    if spec.placement.facing == "against":
+        specifiers += (f"facing 180 deg relative to roadDirection",)
+        way = f"way({lane})[::-1]"
+    return Spot((line,), specifiers, way, lane=k if spec.placement.facing != "against" else None)
+
+
+def turn_given(spec: ObjectSpec) -> bool:
+    return any(p.action in ("turn_left", "turn_right", "go_straight") for p in spec.phases)
+
+
+def _approaching(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
+    turn = turn_of(spec.phases)
+    lane = approach_name(plan, spec.placement.position, turn)
+    name = f"{scope.constant(structure, cid)}_TO_JUNCTION"
+    if spec.placement.gap is not None:
+        value = scope.quantity(spec.placement.gap)
+    else:  # so far off that it reaches the junction when ego does
+        own = middle(speed_of(spec, plan.place))
+        far = middle(plan.distance or 40)
+        ego = max(plan.ego_speed, 4)
+        lead = 6 if spec.placement.position == "opposite_approach" else 3
+        value = scope.number(max(8.0, min(own * far / ego + lead, 130.0))) if own > 0 else "8"
+    at = f"-({_member(spec, name)})" if spec.count > 1 else f"-{name}"
+    constants = [f"{name} = {value}  # m"]
+    return Spot(
+        tuple(constants),
+        (f"at {lane}.centerline.pointAlongBy({at})",),
+        f"way({lane}, ManeuverType.{turn})",
+        approach=lane,
+    )
+
+
+def _oncoming(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
+    line = _at(structure, cid, spec, plan, 1)
+    at = position_constant(structure, cid)
+    return Spot(
+        (line,),
+        (f"at oncomingLane.centerline.pointAlongBy(-({_member(spec, at)}))",),
+        "way(oncomingLane)",
+    )
+
+
+def _on_ramp(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
+    name = f"{scope.constant(structure, cid)}_TO_MERGE"
+    own, ego = middle(speed_of(spec, plan.place)), max(plan.ego_speed, 4)
+    value = scope.number(max(10.0, min(own * middle(plan.distance or 80) / ego, 150)))
+    return Spot(
+        (f"{name} = {value}  # m",),
+        (f"at rampLane.centerline.pointAlongBy(-{name})",),
+        "way(rampLane)",
+    )
+
+
+def _exit(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
+    at = position_constant(structure, cid)
+    if is_walker(spec.type) or spec.type == "bicycle":
+        gap = spec.placement.gap if spec.placement.gap is not None else 4.0
+        point = f"exitLane.centerline.pointAlongBy({at})"
+        return _edge(spec, at, f"{at} = {scope.quantity(gap)}  # m behind the junction", point, "exitLane", plan)
+    line = f"{at} = {scope.quantity(_gap(structure, cid, spec, plan))}  # m behind the junction"
+    return Spot((line,), (f"at exitLane.centerline.pointAlongBy({_member(spec, at)})",), "way(exitLane)")
+
+
+def _beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
+    sign = _along(spec)
+    line = _at(structure, cid, spec, plan, sign or 1) if sign else f"{position_constant(structure, cid)} = {position_constant(structure, spec.placement.of)}"
+    at = position_constant(structure, cid)
+    point = f"egoLane.centerline.pointAlongBy({_member(spec, at, sign or 1)})"
+    return _edge(spec, at, line, point, "egoLane", plan)
+
+
+def _edge(spec: ObjectSpec, at: str, constant: str, point: str, lane: str, plan: Plan) -> Spot:
+    """Beside the road: outwards from the edge of the lanes nearest to a point of the lane."""
+    left = spec.placement.side == "left"
+    two_way = plan.oncoming or plan.place.kind in ("intersection", "crosswalk") or plan.place.oncoming
+    edge = f"{lane}.group.rightEdge" if not left else f"{lane}.group.opposite.rightEdge" if two_way else f"{lane}.group.leftEdge"
+    out = {"parked": 1.4, "roadside": 1.5, "sidewalk": 3.0, "intersection_exit": 1.5}.get(spec.placement.position, 1.5)
+    if is_vehicle(spec.type) and spec.placement.position == "roadside":
+        out = 1.8
+    offset = scope.number(-out if left else out)
+    base = f"(new OrientedPoint at {edge}.project({point}), facing roadDirection at {point})"
+    heading = f"roadDirection at {point}"
+    facing = _facing(spec, left)
+    specifiers = (f"at {base} offset by {offset} @ 0", f"facing ({heading}){facing}", "with regionContainedIn everywhere")
+    return Spot((constant,), specifiers, "way(egoLane)" if lane == "egoLane" else f"way({lane})", off_road=True, heading=heading)
+
+
+def _facing(spec: ObjectSpec, left: bool) -> str:
+    """Those that will cross look across; those that go against the road look back."""
+    actions = {p.action for p in spec.phases}
+    crosses = bool(actions & {"cross_road", "enter_road", "collide"}) and (is_walker(spec.type) or spec.type == "bicycle")
+    if spec.placement.facing == "across" or (crosses and spec.placement.facing is None):
+        return " - 90 deg" if left else " + 90 deg"
+    if spec.placement.facing == "against":
+        return " + 180 deg"
+    return ""
+
+
+def _hidden(structure: Structure, spec: ObjectSpec) -> Spot:
+    """Right behind what hides it, as ego sees it: close ahead of the hiding object."""
+    hider = scope.reference(structure, spec.placement.hidden_by or "ego")
+    left = spec.placement.side == "left"
+    angle = "-90 deg" if left else "90 deg"
+    return Spot(
+        (),
+        (f"ahead of {hider} by 0.6", f"facing {angle} relative to {hider}", "with regionContainedIn everywhere"),
+        "straight_on(self)",
+        off_road=True,
+    )
+
+
+__all__ = ["Spot", "place_object", "position_constant", "low"]

@@ -1,0 +1,286 @@
+"""What a structure needs of its place, decided before any line is written: lanes, approaches, room, distances.
+
+Pure: it looks at specs only. `make_plan` raises ResolveError, naming the fields, where specs contradict each other.
+"""
+
+import math
+from dataclasses import dataclass, field
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import high, low, middle
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.write.typed.tables import DEFAULT_SPEED, LENGTH, MOVES_OFF_ROAD, is_static, is_vehicle
+
+JUNCTION = {"intersection", "roundabout"}
+RAMP = {"on_ramp", "off_ramp"}
+APPROACH_ANGLE = {"crossing_left": -90, "crossing_right": 90, "opposite_approach": 180}
+APPROACH_NAME = {
+    "crossing_left": "leftApproach",
+    "crossing_right": "rightApproach",
+    "opposite_approach": "oppositeApproach",
+}
+LANE_NAME = {-2: "farRightLane", -1: "rightLane", 0: "egoLane", 1: "leftLane", 2: "farLeftLane"}
+TURN = {"turn_left": "LEFT_TURN", "turn_right": "RIGHT_TURN", "go_straight": "STRAIGHT", "u_turn": "U_TURN"}
+MANOEUVRE = {"left": "LEFT_TURN", "right": "RIGHT_TURN", "straight": "STRAIGHT", "u_turn": "STRAIGHT"}
+
+
+class ResolveError(ValueError):
+    """Specs that contradict each other; `fields` names them."""
+
+    def __init__(self, message: str, fields: tuple[str, ...]):
+        super().__init__(message)
+        self.fields = fields
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The place as the writer will ask for it, and what the fragments may refer to in it."""
+
+    place: PlaceSpec
+    duration: float  # s
+    ego_speed: float  # m/s, the middle of it
+    before: float  # m of lane wanted behind ego's start
+    after: float  # m wanted ahead of it
+    distance: float | tuple[float, float] | None  # m from ego's start to the junction or ramp
+    offsets: frozenset[int]  # lane offsets from ego's (+1: one to the left) that fragments refer to
+    base: int  # index of ego's lane in its group (0: rightmost, -1: leftmost)
+    approaches: tuple[tuple[str, str], ...] = ()  # (position, turn type) that objects need
+    oncoming: bool = False
+    ramp: bool = False
+    exit_lane: bool = False
+    lane_of: dict[str, int | None] = field(default_factory=dict)  # object id -> lane offset at the start
+
+    @property
+    def junction(self) -> bool:
+        return self.place.kind in JUNCTION
+
+
+def turn_of(phases: tuple[Phase, ...], default: str = "STRAIGHT") -> str:
+    """The manoeuvre type by which a behaviour passes the junction."""
+    for phase in phases:
+        if phase.action in TURN and phase.action != "u_turn":
+            return TURN[phase.action]
+    return default
+
+
+def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[float, float]:
+    """The initial speed of a road user, m/s: its own, that of its first phase, or the usual one of its kind there."""
+    if spec.speed is not None:
+        return spec.speed
+    if spec.phases:
+        first = spec.phases[0]
+        if first.action in ("stationary", "wait", "start", "enter_road") and first.trigger is None:
+            return 0.0
+        if first.speed is not None and first.action in ("keep_lane", "cross_road", "move_along", "follow", "go_straight"):
+            return first.speed
+    kind = spec.type if spec.type in DEFAULT_SPEED else "car"
+    usual = DEFAULT_SPEED[kind]
+    return usual[place.kind if place.kind in usual else "road"]
+
+
+def make_plan(structure: Structure) -> Plan:
+    """Decide what the place must offer; raises ResolveError."""
+    place, ego = structure.place.spec, structure.ego.spec
+    assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
+    restrictions = structure.restrictions.spec
+    objects = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+    place = _place_kind(place, ego, objects)
+    lane_of = {cid: _lane_offset(cid, objects) for cid in objects}
+    oncoming = place.oncoming is True or _needs_oncoming(ego, objects)
+    offsets = _offsets(place, ego, objects, lane_of)
+    place, base, offsets = _lanes(place, offsets, oncoming)
+    if oncoming and place.kind == "motorway":
+        raise ResolveError(
+            "a motorway's carriageway has no oncoming lane: choose the kind 'straight', or leave the oncoming lane out",
+            ("R.kind", "R.oncoming"),
+        )
+    if oncoming:
+        place = place.model_copy(update={"oncoming": True})
+    approaches = tuple(
+        sorted({(o.placement.position, turn_of(o.phases)) for o in objects.values() if o.placement.position in APPROACH_ANGLE})
+    )
+    if approaches and not (place.kind in JUNCTION):
+        raise ResolveError("objects on crossing roads need an intersection: set R.kind to 'intersection'", ("R.kind",))
+    speed = middle(speed_of(ego, place))
+    duration = getattr(restrictions, "duration", None) or 20.0
+    return Plan(
+        place=place,
+        duration=duration,
+        ego_speed=speed,
+        before=_before(ego, objects),
+        after=_after(place, speed, duration, ego, objects),
+        distance=_distance(place, speed, objects, ego),
+        offsets=offsets,
+        base=base,
+        approaches=approaches,
+        oncoming=oncoming,
+        ramp=any(o.placement.position == "on_ramp" for o in objects.values()),
+        exit_lane=any(o.placement.position == "intersection_exit" for o in objects.values()),
+        lane_of=lane_of,
+    )
+
+
+def _all_phases(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> list[Phase]:
+    return [*ego.phases, *(p for o in objects.values() for p in o.phases)]
+
+
+def _place_kind(place: PlaceSpec, ego: EgoSpec, objects: dict[str, ObjectSpec]) -> PlaceSpec:
+    """A road becomes an intersection where somebody turns or comes from a crossing road there."""
+    positions = {o.placement.position for o in objects.values()}
+    turns = any(p.action in ("turn_left", "turn_right", "run_red", "run_stop") for p in _all_phases(ego, objects))
+    wants = turns or positions & (APPROACH_ANGLE.keys() | {"intersection_exit"}) or place.control or place.arms
+    if place.kind == "road" and wants:
+        place = place.model_copy(update={"kind": "intersection"})
+    if "on_ramp" in positions and place.kind in ("road", "straight"):
+        place = place.model_copy(update={"kind": "motorway"})
+    if place.kind == "intersection" and place.manoeuvre is None:
+        turn = {"turn_left": "left", "turn_right": "right", "u_turn": "u_turn"}
+        found = next((turn[p.action] for p in ego.phases if p.action in turn), "straight")
+        place = place.model_copy(update={"manoeuvre": found})
+    return place
+
+
+def _lane_offset(cid: str, objects: dict[str, ObjectSpec], seen: tuple[str, ...] = ()) -> int | None:
+    """How many lanes to the left of ego's an object starts; None: on no lane of ego's direction."""
+    placement = objects[cid].placement
+    if cid in seen:
+        raise ResolveError(f"{cid} is placed relative to itself", (f"{cid}.placement.of",))
+    of: int | None = 0
+    if placement.of != "ego":
+        if placement.of not in objects:
+            raise ResolveError(f"{cid} is placed relative to {placement.of}, which is not there", (f"{cid}.placement.of",))
+        of = _lane_offset(placement.of, objects, (*seen, cid))
+    step = {"ahead": 0, "behind": 0, "partly_in_lane": 0, "left_lane": 1, "right_lane": -1}.get(placement.position)
+    if placement.position == "beside":
+        step = -1 if placement.side == "right" else 1
+    return None if of is None or step is None else of + step
+
+
+def _needs_oncoming(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> bool:
+    if any(o.placement.position == "oncoming_lane" for o in objects.values()):
+        return True
+    return any(p.action in ("oncoming", "u_turn") for p in _all_phases(ego, objects))
+
+
+def _offsets(place: PlaceSpec, ego: EgoSpec, objects: dict[str, ObjectSpec], lane_of: dict[str, int | None]) -> frozenset[int]:
+    """All lane offsets that positions and lane changes reach."""
+    used = {0} | {k for k in lane_of.values() if k is not None}
+    movers = [(0, ego.phases, ego)] + [(lane_of[c], o.phases, o) for c, o in objects.items()]
+    narrow = place.lanes == 1 or (place.lanes is None and place.oncoming is True)
+    for start, phases, spec in movers:
+        k = start
+        for phase in phases:
+            if k is None:
+                break
+            if phase.action in ("lane_change", "cut_out") and not (narrow and used == {0}):
+                k += -1 if phase.side == "right" else 1
+            elif phase.action == "cut_in":
+                k = 0
+            elif phase.action == "overtake" and k in (0, lane_of.get(phase.target or "", 0)) and not narrow:
+                used.add(k + (-1 if phase.side == "right" else 1))
+            used.add(k)
+        if spec is ego and ego.reaction == "evade" and not narrow:
+            used.add(1)
+    return frozenset(used)
+
+
+def _lanes(place: PlaceSpec, offsets: frozenset[int], oncoming: bool) -> tuple[PlaceSpec, int, frozenset[int]]:
+    """Ego's lane and the number of lanes, so that every offset exists."""
+    left, right = max(offsets), -min(offsets)
+    needed = 1 + left + right
+    if needed > 3:
+        raise ResolveError("more than three neighbouring lanes are referred to; maps have three", ("R.lanes", "O.placement"))
+    wish = place.ego_lane
+    if wish is None and (left or right):
+        wish = "middle" if left and right else "rightmost" if left else "leftmost"
+    if wish == "rightmost" and right or wish == "leftmost" and left or wish == "middle" and max(left, right) > 1:
+        side = "right" if wish == "rightmost" else "left"
+        raise ResolveError(
+            f"ego is in the {wish} lane, but something refers to a lane on its {side}: change R.ego_lane or the placement",
+            ("R.ego_lane", "O.placement.position"),
+        )
+    lanes = max(place.lanes or 0, needed, 3 if wish == "middle" else 2 if wish and (left or right) else 0)
+    base = {"rightmost": 0, "leftmost": -1, "middle": 1, None: 0}[wish]
+    update: dict = {"ego_lane": wish, "lanes": lanes or place.lanes}
+    return place.model_copy(update=update), base, offsets
+
+
+def _before(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> float:
+    reach = 25.0
+    for o in objects.values():
+        behind = o.placement.position == "behind" or o.placement.along == "behind"
+        if behind:
+            gap = high(o.placement.gap) if o.placement.gap is not None else 25
+            reach = max(reach, gap + 15 + (o.count - 1) * 15)
+    if any(p.action == "reverse" for p in ego.phases):
+        reach += 20
+    return reach
+
+
+def _furthest(objects: dict[str, ObjectSpec]) -> float:
+    """How far ahead of ego the furthest object on its way starts, m."""
+
+    def at(o: ObjectSpec, seen: int = 0) -> float:
+        here = high(o.placement.gap) if o.placement.gap is not None else default_gap(o, 14)
+        here += (o.count - 1) * (LENGTH.get(o.type, 5) + 3) + 6
+        if o.placement.of != "ego" and o.placement.of in objects and seen < 8:
+            here += at(objects[o.placement.of], seen + 1)
+        return here
+
+    ways = {"ahead", "left_lane", "right_lane", "partly_in_lane", "parked", "roadside", "sidewalk"}
+    return max((at(o) for o in objects.values() if o.placement.position in ways and o.placement.along != "behind"), default=0)
+
+
+def _after(place: PlaceSpec, speed: float, duration: float, ego: EgoSpec, objects: dict[str, ObjectSpec]) -> float:
+    fastest = max([speed, *(middle(speed_of(o, place)) for o in objects.values() if is_vehicle(o.type))])
+    for phase in _all_phases(ego, objects):
+        if phase.speed is not None:
+            fastest = max(fastest, high(phase.speed))
+    far = _furthest(objects)
+    if any(o.placement.position == "oncoming_lane" for o in objects.values()):
+        far = max(far, 150)
+    limit = {"curve": 450.0, "crosswalk": 150.0}.get(place.kind, 1050.0)
+    wanted = max(fastest * min(duration, 20) + far * 0.5, far + 60, 150)
+    return min(math.ceil(wanted / 50) * 50.0, limit)
+
+
+def _distance(place: PlaceSpec, speed: float, objects: dict[str, ObjectSpec], ego: EgoSpec) -> float | tuple[float, float] | None:
+    """From ego's start to what lies ahead of it, m."""
+    if place.kind not in JUNCTION | RAMP | {"crosswalk"}:
+        return None
+    far = max((_junction_side(o) for o in objects.values()), default=0)
+    if place.distance is not None:
+        if high(place.distance) < far:
+            raise ResolveError(
+                f"ego starts {high(place.distance):.0f} m before the intersection, but an object stands further ahead: "
+                "enlarge R.distance or lessen the gap",
+                ("R.distance", "O.placement.gap"),
+            )
+        return place.distance
+    base = max(min(4.0 * speed, 110), 35.0, far + 8)
+    if place.kind in RAMP:
+        base = max(base, 60)
+    return min(base, 140.0)
+
+
+def _junction_side(o: ObjectSpec) -> float:
+    if o.placement.position in ("ahead", "left_lane", "right_lane", "partly_in_lane", "parked") and o.placement.along != "behind":
+        gap = low(o.placement.gap) if o.placement.gap is not None else default_gap(o, 10)
+        return gap + 8 + (o.count - 1) * 8
+    return 0
+
+
+def default_gap(o: ObjectSpec, ego_speed: float) -> float:
+    """The gap (m) where the text gives none: about two seconds to a moving object, more to a standing one."""
+    position = o.placement.position
+    if position in ("beside",) or o.placement.along == "abreast":
+        return 0.0
+    if position == "oncoming_lane":
+        return 120.0
+    if position == "intersection_exit":
+        return 14.0
+    if is_static(o) or not is_vehicle(o.type) or position in MOVES_OFF_ROAD:
+        return max(30.0, min(4.0 * ego_speed, 90.0))
+    if position == "behind" or o.placement.along == "behind":
+        return max(12.0, 1.2 * ego_speed)
+    return max(12.0, min(1.6 * ego_speed, 45.0))

@@ -1,0 +1,42 @@
+"""Tables that the writer reads from data/writer.yaml: classes, blueprints, lengths, usual speeds."""
+
+from typing import Any
+
+import yaml
+
+from c2s_engine.paths import shipped
+from c2s_engine.structure.specs import ObjectSpec
+
+_TABLES: dict[str, Any] = yaml.safe_load(shipped("writer.yaml").read_text())
+
+CLASS: dict[str, str] = {k: v["class"] for k, v in _TABLES["types"].items()}
+BLUEPRINTS: dict[str, list[str]] = {k: v["blueprints"] for k, v in _TABLES["types"].items() if v.get("blueprints")}
+LENGTH: dict[str, float] = {k: v["length"] for k, v in _TABLES["types"].items()}
+ROLE: dict[str, str] = {k: v["role"] for k, v in _TABLES["types"].items() if v.get("role")}
+DEFAULT_SPEED: dict[str, dict[str, float]] = _TABLES["speeds"]
+PRESETS: dict[str, list[str]] = _TABLES["presets"]
+WEATHER: dict[str, dict[str, float]] = _TABLES["weather"]
+SUN: dict[str, float] = _TABLES["sun"]
+RESERVED: frozenset[str] = frozenset(_TABLES["reserved"])
+MOVES_OFF_ROAD = {"roadside", "sidewalk", "parked"}
+
+_VEHICLES = {"car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle"}
+_WALKERS = {"pedestrian", "child", "animal"}
+
+
+def is_vehicle(kind: str) -> bool:
+    """Whether it drives or rides (bicycles included)."""
+    return kind in _VEHICLES
+
+
+def is_walker(kind: str) -> bool:
+    return kind in _WALKERS
+
+
+def is_static(spec: ObjectSpec) -> bool:
+    """Whether the object never moves."""
+    if not (is_vehicle(spec.type) or is_walker(spec.type)):
+        return True
+    return bool(spec.phases) and all(p.action == "stationary" for p in spec.phases) or (
+        spec.placement.position in ("parked", "partly_in_lane") and not spec.phases
+    )  # fmt: skip

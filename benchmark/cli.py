@@ -35,7 +35,10 @@ Scheduler = Annotated[str, typer.Option("--scheduler", help="Run on the Dask clu
 Fresh = Annotated[bool, typer.Option("--fresh", help="Run again what is known from before.")]
 Reveal = Annotated[bool, typer.Option("--reveal", help="Show the reporting part record by record, too.")]
 Seed = Annotated[int, typer.Option("--seed", help="Of the first rollout.")]
-Method = Annotated[str, typer.Option("--method", help="embedded, typed, mixed, C1 to C12, assemble, full-script.")]
+Method = Annotated[
+    str,
+    typer.Option("--method", help="embedded, typed, mixed, chat2scenic:C1 to :C12, chatscene, nl2scenic."),
+]
 Model = Annotated[str, typer.Option("--model", help="The language model, for methods that use one.")]
 EngineOption = Annotated[str, typer.Option("--engine", hidden=True)]
 CORES = os.cpu_count() or 1
@@ -113,7 +116,7 @@ def distribution(records: Files = None) -> None:
 @app.command()
 def table(
     models: Annotated[str, typer.Option("--models", help="Models, by commas; `embedded` is the method without one.")],
-    method: Method = "C11",
+    method: Method = "chat2scenic:C11",
     split: SplitOption = SplitName.all,
     runs: Runs = 5,
     jobs: Jobs = CORES,
@@ -132,7 +135,7 @@ def table(
         setups = {m: Setup("embedded" if m == "embedded" else method, "" if m == "embedded" else m) for m in names}
         first = next((m for m in names if m != "embedded"), "")
         if baselines and first:
-            setups |= {f"{m} ({first})": Setup(m, first) for m in ("assemble", "full-script")}
+            setups |= {f"{m} ({first})": Setup(m, first) for m in ("chatscene", "nl2scenic")}
         chosen, rows = load(split=split.value), {}
         for label, setup in setups.items():
             setup = Setup(setup.method, setup.model, None, runs)
@@ -162,11 +165,10 @@ def ablation(
         if wrong := [n for n in names if n not in known]:
             raise BenchmarkError(f"{wrong[0]} is no configuration; there are C1 to C12")
         chosen = load(split=split.value)
+        setups = {name: Setup(f"chat2scenic:{name}", model, None, runs) for name in names}
         rows = {
-            name: total_of(
-                execute(chosen, Setup(name, model, None, runs), jobs=jobs, scheduler=scheduler, engine=engine)
-            )
-            for name in names
+            name: total_of(execute(chosen, setup, jobs=jobs, scheduler=scheduler, engine=engine))
+            for name, setup in setups.items()
         }
         typer.echo(tables.ablation(rows))
 

@@ -16,7 +16,8 @@ REAL = "c2s_bench.host:real_engine"
 
 def real_engine(setup: Setup) -> AbstractAsyncContextManager[Any]:
     """The facade, with the model that is asked for."""
-    from c2s_engine.api import Engine, Settings
+    from c2s_engine.api import Engine
+    from c2s_engine.config import Settings
 
     return Engine(Settings(model=setup.model) if setup.model else Settings())
 
@@ -44,7 +45,8 @@ class EngineHost:
             try:
                 return asyncio.run_coroutine_threadsafe(self._run(task), self._loop).result()
             except Exception as error:  # any fault of one task must not end the others
-                return Outcome(task.key, task.id, error=f"{type(error).__name__}: {error}")
+                known = type(error).__module__.startswith("c2s_engine.")  # its message is a sentence already
+                return Outcome(task.key, task.id, error=str(error) if known else f"{type(error).__name__}: {error}")
 
     def close(self) -> None:
         """Stop the engines and the thread."""

@@ -90,7 +90,7 @@ class _Worker(threading.Thread):
         self.join()
 
     def _ask(self, task: Task) -> Outcome:
-        if self.process is None or self.process.poll() is not None:
+        if self.process is None:
             self.process = self._start()
         assert self.process.stdin and self.process.stdout
         late = threading.Event()
@@ -107,6 +107,9 @@ class _Worker(threading.Thread):
             timer.cancel()
         if answer:
             return Outcome(**json.loads(answer))
+        process.kill()
+        process.wait()
+        self.process = None
         why = f"it took over {self.limit:g} s" if late.is_set() else f"its process died (see {_log()})"
         return Outcome(task.key, task.id, error=why)
 

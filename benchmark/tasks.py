@@ -11,10 +11,18 @@ from typing import Any
 from c2s_bench.records import Record
 
 import c2s_engine
+from c2s_engine.maps.library import MapLibrary
 from c2s_engine.paths import shipped
 from c2s_engine.structure.facts import RunFacts
 
-NOT_THE_METHOD = ("cli.py", "session/")  # parts of the engine that no result depends on
+# Parts of the engine that no outcome depends on.
+NOT_THE_METHOD = ("cli.py", "session/sessions.py", "session/session.py", "session/store.py", "session/journal.py")
+    "cli.py",
+    "session/sessions.py",
+    "session/session.py",
+    "session/store.py",
+    "session/journal.py",
+)  # parts of the engine that no result depends on
 
 
 @dataclass(frozen=True)
@@ -87,7 +95,7 @@ def tasks_for(records: Sequence[Record], setup: Setup) -> list[Task]:
 
 @cache
 def engine_digest() -> str:
-    """The digest of the engine's code and of the shipped data (maps included)."""
+    """The digest of the engine's code, of the shipped data and of the maps at hand."""
     root = Path(c2s_engine.__file__).parent
     found = hashlib.sha256()
     for base, pattern in ((root, "**/*.py"), (shipped(), "**/*")):
@@ -95,6 +103,8 @@ def engine_digest() -> str:
             relative = file.relative_to(base).as_posix()
             if file.is_file() and "__pycache__" not in relative and not relative.startswith(NOT_THE_METHOD):
                 found.update(relative.encode() + b"\0" + hashlib.sha256(file.read_bytes()).digest())
+    for chart in MapLibrary().list():
+        found.update(f"{chart.name} {chart.digest}\n".encode())
     return found.hexdigest()[:16]
 
 

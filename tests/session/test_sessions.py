@@ -4,6 +4,8 @@ import asyncio
 import sqlite3
 
 import pytest
+from langgraph.config import get_stream_writer
+from langgraph.graph import START, StateGraph
 from session_fake import FakeEngine
 
 from c2s_engine.session import store as session_store
@@ -216,6 +218,31 @@ async def test_one_checkpoint_a_turn(sessions, tmp_path):
         await take(session.say(text))
     with sqlite3.connect(tmp_path / "sessions" / "sessions.sqlite") as db:
         assert db.execute("SELECT count(*) FROM checkpoints").fetchone()[0] == 4
+
+
+class GraphEngine(FakeEngine):
+    """An engine that works through a graph of its own."""
+
+    def __init__(self):
+        super().__init__()
+        graph = StateGraph(dict)
+        graph.add_node("first", lambda state: get_stream_writer()(Say(text="from within")))
+        graph.add_edge(START, "first")
+        self.graph = graph.compile()
+
+    async def say(self, structure, text, **options):
+        async for event in self.graph.astream({}, stream_mode="custom"):
+            yield event
+        async for event in super().say(structure, text, **options):
+            yield event
+
+
+async def test_a_graph_within_the_engine_leaves_no_checkpoints(sessions, tmp_path):
+    session = sessions.open("one", GraphEngine())
+    events = await take(session.say("car"))
+    assert [e.text for e in events if isinstance(e, Say)] == ["from within", "heard car"]
+    with sqlite3.connect(tmp_path / "sessions" / "sessions.sqlite") as db:
+        assert db.execute("SELECT checkpoint_ns, count(*) FROM checkpoints GROUP BY 1").fetchall() == [("", 2)]
 
 
 def test_a_file_that_is_no_database_is_one_sentence(tmp_path):

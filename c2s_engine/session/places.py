@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from c2s_engine.check.client import CheckClient
 from c2s_engine.check.protocol import PlacesRequest
+from c2s_engine.maps.expressions import relaxed
 from c2s_engine.maps.extras import read_extras
 from c2s_engine.maps.library import SHIPPED, MapFile, MapLibrary, MapNotFound
 from c2s_engine.structure.components import Assumption, Structure
@@ -109,7 +110,7 @@ async def _nearest(structure: Structure, library: MapLibrary, check: CheckClient
         if getattr(place, field) in (None, "road"):
             continue
         relaxed = place.model_copy(update={field: "road" if field == "kind" else None})
-        changed = structure.with_component(structure.place.model_copy(update={"spec": relaxed}))
+        changed = structure.with_component(structure.place.model_copy(update={"spec": spec}))
         try:
             expression = TypedWriter(choice, room=ROOMS[-1]).place(make_plan(changed)).expression
         except ResolveError:

@@ -73,12 +73,10 @@ class _Script:
             last = i == len(steps) - 1
             *before, final = statements
             out += before
-            if last and until and final.startswith("do "):
-                out += [f"{final} {until}", self._drive()]
-            elif final.startswith("do ") and not last:
-                out.append(f"{final} {until or 'for 3 seconds'}")
-            else:
+            if not final.startswith("do Drive") and not until or last:
                 out.append(final)
+            else:
+                out.append(f"{final} {until or 'for 3 seconds'}")
         return out
 
     # What is done.

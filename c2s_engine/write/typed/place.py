@@ -61,8 +61,9 @@ def _wrapped(expression: str) -> str:
 def _lanes(plan: Plan) -> list[str]:
     lines = []
     for k in sorted(plan.offsets - {0}):
-        index = plan.base + k
-        lines.append(f"{LANE_NAME[k]} = egoLane.group.lanes[{index}]")
+        section = "egoLane.sections[-1]" if plan.junction else "egoLane.sections[0]"
+        step = "._fasterLane" if k > 0 else "._slowerLane"
+        lines.append(f"{LANE_NAME[k]} = {section}{step * abs(k)}.lane")
     if plan.oncoming:
         lines.append("oncomingLane = egoLane.group.opposite.lanes[-1]")
     if plan.exit_lane:

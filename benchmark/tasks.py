@@ -17,12 +17,6 @@ from c2s_engine.structure.facts import RunFacts
 
 # Parts of the engine that no outcome depends on.
 NOT_THE_METHOD = ("cli.py", "session/sessions.py", "session/session.py", "session/store.py", "session/journal.py")
-    "cli.py",
-    "session/sessions.py",
-    "session/session.py",
-    "session/store.py",
-    "session/journal.py",
-)  # parts of the engine that no result depends on
 
 
 @dataclass(frozen=True)

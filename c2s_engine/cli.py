@@ -1,0 +1,59 @@
+"""`c2s`: the command line. Commands of other packages (bench, app) come in by the entry point group `c2s.commands`."""
+
+import contextlib
+import sys
+from importlib.metadata import entry_points
+
+import typer
+
+from c2s_engine.commands.console import BAD_INPUT, err
+
+app = typer.Typer(
+    help="From a description of a driving scenario to a Scenic program that runs, and both kept in step.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+)
+
+
+def _mount(wanted: str | None) -> None:
+    """Mount the commands; the heavier ones only when they are asked for or help is shown."""
+    from c2s_engine.commands import checking, generate, places
+
+    app.command()(generate.generate)
+    app.command()(checking.check)
+    app.command()(checking.run)
+    app.command()(places.maps)
+    app.command()(places.doctor)
+    everything = wanted is None
+    if everything or wanted in ("index", "search"):
+        from c2s_engine.retrieve import commands as retrieval
+
+        app.add_typer(retrieval.app, name="index")
+        app.command("search")(retrieval.search_command)
+    if everything or wanted == "models":
+        from c2s_engine.models.commands import app as models
+
+        app.add_typer(models, name="models")
+    for entry in entry_points(group="c2s.commands"):
+        if everything or wanted == entry.name:
+            with contextlib.suppress(ModuleNotFoundError):  # a front that is not installed
+                app.add_typer(entry.load(), name=entry.name)
+
+
+def main() -> None:
+    """The entry point; what nobody foresaw is still one sentence."""
+    wanted = next((a for a in sys.argv[1:] if not a.startswith("-")), None)
+    _mount(wanted)
+    try:
+        app()
+    except (KeyboardInterrupt, BrokenPipeError):
+        sys.exit(130)
+    except Exception as error:  # noqa: BLE001
+        err.print(f"c2s: an error that should not happen: {type(error).__name__}: {error}. Please report it.", markup=False, style="red")
+        sys.exit(BAD_INPUT)
+
+
+if __name__ == "__main__":
+    main()

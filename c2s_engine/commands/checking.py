@@ -1,0 +1,148 @@
+"""`c2s check`, `c2s run` and `c2s import`: any Scenic driving program."""
+
+import csv
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from rich.text import Text
+
+from c2s_engine.check.protocol import CheckReport, Upto
+from c2s_engine.commands import show
+from c2s_engine.commands.console import BAD_INPUT, NO_SERVICE, OK, REFUSED, dump, err, fail, out, sentences, work
+from c2s_engine.commands.reading import read_program
+
+File = Annotated[Path, typer.Argument(help="A .scenic file.")]
+Seed = Annotated[int, typer.Option(help="Of the sampled scene.")]
+Trust = Annotated[bool, typer.Option("--trust", help="Your own file: skip the safety stage.")]
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON object.")]
+
+
+def check(
+    file: File,
+    seed: Seed = 0,
+    trust: Trust = False,
+    fix: Annotated[bool, typer.Option("--fix", help="Write the deterministic fixes back to the file.")] = False,
+    upto: Annotated[str, typer.Option(help="parse, safety, compile or sample.")] = "sample",
+    as_json: Json = False,
+) -> None:
+    """Check a program: syntax, safety, compile, sample; where and why it fails, and what would mend it."""
+    with sentences(as_json):
+        text = read_program(file)
+        if upto not in ("parse", "safety", "compile", "sample"):
+            fail(f"There is no stage {upto}: say parse, safety, compile or sample.", BAD_INPUT, as_json)
+    report: CheckReport = work(_check(text, file, upto, seed, trust), as_json)  # type: ignore[arg-type]
+    fixed = 0
+    if fix:
+        text, fixed = work(_fix(text, file, seed, trust), as_json)
+        if fixed:
+            with sentences(as_json):
+                draft = file.with_name(f".{file.name}.part")
+                draft.write_text(text, encoding="utf-8")
+                draft.replace(file)
+            report = work(_check(text, file, upto, seed, trust), as_json)  # type: ignore[arg-type]
+    if as_json:
+        dump({"ok": report.ok, "fixed": fixed, **report.model_dump(mode="json", exclude={"facts", "trajectories"})})
+    else:
+        if fix:
+            err.print(Text(f"{fixed} fixes written to {file}"))
+        show.stages(report.stages)
+        show.diagnostics(d for s in report.stages for d in s.diagnostics)
+        if trust:
+            out.print(Text("trusted: the safety stage was skipped", style="yellow"))
+        if report.isolation:
+            out.print(Text(report.isolation, style="dim"))
+    raise typer.Exit(OK if report.ok else REFUSED)
+
+
+async def _check(text: str, file: Path, upto: Upto, seed: int, trust: bool, **options: Any) -> CheckReport:
+    from c2s_engine.api import Engine
+    from c2s_engine.config import load_settings
+
+    async with Engine(load_settings()) as engine:
+        folder = str(file.resolve().parent)
+        return await engine.check(text, upto=upto, seed=seed, trust=trust, folder=folder, filename=file.name, **options)
+
+
+async def _fix(text: str, file: Path, seed: int, trust: bool) -> tuple[str, int]:
+    """Apply deterministic fixes until none is offered; the text and how many were applied."""
+    from c2s_engine.check.fixes import apply_fixes
+
+    applied = 0
+    for _ in range(12):
+        report = await _check(text, file, "sample", seed, trust)
+        found = [d for s in report.stages for d in s.diagnostics if d.edit]
+        after = apply_fixes(text, found)
+        if not found or after == text:
+            break
+        applied += len(found)
+        text = after
+    return text, applied
+
+
+def run(
+    file: File,
+    seed: Seed = 0,
+    runs: Annotated[int, typer.Option(min=1, max=100, help="Rollouts.")] = 1,
+    seconds: Annotated[float, typer.Option(min=0.1, max=600, help="Simulated seconds a rollout at most.")] = 20.0,
+    simulator: Annotated[str, typer.Option(help="dry (no CARLA needed) or carla.")] = "dry",
+    address: Annotated[str, typer.Option(help="carla: HOST:PORT of the server.")] = "127.0.0.1:2000",
+    svg: Annotated[Path | None, typer.Option(help="Write a top-down picture.")] = None,
+    png: Annotated[Path | None, typer.Option(help="Write a top-down picture.")] = None,
+    csv_file: Annotated[Path | None, typer.Option("--csv", help="Write the trajectories.")] = None,
+    picture: Annotated[bool, typer.Option("--picture", help="Show the scene in text graphics.")] = False,
+    trust: Trust = False,
+    as_json: Json = False,
+) -> None:
+    """Run a program without CARLA (or in CARLA) and print the timeline of its events."""
+    with sentences(as_json):
+        text = read_program(file)
+    if simulator == "carla":
+        from c2s_engine.dryrun.carla import CarlaUnavailable, run_in_carla
+
+        try:
+            raise typer.Exit(run_in_carla(text, file, address=address, seed=seed, seconds=seconds))
+        except CarlaUnavailable as error:
+            fail(str(error), NO_SERVICE, as_json)
+    if simulator != "dry":
+        fail(f"There is no simulator {simulator}: say dry or carla.", BAD_INPUT, as_json)
+    want = bool(svg or png or csv_file or picture or as_json)
+    report: CheckReport = work(
+        _check(text, file, "run", seed, trust, runs=runs, seconds=seconds, trajectories=want), as_json
+    )
+    with sentences(as_json):
+        _write_files(report, svg, png, csv_file)
+    if as_json:
+        dump({"ok": report.ok, **report.model_dump(mode="json")})
+    else:
+        show.stages(report.stages)
+        show.diagnostics(d for s in report.stages for d in s.diagnostics)
+        if picture and report.trajectories:
+            from c2s_engine.dryrun.picture import text_picture
+
+            out.print(Text(text_picture(report.trajectories[0], columns=min(out.width, 120), rows=36)))
+        if report.facts:
+            show.runs(report.facts)
+    raise typer.Exit(OK if report.ok else REFUSED)
+
+
+def _write_files(report: CheckReport, svg: Path | None, png: Path | None, csv_file: Path | None) -> None:
+    if not report.trajectories:
+        return
+    first = report.trajectories[0]
+    if svg:
+        from c2s_engine.dryrun.picture import svg_picture
+
+        svg.write_text(svg_picture(first), encoding="utf-8")
+    if png:
+        from c2s_engine.dryrun.picture import png_picture
+
+        png.write_bytes(png_picture(first))
+    if csv_file:
+        with csv_file.open("w", newline="", encoding="utf-8") as stream:
+            rows = csv.writer(stream)
+            rows.writerow(["run", "time_s", "object", "x_m", "y_m", "heading_rad", "speed_mps"])
+            for k, ways in enumerate(report.trajectories):
+                for track in ways.tracks:
+                    for i in range(len(track.x)):
+                        rows.writerow([k, round(i * ways.step, 3), track.name, track.x[i], track.y[i], track.heading[i], track.speed[i]])

@@ -1,0 +1,71 @@
+"""What commands share: exit codes, one clear sentence for each failure, JSON or rich output."""
+
+import asyncio
+import contextlib
+import json
+import os
+import sys
+from collections.abc import Coroutine, Iterator
+from typing import Any, NoReturn
+
+import typer
+from rich.console import Console
+from rich.text import Text
+
+OK, REFUSED, BAD_INPUT, NO_SERVICE, INTERRUPTED = 0, 1, 2, 3, 130
+"""Exit codes: done; the scenario or program has a fault that is named; the input cannot be used; a service, file or
+permission is missing; interrupted by the user."""
+
+out = Console(highlight=False)
+err = Console(stderr=True, highlight=False)
+
+
+class InputError(ValueError):
+    """The input cannot be used; one sentence that says why and what to do."""
+
+
+def fail(message: str, code: int = BAD_INPUT, as_json: bool = False) -> NoReturn:
+    """Say one sentence and leave."""
+    if as_json:
+        print(json.dumps({"ok": False, "error": message}))
+    else:
+        err.print(Text(f"c2s: {message}", style="red"))
+    raise typer.Exit(code)
+
+
+def dump(value: Any) -> None:
+    """One JSON object on stdout."""
+    print(json.dumps(value, ensure_ascii=False, indent=2, default=str))
+
+
+@contextlib.contextmanager
+def sentences(as_json: bool = False) -> Iterator[None]:
+    """Turn what can go wrong outside the program into one sentence and an exit code."""
+    try:
+        yield
+    except InputError as error:
+        fail(str(error), BAD_INPUT, as_json)
+    except BrokenPipeError:
+        sys.stderr.close()
+        os._exit(OK)
+    except PermissionError as error:
+        fail(f"There is no permission for {error.filename}: choose another place, or change its permissions.", NO_SERVICE, as_json)
+    except OSError as error:
+        where = f" ({error.filename})" if error.filename else ""
+        advice = " Free some space and try again." if error.errno == 28 else ""
+        fail(f"{error.strerror or error}{where}.{advice}", NO_SERVICE, as_json)
+    except (KeyboardInterrupt, asyncio.CancelledError):
+        fail("Interrupted; nothing was written.", INTERRUPTED, as_json)
+    except typer.Exit:
+        raise
+    except (LookupError, ValueError, RuntimeError) as error:
+        if type(error).__module__.split(".")[0] not in ("c2s_engine", "c2s_bench"):
+            raise
+        fail(str(error), BAD_INPUT, as_json)
+
+
+def work(coroutine: Coroutine[Any, Any, Any], as_json: bool = False) -> Any:
+    """Run to the end, or say in a sentence why not."""
+    with sentences(as_json):
+        return asyncio.run(coroutine)
+    return None

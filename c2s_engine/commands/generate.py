@@ -1,0 +1,111 @@
+"""`c2s generate`: a description in, a Scenic program that runs out."""
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from rich.syntax import Syntax
+from rich.text import Text
+
+from c2s_engine.commands import show
+from c2s_engine.commands.console import OK, REFUSED, dump, err, out, sentences, work
+from c2s_engine.commands.reading import read_text
+from c2s_engine.structure.progress import Finished, Say, StageStarted
+
+
+def generate(
+    text: Annotated[str | None, typer.Argument(help="The description, or - for standard input.")] = None,
+    file: Annotated[Path | None, typer.Option("--file", "-f", help="Read the description from a .txt, .md or .pdf file.")] = None,
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="Save the program there, its map beside it.")] = None,
+    map_name: Annotated[str | None, typer.Option("--map", help="A map by name or .xodr path (see `c2s maps`).")] = None,
+    seed: Annotated[int, typer.Option(help="Of the sampled scene.")] = 0,
+    runs: Annotated[int, typer.Option(min=1, max=50, help="Rollouts of the dry run.")] = 1,
+    method: Annotated[str | None, typer.Option(help="How it is written; see `c2s doctor` for what is there.")] = None,
+    no_run: Annotated[bool, typer.Option("--no-run", help="Compile and sample, but do not run it.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+) -> None:
+    """Turn a description of a driving scenario into a Scenic program that runs."""
+    with sentences(as_json):
+        description = read_text(text, file)
+        if output is not None and not output.parent.exists():
+            from c2s_engine.commands.console import InputError
+
+            raise InputError(f"There is no folder {output.parent}: make it, or save elsewhere.")
+    done: Finished = work(_generate(description, map_name, seed, runs, method, not no_run, as_json), as_json)
+    if output is not None and done.program.text:
+        with sentences(as_json):
+            from c2s_engine.api import save
+
+            written = save(done.program, done.details.get("folder"), output)
+            if not as_json:
+                err.print(Text(f"saved {', '.join(str(p) for p in written)}"))
+    if as_json:
+        dump(as_dict(done))
+    else:
+        _print(done, show_program=output is None)
+    raise typer.Exit(OK if done.ok else REFUSED)
+
+
+async def _generate(text: str, map_name: str | None, seed: int, runs: int, method: str | None, run: bool, quiet: bool) -> Finished:
+    from c2s_engine.api import Engine
+    from c2s_engine.config import load_settings
+
+    settings = load_settings()
+    words = len(text.split())
+    if not quiet:
+        err.print(Text(f"c2s: {words} words, method {method or settings.method}", style="dim"))
+    with err.status("starting") if not quiet and err.is_terminal else _quiet() as status:
+        async with Engine(settings) as engine:
+            async for event in engine.generate(text, method=method, map=map_name, seed=seed, run=run, runs=runs):
+                if isinstance(event, StageStarted) and status is not None:
+                    status.update(event.stage)
+                elif isinstance(event, Say) and not quiet:
+                    err.print(Text(event.text, style={"warning": "yellow", "error": "red"}.get(event.severity, "")))
+                elif isinstance(event, Finished):
+                    return event
+    raise RuntimeError("the turn ended without a result")
+
+
+class _quiet:
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(self, *_: object) -> None:
+        return None
+
+
+def as_dict(done: Finished) -> dict[str, Any]:
+    """The JSON of a finished turn."""
+    keep = ("id", "description", "spec", "code", "origin", "links", "assumed", "unmet")
+    components = [{k: c.model_dump(mode="json")[k] for k in keep} for c in done.structure.components]
+    return {
+        "ok": done.ok,
+        "structure": components,
+        "not_understood": [u.model_dump(mode="json") for u in done.structure.not_understood],
+        "program": done.program.text,
+        "source_map": [s.model_dump(mode="json") for s in done.program.spans],
+        "stages": [s.model_dump(mode="json") for s in done.stages],
+        "events": [
+            {"seed": f.seed, "time": e.time, "object": o.name, "event": e.event, "other": e.other}
+            for f in done.facts
+            for o in f.objects
+            for e in o.events
+        ],
+        "facts": [f.model_dump(mode="json") for f in done.facts],
+        "map": done.details.get("map"),
+        "seconds": done.seconds,
+    }
+
+
+def _print(done: Finished, show_program: bool) -> None:
+    show.structure(done.structure)
+    out.print()
+    if show_program and done.program.text:
+        if out.is_terminal:
+            out.print(Syntax(done.program.text, "python", background_color="default"))
+        else:
+            out.file.write(done.program.text + "\n")
+    show.stages(done.stages)
+    show.diagnostics(done.diagnostics)
+    if done.facts:
+        show.runs(done.facts)

@@ -1,0 +1,57 @@
+"""How results look on a terminal: S, stages, diagnostics, what was said and what was seen."""
+
+from collections.abc import Iterable
+
+from rich.table import Table
+from rich.text import Text
+
+from c2s_engine.commands.console import out
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.diagnostics import Diagnostic, StageResult
+from c2s_engine.structure.facts import RunFacts
+
+
+def structure(s: Structure) -> None:
+    """S, a component a row, with what was assumed and what could not be said."""
+    table = Table(show_header=False, box=None, pad_edge=False)
+    for c in s.components:
+        table.add_row(Text(c.id, style="bold"), Text(c.description or "-"))
+        for a in c.assumed:
+            table.add_row("", Text(f"assumed {a.field} = {a.value}: {a.reason}", style="dim"))
+        for u in c.unmet:
+            table.add_row("", Text(f'not expressible: "{u.text}": {u.reason}', style="yellow"))
+    for u in s.not_understood:
+        table.add_row("", Text(f'not understood: "{u.text}"', style="yellow"))
+    out.print(table)
+
+
+def stages(results: Iterable[StageResult]) -> None:
+    line = Text()
+    for s in results:
+        line.append("✓ " if s.ok else "✗ ", style="green" if s.ok else "red")
+        line.append(f"{s.name} {s.seconds * 1000:.0f} ms   ")
+    out.print(line)
+
+
+def diagnostics(found: Iterable[Diagnostic]) -> None:
+    for d in found:
+        style = {"error": "red", "warning": "yellow"}.get(d.severity, "")
+        where = " ".join(w for w in (d.component, f"line {d.line}" if d.line else "") if w)
+        out.print(Text(f"{d.stage}{' ' + where if where else ''}: {d.message}", style=style))
+        if d.text:
+            out.print(Text(f"    {d.text.strip()}", style="dim"))
+        if d.fix:
+            out.print(Text(f"    fix: {d.fix}"))
+
+
+def runs(facts: Iterable[RunFacts]) -> None:
+    """The timeline of events of each rollout."""
+    for f in facts:
+        reason = f": {f.reason}" if f.reason else ""
+        out.print(Text(f"run with seed {f.seed}: {f.duration:.1f} s, ended by {f.ended_by}{reason}", style="bold"))
+        events = sorted((e.time, o.name, e.event, e.other) for o in f.objects for e in o.events)
+        table = Table(show_header=False, box=None, pad_edge=False)
+        for time, name, event, other in events:
+            table.add_row(f"{time:5.1f} s", Text(name), Text(event + (f" {other}" if other else "")))
+        out.print(table)
+    out.print(Text("Seen in the dry run, which is not CARLA: see README, \"What the dry run is\".", style="dim"))

@@ -3,7 +3,7 @@
 import traceback
 from typing import Any
 
-from c2s_engine.check import errors
+from c2s_engine.check import errors, fixes
 from c2s_engine.structure.diagnostics import Diagnostic, StageName
 from c2s_engine.structure.program import FragmentSpan
 
@@ -30,6 +30,7 @@ class Program:
 
     def locate(self, diagnostic: Diagnostic) -> Diagnostic:
         """The diagnostic with the component and the text of its line."""
+        diagnostic = fixes.attach(diagnostic, self.line(diagnostic.line))
         return diagnostic.model_copy(
             update={
                 "component": diagnostic.component or self.component_at(diagnostic.line),
@@ -41,9 +42,15 @@ class Program:
 def diagnose(error: BaseException, stage: StageName, program: Program) -> Diagnostic:
     """The diagnostic of an exception that a stage raised."""
     line, column = position(error, program)
-    found = errors.explain(error, stage, program.line(line))
+    found = errors.explain(error, stage, program.lines, line)
     diagnostic = Diagnostic(
-        stage=stage, message=found.message, code=found.code, line=line, column=column, fix=found.fix
+        stage=stage,
+        message=found.message,
+        code=found.code,
+        line=line,
+        column=column,
+        fix=found.fix,
+        edit=found.edit,
     )
     return program.locate(diagnostic)
 
@@ -64,7 +71,27 @@ def position(error: BaseException, program: Program) -> tuple[int | None, int | 
             column = frames[-1].colno
             return frames[-1].lineno, None if column is None else column + 1
         current = current.__cause__ or current.__context__
-    return None, None
+    return lines_of(error), None
+
+
+made_on: dict[int, int] = {}
+"""Line of the program on which a random value or object was made, by its id (naming.py)."""
+
+
+def lines_of(error: BaseException) -> int | None:
+    """Where an exception was raised while a random value was drawn: the line on which that value was made."""
+    current: BaseException | None = error
+    found: int | None = None
+    if not made_on:
+        return None
+    while current is not None and found is None:
+        tb = current.__traceback__
+        while tb is not None:
+            owner = tb.tb_frame.f_locals.get("self")
+            found = made_on.get(id(owner), found) if owner is not None else found
+            tb = tb.tb_next
+        current = current.__cause__ or current.__context__
+    return found
 
 
 def _column(offset: Any) -> int | None:

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from c2s_engine.check.diagnose import Program
+from c2s_engine.check.diagnose import Program, made_on
 from c2s_engine.structure.facts import EGO
 
 
@@ -20,28 +20,37 @@ class Names:
     @contextmanager
     def watching(self) -> Iterator[None]:
         """While the program runs, note the line that each object is made on."""
-        from scenic.core import object_types
+        from scenic.core.distributions import Samplable
         from scenic.syntax import veneer
 
-        original = veneer.registerObject
+        register, begin = veneer.registerObject, Samplable.__init__
 
-        def register(obj: Any) -> None:
-            frame = sys._getframe(1)
-            while frame is not None and frame.f_code.co_filename != self.program.filename:
-                frame = frame.f_back  # type: ignore[assignment]
-            if frame is not None:
-                self.lines[id(obj)] = frame.f_lineno
-            original(obj)
+        def registered(obj: Any) -> None:
+            line = self._line()
+            if line is not None:
+                self.lines[id(obj)] = made_on[id(obj)] = line
+            register(obj)
 
-        veneer.registerObject = register
-        if hasattr(object_types, "registerObject"):
-            object_types.registerObject = register
+        def begun(value: Any, *args: Any, **kwargs: Any) -> None:
+            begin(value, *args, **kwargs)
+            line = self._line()
+            if line is not None:
+                made_on[id(value)] = line
+
+        veneer.registerObject = registered
+        Samplable.__init__ = begun
         try:
             yield
         finally:
-            veneer.registerObject = original
-            if hasattr(object_types, "registerObject"):
-                object_types.registerObject = original
+            veneer.registerObject = register
+            Samplable.__init__ = begin
+
+    def _line(self) -> int | None:
+        """The line of the program that is being executed."""
+        frame = sys._getframe(2)
+        while frame is not None and frame.f_code.co_filename != self.program.filename:
+            frame = frame.f_back  # type: ignore[assignment]
+        return None if frame is None else frame.f_lineno
 
     def gather(self, namespace: dict[str, Any], scenario: Any) -> None:
         """Take the names from the program's variables (and those of its modular scenario)."""

@@ -110,7 +110,9 @@ def unfinished(lines: list[str], first: int) -> str:
     return "".join(lines[first - 1 : last])
 
 
-def translate(tree: Any, filename: str, requirements: list, syntax_id: int) -> tuple[ast.Module, list, int]:
+def translate(
+    tree: Any, filename: str, requirements: list, syntax_id: int, first: int = 1
+) -> tuple[ast.Module, list, int]:
     """The Python tree of a Scenic tree, as a continuation of what has `requirements` and `syntax_id` so far."""
     from scenic.syntax.compiler import ScenicToPythonTransformer
 
@@ -119,8 +121,22 @@ def translate(tree: Any, filename: str, requirements: list, syntax_id: int) -> t
     transformer.inSetup = transformer.inInterruptBlock = False
     transformer.requirements = list(requirements)
     transformer.nextSyntaxId = syntax_id
-    result = ast.fix_missing_locations(transformer.visit(tree))
+    result = transformer.visit(tree)
+    for statement in result.body:
+        _locate(statement, first)
     return result, transformer.requirements, transformer.nextSyntaxId
+
+
+def _locate(node: ast.AST, line: int) -> None:
+    """Give nodes without a position that of what they stand in (a statement: its piece's first line)."""
+    if "lineno" in node._attributes:
+        if getattr(node, "lineno", None) is None:
+            node.lineno = node.end_lineno = line  # type: ignore[attr-defined]
+            node.col_offset = node.end_col_offset = 0  # type: ignore[attr-defined]
+        line = node.lineno  # type: ignore[attr-defined]
+    for child in ast.iter_child_nodes(node):
+        _locate(child, line)
+    ast.fix_missing_locations(node)
 
 
 def ast_hash(dumps: list[str]) -> bytes:

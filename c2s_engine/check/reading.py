@@ -83,7 +83,12 @@ class Reader:
         try:
             parts = pieces.cut(where.text)
         except pieces.Cut as endless:
-            pieces.parse(pieces.unfinished(where.lines, endless.first), where.filename, endless.first - 1)
+            try:
+                pieces.parse(pieces.unfinished(where.lines, endless.first), where.filename, endless.first - 1)
+            except Exception as error:
+                if "EOF" in str(error) or "never closed" in str(error):
+                    error.lineno, error.offset = endless.first, None  # type: ignore[attr-defined]
+                raise
             parts = [pieces.Piece(1, len(where.lines), where.text)]
         done: list[Compiled] = []
         count, syntax_id = 0, 0
@@ -106,7 +111,7 @@ class Reader:
         facts = lint.gather(tree)
         unsafe = safety.examine(tree)
         simple, model, path = lint.preamble(tree)
-        python, requirements, syntax_id = pieces.translate(tree, filename, [None] * count, syntax_id)
+        python, requirements, syntax_id = pieces.translate(tree, filename, [None] * count, syntax_id, part.first)
         return Compiled(
             code=marshal.dumps(compile(python, filename, "exec")),
             requirements=requirements[count:],

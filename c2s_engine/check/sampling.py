@@ -22,15 +22,20 @@ class Sampler:
 
         self.scenario, self.program, self.limits, self.names = scenario, program, limits, names
         self.counts: Counter[Any] = Counter()
+        self.drawn: Any = None
         self.messages: Counter[str] = Counter()
         self.iterations = 0
         self.deadline = 0.0
         outer = self
 
         class Checker(WeightedAcceptanceChecker):
+            def checkRequirementsInner(self, sample: Any) -> Any:
+                outer.drawn = sample
+                return super().checkRequirementsInner(sample)
+
             def updateMetrics(self, req: Any, new_metrics: tuple[int, float]) -> None:
                 if not new_metrics[0]:
-                    outer.counts[req] += 1
+                    outer.counts[outer._key(req)] += 1
                 super().updateMetrics(req, new_metrics)
 
         checker = scenario.checker
@@ -62,17 +67,63 @@ class Sampler:
             return None, self.iterations + 1, [diagnose.diagnose(error, "sample", self.program)]
 
     def _explain(self, seconds: float) -> Diagnostic:
-        reasons: list[tuple[int, str, int | None]] = []
-        for req, count in self.counts.items():
-            line = getattr(req, "line", None)
-            reasons.append((count, f"{req.violationMsg}", line))
-        reasons += [(count, message, None) for message, count in self.messages.items()]
-        reasons.sort(key=lambda r: -r[0])
-        said = "; ".join(f"{count} x {text}" for count, text, _ in reasons[:4])
+        reasons = [(count, *self._reason(req)) for req, count in self.counts.items()]
+        reasons += [
+            (count, f"a value could not be drawn ({said})", None, "draw") for said, count in self.messages.items()
+        ]
+        merged: Counter[tuple[str, int | None, str]] = Counter()
+        for count, text, line, kind in reasons:
+            merged[text, line, kind] += count
+        ranked = merged.most_common(4)
+        said = "; ".join(f"{count} times {text}" for (text, _, _), count in ranked)
+        (_, line, kind), _ = ranked[0] if ranked else (("", None, "draw"), 0)
         diagnostic = Diagnostic(
             stage="sample",
-            code="rejection",
-            message=f"no scene was found in {self.iterations} iterations ({seconds:.1f} s): {said}",
-            line=reasons[0][2] if reasons else None,
+            code=f"rejected_{kind}",
+            message=f"no scene was found in {self.iterations} tries ({seconds:.1f} s): {said}",
+            fix=RELAX[kind],
+            line=line,
         )
         return self.program.locate(diagnostic)
+
+    def _key(self, req: Any) -> Any:
+        """What a rejection is counted under: the requirement, or the two objects that a collision was found for."""
+        pair = getattr(req, "_collidingObjects", None)
+        if not pair:
+            return req
+        return tuple(o for o in req.objects if any(self.drawn[o] is p for p in pair))
+
+    def _reason(self, req: Any) -> tuple[str, int | None, str]:
+        """What a requirement rejects, in words; the line to look at; the kind of requirement."""
+        from scenic.core import requirements as r
+
+        if isinstance(req, tuple):
+            return self._overlap(list(req))
+        if isinstance(req, r.IntersectionRequirement):
+            return self._overlap([req.objA, req.objB])
+        if isinstance(req, r.ContainmentRequirement):
+            what = self.names.label(req.obj)
+            return f"{what} was not wholly within its region (the road, by default)", self._line(req.obj), "containment"
+        if isinstance(req, r.VisibilityRequirement | r.NonVisibilityRequirement):
+            word = "hidden" if isinstance(req, r.VisibilityRequirement) else "visible"
+            return f"{self.names.label(req.target)} was {word}", self._line(req.target), "visibility"
+        line = getattr(req, "line", None)
+        text = self.program.line(line).strip()
+        return f"the requirement of line {line} did not hold ({text})", line, "requirement"
+
+    def _overlap(self, objects: list[Any]) -> tuple[str, int | None, str]:
+        labels = sorted(self.names.label(o) for o in objects)
+        lines = [n for n in map(self._line, objects) if n is not None]
+        return f"{' and '.join(labels)} overlapped", max(lines, default=None), "overlap"
+
+    def _line(self, obj: Any) -> int | None:
+        return self.names.lines.get(id(obj))
+
+
+RELAX = {
+    "requirement": "weaken that requirement, or place the objects so that it holds more often",
+    "overlap": "place them further apart, or let one of them have 'with allowCollisions True'",
+    "containment": "place it where it fits, choose a wider lane or a longer road, or add 'with regionContainedIn None'",
+    "visibility": "place it within the view of the other, or leave the condition on its visibility out",
+    "draw": "draw only from elements of the map that have what is asked for (filter them first)",
+}

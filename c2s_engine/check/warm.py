@@ -35,9 +35,8 @@ def warm(standins: Path, runner: str | None = None) -> None:
     if standins.is_dir():
         sys.path.insert(0, str(standins))
     import scenic.syntax.translator as translator
-    from scenic.domains.driving import roads
-
     from scenic.core import type_support
+    from scenic.domains.driving import roads
 
     translator.compileStream = _compile_stream
     type_support.saveErrorLocation = _error_location
@@ -85,11 +84,11 @@ def _library_code(source: bytes, filename: str) -> tuple[Any, list, bytes]:
     tree, requirements, digest = compile_text(source.decode(), filename)
     _code[key] = (compile(tree, filename, "exec"), requirements, digest)
     if may_write:
-        _write(cached, marshal.dumps(_code[key][0]) + pickle.dumps(requirements) + pickle.dumps(digest))
+        write_cache(cached, marshal.dumps(_code[key][0]) + pickle.dumps(requirements) + pickle.dumps(digest))
     return _code[key]
 
 
-def _write(path: Path, data: bytes) -> None:
+def write_cache(path: Path, data: bytes) -> None:
     """Write a cache file whole or not at all; a cache that cannot be written is done without."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -158,5 +157,5 @@ def _cached_copy(path: Path) -> Path:
     folder = paths.cache_folder() / "maps" / hashlib.blake2b(data, digest_size=12).hexdigest()
     copy = folder / path.name
     if not copy.exists() and may_write:
-        _write(copy, data)
+        write_cache(copy, data)
     return copy if copy.exists() else path

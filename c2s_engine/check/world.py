@@ -1,0 +1,169 @@
+"""The names that a world model gives to a program, read from the installed Scenic without running the model."""
+
+import ast
+import builtins
+import functools
+import hashlib
+import importlib
+import importlib.util
+import inspect
+import pickle
+import sys
+from dataclasses import dataclass, field
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from c2s_engine import paths
+
+
+@dataclass
+class Module:
+    """What a Scenic module defines, and what it takes over from others."""
+
+    names: frozenset[str] = frozenset()
+    stars: tuple[str, ...] = ()
+    behaviors: dict[str, tuple[tuple[str, ...], bool]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class World:
+    """What a model gives: names, behaviours with their parameters (and whether they take any), actions, params."""
+
+    names: frozenset[str]
+    behaviors: dict[str, tuple[tuple[str, ...], bool]]
+    actions: frozenset[str]
+    params: frozenset[str]
+
+
+@functools.cache
+def world(model: str) -> World | None:
+    """The world of a model module; None where it is not an installed Scenic module."""
+    names: set[str] = set()
+    behaviors: dict[str, tuple[tuple[str, ...], bool]] = {}
+    todo, seen = [model], set()
+    while todo:
+        name = todo.pop()
+        if name in seen:
+            continue
+        seen.add(name)
+        path = source_of(name)
+        if path is None:
+            if name == model:
+                return None
+            names |= _python_names(name)
+            continue
+        module = _module(path)
+        names |= module.names
+        behaviors.update(module.behaviors)
+        todo.extend(module.stars)
+    plain = {n for n in names if not n.startswith("param ")}
+    return World(
+        names=frozenset(plain) | language(),
+        behaviors=behaviors,
+        actions=frozenset(n for n in plain if n.endswith("Action")),
+        params=frozenset(n[6:] for n in names if n.startswith("param ")),
+    )
+
+
+@functools.cache
+def language() -> frozenset[str]:
+    """The names that every program has: Scenic's own and Python's."""
+    from scenic.syntax import veneer
+
+    return frozenset(veneer.__all__) | frozenset(dir(builtins)) | {"self", "__name__", "__file__"}
+
+
+def source_of(name: str) -> Path | None:
+    """The .scenic file of a library module, without importing it."""
+    parent, _, last = name.rpartition(".")
+    if not parent.startswith("scenic"):
+        return None
+    try:
+        package = importlib.util.find_spec(parent)
+    except (ImportError, ValueError):
+        return None
+    for folder in (package.submodule_search_locations or []) if package else []:
+        path = Path(folder) / f"{last}.scenic"
+        if path.is_file():
+            return path
+    return None
+
+
+def _python_names(name: str) -> set[str]:
+    try:
+        module = importlib.import_module(name)
+    except ImportError:
+        return set()
+    exported = getattr(module, "__all__", None)
+    return set(exported) if exported is not None else {n for n in vars(module) if not n.startswith("_")}
+
+
+def _module(path: Path) -> Module:
+    source = path.read_bytes()
+    tag = hashlib.blake2b(
+        source + version("scenic").encode() + sys.version.encode() + b"world 1", digest_size=16
+    ).hexdigest()
+    cached = paths.cache_folder() / "modules" / f"{tag}.world"
+    try:
+        return pickle.loads(cached.read_bytes())
+    except (OSError, pickle.UnpicklingError, EOFError, AttributeError, ImportError):
+        pass
+    from c2s_engine.check import pieces, warm
+
+    module = read_module(pieces.parse(source.decode(), str(path)))
+    warm.write_cache(cached, pickle.dumps(module))
+    return module
+
+
+def read_module(tree: Any) -> Module:
+    """What a Scenic syntax tree defines at its top level (and in its branches)."""
+    from scenic.syntax import ast as s
+
+    names: set[str] = set()
+    stars: list[str] = []
+    behaviors: dict[str, tuple[tuple[str, ...], bool]] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom):
+            if node.names[0].name == "*":
+                stars.append(node.module or "")
+            else:
+                names |= {a.asname or a.name for a in node.names}
+        elif isinstance(node, ast.Import):
+            names |= {a.asname or a.name.split(".")[0] for a in node.names}
+        elif isinstance(node, s.BehaviorDef):
+            names.add(node.name)
+            behaviors[node.name] = signature(node.args)
+        elif isinstance(node, ast.ClassDef | ast.FunctionDef | s.MonitorDef | s.ScenarioDef):
+            names.add(node.name)
+        elif isinstance(node, s.Param):
+            names |= {f"param {p.identifier}" for p in node.elts}
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            names.add(node.id)
+    return Module(frozenset(names), tuple(stars), behaviors)
+
+
+def signature(arguments: ast.arguments) -> tuple[tuple[str, ...], bool]:
+    """The parameters of a behaviour, and whether it takes any keyword."""
+    named = [a.arg for a in (*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs)]
+    return tuple(named), arguments.kwarg is not None
+
+
+@functools.cache
+def blueprints() -> frozenset[str]:
+    """The CARLA blueprints that the installed Scenic knows."""
+    from scenic.simulators.carla import blueprints as b
+
+    return frozenset(v for values in b.ids.values() for v in values) | frozenset(b.oldBlueprintNames)
+
+
+@functools.cache
+def enumerations() -> dict[str, frozenset[str]]:
+    """The members of the enumerations that programs name."""
+    from scenic.domains.driving import roads
+
+    return {
+        name: frozenset(m.name for m in value)
+        for name, value in inspect.getmembers(roads, inspect.isclass)
+        if name in ("ManeuverType", "VehicleType")
+    }

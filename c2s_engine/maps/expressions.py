@@ -1,19 +1,24 @@
 """Places as Scenic code: the one source for what a PlaceSpec selects on a map, in programs and in counts.
 
-    code = place_code(spec, read_extras(map_file.path))    # -> PlaceCode(yields, expression, comment)
+    code = place_code(spec, read_extras(map_file.path))    # -> PlaceCode(yields, expression, comment, missing)
 
-`expression` is one static list expression, valid as Scenic and as Python, over `network`, `ManeuverType`, `Vector`
-and builtins only (no random values), so that a program holds it as it is and the check server counts it as it is. It yields
+`expression` is one static list expression, valid as Scenic and as Python, over `network`, `ManeuverType`, `Vector` and
+builtins only (no random values), so that a program holds it as it is and the check server counts it as it is. It yields
 
-- "maneuvers": for intersection, roundabout, on_ramp, off_ramp: scenic Maneuver objects of ego's way
-  (`m.startLane`: ego's approach lane, `m.connectingLane`, `m.endLane`, `m.intersection`, `m.conflictingManeuvers`);
-- "lanes": for road, straight, curve, motorway: scenic Lane objects in which ego starts;
-- "spots": for crosswalk: points (scenic Vector, m) where a crosswalk crosses the middle of a lane that ego drives; ego starts
-  `following roadDirection from spot for -distance`, the lane is `network.laneAt(spot)`.
+- "maneuvers" for intersection, roundabout, on_ramp, off_ramp: scenic Maneuver objects of ego's way (`m.startLane`:
+  ego's approach lane, `m.connectingLane`, `m.endLane`, `m.intersection`, `m.conflictingManeuvers`);
+- "lanes" for road, straight, curve, motorway: scenic Lane objects in which ego starts;
+- "spots" for crosswalk: points (scenic Vector, m) where a crosswalk crosses the middle of a lane that ego drives; ego
+  starts `following roadDirection from spot for -distance`, the lane is `network.laneAt(spot)`.
 
 A program then draws: `place = Uniform(*EXPRESSION)`. `room` (m) asks for lanes at least that long (approaches too).
-Where stock Scenic knows nothing (stop, yield, limits, crosswalks, ramps, motorways), ids from the map's extras stand in
-the expression, with `comment` to say so. An empty id set gives `[]`: the map has no such place.
+Where stock Scenic knows nothing (stop, yield, limits, crosswalks, ramps, motorways), ids from the map's file stand
+in the expression, with `comment` to say so. Where they say that there is no such place, it is `[]`, and `missing`
+says why.
+
+Mind that stock Scenic orders `group.lanes` from the kerb inwards for forward lanes only; for a road's backward lanes
+it runs from the middle outwards. `sections[0]._fasterLane` / `._slowerLane` are right in both.
+
 The texts stand in data/maps/places.yaml, this module puts them together.
 """
 
@@ -76,15 +81,19 @@ class _Where:
         self.notes.append(note)
 
     def code(self, yields: Yields) -> PlaceCode:
-        expression = self.text.replace("{where}", " and ".join(self.parts)) if self.parts else self.text.replace(
-            " if {where}", "")
+        where = f" if {' and '.join(self.parts)}" if self.parts else ""
+        expression = self.text.replace(" if {where}", where)
         comment = f"From the map's file: {'; '.join(dict.fromkeys(self.notes))}." if self.notes else ""
-        return PlaceCode(yields, "[]" if self.missing else expression, "" if self.missing else comment, self.missing)
+        if self.missing:
+            return PlaceCode(yields, "[]", missing=self.missing)
+        return PlaceCode(yields, expression, comment)
 
 
 def place_code(spec: PlaceSpec, extras: MapExtras, *, room: float = 0.0, exit_room: float = 0.0) -> PlaceCode:
-    """What a place selects on the map at hand. `room`: least length (m) of ego's lane (up to the junction); `exit_room`:
-    of the lane behind the junction."""
+    """What a place selects on the map at hand.
+
+    `room`: least length (m) of ego's lane (up to the junction); `exit_room`: of the lane behind the junction.
+    """
     kind = _table()["kinds"][spec.kind]
     yields: Yields = kind["yields"]
     if yields == "spots":

@@ -8,14 +8,13 @@ import xml.etree.ElementTree as ET
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Literal
 
 from c2s_engine.maps import opendrive
+from c2s_engine.maps.controls import ControlKind, ControlPoint, Link, read_controls
 from c2s_engine.maps.opendrive import BrokenMap, number
-from c2s_engine.maps.topology import JunctionInfo, Link, junction_infos
+from c2s_engine.maps.topology import JunctionInfo, junction_infos
 
 Point = tuple[float, float]
-ControlKind = Literal["signal", "stop", "yield"]
 
 UNITS = {"m/s": 1.0, "km/h": 1 / 3.6, "mph": 0.44704}
 MOTORWAY_LIMIT = 24.0
@@ -34,20 +33,6 @@ class Crosswalk:
     def centre(self) -> Point:
         xs, ys = zip(*self.polygon, strict=True)
         return sum(xs) / len(xs), sum(ys) / len(ys)
-
-
-@dataclass(frozen=True)
-class ControlPoint:
-    """A traffic light, stop or yield sign: where it stands, which way the traffic goes that it faces, and whom."""
-
-    kind: ControlKind
-    x: float
-    y: float
-    heading: float
-    road: int
-    lanes: tuple[int, ...]
-    junction: int | None
-    s: float
 
 
 @dataclass(frozen=True)
@@ -125,7 +110,7 @@ def _read(path: Path, mtime: int, size: int) -> MapExtras:
     junctions = junction_infos(root, connections, {i: (r.left, r.right) for i, r in roads.items()}, geometry)
     crosswalks = tuple(c for e in elements for c in _crosswalks(e, geometry[int(number(e, "id"))]))
     approaches = frozenset((link.junction, link.source, link.at_end) for link in connections)
-    return MapExtras(roads, junctions, crosswalks, tuple(_controls(elements, geometry, roads, connections)), geometry, approaches)
+    return MapExtras(roads, junctions, crosswalks, read_controls(elements, geometry, connections), geometry, approaches)
 
 
 def _road_info(element: ET.Element, road: opendrive.Road) -> RoadInfo:
@@ -186,69 +171,3 @@ def _crosswalks(element: ET.Element, road: opendrive.Road) -> list[Crosswalk]:
         if len(points) >= 3:
             found.append(Crosswalk(road.id, s, tuple(points)))
     return found
-
-
-def _kind(signal: ET.Element) -> ControlKind | None:
-    """By the type numbers of CARLA's maps and the German catalogue that they follow."""
-    number_, name = signal.get("type", ""), (signal.get("name") or "").lower()
-    if number_ in ("1000001", "1000009", "1000010", "1000011"):
-        return "signal"
-    if number_ == "206" or "stop" in name and signal.get("dynamic") != "yes":
-        return "stop"
-    return "yield" if number_ == "205" else None
-
-
-def _controls(elements: list[ET.Element], geometry: dict[int, opendrive.Road], roads: dict[int, RoadInfo],
-              links: list[Link]) -> list[ControlPoint]:  # fmt: skip
-    """Lights and signs on approaches, and those that ways through junctions refer to, as of their approaches."""
-    found: dict[tuple[str, int, int | None, str], ControlPoint] = {}
-    placed: dict[str, tuple[ControlKind, float, float]] = {}
-    after = {(link.source, link.at_end): link.junction for link in links}
-    way_of = {link.way: link for link in links}
-    for element in elements:
-        for signal in element.findall("signals/signal"):
-            kind = _kind(signal)
-            if kind:
-                road = geometry[int(number(element, "id"))]
-                x, y, _ = road.at(number(signal, "s"), number(signal, "t", 0.0))
-                placed[signal.get("id", "")] = (kind, x, y)
-    for element in elements:
-        rid = int(number(element, "id"))
-        for signal in [*element.findall("signals/signal"), *element.findall("signals/signalReference")]:
-            mark = signal.get("id", "")
-            if mark not in placed:
-                continue
-            kind, x, y = placed[mark]
-            for point in _approaches(signal, rid, kind, x, y, geometry, roads, after, way_of):
-                found.setdefault((kind, point.road, point.junction, mark), point)
-    return list(found.values())
-
-
-def _approaches(signal: ET.Element, rid: int, kind: ControlKind, x: float, y: float, geometry: dict[int, opendrive.Road],
-                roads: dict[int, RoadInfo], after: dict[tuple[int, bool], int], way_of: dict[int, Link]) -> list[ControlPoint]:  # fmt: skip
-    """The control as it faces an approach: of its own road, or of the road that leads into its way."""
-    road, s = geometry[rid], number(signal, "s")
-    validity = signal.find("validity")
-    if roads[rid].junction is not None:
-        link = way_of.get(rid)
-        if link is None or link.source not in geometry:
-            return []
-        source = geometry[link.source]
-        s = source.length if link.at_end else 0.0
-        heading = source.at(s)[2] + (0.0 if link.at_end else math.pi)
-        sign = -1 if link.at_end else 1
-        lanes = tuple(lane.id for lane in source.section(s).driving(sign))
-        return [ControlPoint(kind, x, y, heading, source.id, lanes, link.junction, s)]
-    points = []
-    for facing, sign in (("+", -1), ("-", 1)):
-        if signal.get("orientation", "+") not in (facing, "none"):
-            continue
-        at_end = facing == "+"
-        lanes = tuple(lane.id for lane in road.section(s).driving(sign))
-        if validity is not None:
-            low, high = sorted((number(validity, "fromLane"), number(validity, "toLane")))
-            lanes = tuple(lane for lane in lanes if low <= lane <= high)
-        heading = road.at(s)[2] + (0.0 if at_end else math.pi)
-        if lanes:
-            points.append(ControlPoint(kind, x, y, heading, rid, lanes, after.get((rid, at_end)), s))
-    return points

@@ -14,12 +14,12 @@ LIMIT_TOLERANCE = 0.6  # m/s
 def has_room_crosswalk(extras: MapExtras, crosswalk: Crosswalk) -> bool:
     """Whether a crosswalk lies mid-block."""
     road = extras.roads.get(crosswalk.road)
-    return bool(road) and road.junction is None and MID_BLOCK < crosswalk.s < road.length - MID_BLOCK
+    return road is not None and road.junction is None and MID_BLOCK < crosswalk.s < road.length - MID_BLOCK
 
 
 def crosswalk_spots(extras: MapExtras, spec: PlaceSpec, before: float) -> list[tuple[float, float]]:
     """Middles of lanes at mid-block crosswalks that fit a spec, with so much lane (m) before them."""
-    spots = []
+    spots: list[tuple[float, float]] = []
     for crosswalk in extras.crosswalks:
         if not has_room_crosswalk(extras, crosswalk):
             continue
@@ -31,8 +31,7 @@ def crosswalk_spots(extras: MapExtras, spec: PlaceSpec, before: float) -> list[t
             behind = crosswalk.s if sign < 0 else road.length - crosswalk.s
             if behind < max(before, MID_BLOCK) or road.length - behind < AHEAD or not _fits(spec, section, sign):
                 continue
-            for lane in _chosen(spec, section.driving(sign)):
-                spots.append(_middle(road, crosswalk.s, lane))
+            spots += [_middle(road, crosswalk.s, lane) for lane in _chosen(spec, section.driving(sign))]
     return spots
 
 

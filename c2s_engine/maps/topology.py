@@ -6,24 +6,12 @@ from collections import defaultdict
 from dataclasses import dataclass
 from typing import Literal
 
+from c2s_engine.maps.controls import Link
 from c2s_engine.maps.opendrive import Road, number
 
 JunctionKind = Literal["intersection", "roundabout", "on_ramp", "off_ramp", "transition"]
 GENTLE = math.radians(25)
 """Ways of merges and diverges turn by less."""
-
-
-@dataclass(frozen=True)
-class Link:
-    """A way through a junction: from a road (its end or start) over a connecting road to a road (its start or end)."""
-
-    junction: int
-    source: int
-    way: int
-    forward: bool
-    at_end: bool
-    target: int | None
-    target_start: bool
 
 
 @dataclass(frozen=True)

@@ -1,101 +1,26 @@
 """Builds town.xodr from town_plan.yaml: `python data/maps/build_town.py [OUT]`. The same plan gives the same bytes.
 
-Every junction gets one connecting road for each way of a lane through it. Right-turn connectors carry the sidewalk round
-the corner. Signals stand on the approaches and are referred to from the connectors (where Scenic looks for lights);
-stop and yield signs and crosswalks lie on the approaches only.
+Every junction gets one connecting road for each way of a lane through it. Right-turn connectors carry the sidewalk
+round the corner. Signals stand on the approaches and are referred to from the connectors (where Scenic looks for
+lights); stop and yield signs and crosswalks lie on the approaches only.
 """
 
 import math
+import re
 import sys
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import yaml
+from lines import Arm, Line, connector_lanes, road_lanes
 from path import Piece, Pose, arc, between, length_of
 from scenariogeneration import xodr
 
 HERE = Path(__file__).parent
-CENTRE = xodr.RoadMark(xodr.RoadMarkType.broken, 0.15)
-EDGE = xodr.RoadMark(xodr.RoadMarkType.solid, 0.15)
 SIGNS = {"signal": "1000001", "stop": "206", "yield": "205"}
 CROSSWALK_AT, CROSSWALK_WIDTH, STOP_LINE_AT = 5.0, 3.5, 8.0
+OVERSHOOT = 0.003
 MIN_STRAIGHT = math.radians(25)
-
-
-@dataclass(eq=False)
-class Line:
-    """A road of the plan: its profile, and where it lies."""
-
-    plan: dict[str, Any]
-    profile: dict[str, Any]
-    start: Pose
-    pieces: list[Piece]
-    road: Any = None
-    end: Pose = field(init=False)
-
-    def __post_init__(self) -> None:
-        self.end = self.start
-        for piece in self.pieces:
-            self.end = self.end.after(piece)
-
-    @property
-    def id(self) -> int:
-        return self.plan["id"]
-
-    @property
-    def length(self) -> float:
-        return length_of(self.pieces)
-
-    @property
-    def one_way(self) -> bool:
-        return self.profile.get("one_way", False)
-
-    def driving(self) -> list[int]:
-        """Numbers (1, 2, ... from the middle) of the driving lanes of one direction."""
-        return [i for i, (kind, _) in enumerate(self.profile["lanes"], 1) if kind == "driving"]
-
-    def offset(self, number: int) -> float:
-        """Distance of the middle of a lane from the reference line."""
-        widths = [width for _, width in self.profile["lanes"]]
-        return sum(widths[: number - 1]) + widths[number - 1] / 2
-
-    def width(self, number: int) -> float:
-        return self.profile["lanes"][number - 1][1]
-
-    def beside(self) -> list[list[Any]]:
-        """The lanes outside the driving lanes."""
-        return self.profile["lanes"][self.driving()[-1] :]
-
-
-@dataclass(frozen=True)
-class Arm:
-    """An end of a road at a junction. `out` is the pose there, seen from the junction."""
-
-    line: Line
-    at_end: bool
-
-    @property
-    def out(self) -> Pose:
-        return self.line.end.reversed if self.at_end else self.line.start
-
-    def incoming(self) -> list[int]:
-        """Signed lane ids that lead into the junction, from the middle outwards."""
-        sign = -1 if self.at_end else 1
-        return [] if self.line.one_way and sign == 1 else [sign * n for n in self.line.driving()]
-
-    def outgoing(self) -> list[int]:
-        sign = 1 if self.at_end else -1
-        return [] if self.line.one_way and sign == 1 else [sign * n for n in self.line.driving()]
-
-    def pose(self, lane: int, inwards: bool) -> Pose:
-        """Where a lane enters (leaves) the junction, with its direction of travel."""
-        aside = self.line.offset(abs(lane))
-        return self.out.moved(0, aside).reversed if inwards else self.out.moved(0, -aside)
-
-    @property
-    def contact(self) -> Any:
-        return xodr.ContactPoint.end if self.at_end else xodr.ContactPoint.start
 
 
 class Town:
@@ -155,7 +80,7 @@ class Town:
         if "after" in plan:
             link = self.lines[plan["after"]]
         line.road = self._road(
-            line.id, plan["name"], line.start, line.pieces, _lanes(line, linked=link is not None), -1
+            line.id, plan["name"], line.start, line.pieces, road_lanes(line, linked=link is not None), -1
         )
         line.road.add_type(xodr.RoadType[profile["type"]], 0, country="DE", speed=profile["limit"], speed_unit="km/h")
         if link:
@@ -178,7 +103,7 @@ class Town:
         for piece in pieces:
             kind, length, curvature = piece
             shape = xodr.Line(length) if kind == "line" else xodr.Arc(curvature, length=length)
-            view.add_fixed_geometry(shape, _r(pose.x), _r(pose.y), _r(math.remainder(pose.heading, math.tau)), s)
+            view.add_fixed_geometry(shape, pose.x, pose.y, math.remainder(pose.heading, math.tau), s)
             s, pose = s + length, pose.after(piece)
         view.adjust_geometries()
         return xodr.Road(rid, view, lanes, road_type=junction, name=name)
@@ -192,8 +117,16 @@ class Town:
     def _crosswalk(self, line: Line, s: float) -> None:
         kept = [width for kind, width in line.profile["lanes"] if kind != "sidewalk"]
         half, ahead = sum(kept) + 0.5, CROSSWALK_WIDTH / 2
-        crossing = xodr.Object(s, 0, Type=xodr.ObjectType.crosswalk, id=self._mark(), name="crosswalk",
-                               orientation=xodr.Orientation.none, width=2 * half, length=2 * ahead, height=0)  # fmt: skip
+        crossing = xodr.Object(
+            s,
+            0,
+            xodr.ObjectType.crosswalk,
+            id=self._mark(),
+            name="crosswalk",
+            width=2 * half,
+            length=2 * ahead,
+            height=0,
+        )
         outline = xodr.Outline(closed=True)
         for u, v in ((-ahead, -half), (ahead, -half), (ahead, half), (-ahead, half)):
             outline.add_corner(xodr.CornerLocal(u, v, 0, 0))
@@ -212,7 +145,7 @@ class Town:
         mark = self._mark()
         facing = xodr.Orientation.positive if arm.at_end else xodr.Orientation.negative
         signal = xodr.Signal(
-            _r(s), _r(-aside if arm.at_end else aside), "OpenDRIVE", SIGNS[control], "-1", id=mark, name=control,
+            s, -aside if arm.at_end else aside, "OpenDRIVE", SIGNS[control], "-1", id=mark, name=control,
             dynamic=xodr.Dynamic.yes if control == "signal" else xodr.Dynamic.no,
             zOffset=5.0 if control == "signal" else 2.0, orientation=facing)  # fmt: skip
         signal.validity = xodr.Validity(min(lanes), max(lanes))
@@ -260,8 +193,8 @@ class Town:
             rid = self.next_road
             self.next_road += 1
             start, end = arm.pose(lane, True), other.pose(to, False)
-            pieces = between(start, end)
-            lanes = _connector_lanes(arm, lane, other, to, length_of(pieces), index in corners)
+            pieces = between(start, _crossing(start, end))
+            lanes = connector_lanes(arm, lane, other, to, length_of(pieces), index in corners)
             road = self._road(rid, "", start, pieces, lanes, jid)
             road.add_predecessor(xodr.ElementType.road, arm.line.id, arm.contact)
             road.add_successor(xodr.ElementType.road, other.line.id, other.contact)
@@ -307,10 +240,6 @@ class Town:
         self.groups.append(group)
 
 
-def _r(value: float) -> float:
-    return round(value, 6) + 0.0
-
-
 def _path(plan: list[list[Any]]) -> list[Piece]:
     pieces: list[Piece] = []
     for kind, *numbers in plan:
@@ -331,6 +260,16 @@ def _turn(arm: Arm, other: Arm) -> float:
     return math.remainder(other.out.heading - arm.out.heading - math.pi, math.tau)
 
 
+def _crossing(start: Pose, end: Pose) -> Pose:
+    """The end of a way, a little beyond the lane's middle: the middles of ways that merge then cross, and Scenic, which
+    looks for crossings, counts them as conflicts."""
+    turn = math.remainder(end.heading - start.heading, math.tau)
+    aside = math.sin(start.heading) * (start.x - end.x) - math.cos(start.heading) * (start.y - end.y)
+    if abs(turn) < 1e-6 and abs(aside) < 1e-6:
+        return end
+    return end.moved(0, math.copysign(OVERSHOOT, aside if abs(turn) < 1e-6 else -turn))
+
+
 def _ways(arm: Arm, other: Arm, turns: dict[int, float]) -> list[tuple[int, int]]:
     """Which lanes of an arm lead into which lanes of another."""
     into, out = arm.incoming(), other.outgoing()
@@ -346,43 +285,11 @@ def _ways(arm: Arm, other: Arm, turns: dict[int, float]) -> list[tuple[int, int]
     return [(lane, out[min(number, len(out) - 1)]) for number, lane in enumerate(into)]
 
 
-def _lanes(line: Line, linked: bool) -> Any:
-    section = xodr.LaneSection(0, _centre(line))
-    for kind, width in line.profile["lanes"]:
-        for add, sign in ((section.add_left_lane, 1), (section.add_right_lane, -1)):
-            if sign == 1 and line.one_way:
-                continue
-            lane = xodr.Lane(xodr.LaneType[kind], a=width)
-            lane.add_roadmark(CENTRE if kind == "driving" else EDGE)
-            add(lane)
-            if linked:
-                lane.add_link("predecessor", lane.lane_id)
-    lanes = xodr.Lanes()
-    lanes.add_lanesection(section)
-    return lanes
-
-
-def _centre(line: Line) -> Any:
-    lane = xodr.Lane(xodr.LaneType.none)
-    lane.add_roadmark(EDGE if line.one_way else CENTRE)
-    return lane
-
-
-def _connector_lanes(arm: Arm, lane: int, other: Arm, to: int, length: float, corner: bool) -> Any:
-    """The lanes of a connecting road: one to drive in, drawn about its middle, and at corners what lies beside it."""
-    first, last = arm.line.width(abs(lane)), other.line.width(abs(to))
-    slope = (last - first) / length
-    section = xodr.LaneSection(0, xodr.Lane(xodr.LaneType.none))
-    way = xodr.Lane(xodr.LaneType.driving, a=first, b=_r(slope))
-    section.add_right_lane(way)
-    way.add_link("predecessor", lane)
-    way.add_link("successor", to)
-    for kind, width in arm.line.beside() if corner else []:
-        section.add_right_lane(xodr.Lane(xodr.LaneType.sidewalk if kind == "sidewalk" else xodr.LaneType.none, a=width))
-    lanes = xodr.Lanes()
-    lanes.add_lanesection(section)
-    lanes.add_laneoffset(xodr.LaneOffset(0, a=first / 2, b=_r(slope / 2)))
-    return lanes
+def _rounded(text: str) -> str:
+    """A number of more digits than the last bit of a platform's sine can change; other texts as they are."""
+    if not re.fullmatch(r"-?[0-9]+\.[0-9]+(e-?[0-9]+)?", text):
+        return text
+    return f"{round(float(text), 8) + 0.0:.8f}".rstrip("0").rstrip(".")
 
 
 def build(out: Path) -> None:
@@ -391,6 +298,9 @@ def build(out: Path) -> None:
     element = Town(plan).build()
     header = element.find("header")
     header.set("date", "2026-01-01T00:00:00")
+    for each in element.iter():
+        for name, text in each.attrib.items():
+            each.set(name, _rounded(text))
     xodr.ET.indent(element, "")
     out.write_bytes(xodr.ET.tostring(element, encoding="utf-8", xml_declaration=True) + b"\n")
 

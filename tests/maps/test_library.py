@@ -1,0 +1,84 @@
+"""Where maps are found, by name and by path."""
+
+import subprocess
+import sys
+
+import pytest
+
+from c2s_engine.maps.library import MapLibrary, MapNotFound
+
+
+@pytest.fixture(autouse=True)
+def _elsewhere(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    monkeypatch.delenv("CARLA_ROOT", raising=False)
+
+
+def put(path, text="<OpenDRIVE/>"):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text)
+    return path
+
+
+def test_the_town_is_always_there():
+    town = MapLibrary().find("town")
+    assert town.path.is_file()
+    assert town.carla_map is None
+    assert MapLibrary().list()[0] == town
+
+
+def test_carla_towns_are_found_below_its_root(tmp_path, monkeypatch):
+    put(tmp_path / "carla/CarlaUE4/Content/Carla/Maps/OpenDrive/Town05.xodr")
+    put(tmp_path / "carla/elsewhere/Town06.xodr")
+    monkeypatch.setenv("CARLA_ROOT", str(tmp_path / "carla"))
+    library = MapLibrary()
+    assert library.names() == ("town", "Town05")
+    assert library.find("town05").carla_map == "Town05"
+
+
+def test_configured_folders_come_before_carla(tmp_path):
+    mine = put(tmp_path / "mine/Town05.xodr", "<OpenDRIVE mine=''/>")
+    put(tmp_path / "carla/OpenDrive/Town05.xodr")
+    library = MapLibrary(folders=[tmp_path / "mine"], carla_root=tmp_path / "carla")
+    assert library.find("Town05").path == mine
+
+
+def test_any_path_of_the_users(tmp_path):
+    path = put(tmp_path / "my maps/village.xodr")
+    found = MapLibrary().find(str(path))
+    assert (found.name, found.carla_map, found.path) == ("village", None, path)
+
+
+@pytest.mark.parametrize("name", ["Town05", "nowhere", "nowhere.xodr", "/no/such/file.xodr"])
+def test_an_unknown_map_names_those_that_there_are(name):
+    with pytest.raises(MapNotFound) as refusal:
+        MapLibrary().find(name)
+    assert "Known maps: town" in str(refusal.value)
+    assert ("CARLA_ROOT" in str(refusal.value)) == (name == "Town05")
+
+
+def test_a_file_that_is_no_map(tmp_path):
+    with pytest.raises(MapNotFound, match="ends in .xodr"):
+        MapLibrary().find(str(put(tmp_path / "notes.txt")))
+
+
+def test_the_working_copy_follows_the_file(tmp_path):
+    path = put(tmp_path / "a.xodr", "<OpenDRIVE one=''/>")
+    library = MapLibrary()
+    first = library.working_copy(library.find(str(path)))
+    assert first.read_text() == path.read_text()
+    assert first.parent.parent.parent == tmp_path / "cache" / "c2s"
+    path.write_text("<OpenDRIVE another=''/>")
+    second = library.working_copy(library.find(str(path)))
+    assert second != first
+    assert second.read_text() == path.read_text()
+
+
+def test_the_front_can_use_it_without_scenic():
+    code = (
+        "import sys; from c2s_engine.maps import library, extras, expressions; "
+        "from c2s_engine.structure.specs import PlaceSpec; town = library.MapLibrary().find('town'); "
+        "expressions.survey(extras.read_extras(town.path)); "
+        "sys.exit(any(m in sys.modules for m in ('scenic', 'numpy')))"
+    )
+    assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0

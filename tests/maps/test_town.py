@@ -1,0 +1,103 @@
+"""The shipped town: built again byte for byte, clean, and with every place that the vocabulary names."""
+
+import math
+import subprocess
+import sys
+
+import pytest
+
+from c2s_engine import paths
+from c2s_engine.maps.expressions import place_code, survey
+from c2s_engine.structure.specs import PlaceSpec
+
+TOWN = paths.shipped("maps", "town.xodr")
+
+
+@pytest.mark.full
+def test_the_plan_gives_the_same_bytes(tmp_path):
+    built = tmp_path / "town.xodr"
+    subprocess.run([sys.executable, str(TOWN.parent / "build_town.py"), str(built)], check=True, timeout=120)
+    assert built.read_bytes() == TOWN.read_bytes()
+
+
+def test_it_is_small_and_parses_without_warnings(names):
+    assert TOWN.stat().st_size < 600_000
+    assert [str(w.message) for w in names["warnings"]] == []
+
+
+def test_every_place_of_the_survey_is_there(names, extras):
+    counts = {name: len(eval(text, dict(names))) for name, text in survey(extras).items()}
+    assert [name for name, count in counts.items() if not count] == []
+
+
+@pytest.mark.parametrize(
+    ("fields", "room", "least"),
+    [
+        ({"kind": "motorway", "lanes": 3, "ego_lane": "middle"}, 1500, 3),
+        ({"kind": "straight", "lanes": 2, "oncoming": True, "sidewalk": True, "shoulder": True}, 900, 4),
+        ({"kind": "straight", "lanes": 1, "speed_limit": 100 / 3.6}, 1200, 2),
+        ({"kind": "straight", "sidewalk": True, "shoulder": True, "speed_limit": 50 / 3.6}, 500, 2),
+        ({"kind": "curve", "curve": "left", "speed_limit": 80 / 3.6, "shoulder": True}, 1200, 2),
+        ({"kind": "curve", "curve": "right", "speed_limit": 80 / 3.6}, 1200, 2),
+        ({"kind": "straight", "lanes": 3, "oncoming": True}, 1000, 6),
+        ({"kind": "straight", "lanes": 2, "oncoming": False, "sidewalk": True}, 400, 2),
+        ({"kind": "crosswalk", "lanes": 2}, 150, 2),
+        ({"kind": "crosswalk", "oncoming": True}, 150, 6),
+        ({"kind": "intersection", "manoeuvre": "u_turn", "control": "signal"}, 150, 2),
+        ({"kind": "roundabout"}, 150, 4),
+        ({"kind": "on_ramp"}, 250, 1),
+        ({"kind": "off_ramp"}, 500, 1),
+    ],
+)
+def test_long_enough_for_twenty_seconds(names, extras, fields, room, least):
+    code = place_code(PlaceSpec(**fields), extras, room=room)
+    assert len(eval(code.expression, dict(names))) >= least, code
+
+
+@pytest.mark.parametrize("manoeuvre", ["left", "right", "straight"])
+@pytest.mark.parametrize(("control", "lanes"), [("signal", 1), ("signal", 2), ("stop", 1), ("yield", 1), ("none", 1)])
+def test_four_way_intersections_have_every_manoeuvre_with_room(names, extras, manoeuvre, control, lanes):
+    spec = PlaceSpec(kind="intersection", arms=4, control=control, manoeuvre=manoeuvre, lanes=lanes)
+    code = place_code(spec, extras, room=250 if lanes == 2 else 200, exit_room=120)
+    ways = eval(code.expression, dict(names))
+    assert ways
+    assert any(way.conflictingManeuvers for way in ways)
+
+
+@pytest.mark.parametrize("control", ["signal", "stop", "yield", "none"])
+def test_tees_have_every_control(names, extras, control):
+    spec = PlaceSpec(kind="intersection", arms=3, control=control, manoeuvre="left")
+    assert eval(place_code(spec, extras, room=200).expression, dict(names))
+
+
+def test_ways_join_their_lanes(names):
+    """Every connecting lane begins where its lane ends, in its direction, and likewise at the other end."""
+    for junction in names["network"].intersections:
+        for way in junction.maneuvers:
+            line, before, behind = way.connectingLane.centerline, way.startLane.centerline, way.endLane.centerline
+            assert math.dist(line.points[0], before.points[-1]) < 0.1
+            assert math.dist(line.points[-1], behind.points[0]) < 0.1
+            assert abs((line[1] - line[0]).angleWith(before[-1] - before[-2])) < 0.08
+            assert abs((line[-1] - line[-2]).angleWith(behind[1] - behind[0])) < 0.08
+
+
+def test_roads_keep_clear_of_each_other(names):
+    import shapely
+
+    roads = names["network"].roads
+    tree = shapely.STRtree([road.polygons for road in roads])
+    for i, road in enumerate(roads):
+        for j in tree.query(road.polygons):
+            if j > i:
+                assert road.polygons.intersection(roads[j].polygons).area < 0.5, (road.id, roads[j].id)
+
+
+def test_two_way_roads_know_their_sides(names):
+    for road in names["network"].roads:
+        if road.forwardLanes and road.backwardLanes:
+            assert road.forwardLanes._opposite is road.backwardLanes
+            assert road.backwardLanes._opposite is road.forwardLanes
+            for group in road.laneGroups:
+                ends = [lane.sections[0] for lane in group.lanes]
+                assert sum(section._fasterLane is None for section in ends) == 1
+                assert sum(section._slowerLane is None for section in ends) == 1

@@ -1,0 +1,139 @@
+"""Sixth stage: the scene becomes S: places, positions, phases, reactions, with defaults named in `assumed`."""
+
+import re
+
+from c2s_engine.interpret import describe, objects
+from c2s_engine.interpret.drivers import compose_ego
+from c2s_engine.interpret.mentions import ZONES, Entity
+from c2s_engine.interpret.objects import Draft
+from c2s_engine.interpret.roads import compose_place
+from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.settings import ACCEPTED, DEFAULTS, Settings
+from c2s_engine.interpret.environment import PRESET_TIME, PRESET_WEATHER
+from c2s_engine.structure.components import Assumption, Component, Link, Structure
+from c2s_engine.structure.specs import RestrictionsSpec, SettingsSpec
+
+
+def compose(scene: Scene) -> Structure:
+    """S of a scene; every choice that the text does not make is an assumption of its component."""
+    ids: dict[Entity, str] = {scene.cast.ego: "ego"}
+    drafts: list[Draft] = []
+    ordered = sorted(scene.actors, key=lambda e: (e.mentions[0].word if e.mentions else 0))
+    ordered = _blockers_first(scene, ordered)
+    for number, entity in enumerate(ordered, 1):
+        ids[entity] = f"O{number}"
+    place = compose_place(scene)
+    ego, ego_assumed = compose_ego(scene, ids, place)
+    for entity in ordered:
+        drafts.append(objects.compose_object(scene, entity, ids, place, ego))
+    ego = objects.settle(scene, ego, drafts, ids)
+    drafts += objects.signs(scene, place, len(drafts))
+    place_assumed = _place_assumed(scene, place)
+    components = [Component(id=f"O{n}", spec=d.spec, assumed=tuple(d.assumed), unmet=tuple(d.unmet), links=_links(scene, d.entity)) for n, d in enumerate(drafts, 1)]
+    components = [c.model_copy(update={"description": describe.obj(c.spec)}) for c in components]
+    settings, settings_assumed = compose_settings(scene.settings, scene)
+    structure = Structure(
+        text=scene.text,
+        settings=Component(id="G", spec=settings, assumed=tuple(settings_assumed), description=describe.settings(settings), links=_setting_links(scene)),
+        place=Component(id="R", spec=place, assumed=tuple(place_assumed), description=describe.place(place), links=_road_links(scene)),
+        ego=Component(id="E", spec=ego, assumed=tuple(ego_assumed), links=_links(scene, scene.cast.ego)),
+        objects=tuple(components),
+        restrictions=Component(id="T", spec=RestrictionsSpec(), description="No restriction beyond the scene itself."),
+    )
+    names = {c.id: c.spec.name for c in structure.objects}  # type: ignore[union-attr]
+    described = [c.model_copy(update={"description": describe.obj(c.spec, names)}) for c in structure.objects]  # type: ignore[arg-type]
+    return structure.model_copy(update={
+        "ego": structure.ego.model_copy(update={"description": describe.ego(ego, place, names)}),
+        "objects": tuple(described),
+    })  # fmt: skip
+
+
+def _blockers_first(scene: Scene, ordered: list[Entity]) -> list[Entity]:
+    """What others are seen from stands before them, so that it is written first."""
+    done: list[Entity] = []
+
+    def visit(entity: Entity, depth: int) -> None:
+        if entity in done or entity not in ordered:
+            return
+        where = scene.where(entity)
+        for other in (where.hidden_by, where.of):
+            if other is not None and depth < 6:
+                visit(other, depth + 1)
+        if entity not in done:
+            done.append(entity)
+
+    for entity in ordered:
+        visit(entity, 0)
+    return done
+
+
+def compose_settings(found: Settings, scene: Scene) -> tuple[SettingsSpec, list[Assumption]]:
+    """G, with the paper's defaults where the text names nothing with a confidence of 0.6 or more."""
+    assumed = []
+    sky = tuple(dict.fromkeys(f.value for f in found.weather if f.confidence >= ACCEPTED))
+    time = found.time.value if found.time and found.time.confidence >= ACCEPTED else None
+    preset = found.preset.value if found.preset and found.preset.confidence >= ACCEPTED else None
+    if preset and not sky:
+        base = re.sub(r"(Noon|Sunset|Night)$", "", preset)
+        sky = PRESET_WEATHER.get(base, ())
+    if preset and time is None:
+        time = next((t for ending, t in PRESET_TIME.items() if preset.endswith(ending)), None)
+    town = found.map.value if found.map and found.map.confidence >= ACCEPTED else None
+    if town is None:
+        assumed.append(Assumption(field="map", value=DEFAULTS["map"], reason="the text names no map"))
+    if not sky and time is None and preset is None:
+        assumed.append(Assumption(field="weather", value=DEFAULTS["weather"], reason="the text says nothing of weather or light"))
+    state = None
+    if scene.light and scene.road.signal:
+        state = _ego_light(scene)
+    return SettingsSpec(map=town, weather=sky, time=time, preset=preset, light=state), assumed  # type: ignore[arg-type]
+
+
+def _ego_light(scene: Scene) -> str | None:
+    """The state of the light that ego faces: of several, the one in a clause with ego; red for one who runs it elsewhere."""
+    ego = scene.cast.ego
+    runner = next((e for e in scene.clauses.events if e.act == "run_red" and e.done and not e.agent.ego), None)
+    if scene.does(ego, "run_red") is not None:
+        return "red"
+    for found in scene.light:
+        if found.value == "red" and runner is not None:
+            start, end = _clause_span(scene, runner)
+            if start - 25 <= found.span[0] <= end + 25:
+                continue
+        return found.value
+    return "green" if runner is not None else None
+
+
+def _clause_span(scene: Scene, event) -> tuple[int, int]:  # noqa: ANN001
+    return event.start, event.end
+
+
+def _place_assumed(scene: Scene, place) -> list[Assumption]:  # noqa: ANN001
+    assumed = []
+    if scene.road.kind is None:
+        assumed.append(Assumption(field="kind", value=place.kind, reason="the text does not say what kind of road it is"))
+    if place.kind == "intersection" and place.arms is None:
+        assumed.append(Assumption(field="arms", value="3 or 4", reason="the text does not say how many roads meet"))
+    return assumed
+
+
+def _links(scene: Scene, entity: Entity | None) -> tuple[Link, ...]:
+    if entity is None:
+        return ()
+    found = [Link(kind="text", label=scene.text[m.start : m.end], span=(m.start, m.end)) for m in entity.mentions[:6]]
+    for event in scene.events(entity)[:8]:
+        word = scene.words[event.word]
+        found.append(Link(kind="text", label=word.text, span=(word.start, word.end)))
+    return tuple(found)
+
+
+def _setting_links(scene: Scene) -> tuple[Link, ...]:
+    found = [*scene.settings.weather, *filter(None, (scene.settings.time, scene.settings.map, scene.settings.preset))]
+    return tuple(Link(kind="text", label=scene.text[f.span[0] : f.span[1]], span=f.span) for f in found)
+
+
+def _road_links(scene: Scene) -> tuple[Link, ...]:
+    return tuple(Link(kind="text", label=scene.text[s:e], span=(s, e)) for s, e in scene.road.spans.values())
+
+
+__all__ = ["ZONES", "compose", "compose_settings"]

@@ -1,0 +1,93 @@
+"""The embedded interpreter: text to S by rules over a parsed text, without a language model."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from c2s_engine.interpret import compose, scene
+from c2s_engine.interpret.scene import Scene
+from c2s_engine.structure.components import Structure, Unmet
+
+READ_AT_MOST = 12_000
+"""Characters of a text that are read; the rest is listed as not understood."""
+
+
+class InterpretError(ValueError):
+    """A text that no scenario can be read from; the message says what would do."""
+
+
+@dataclass(frozen=True)
+class Interpretation:
+    """S as read from a text, with what every stage found."""
+
+    structure: Structure
+    not_understood: tuple[Unmet, ...] = ()
+    stages: dict[str, list[dict[str, Any]]] = field(default_factory=dict)
+    confidences: dict[str, float] = field(default_factory=dict)
+
+
+class EmbeddedInterpreter:
+    """Reads driving scenarios; `embed` may give sentence vectors for paraphrases that the tables do not know."""
+
+    def __init__(self, embed: Callable[[list[str]], Any] | None = None) -> None:
+        self.embed = embed
+
+    def interpret(self, text: str, structure: Structure | None = None) -> Interpretation:
+        """S of a text; raises InterpretError where nothing of a driving scene is said."""
+        del structure
+        if not text.strip():
+            raise InterpretError("The text is empty: describe a driving scene, for example “a car cuts in ahead of ego”.")
+        head = text[:READ_AT_MOST]
+        understood = scene.understand(head)
+        if not _has_scene(understood):
+            raise InterpretError(
+                "Nothing in the text tells of a driving scene: name the vehicles or people, where they are and what they do."
+            )
+        result = compose.compose(understood)
+        missed = _missed(understood, text)
+        result = result.model_copy(update={"text": text, "not_understood": tuple(missed)})
+        return Interpretation(result, tuple(missed), _stages(understood), understood.settings.confidences())
+
+
+def _has_scene(found: Scene) -> bool:
+    return bool(found.cast.ego.mentions or found.actors or found.clauses.events or found.road.kind or found.settings.weather)
+
+
+def _missed(found: Scene, text: str) -> list[Unmet]:
+    """Sentences that no component took up."""
+    taken: list[tuple[int, int]] = [(m.start, m.end) for e in [found.cast.ego, *found.actors] for m in e.mentions]
+    taken += [(found.words[e.word].start, found.words[e.word].end) for e in found.clauses.events]
+    taken += [f.span for f in (*found.settings.weather, *found.light)] + list(found.road.spans.values())
+    taken += [f.span for f in (found.settings.time, found.settings.map, found.settings.preset, found.settings.ego_model) if f]
+    taken += [(s.start, s.end) for s in found.spans if s.kind == "quantity"]
+    missed = []
+    for start, end in found.sentences:
+        if not any(start <= s and e <= end for s, e in taken):
+            missed.append(Unmet(text=text[start:end], reason="nothing of it belongs to a driving scene that the specs can say", span=(start, end)))
+    if len(text) > READ_AT_MOST:
+        missed.append(Unmet(text=text[READ_AT_MOST : READ_AT_MOST + 200], reason=f"only the first {READ_AT_MOST} characters are read", span=(READ_AT_MOST, len(text))))
+    return missed
+
+
+def _stages(found: Scene) -> dict[str, list[dict[str, Any]]]:
+    """What each stage found, with spans in the text."""
+    text = found.text
+    return {
+        "sentences": [{"text": text[s:e], "span": (s, e)} for s, e in found.sentences],
+        "quantities": [{"text": text[s.start : s.end], "span": (s.start, s.end), **s.data} for s in found.spans if s.kind == "quantity"],
+        "actors": [
+            {"key": e.key, "type": e.type, "count": e.count, "label": e.label, "roles": sorted(e.roles), "kept": e.ego or e in found.actors, "mentions": [text[m.start : m.end] for m in e.mentions], "span": (e.mentions[0].start, e.mentions[0].end) if e.mentions else None}
+            for e in [found.cast.ego, *found.cast.entities]
+        ],
+        "events": [
+            {"agent": e.agent.key, "act": e.act, "hard": e.hard, "mode": e.mode, "patient": e.patient.key if e.patient else None, "order": round(e.order, 2), "trigger": e.trigger, "text": text[e.start : e.end], "span": (e.start, e.end)}
+            for e in found.clauses.events
+        ],
+        "relations": [
+            {"key": e.key, "rel": w.rel, "lane": w.lane, "side": w.side, "of": w.of.key if w.of else None, "gap": w.gap, "hidden_by": w.hidden_by.key if w.hidden_by else None}
+            for e, w in found.places.of.items() if w.rel or w.lane or w.side or w.hidden_by or w.gap
+        ],
+        "speeds": [{"key": e.key, "low": v[0], "high": v[1], "span": (v[2], v[3])} for e, v in found.speeds.items()],
+        "road": [{k: v for k, v in vars(found.road).items() if v not in (None, False, {})}],
+        "environment": [{"value": f.value, "confidence": f.confidence, "span": f.span, "text": text[f.span[0] : f.span[1]]} for f in (*found.settings.weather, *filter(None, (found.settings.time, found.settings.map, found.settings.preset)), *found.light)],
+    }  # fmt: skip

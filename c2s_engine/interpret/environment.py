@@ -1,0 +1,105 @@
+"""Weather, light, map and the settings that the text names; with the confidence of each."""
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from c2s_engine.interpret import language
+
+NEGATED = re.compile(r"(\bno|\bnot( yet| any)?|without( any)?|free of|never|neither|instead of|isn't|wasn't|nor)\s+([\w-]+\s+)?$")
+
+
+@dataclass(frozen=True)
+class Found:
+    """A value of a setting, how sure it is (0..1), and where the text says so."""
+
+    value: str
+    confidence: float
+    span: tuple[int, int]
+
+
+@cache
+def _compiled(section: str) -> list[tuple[str, re.Pattern[str], re.Pattern[str] | None]]:
+    return [(e["is"], re.compile(e["find"]), re.compile(e["not"]) if "not" in e else None) for e in language.table("environment")[section]]
+
+
+def _hits(section: str, plain: str, sentences: list[tuple[int, int]]) -> list[Found]:
+    found: list[Found] = []
+    for value, pattern, unless in _compiled(section):
+        for start, end in sentences:
+            sentence = plain[start:end]
+            if unless is not None and unless.search(sentence):
+                continue
+            for match in pattern.finditer(sentence):
+                if NEGATED.search(sentence[max(0, match.start() - 30) : match.start()]):
+                    continue
+                found.append(Found(value, 0.9, (start + match.start(), start + match.end())))
+                break
+    return found
+
+
+def weather(plain: str, sentences: list[tuple[int, int]]) -> list[Found]:
+    """All weather that holds; contradictions are dropped in favour of what is said more strongly."""
+    hits = _hits("weather", plain, sentences)
+    values = {h.value for h in hits}
+    if "heavy_rain" in values:
+        hits = [h for h in hits if h.value not in ("rain", "wet", "clear", "cloudy")]
+    if values & {"rain", "snow", "heavy_rain"}:
+        hits = [h for h in hits if h.value not in ("clear", "wet")]
+    if values & {"wet"} and "clear" in values and not values & {"rain", "heavy_rain"}:
+        hits = [h for h in hits if h.value != "clear"]
+    if values & {"cloudy", "fog"}:
+        hits = [h for h in hits if h.value != "clear"]
+    first: dict[str, Found] = {}
+    for hit in hits:
+        first.setdefault(hit.value, hit)
+    return list(first.values())
+
+
+def time_of_day(plain: str, sentences: list[tuple[int, int]]) -> Found | None:
+    """The time of day; the more special word wins (dawn, dusk, night, then day)."""
+    hits = _hits("time", plain, sentences)
+    if not hits:
+        return None
+    values = [h.value for h in hits]
+    if "day" in values and "night" in values:  # "night-time variant of the daytime test": the first that is said
+        return min((h for h in hits if h.value in ("day", "night")), key=lambda h: h.span)
+    return hits[0]
+
+
+def light(plain: str, sentences: list[tuple[int, int]]) -> list[Found]:
+    """The states of traffic lights that are named."""
+    return _hits("light", plain, sentences)
+
+
+def named(plain: str) -> dict[str, Found]:
+    """The map, weather preset and blueprint that the text names outright."""
+    data = language.table("environment")
+    found: dict[str, Found] = {}
+    match = re.search(data["maps"], plain)
+    if match:
+        found["map"] = Found("Town" + match[1].upper().replace("HD", "HD") + ("_Opt" if match[2] else ""), 0.95, match.span())
+    match = re.search(data["presets"], plain)
+    if match:
+        found["preset"] = Found(preset_name(match[1], match[2]), 0.95, match.span())
+    match = re.search(data["blueprint"], plain)
+    if match:
+        found["blueprint"] = Found(match[0].rstrip("."), 0.95, match.span())
+    return found
+
+
+def preset_name(sky: str, sun: str) -> str:
+    """CARLA's spelling of a weather preset."""
+    names: dict[str, Any] = {
+        "clear": "Clear", "cloudy": "Cloudy", "wet": "Wet", "wetcloudy": "WetCloudy", "softrain": "SoftRain",
+        "midrain": "MidRain", "midrainy": "MidRainy", "hardrain": "HardRain",
+    }  # fmt: skip
+    return names.get(sky, sky.capitalize()) + sun.capitalize()
+
+
+PRESET_WEATHER = {
+    "Clear": ("clear",), "Cloudy": ("cloudy",), "Wet": ("wet",), "WetCloudy": ("wet", "cloudy"), "SoftRain": ("rain",),
+    "MidRainy": ("rain",), "HardRain": ("heavy_rain",),
+}  # fmt: skip
+PRESET_TIME = {"Noon": "day", "Sunset": "dusk", "Night": "night"}

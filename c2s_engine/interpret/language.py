@@ -1,0 +1,93 @@
+"""The language tables (data/language/*.yaml), loaded once, and the patterns made from them."""
+
+import re
+from functools import cache
+from importlib import resources
+from typing import Any
+
+import yaml
+
+
+@cache
+def table(name: str) -> Any:
+    """A table of data/language by its file's name without the ending."""
+    text = resources.files("c2s_engine.data").joinpath("language", f"{name}.yaml").read_text(encoding="utf-8")
+    return yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+
+
+def plurals(noun: str) -> list[str]:
+    """The plural forms of a noun phrase, by rule (its last word takes the ending)."""
+    head, _, last = noun.rpartition(" ")
+    lead = f"{head} " if head else ""
+    if last in IRREGULAR:
+        return [lead + IRREGULAR[last]]
+    if re.search(r"(s|x|z|ch|sh)$", last):
+        return [f"{lead}{last}es"]
+    if re.search(r"[^aeiou]y$", last):
+        return [f"{lead}{last[:-1]}ies"]
+    if last.endswith("man"):
+        return [f"{lead}{last[:-3]}men"]
+    return [f"{lead}{last}s"]
+
+
+IRREGULAR = {
+    "person": "persons",
+    "child": "children",
+    "deer": "deer",
+    "sheep": "sheep",
+    "moose": "moose",
+    "cattle": "cattle",
+    "debris": "debris",
+    "people": "people",
+    "bus": "buses",
+    "goose": "geese",
+    "works": "works",
+    "wildlife": "wildlife",
+    "traffic": "traffic",
+}
+
+
+def alternatives(words: list[str]) -> str:
+    """A pattern that matches any of those words, the longest first; a blank matches any white space or hyphen."""
+    ordered = sorted(set(words), key=len, reverse=True)
+    return "|".join(re.escape(w).replace(r"\ ", r"[\s-]+").replace(r"\-", r"[\s-]?") for w in ordered)
+
+
+@cache
+def actor_nouns() -> dict[str, tuple[str, bool, bool]]:
+    """Noun -> (object type, is a plural, names a rider or driver)."""
+    data = table("actors")
+    found: dict[str, tuple[str, bool, bool]] = {}
+    for section, person in (("types", False), ("people", True)):
+        for kind, nouns in data[section].items():
+            for noun in nouns:
+                found[noun] = (kind, noun in ("people", "cattle", "works", "roadworks", "road works"), person)
+                for plural in plurals(noun):
+                    found.setdefault(plural, (kind, True, person))
+    for section, kind in (("generic", "vehicle"), ("riders", "rider")):
+        for noun in data[section]:
+            found[noun] = (kind, False, section == "riders")
+            for plural in plurals(noun):
+                found.setdefault(plural, (kind, True, section == "riders"))
+    for nouns in data["nominal_roles"].values():
+        found.update({noun: ("vehicle", False, False) for noun in nouns})
+    found["people"] = ("pedestrian", True, False)
+    return found
+
+
+@cache
+def roles() -> dict[str, str]:
+    """Word before a noun -> its part in the scene."""
+    return {word: role for role, words in table("actors")["roles"].items() for word in words}
+
+
+@cache
+def units() -> dict[str, tuple[str, float]]:
+    """Unit as written -> (dimension, factor to SI)."""
+    return {
+        name: (dimension, float(entry["factor"]))
+        for dimension, entries in table("units").items()
+        if dimension != "numbers"
+        for entry in entries
+        for name in entry["names"]
+    }

@@ -1,0 +1,521 @@
+"""Third stage: who is meant. Mentions of ego and of the others become entities, over sentences."""
+
+import re
+from dataclasses import dataclass, field
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.syntax import Word
+
+VEHICLES = frozenset(("vehicle", "car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle"))
+MOTOR = VEHICLES - {"bicycle"}
+PERSONS = frozenset(("pedestrian", "child", "animal"))
+MOVERS = VEHICLES | PERSONS
+ZONES = frozenset(("construction_zone", "lane_closure"))
+DEFINITE = frozenset(("the", "this", "that", "its", "said", "these", "those", "both", "their", "his", "her"))
+ORDINALS = {"first": 0, "second": 1, "third": 2, "fourth": 3, "last": -1}
+
+
+@dataclass
+class Mention:
+    """A place in the text where an entity is meant."""
+
+    word: int
+    start: int
+    end: int
+    definite: bool = False
+    kind: str = "actor"
+
+
+@dataclass(eq=False)
+class Entity:
+    """Ego, or another road user or thing of the scene."""
+
+    key: str
+    type: str
+    noun: str = ""
+    count: int = 1
+    label: str = ""
+    roles: set[str] = field(default_factory=set)
+    mentions: list[Mention] = field(default_factory=list)
+    typed: bool = False
+    ordinal: int | None = None
+
+    @property
+    def ego(self) -> bool:
+        return self.key == "ego"
+
+    @property
+    def person(self) -> bool:
+        return self.type in PERSONS
+
+    @property
+    def mover(self) -> bool:
+        return self.type in MOVERS
+
+
+def fits(entity: Entity, kind: str) -> bool:
+    """Whether an entity can be meant by a noun of that type."""
+    if entity.type == kind:
+        return True
+    if kind == "vehicle":
+        return entity.type in VEHICLES
+    if kind == "car":
+        return entity.type == "vehicle" or (entity.type in ("police_car",))
+    if kind == "rider":
+        return entity.type in ("bicycle", "motorcycle")
+    if entity.type == "vehicle":
+        return kind in MOTOR and not entity.typed
+    if kind == "pedestrian":
+        return entity.type == "child"
+    if kind in ("obstacle", "debris"):
+        return not entity.mover and entity.type not in ZONES
+    if kind == "ambulance":
+        return entity.type in ("fire_truck", "police_car")
+    return False
+
+
+class Cast:
+    """The entities of a text, and who each word means."""
+
+    def __init__(self, words: list[Word]) -> None:
+        self.words = words
+        self.ego = Entity("ego", "car")
+        self.entities: list[Entity] = []
+        self.of: dict[int, Entity] = {}
+        self.both: dict[int, list[Entity]] = {}
+        self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
+        self.strong_ego = any(w.span and w.span.kind == "ego" for w in words)
+        self.ego_named = self.strong_ego or any(w.span and w.span.kind == "label" and w.span.data["label"] == "1" for w in words)
+        self._resolve()
+
+    # -- building ------------------------------------------------------------------------------------------------
+    def _resolve(self) -> None:
+        done: set[int] = set()
+        for word in self.words:
+            if word.i in done:
+                continue
+            span = word.span
+            entity = None
+            if span and span.kind in ("ego", "label", "actor"):
+                if word.i + 1 < len(self.words) and self.words[word.i + 1].span is span and word.norm == "the":
+                    continue
+                entity = self._named(word)
+            else:
+                entity = self._pronoun(word)
+            if entity is not None:
+                self.of[word.i] = entity
+                entity.mentions.append(Mention(word.i, word.start, word.end, kind=span.kind if span else "pronoun"))
+                if word.dep in ("nsubj", "nsubjpass") or self._fronted(word):
+                    self.subjects.append((word.i, entity))
+
+    def _fronted(self, word: Word) -> bool:
+        return word.dep == "ROOT" and not word.tag.startswith("VB")
+
+    def _named(self, word: Word) -> Entity | None:
+        span = word.span
+        assert span is not None
+        if span.kind == "ego":
+            self._ego_type(word)
+            return self.ego
+        if span.kind == "label":
+            return self._labelled(word)
+        return self._actor(word)
+
+    def _ego_type(self, word: Word) -> None:
+        for kind in ("truck", "van", "bus", "motorcycle"):
+            if re.search(rf"\b{kind}\b", word.norm):
+                self.ego.type, self.ego.typed = kind, True
+
+    def _labelled(self, word: Word) -> Entity | None:
+        data = word.span.data  # type: ignore[union-attr]
+        label = data["label"]
+        if label == "1" and not self.strong_ego:
+            host = self._apposed(word)
+            if host and not host.ego and len(host.mentions) == 1:
+                self._become_ego(host)
+            return self.ego
+        for entity in self.entities:
+            if entity.label == label:
+                return entity
+        host = self._apposed(word)
+        if host and not host.ego and not host.label:
+            host.label = label
+            return host
+        return self._new(Entity("", "vehicle", label=label))
+
+    def _become_ego(self, entity: Entity) -> None:
+        if entity.type != "vehicle":
+            self.ego.type, self.ego.typed = entity.type, True
+        for mention in entity.mentions:
+            self.of[mention.word] = self.ego
+        self.ego.mentions += entity.mentions
+        self.entities.remove(entity)
+        self.subjects = [(i, self.ego if e is entity else e) for i, e in self.subjects]
+
+    def _apposed(self, word: Word) -> Entity | None:
+        """The entity that a label or noun stands beside: "a car (V2)", "V2, a car", "V2 was a truck"."""
+        before = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
+        gap = []
+        for other in reversed(before):
+            if other.i in self.of:
+                text = " ".join(reversed(gap))
+                if re.fullmatch(r"(\(|,|, which (is|was)|:|-+|, (driven|operated) by)?( ?(the|a|an|another|called|designated|labelled|labeled|as|known as|i\.e\.|ie|namely))?( [\w-]+){0,2}", text) and (gap and gap[-1] in ("(", ",", "-", "--", ":") or not gap):
+                    if gap and gap[-1] == "," and not re.search(r"\b(a|an|the|called|as)\b", text) and word.dep != "appos":
+                        return None
+                    return self.of[other.i]
+                return None
+            gap.append(other.norm)
+        return None
+
+    def _copula(self, word: Word) -> Entity | None:
+        """The subject of "X is/was a truck"."""
+        head = self.words[word.head]
+        if word.dep == "attr" and head.lemma == "be":
+            for child in head.children:
+                if self.words[child].dep == "nsubj" and child in self.of and child < word.i:
+                    return self.of[child]
+                if self.words[child].dep == "nsubj" and child < word.i:
+                    return None
+        return None
+
+    def _modifiers(self, word: Word) -> list[str]:
+        found = []
+        for i in range(max(0, word.i - 5), word.i):
+            other = self.words[i]
+            if other.sentence == word.sentence and (i in word.children or other.head in word.children and other.i < word.i and other.tag in ("RB", "CD", "JJ", "DT", "PDT")):
+                found.append(other.norm)
+        return found
+
+    def _actor(self, word: Word) -> Entity | None:
+        data = word.span.data  # type: ignore[union-attr]
+        kind, noun, roles = data["type"], data.get("noun", ""), set(data.get("roles", ()))
+        if data.get("label"):
+            for entity in self.entities:
+                if entity.label == data["label"] or (roles & entity.roles):
+                    return entity
+            return self._new(Entity("", "vehicle", label=data["label"], roles=roles))
+        before = self._modifiers(word)
+        previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
+        if previous in ("other",) and "no" in self._near(word):
+            return None
+        if "no" in before or previous in ("no", "without", "any"):
+            return None
+        if self._is_modifier(word):
+            return None
+        count = self._count(word, before, data)
+        known = language.roles()
+        roles |= {known[b] for b in before if b in known}
+        after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
+        host = self._copula(word)
+        if host is not None and (host.type == "vehicle" or kind in ("vehicle", host.type) or host.ego or host.label) and (host.mover or not MOVERS & {kind}):
+            return self._retyped(host, kind, roles, noun)
+        host = self._apposed(word)
+        if host is not None and word.dep in ("appos", "attr", "nsubj", "ROOT", "dobj", "pobj", "conj") and self.words[word.i - 1].norm not in ("and", "or") and (
+            fits(host, kind) or host.type == "vehicle" or (host.ego and not self.ego.typed and kind in MOTOR)
+        ) and not (word.dep == "conj" and not host.label and not host.ego):
+            return self._retyped(host, kind, roles, noun)
+        pronominal = self._type_of_definite(word, before, kind)
+        definite = bool(DEFINITE & set(before)) or previous in DEFINITE
+        other = bool({"other", "another"} & set(before)) or previous in ("other", "another")
+        ordinal = next((ORDINALS[b] for b in before if b in ORDINALS), None)
+        if noun == "road works" or kind in ZONES:
+            for entity in self.entities:
+                if entity.type == kind:
+                    return entity
+        if pronominal is not None:
+            return pronominal
+        bare = not before and previous not in ("a", "an") and not data.get("plural")
+        if definite or bare or (roles and not {"a", "an", "another", "second", "third"} & set(before)):
+            found = self._definite(word, kind, noun, roles, other, ordinal, after, count, bare)
+            if found is not None:
+                if not found.ego and found.type == "vehicle" and kind != "vehicle" and kind in MOTOR:
+                    found.type, found.typed = kind, True
+                found.roles |= roles
+                return found
+        return self._new(Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal))
+
+    def _near(self, word: Word) -> list[str]:
+        return [w.norm for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]
+
+    def _is_modifier(self, word: Word) -> bool:
+        """Whether the noun only qualifies another ("truck lane", "bus stop", "bicycle lane", "car park", "dog walker")."""
+        head = self.words[word.head]
+        following = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
+        return bool(
+            word.dep in ("compound", "nmod", "amod")
+            and following is not None
+            and following.sentence == word.sentence
+            and (head.i == following.i or following.norm in ("lane", "stop", "park", "length", "lengths", "width"))
+            and head.span is None
+            and not head.verb
+        )
+
+    def _count(self, word: Word, before: list[str], data: dict) -> int:
+        counts = language.table("actors")["counts"]
+        if not data.get("plural"):
+            return 1
+        for text in [*before, *self._near(word)]:
+            if text.isdigit() and 1 <= int(text) <= 8:
+                return int(text)
+            if text in counts:
+                return int(counts[text])
+        return 2
+
+    def _retyped(self, host: Entity, kind: str, roles: set[str], noun: str) -> Entity:
+        if host.ego:
+            if kind in MOTOR and kind != "vehicle":
+                host.type, host.typed = kind, True
+        elif host.type == "vehicle" or not host.typed:
+            if kind != "vehicle":
+                host.type, host.typed = kind, True
+        host.roles |= roles
+        if noun and not host.noun:
+            host.noun = noun
+        return host
+
+    def _type_of_definite(self, word: Word, before: list[str], kind: str) -> Entity | None:
+        if before and before[0] in ("our", "my"):
+            return self.ego if kind in VEHICLES else None
+        return None
+
+    def _definite(self, word: Word, kind: str, noun: str, roles: set[str], other: bool, ordinal: int | None, after: str, count: int, bare: bool) -> Entity | None:
+        candidates = [e for e in self.entities if fits(e, kind)]
+        if roles:
+            same = [e for e in candidates if e.roles & roles]
+            if same:
+                return same[-1]
+            if roles & {"lead"}:
+                ahead = [e for e in candidates if "ahead" in self._hints(e)]
+                if ahead:
+                    return ahead[-1]
+            if roles & {"oncoming", "crossing", "lead", "following", "cut_in", "adjacent"} or not candidates:
+                if roles & {"following"} and not self.ego_named and kind == "vehicle":
+                    return None
+                return None
+        if bare and not roles:
+            return next((e for e in reversed(candidates) if e.noun == noun), None)
+        if other:
+            vehicles = [e for e in candidates if not e.ego]
+            return vehicles[-1] if vehicles else None
+        if ordinal is not None and len(candidates) > 1 and ordinal < len(candidates):
+            return candidates[ordinal]
+        if self._distinguished(word) and not any(e.noun == noun or e.type == kind for e in candidates):
+            return None
+        if self._distinguished(word) and kind in ("vehicle", "car") and not self._matching_relation(word, candidates):
+            return None if candidates or self._relative_to_ego(word) else None
+        if count > 1:
+            many = [e for e in candidates if e.count > 1]
+            if many:
+                return many[-1]
+            return None
+        scored = []
+        for entity in [*candidates, *([self.ego] if self.ego_named and (kind == "vehicle" or kind == self.ego.type and self._ego_by(noun)) else [])]:
+            score = entity.mentions[-1].word / 1000 if entity.mentions else 0
+            score += 2 if entity.noun == noun else 0
+            score += 1.5 if entity.ego and self._ego_by(noun) else 0
+            score += 1 if entity.type == kind and not entity.ego else 0
+            score -= 0.5 if entity.count > 1 else 0
+            scored.append((score, id(entity), entity))
+        return max(scored)[2] if scored else None
+
+    def _ego_by(self, noun: str) -> bool:
+        """Whether ego was called by that noun ("the DCAS vehicle" makes "the vehicle" ego)."""
+        return any(noun and self.words[m.word].norm.split(" ")[-1].split("-")[-1] == noun for m in self.ego.mentions) or (
+            noun == "vehicle" and self.strong_ego and not any(e.type == "vehicle" for e in self.entities)
+        )
+
+    def _distinguished(self, word: Word) -> bool:
+        """Whether the noun phrase goes on to say which one: "the car in front of it", "the van that ..."."""
+        for child in word.children:
+            other = self.words[child]
+            if child > word.i and other.dep in ("prep", "acl", "relcl", "advmod") and other.norm not in ("of",):
+                return True
+        return False
+
+    def _relative_to_ego(self, word: Word) -> bool:
+        return True
+
+    def _matching_relation(self, word: Word, candidates: list[Entity]) -> bool:
+        text = " ".join(w.norm for w in self.words[word.i : word.i + 8] if w.sentence == word.sentence)
+        ahead = re.search(r"ahead|in front", text)
+        return any(ahead and "ahead" in self._hints(e) for e in candidates)
+
+    def _hints(self, entity: Entity) -> set[str]:
+        """What the words after an entity's mentions say about its place, as far as reference needs it."""
+        found = set()
+        for mention in entity.mentions:
+            near = " ".join(w.norm for w in self.words[mention.word : mention.word + 9] if w.sentence == self.words[mention.word].sentence)
+            if re.search(r"ahead|in front|slow|before it|precedes", near):
+                found.add("ahead")
+            before = " ".join(w.norm for w in self.words[max(0, mention.word - 6) : mention.word] if w.sentence == self.words[mention.word].sentence)
+            if re.search(r"behind|follow|tail|trail|ahead|in front", before):
+                found.add("ahead")
+        return found
+
+    def _new(self, entity: Entity) -> Entity:
+        entity.key = f"a{sum(1 for _ in self.entities) + 1}"
+        while any(e.key == entity.key for e in self.entities):
+            entity.key = f"a{int(entity.key[1:]) + 1}"
+        self.entities.append(entity)
+        return entity
+
+    # -- pronouns ------------------------------------------------------------------------------------------------
+    def _pronoun(self, word: Word) -> Entity | None:
+        data = language.table("actors")["pronouns"]
+        norm = word.norm
+        if norm in data["ego"]:
+            return self.ego
+        if norm in ("who", "which", "that", "whose", "whom") and word.tag in ("WDT", "WP", "WP$"):
+            return self._antecedent(word)
+        if norm in ("it", "its", "itself"):
+            if word.dep == "expl" or self._weather_it(word):
+                return None
+            return self._salient(word, lambda e: not e.person and (e.mover or e.type in ("debris", "box", "obstacle")))
+        if norm in data["person"]:
+            return self._salient(word, lambda e: e.person) or self._salient(word, lambda e: e.mover)
+        if norm in ("they", "them", "their", "themselves"):
+            many = [e for e in self.entities if e.count > 1]
+            if many:
+                return many[-1]
+            person = [e for e in self.entities if e.person]
+            if person and norm in ("their", "they", "them"):
+                return person[-1]
+            return self._salient(word, lambda e: e.mover)
+        return self._elliptic(word)
+
+    def _weather_it(self, word: Word) -> bool:
+        head = self.words[word.head]
+        text = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 6])
+        return head.lemma in ("rain", "snow", "drizzle", "pour") or bool(
+            re.match(r"(is|was|were|has been|'s|gets|got|becomes|became)( \w+)? (night|day|dark|dusk|dawn|raining|snowing|foggy|clear|sunny|daylight|daytime|daytime|rainy|cloudy|early|late|morning|evening|noon|midnight|wet|windy|for|up|necessary|not until|only)", text)
+        )
+
+    def _antecedent(self, word: Word) -> Entity | None:
+        verb = self.words[word.head]
+        clause = verb
+        for _ in range(4):
+            if clause.dep == "relcl":
+                break
+            if clause.head == clause.i:
+                break
+            clause = self.words[clause.head]
+        if clause.dep == "relcl" and clause.head in self.of and clause.head < word.i:
+            return self.of[clause.head]
+        previous = [i for i in sorted(self.of) if i < word.i and self.words[i].sentence == word.sentence and self.words[i].tag != "PRP$"]
+        if not previous:
+            return None
+        between = self.words[previous[-1] + 1 : word.i]
+        if any(w.noun for w in between) and clause.dep == "relcl" and self.words[clause.head].span is None:
+            head = self.words[clause.head]
+            return self.of.get(head.i) if head.i in self.of else None
+        return self.of[previous[-1]]
+
+    def _salient(self, word: Word, accept) -> Entity | None:  # noqa: ANN001
+        verb = self._governor(word)
+        clash = None
+        if word.dep in ("dobj", "pobj") and word.norm not in ("its", "itself"):
+            clash = self._subject_of(verb)
+        same = [(i, e) for i, e in self.subjects if i < word.i and accept(e) and e is not clash]
+        last = [i for i in sorted(self.of) if i < word.i and accept(self.of[i]) and self.of[i] is not clash]
+        if not last:
+            return None
+        sentence = [p for p in same if self.words[p[0]].sentence == word.sentence]
+        if word.dep == "poss":
+            own = self._subject_of(verb)
+            if own is not None and accept(own):
+                return own
+        if word.dep in ("dobj", "pobj", "poss"):
+            near = [i for i in last if self.words[i].sentence == word.sentence]
+            if clash is not None and near:
+                return self.of[near[-1]]
+            if sentence:
+                return sentence[-1][1]
+            return self.of[last[-1]]
+        if sentence:
+            return sentence[-1][1]
+        earlier = [p for p in same if self.words[p[0]].sentence == word.sentence - 1]
+        if earlier:
+            mains = [p for p in earlier if self._main_subject(p[0])]
+            return (mains or earlier)[0][1] if len({id(e) for _, e in (mains or earlier)}) == 1 else (mains or earlier)[-1][1]
+        return self.of[last[-1]]
+
+    def _main_subject(self, i: int) -> bool:
+        return self.words[self.words[i].head].dep in ("ROOT", "conj", "ccomp")
+
+    def _governor(self, word: Word) -> Word:
+        current = word
+        while current.head != current.i and not current.verb:
+            current = self.words[current.head]
+        return current
+
+    def _subject_of(self, verb: Word) -> Entity | None:
+        current = verb
+        for _ in range(5):
+            for child in current.children:
+                if self.words[child].dep in ("nsubj", "nsubjpass"):
+                    return self.referent(child)
+            if current.dep in ("acl", "relcl") and current.head in self.of:
+                return self.of[current.head]
+            if current.head == current.i:
+                return None
+            current = self._governor(self.words[current.head])
+        return None
+
+    def _elliptic(self, word: Word) -> Entity | None:
+        """ "another", "the latter", "the other", "one", "the first", "a third", "both", "the two"."""
+        norm = word.norm
+        if word.children and any(self.words[c].span for c in word.children if self.words[c].dep == "compound"):
+            return None
+        argument = word.dep in ("nsubj", "nsubjpass", "dobj", "pobj", "conj", "ROOT", "attr", "appos")
+        following = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
+        if following is not None and (following.noun or following.tag.startswith("JJ")) and following.sentence == word.sentence and following.norm not in ("one",) and not following.verb:
+            return None
+        movers = [e for e in self.entities if e.mover]
+        if not argument or not movers:
+            return None
+        if norm == "latter":
+            last = [i for i in sorted(self.of) if i < word.i]
+            return self.of[last[-1]] if last else None
+        if norm == "former":
+            last = [i for i in sorted(self.of) if i < word.i]
+            kinds = list(dict.fromkeys(id(self.of[i]) for i in last[-4:]))
+            return next((self.of[i] for i in last[-4:] if len(kinds) > 1 and id(self.of[i]) == kinds[-2]), None)
+        if norm == "another" or norm in ("second", "third", "fourth") and self.words[word.i - 1].norm in ("a", "the"):
+            model = movers[-1]
+            return self._new(Entity("", model.type, noun=model.noun, typed=model.typed))
+        if norm == "one" and self.words[word.i - 1].norm in ("that", "this"):
+            return movers[-1]
+        if norm in ("other", "others") and self.words[word.i - 1].norm == "the":
+            vehicles = [e for e in movers if e.type in VEHICLES]
+            return vehicles[-1] if vehicles else movers[-1]
+        return None
+
+    # -- asking --------------------------------------------------------------------------------------------------
+    def referent(self, i: int, depth: int = 0) -> Entity | None:
+        """Whom a noun means: itself, or the whole that it is a part of ("the driver of V1", "its left front")."""
+        if i in self.of:
+            return self.of[i]
+        word = self.words[i]
+        if depth > 3:
+            return None
+        parts = language.table("actors")["parts"]
+        if word.lemma in parts or word.norm in parts or word.lemma in ("side", "one", "group", "pair", "couple", "line", "row", "queue", "pile", "number", "first", "last", "two", "three", "none", "both", "each", "neither"):
+            for child in word.children:
+                other = self.words[child]
+                if other.dep == "poss" or other.tag == "PRP$":
+                    found = self.referent(child, depth + 1)
+                    if found:
+                        return found
+            for child in word.children:
+                other = self.words[child]
+                if other.dep == "prep" and other.norm in ("of", "on", "in"):
+                    for target in other.children:
+                        if self.words[target].dep == "pobj":
+                            found = self.referent(target, depth + 1)
+                            if found:
+                                return found
+            if word.lemma in ("driver", "operator", "system", "passenger", "feature") or word.norm == "brakes":
+                return self.ego if word.lemma != "passenger" else None
+        if word.lemma in ("feature", "function", "motorist", "dcas", "alks", "aebs", "aeb", "system", "driver", "operator", "acc"):
+            return self.ego
+        return None

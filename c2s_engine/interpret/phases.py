@@ -1,0 +1,225 @@
+"""Events become phases: the steps of a behaviour in the vocabulary of the specs."""
+
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.clauses import Event
+from c2s_engine.interpret.mentions import Entity
+from c2s_engine.interpret.scene import Scene, side
+from c2s_engine.structure.specs import Phase, Placement, PlaceSpec, Trigger
+
+HARD = r"\b(hard|sharply|heavily|abruptly|suddenly|emergency|slam|full|sudden|violently|fully|strongly)\b"
+
+
+def trigger_of(event: Event) -> Trigger | None:
+    """The trigger that a clause states."""
+    if event.trigger is None:
+        return None
+    return Trigger(
+        kind=event.trigger["kind"], value=round(event.trigger["value"], 2), place=event.trigger.get("place")
+    )
+
+
+def rate_of(event: Event) -> float | None:
+    """The stated or implied rate of a speed change, m/s2."""
+    for quantity in event.quantities:
+        if quantity["dimension"] == "acceleration":
+            return round(max(0.5, quantity["high"]), 2)
+    if event.act in ("brake", "brake_stop", "stop") and (event.hard or re.search(HARD, event.whole)):
+        return float(language.table("defaults")["rates"]["hard"]["value"])
+    return None
+
+
+def target_speed(event: Event) -> float | None:
+    """The speed that is reached."""
+    for quantity in event.quantities:
+        if quantity["dimension"] == "speed" and quantity.get("role") == "target":
+            return round(quantity["low"], 2)
+    return None
+
+
+def duration_of(event: Event) -> float | tuple[float, float] | None:
+    """How long it lasts, where the clause says so ("for 3 s")."""
+    for quantity in event.quantities:
+        if quantity["dimension"] == "time" and re.search(r"for (about |around |roughly |some |at least )?#time|#time long", event.whole):
+            return round(quantity["low"], 2)
+    return None
+
+
+def phases_of(scene: Scene, entity: Entity, ids: dict[Entity, str], placement: Placement, place: PlaceSpec) -> list[Phase]:
+    """The phases of an object."""
+    events = scene.events(entity)
+    if not entity.mover:
+        return []
+    found: list[Phase] = []
+    ego_key = ids[scene.cast.ego]
+    crossing = placement.position.startswith("crossing") or placement.position == "opposite_approach"
+    for event in events:
+        who = ids.get(event.patient) if event.patient is not None else None
+        if event.agent is not entity and event.act != "collide":
+            who = ids.get(event.patient) if event.patient is not None else None
+        found += _phases(scene, event, entity, who, ego_key, placement, place, crossing, found)
+    if "stationary" in entity.roles and not any(p.action not in ("stationary", "wait") for p in found):
+        found = [Phase(action="stationary")]
+    if "parked" in entity.roles and not found:
+        found = [Phase(action="stationary")]
+    found = _merged(found)
+    found += _struck(scene, entity, found, ids)
+    if crossing and not any(p.action in ("turn_left", "turn_right", "go_straight", "u_turn", "stationary", "collide", "stop", "wait") for p in found):
+        at = next((i for i, p in enumerate(found) if p.action in ("brake", "stop")), len(found))
+        found.insert(at, Phase(action="go_straight"))
+    if "turning" in entity.roles and not any(p.action.startswith("turn") for p in found) and place.kind == "intersection":
+        words = " ".join(scene.words[m.word].norm for m in entity.mentions)
+        found = [p for p in found if p.action != "go_straight"] + [Phase(action="turn_right" if "right" in words else "turn_left")]
+    if "cut_in" in entity.roles and not any(p.action == "cut_in" for p in found) and placement.position in ("left_lane", "right_lane", "on_ramp"):
+        found.insert(0, Phase(action="cut_in", target="ego", side="right" if placement.position == "left_lane" else "left" if placement.position == "right_lane" else None))
+    return found[:8]
+
+
+def _phases(scene: Scene, event: Event, entity: Entity, who: str | None, ego: str, placement: Placement, place: PlaceSpec, crossing: bool, before: list[Phase]) -> list[Phase]:
+    act, trigger = event.act, trigger_of(event)
+    towards = side(event)
+    if act in ("travel", "lead", "held_up", "approach", "keep_lane", "evade", "swing"):
+        if act == "keep_lane" and not before:
+            return [Phase(action="keep_lane")]
+        return []
+    if act == "stationary":
+        duration = duration_of(event)
+        if before and before[-1].action in ("brake", "stop", "cross_road", "enter_road", "cut_in"):
+            return [Phase(action="wait", duration=duration)]
+        return [Phase(action="stationary")] if not duration else [Phase(action="wait", duration=duration)]
+    if act in ("brake", "brake_stop", "stop"):
+        rate = rate_of(event)
+        action = "brake" if act == "brake" else "stop"
+        return [Phase(action=action, rate=rate, speed=target_speed(event) if action == "brake" else None, trigger=trigger)]
+    if act in ("accelerate", "start"):
+        return [Phase(action="accelerate" if act == "accelerate" and not (before and before[-1].action in ("stop", "wait", "stationary")) else "start", rate=rate_of(event), speed=target_speed(event), trigger=trigger)]
+    if act == "turn":
+        towards = towards or "left"
+        return [Phase(action=f"turn_{towards}", trigger=trigger)] if place.kind in ("intersection", "roundabout") or True else []
+    if act == "go_straight":
+        return [Phase(action="go_straight", trigger=trigger)] if place.kind == "intersection" and not entity.person else []
+    if act == "cross_path":
+        return [Phase(action="go_straight", trigger=trigger)] if crossing else []
+    if act == "u_turn":
+        return [Phase(action="u_turn", trigger=trigger)]
+    if act == "cut_in":
+        if entity.person:
+            return [Phase(action="cross_road", trigger=trigger)]
+        if placement.position == "parked" or placement.position == "roadside":
+            return [Phase(action="enter_road", target=ego, trigger=trigger)]
+        if placement.position in ("oncoming_lane",):
+            return [Phase(action="oncoming", side="left", trigger=trigger)]
+        goal = {"left_lane": "right", "right_lane": "left"}.get(placement.position)
+        if placement.position in ("ahead",) and not any(p.action == "overtake" for p in before):
+            return [Phase(action="lane_change", side=towards or "left", trigger=trigger)] if towards else []
+        if crossing:
+            return []
+        return [Phase(action="cut_in", side=goal, target=who if who and who != "ego" else ego, trigger=trigger)]
+    if act == "lane_change" and entity.person:
+        return []
+    if act == "lane_change" and placement.position == "on_ramp":
+        return [Phase(action="cut_in", target=ego, trigger=trigger)]
+    if act in ("lane_change", "cut_out"):
+        if act == "lane_change" and placement.position in ("left_lane", "right_lane"):
+            toward_ego = {"left_lane": "right", "right_lane": "left"}[placement.position]
+            if towards in (None, toward_ego) and not any(p.action == "cut_in" for p in before):
+                return [Phase(action="cut_in" if placement.along != "behind" or re.search("front|ahead|@ego", event.whole) else "lane_change", side=toward_ego, target=ego, trigger=trigger)]
+            if any(p.action == "cut_in" for p in before):
+                return [Phase(action="cut_out", side=towards, target=ego, trigger=trigger)]
+        if placement.position == "ahead" and placement.of == "ego":
+            return [Phase(action="cut_out", side=towards, target=ego, trigger=trigger)]
+        return [Phase(action="lane_change", side=towards or "left", trigger=trigger)]
+    if act == "overtake":
+        if entity.person:
+            return []
+        return [Phase(action="overtake", target=who or ego, side=towards, trigger=trigger)]
+    if act == "follow":
+        return [Phase(action="follow", target=who or ego)] if who != "ego" or placement.position == "behind" else []
+    if act == "swerve":
+        return [Phase(action="swerve", side=towards, trigger=trigger)]
+    if act == "drift":
+        if placement.position == "oncoming_lane":
+            return [Phase(action="drift", side="left", trigger=trigger)]
+        goal = {"left_lane": "right", "right_lane": "left"}.get(placement.position)
+        if placement.position == "beside":
+            goal = "right" if placement.side == "left" else "left"
+        return [Phase(action="drift", side=goal or towards, trigger=trigger)]
+    if act == "oncoming":
+        return [Phase(action="oncoming", side="left", trigger=trigger)]
+    if act in ("cross_road", "move_along"):
+        if act == "move_along" and any(p.action in ("cross_road", "move_along") for p in before) or act == "cross_road" and any(p.action == "cross_road" for p in before):
+            return []
+        if act == "move_along" and entity.type == "bicycle" and placement.position in ("opposite_approach",) or act == "cross_road" and crossing:
+            return [Phase(action="go_straight")] if not any(p.action == "go_straight" for p in before) else []
+        if act == "cross_road" and entity.type == "bicycle" and placement.position in ("ahead", "partly_in_lane", "behind", "left_lane", "right_lane"):
+            return [Phase(action="go_straight")] if place.kind == "intersection" else []
+        return [Phase(action=act, trigger=trigger)]
+    if act == "enter_road":
+        if not entity.person and any(p.action == "enter_road" for p in before):
+            return []
+        return [Phase(action="cross_road" if entity.person else "enter_road", target=None if entity.person else ego, trigger=trigger)]
+    if act == "leave_road":
+        return [Phase(action="leave_road", side=towards, trigger=trigger)]
+    if act == "reverse":
+        return [Phase(action="reverse", trigger=trigger)]
+    if act == "run_red":
+        return [Phase(action="run_red", trigger=trigger)] if not any(p.action == "run_red" for p in before) else []
+    if act == "run_stop":
+        return [Phase(action="run_stop", trigger=trigger)]
+    if act == "yield":
+        return [Phase(action="yield", target=who or ego)]
+    if act == "lose_control":
+        return [Phase(action="lose_control", side=towards)] if not any(p.action == "lose_control" for p in before) else []
+    if act == "collide":
+        other = who
+        if event.agent is not entity:  # a joint subject: "V1 and V3 met head on"
+            other = "ego" if event.agent.ego else None
+        if event.agent is entity and event.also and any(a.ego for a in event.also):
+            other = "ego"
+        return [Phase(action="collide", target=other or ego)]
+    return []
+
+
+def _merged(phases: list[Phase]) -> list[Phase]:
+    """Without repetitions; a brake that ends in a stop is one phase."""
+    found: list[Phase] = []
+    for phase in phases:
+        last = found[-1] if found else None
+        if last is not None and last.action == phase.action:
+            found[-1] = last.model_copy(update={k: v for k, v in phase.model_dump().items() if v is not None and getattr(last, k) is None})
+            continue
+        if last is not None and last.action == "brake" and phase.action == "stop" and phase.trigger is None:
+            found[-1] = phase.model_copy(update={"rate": phase.rate or last.rate, "trigger": last.trigger})
+            continue
+        if last is not None and last.action == "stop" and phase.action == "brake" and phase.trigger is None and last.rate is None:
+            found[-1] = last.model_copy(update={"rate": phase.rate})
+            continue
+        if last is not None and last.action == "stationary" and phase.action in ("brake", "go_straight", "lane_change", "stop"):
+            found[-1] = phase
+            continue
+        if last is not None and last.action == "start" and phase.action in ("enter_road", "cut_in", "go_straight", "turn_left", "turn_right", "accelerate"):
+            found[-1] = phase if phase.action != "accelerate" else last
+            continue
+        if last is not None and last.action == "enter_road" and phase.action in ("start", "lane_change", "cut_in", "stationary"):
+            continue
+        if last is not None and last.action == "reverse" and phase.action == "enter_road":
+            continue
+        if last is not None and last.action == "lose_control" and phase.action in ("oncoming", "leave_road", "drift"):
+            found[-1] = phase
+            continue
+        if last is not None and last.action == "drift" and phase.action in ("leave_road",) or last is not None and last.action == "cut_out" and phase.action == "cut_out":
+            found.append(phase)
+            continue
+        found.append(phase)
+    if len(found) > 1 and found[0].action == "stationary":
+        found = found[1:] if found[1].action in ("enter_road", "cut_in", "cross_road", "reverse", "start", "turn_left", "turn_right", "overtake", "collide") else found
+    if any(p.action in ("cross_road",) for p in found):
+        found = [p for p in found if p.action != "stationary" or found.index(p) > 0]
+    return found
+
+
+def _struck(scene: Scene, entity: Entity, found: list[Phase], ids: dict[Entity, str]) -> list[Phase]:
+    """One who "collided" jointly with ego, said only of both."""
+    del scene, entity, found, ids
+    return []

@@ -1,0 +1,214 @@
+"""First stage: sentences, and the spans that mean one thing as a whole (names, road users, quantities).
+
+Every offset is one of the user's text. The normalised text has the same length, so that spans need no mapping.
+"""
+
+import re
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Any
+
+from c2s_engine.interpret import language
+
+SAME = str.maketrans("\u2018\u2019\u201b\u2032\u201c\u201d\u00a0\u2010\u2011\u2012\u2013\u2014\u2015\u2212\u202f\t", "''''\"\"" + " " + "------- " + " ")
+
+
+@dataclass
+class Span:
+    """A stretch of the text that was recognised as a whole."""
+
+    kind: str
+    start: int
+    end: int
+    data: dict[str, Any] = field(default_factory=dict)
+
+
+def normalised(text: str) -> str:
+    """The text in lower case with plain quotes, dashes and blanks, of the same length."""
+    plain = text.translate(SAME)
+    return "".join(c.lower() if len(c.lower()) == 1 else c for c in plain)
+
+
+@cache
+def _number() -> str:
+    words = language.alternatives(list(language.table("units")["numbers"]))
+    return rf"(?:\d+(?:[.,]\d+)?|\b(?:{words})\b)"
+
+
+@cache
+def _quantity() -> re.Pattern[str]:
+    number = _number()
+    unit = "|".join(re.escape(u).replace(r"\ ", r"\s+") for u in sorted(language.units(), key=len, reverse=True))
+    return re.compile(
+        rf"(?<![\w.])(?P<low>[+-]?{number})(?:\s*(?P<lowunit>{unit})(?![\w/]))?(?:\s*(?:-|to|and|\.\.\.?|or)\s*(?P<high>{number}))?"
+        rf"(?:\s*|-)(?P<unit>{unit})(?![\w/²^])(?:\s+(?P<half>and a half))?"
+    )
+
+
+def _value(text: str) -> float:
+    text = " ".join(text.split()).lstrip("+")
+    words = language.table("units")["numbers"]
+    if text in words:
+        return float(words[text])
+    if re.fullmatch(r"-?\d{1,3},\d{3}", text):
+        return float(text.replace(",", ""))
+    return float(text.replace(",", "."))
+
+
+def quantities(text: str) -> list[Span]:
+    """Numbers with a unit, in SI; a range has `low` and `high`."""
+    found = []
+    for match in _quantity().finditer(text):
+        dimension, factor = language.units()[" ".join(match["unit"].split())]
+        if match["unit"] in ("'", "mi", "g") and not match["low"][-1:].isdigit():
+            continue
+        if match["unit"] == "m" and not match["low"][-1:].isdigit():
+            continue
+        low = _value(match["low"]) * factor
+        joined = re.search(r"(-|to|and|\.\.|or)\s*$", text[match.end("low") : match.start("high")]) if match["high"] else None
+        high = _value(match["high"]) * factor if match["high"] else low
+        before = text[max(0, match.start() - 30) : match.start()]
+        if joined and joined[1] == "and" and "between" not in before:
+            low = high
+        if high < low:
+            low, high = high, low
+        found.append(Span("quantity", match.start(), match.end(), {"dimension": dimension, "low": low, "high": high}))
+    return found
+
+
+@cache
+def _ego() -> re.Pattern[str]:
+    return re.compile(rf"(?<![\w-])(?:{'|'.join(language.table('ego')['strong'])})(?![\w-])")
+
+
+@cache
+def _label() -> re.Pattern[str]:
+    words = "|".join(sorted(language.table("ego")["labels"]["words"], key=len, reverse=True))
+    return re.compile(
+        rf"(?<![\w-])(?P<word>{words})(?:(?:\s|-)?(?:no\.?|number|#)?\s?#?\s?)(?P<id>0?[1-9]|one|two|three|four|five|[a-e])(?![\w/%-]|\.\d|\s?(?:st|nd|rd|th|km|m|mph|ft|s)\b)"
+    )
+
+
+@cache
+def _letter() -> re.Pattern[str]:
+    return re.compile(r"(?<![\w-])(?:the )?(?P<word>lv|pov|fv|tv|gvt|vt)(?P<id>[1-9]?)(?![\w-])")
+
+
+@cache
+def _actor() -> re.Pattern[str]:
+    nouns = language.alternatives(list(language.actor_nouns()))
+    role = language.alternatives(list(language.roles()))
+    return re.compile(rf"(?<![\w-])(?P<roles>(?:(?:{role})[\s-]+)*)(?P<noun>{nouns})(?![\w]|-(?!(?:and|or)\b)\w)")
+
+
+LABEL_NUMBERS = {"one": "1", "two": "2", "three": "3", "four": "4", "five": "5"} | dict(zip("abcde", "12345", strict=True))
+
+
+def names(text: str) -> list[Span]:
+    """Names of ego, labels of vehicles (V2, Unit 2), road users and things, without overlaps."""
+    found: list[Span] = []
+    for match in _ego().finditer(text):
+        found.append(Span("ego", match.start(), match.end()))
+    for match in _letter().finditer(text):
+        role = "following" if match["word"] == "fv" else "lead" if match["word"] == "lv" else ""
+        found.append(Span("actor", match.start(), match.end(), {"type": "vehicle", "label": match[0].removeprefix("the "), "roles": [role] if role else []}))
+    for match in _label().finditer(text):
+        word, number = match["word"], match["id"]
+        bare = text[match.end("word") : match.start("id")]
+        if word in ("v", "u") and bare.strip(" #-"):
+            continue
+        if number in "abcde" and (word in ("v", "u", "driver") or not re.match(r"[\s-]", bare)):
+            continue
+        if number == "a" and not re.match(r"\s*(?:$|[.,;:)(']|\w+(?:s|ed|ing)\b|is\b|was\b|did\b|has\b|had\b|and\b|in\b|at\b|on\b|from\b)", text[match.end() : match.end() + 20]):
+            continue
+        if word in ("car", "driver", "vehicle") and number in ("one", "two", "three", "four", "five") and re.match(r"\s+(?:lane|second|third|of|lanes|car)", text[match.end() : match.end() + 12]):
+            continue
+        found.append(Span("label", match.start(), match.end(), {"label": LABEL_NUMBERS.get(number, number.lstrip("0")), "word": word}))
+    taken = [(s.start, s.end) for s in found]
+    for match in _actor().finditer(text):
+        start, end = match.span()
+        if any(s < end and start < e for s, e in taken):
+            continue
+        noun = re.sub(r"[\s-]+", " ", match["noun"])
+        kind, plural, person = _noun(noun)
+        words = re.split(r"[\s]+", match["roles"].strip()) if match["roles"].strip() else []
+        known = language.roles()
+        found.append(
+            Span("actor", start, end, {
+                "type": kind, "plural": plural, "person": person, "noun": noun,
+                "roles": [known[w] for w in _role_words(match["roles"])] + _nominal(noun), "words": words,
+            })
+        )  # fmt: skip
+    found.sort(key=lambda s: (s.start, -s.end))
+    kept: list[Span] = []
+    for span in found:
+        if kept and span.start < kept[-1].end:
+            if span.end - span.start > kept[-1].end - kept[-1].start and span.kind != "actor":
+                kept[-1] = span
+            continue
+        kept.append(span)
+    return kept
+
+
+def _noun(noun: str) -> tuple[str, bool, bool]:
+    known = language.actor_nouns()
+    if noun in known:
+        return known[noun]
+    for name, value in known.items():
+        if re.sub(r"[\s-]+", "", name) == noun.replace(" ", ""):
+            return value
+    return ("vehicle", False, False)
+
+
+def _nominal(noun: str) -> list[str]:
+    return [role for role, nouns in language.table("actors")["nominal_roles"].items() if noun in nouns]
+
+
+def _role_words(text: str) -> list[str]:
+    known = language.roles()
+    parts = text.strip()
+    found = []
+    while parts:
+        for word in sorted(known, key=len, reverse=True):
+            match = re.match(re.escape(word).replace(r"\-", r"[\s-]?") + r"(?![a-z])[\s-]*", parts)
+            if match:
+                found.append(word)
+                parts = parts[match.end() :]
+                break
+        else:
+            break
+    return found
+
+
+ABBREVIATION = re.compile(r"(?:\b(?:e\.g|i\.e|approx|ca|vs|no|st|ave|rd|dr|mr|mrs|min|max|fig|sec|incl|etc|resp|veh)|\b[a-z])\.$")
+
+
+def sentences(text: str) -> list[tuple[int, int]]:
+    """The sentences' spans: at full stops, question marks, semicolons, line ends of lists, and blank lines."""
+    found: list[tuple[int, int]] = []
+    start = 0
+    for match in re.finditer(r"[.!?]+[\"')\]]*(?=\s|$)|;|\n\s*(?=\n|[-*•]|\d+[.)]\s)|\n+", text):
+        before = text[start : match.end()].rstrip()
+        if match[0].startswith(".") and ABBREVIATION.search(before.lower()):
+            rest = text[match.end() :].lstrip()
+            if not re.match(r"[A-Z]", rest) or re.search(r"\b(?:e\.g|i\.e|approx|vs|no|veh)\.$", before.lower()):
+                continue
+        if match[0].startswith("\n") and "\n\n" not in text[match.start() : match.end() + 1]:
+            rest = text[match.end() :].lstrip()
+            wrapped = rest[:1].islower()
+            if wrapped and not re.match(r"[-*•]|\d+[.)]", rest):
+                continue
+        if text[start : match.end()].strip():
+            found.append(_trimmed(text, start, match.end()))
+        start = match.end()
+    if text[start:].strip():
+        found.append(_trimmed(text, start, len(text)))
+    return found
+
+
+def _trimmed(text: str, start: int, end: int) -> tuple[int, int]:
+    while start < end and (text[start].isspace() or text[start] in "-*•"):
+        start += 1
+    while end > start and text[end - 1].isspace():
+        end -= 1
+    return start, end

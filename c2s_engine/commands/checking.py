@@ -145,4 +145,14 @@ def _write_files(report: CheckReport, svg: Path | None, png: Path | None, csv_fi
             for k, ways in enumerate(report.trajectories):
                 for track in ways.tracks:
                     for i in range(len(track.x)):
-                        rows.writerow([k, round(i * ways.step, 3), track.name, track.x[i], track.y[i], track.heading[i], track.speed[i]])
+                        rows.writerow(
+                            [
+                                k,
+                                round(i * ways.step, 3),
+                                track.name,
+                                track.x[i],
+                                track.y[i],
+                                track.heading[i],
+                                track.speed[i],
+                            ]
+                        )

@@ -49,7 +49,11 @@ def sentences(as_json: bool = False) -> Iterator[None]:
         sys.stderr.close()
         os._exit(OK)
     except PermissionError as error:
-        fail(f"There is no permission for {error.filename}: choose another place, or change its permissions.", NO_SERVICE, as_json)
+        fail(
+            f"There is no permission for {error.filename}: choose another place, or change its permissions.",
+            NO_SERVICE,
+            as_json,
+        )
     except OSError as error:
         where = f" ({error.filename})" if error.filename else ""
         advice = " Free some space and try again." if error.errno == 28 else ""

@@ -15,8 +15,12 @@ from c2s_engine.structure.progress import Finished, Say, StageStarted
 
 def generate(
     text: Annotated[str | None, typer.Argument(help="The description, or - for standard input.")] = None,
-    file: Annotated[Path | None, typer.Option("--file", "-f", help="Read the description from a .txt, .md or .pdf file.")] = None,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Save the program there, its map beside it.")] = None,
+    file: Annotated[
+        Path | None, typer.Option("--file", "-f", help="Read the description from a .txt, .md or .pdf file.")
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Save the program there, its map beside it.")
+    ] = None,
     map_name: Annotated[str | None, typer.Option("--map", help="A map by name or .xodr path (see `c2s maps`).")] = None,
     seed: Annotated[int, typer.Option(help="Of the sampled scene.")] = 0,
     runs: Annotated[int, typer.Option(min=1, max=50, help="Rollouts of the dry run.")] = 1,
@@ -46,7 +50,9 @@ def generate(
     raise typer.Exit(OK if done.ok else REFUSED)
 
 
-async def _generate(text: str, map_name: str | None, seed: int, runs: int, method: str | None, run: bool, quiet: bool) -> Finished:
+async def _generate(
+    text: str, map_name: str | None, seed: int, runs: int, method: str | None, run: bool, quiet: bool
+) -> Finished:
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
 

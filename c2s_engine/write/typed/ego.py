@@ -15,14 +15,13 @@ def write_ego(structure: Structure, plan: Plan) -> str:
     assert isinstance(spec, EgoSpec)
     speed = speed_of(spec, plan.place)
     others = behaviour.threatening(structure)
-    spec = spec.model_copy(update={"phases": behaviour.reacting_phases(spec, others)})
-    turning = plan.junction or plan.place.kind in ("on_ramp", "off_ramp")
+    spec = spec.model_copy(update={"phases": behaviour.reacting_phases(spec, others, plan)})
     actor = behaviour.Actor(
         cid="E",
         spec=spec,
         structure=structure,
         plan=plan,
-        line="way(egoLane, EGO_TURN)" if turning else "way(egoLane)",
+        line="way(egoLane, egoTurn)" if plan.turning else "way(egoLane)",
         lane=0,
         speed="EGO_SPEED",
         value=middle(speed),

@@ -26,8 +26,10 @@ def write_object(structure: Structure, cid: str, plan: Plan) -> str:
     lines += spot.constants
     if moving:
         lines += ["", f"behavior {scope.camel(name)}Behavior():"]
-        statements = _walker(structure, spec, plan, spot, prefix, speed) if is_walker(spec.type) else _driver(
-            structure, cid, spec, plan, spot, prefix, speed
+        statements = (
+            _walker(structure, spec, plan, spot, prefix, speed)
+            if is_walker(spec.type)
+            else _driver(structure, cid, spec, plan, spot, prefix, speed)
         )
         lines += [f"    {s}" for s in statements] + [""]
     lines += _statement(spec, spot, name, moving)
@@ -41,7 +43,9 @@ def _statement(spec: ObjectSpec, spot: Spot, name: str, moving: bool) -> list[st
         role = f"speed_sign:{round((spec.limit or 13.9) * 3.6)}"
     if role:
         extras.append(f"with rolename '{role}'")
-    if not (is_vehicle(spec.type) or is_walker(spec.type)) and not any("regionContainedIn" in s for s in spot.specifiers):
+    if not (is_vehicle(spec.type) or is_walker(spec.type)) and not any(
+        "regionContainedIn" in s for s in spot.specifiers
+    ):
         extras.append("with regionContainedIn everywhere")
     if not (is_vehicle(spec.type) or is_walker(spec.type)) and not any(s.startswith("facing") for s in spot.specifiers):
         extras.append("facing roadDirection")
@@ -85,10 +89,18 @@ def _works(spec: ObjectSpec, spot: Spot, name: str) -> str:
 
 
 def _driver(
-    structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, spot: Spot, prefix: str, speed: float | tuple[float, float]
+    structure: Structure,
+    cid: str,
+    spec: ObjectSpec,
+    plan: Plan,
+    spot: Spot,
+    prefix: str,
+    speed: float | tuple[float, float],
 ) -> list[str]:
     """The behaviour of a vehicle."""
-    crossing = spec.type == "bicycle" and any(p.action in ("cross_road", "enter_road") for p in spec.phases) and spot.off_road
+    crossing = (
+        spec.type == "bicycle" and any(p.action in ("cross_road", "enter_road") for p in spec.phases) and spot.off_road
+    )
     if crossing:
         return _rider_across(structure, spec, plan, prefix, speed)
     standing = high(speed) == 0
@@ -106,7 +118,11 @@ def _driver(
     statements = behaviour.body(actor)
     if spot.off_road:  # beside the lane: it keeps beside it until it enters
         statements = [statements[0], *_off_road(statements[1:], spec)]
-    if spot.approach and plan.junction and not any(p.action in ("collide", "yield", "stop", "run_stop", "wait") for p in spec.phases):
+    if (
+        spot.approach
+        and plan.junction
+        and not any(p.action in ("collide", "yield", "stop", "run_stop", "wait") for p in spec.phases)
+    ):
         statements = [_synchronised(s, prefix) for s in statements]
     if any(p.action == "run_red" for p in spec.phases):
         statements.insert(1, "take SetTrafficLightAction('red', distance=150)")
@@ -116,15 +132,19 @@ def _driver(
 def _synchronised(statement: str, prefix: str) -> str:
     """On a crossing way it arrives when ego does."""
     plain = f"do Drive(line, {prefix}_SPEED)"
-    met = f"do Drive(line, lambda: meet(self, line, ego, way(egoLane, EGO_TURN), {prefix}_SPEED))"
+    met = f"do Drive(line, lambda: meet(self, line, ego, way(egoLane, egoTurn), {prefix}_SPEED))"
     return statement.replace(plain, met)
 
 
 def _off_road(statements: list[str], spec: ObjectSpec) -> list[str]:
-    return [s.replace("do Drive(line, 0)", "wait") if s.startswith("do Drive(line, 0)") and False else s for s in statements]
+    return [
+        s.replace("do Drive(line, 0)", "wait") if s.startswith("do Drive(line, 0)") and False else s for s in statements
+    ]
 
 
-def _start_condition(structure: Structure, spec: ObjectSpec, phase: Phase, plan: Plan, walk: float, reach: float) -> str:
+def _start_condition(
+    structure: Structure, spec: ObjectSpec, phase: Phase, plan: Plan, walk: float, reach: float
+) -> str:
     """When somebody sets out across the road: the stated trigger, or so that ego meets it on its lane."""
     t = phase.trigger
     other = scope.reference(structure, t.of) if t and t.of else "ego"
@@ -156,7 +176,7 @@ def _walker(
                 lines += [f"while not ({_start_condition(structure, spec, phase, plan, value, reach)}):", "    wait"]
             step = f"do Walk(self.heading, {own})"
         elif phase.action in ("stop", "stationary", "wait"):
-            step = f"do Walk(self.heading, 0)"
+            step = "do Walk(self.heading, 0)"
         else:
             step = f"do Walk(self.heading, {own})"
         ending = f" for {scope.quantity(phase.duration)} seconds" if phase.duration is not None else ""

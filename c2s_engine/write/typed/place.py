@@ -2,7 +2,7 @@
 
 from c2s_engine.maps.expressions import PlaceCode
 from c2s_engine.write.typed import kernel
-from c2s_engine.write.typed.plan import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME, MANOEUVRE, Plan
+from c2s_engine.write.typed.plan import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME, Plan
 from c2s_engine.write.typed.scope import number, quantity
 
 
@@ -21,29 +21,56 @@ def write_place(plan: Plan, code: PlaceCode, parts: frozenset[str]) -> str:
     return "\n".join(lines)
 
 
+def candidates(plan: Plan, code: PlaceCode) -> str:
+    """The list of places from which one is drawn: what counts how many there are (with the kernel's `approach`)."""
+    if code.yields != "maneuvers":
+        return code.expression
+    if plan.ramp or plan.place.kind == "on_ramp":
+        merging = "o.endLane is m.endLane.sections[0]._fasterLane.lane"
+        return f"[(m, o) for m in {code.expression} for o in m.intersection.maneuvers if {merging}]"
+    if not plan.approaches:
+        return code.expression
+    roles = ", ".join(f"approach(m, {APPROACH_ANGLE[p]}, ManeuverType.{t})" for p, t in plan.approaches)
+    return f"[j for j in [(m, {roles}) for m in {code.expression}] if all(j)]"
+
+
 def _choice(plan: Plan, code: PlaceCode) -> list[str]:
+    places = _wrapped(candidates(plan, code))
     if code.yields == "lanes":
-        return [f"egoLane = Uniform(*{_wrapped(code.expression)})"]
+        return [f"egoLane = Uniform(*{places})"]
     if code.yields == "spots":
         return [
-            f"spots = {_wrapped(code.expression)}",
+            f"spots = {places}",
             "crossing = Uniform(*[(network.laneAt(s), along(network.laneAt(s), s)) for s in spots])",
             "egoLane = crossing[0]",
         ]
+    if plan.ramp:
+        return [
+            f"merge = Uniform(*{places})  # the ramp's way and that of the lane beside it",
+            "egoTurn = merge[1]",
+            "egoLane = egoTurn.startLane",
+            "rampLane = merge[0].startLane",
+            "accelerationLane = merge[0].endLane",
+        ]
+    if plan.place.kind == "on_ramp":
+        return [
+            f"merge = Uniform(*{places})  # the ramp's way and that of the lane beside it",
+            "egoTurn = merge[0]",
+            "egoLane = egoTurn.startLane",
+            "accelerationLane = egoTurn.endLane",
+            "leftLane = merge[1].startLane",
+        ]
+    if plan.place.kind == "off_ramp" and -1 in plan.offsets:
+        return [
+            f"egoTurn = Uniform(*{places})",
+            "rightLane = egoTurn.startLane",
+            "egoLane = rightLane.sections[0]._fasterLane.lane",
+        ]
     if not plan.approaches:
-        return [f"egoTurn = Uniform(*{_wrapped(code.expression)})", "egoLane = egoTurn.startLane"]
-    lines = [f"ways = {_wrapped(code.expression)}"]
-    roles = ", ".join(f"approach(m, {APPROACH_ANGLE[p]}, ManeuverType.{t})" for p, t in plan.approaches)
-    lines += [
-        f"junctions = [(m, {roles}) for m in ways]",
-        "junction = Uniform(*[j for j in junctions if all(j)])",
-        "egoTurn = junction[0]",
-        "egoLane = egoTurn.startLane",
-    ]
-    names: dict[str, int] = {}
+        return [f"egoTurn = Uniform(*{places})", "egoLane = egoTurn.startLane"]
+    lines = [f"junction = Uniform(*{places})", "egoTurn = junction[0]", "egoLane = egoTurn.startLane"]
     for i, (position, turn) in enumerate(plan.approaches, start=1):
         lines.append(f"{approach_name(plan, position, turn)} = junction[{i}]")
-        names[position] = i
     return lines
 
 
@@ -55,12 +82,17 @@ def approach_name(plan: Plan, position: str, turn: str) -> str:
 
 
 def _wrapped(expression: str) -> str:
-    return expression if len(expression) < 90 else expression.replace(" for ", "\n    for ", 1).replace(" if ", "\n    if ", 1)
+    return (
+        expression
+        if len(expression) < 90
+        else expression.replace(" for ", "\n    for ", 1).replace(" if ", "\n    if ", 1)
+    )
 
 
 def _lanes(plan: Plan) -> list[str]:
     lines = []
-    for k in sorted(plan.offsets - {0}):
+    done = {0, 1} if plan.place.kind == "on_ramp" else {0, -1} if plan.place.kind == "off_ramp" else {0}
+    for k in sorted(plan.offsets - done):
         section = "egoLane.sections[-1]" if plan.junction else "egoLane.sections[0]"
         step = "._fasterLane" if k > 0 else "._slowerLane"
         lines.append(f"{LANE_NAME[k]} = {section}{step * abs(k)}.lane")
@@ -73,8 +105,6 @@ def _lanes(plan: Plan) -> list[str]:
 
 def _start(plan: Plan, code: PlaceCode) -> list[str]:
     lines = []
-    if plan.junction or plan.place.kind in ("on_ramp", "off_ramp"):
-        lines.append(f"EGO_TURN = ManeuverType.{MANOEUVRE[plan.place.manoeuvre or 'straight']}")
     if plan.distance is None:
         spread = 0 if plan.place.kind == "curve" else 20
         start = f"Range({number(plan.before)}, {number(plan.before + spread)})" if spread else number(plan.before)

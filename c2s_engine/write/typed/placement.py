@@ -98,10 +98,15 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
     at = position_constant(structure, cid)
     if sign == 0:
         gap = spec.placement.gap
-        line = f"{at} = {position_constant(structure, spec.placement.of)}" + (f" + {scope.quantity(gap)}" if gap else "")
+        line = f"{at} = {position_constant(structure, spec.placement.of)}" + (
+            f" + {scope.quantity(gap)}" if gap else ""
+        )
     else:
         line = _at(structure, cid, spec, plan, sign)
-    point = f"{lane}.centerline.pointAlongBy({_member(spec, at, sign or 1)})"
+    reached = _member(spec, at, sign or 1)
+    if plan.place.kind == "on_ramp" and k > 0:  # the lanes meet at their ends
+        reached = f"min(-1, {reached} - egoLane.centerline.length)"
+    point = f"{lane}.centerline.pointAlongBy({reached})"
     specifiers: tuple[str, ...] = (f"at {point}",)
     if spec.placement.position == "partly_in_lane":
         side = -1.7 if spec.placement.side == "left" else 1.7
@@ -109,11 +114,13 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
             f"at (new OrientedPoint at {point}, facing roadDirection) offset by {scope.number(side)} @ 0",
             "with regionContainedIn everywhere",
         )
-    way = f"way({lane}, EGO_TURN)" if plan.junction and k == 0 and not turn_given(spec) else f"way({lane})"
+    if is_walker(spec.type):
+        specifiers += ("with regionContainedIn everywhere",)
+    way = f"way({lane}, egoTurn)" if plan.junction and k == 0 and not turn_given(spec) else f"way({lane})"
     if turn_given(spec):
         way = f"way({lane}, ManeuverType.{turn_of(spec.phases)})"
     if spec.placement.facing == "against":
-        specifiers += (f"facing 180 deg relative to roadDirection",)
+        specifiers += ("facing 180 deg relative to roadDirection",)
         way = f"way({lane})[::-1]"
     return Spot((line,), specifiers, way, lane=k if spec.placement.facing != "against" else None)
 
@@ -136,9 +143,10 @@ def _approaching(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -
         value = scope.number(max(8.0, min(own * far / ego + lead, 130.0))) if own > 0 else "8"
     at = f"-({_member(spec, name)})" if spec.count > 1 else f"-{name}"
     constants = [f"{name} = {value}  # m"]
+    loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
     return Spot(
         tuple(constants),
-        (f"at {lane}.centerline.pointAlongBy({at})",),
+        (f"at {lane}.centerline.pointAlongBy({at})", *loose),
         f"way({lane}, ManeuverType.{turn})",
         approach=lane,
     )
@@ -158,9 +166,11 @@ def _on_ramp(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
     name = f"{scope.constant(structure, cid)}_TO_MERGE"
     own, ego = middle(speed_of(spec, plan.place)), max(plan.ego_speed, 4)
     value = scope.number(max(10.0, min(own * middle(plan.distance or 80) / ego, 150)))
+    loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
+    at = f"-({_member(spec, name)})" if spec.count > 1 else f"-{name}"
     return Spot(
         (f"{name} = {value}  # m",),
-        (f"at rampLane.centerline.pointAlongBy(-{name})",),
+        (f"at rampLane.centerline.pointAlongBy({at})", *loose),
         "way(rampLane)",
     )
 
@@ -169,7 +179,7 @@ def _exit(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
     at = position_constant(structure, cid)
     if is_walker(spec.type) or spec.type == "bicycle":
         gap = spec.placement.gap if spec.placement.gap is not None else 4.0
-        point = f"exitLane.centerline.pointAlongBy({at})"
+        point = f"exitLane.centerline.pointAlongBy({_member(spec, at)})"
         return _edge(spec, at, f"{at} = {scope.quantity(gap)}  # m behind the junction", point, "exitLane", plan)
     line = f"{at} = {scope.quantity(_gap(structure, cid, spec, plan))}  # m behind the junction"
     return Spot((line,), (f"at exitLane.centerline.pointAlongBy({_member(spec, at)})",), "way(exitLane)")
@@ -177,7 +187,11 @@ def _exit(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
 
 def _beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
     sign = _along(spec)
-    line = _at(structure, cid, spec, plan, sign or 1) if sign else f"{position_constant(structure, cid)} = {position_constant(structure, spec.placement.of)}"
+    line = (
+        _at(structure, cid, spec, plan, sign or 1)
+        if sign
+        else f"{position_constant(structure, cid)} = {position_constant(structure, spec.placement.of)}"
+    )
     at = position_constant(structure, cid)
     point = f"egoLane.centerline.pointAlongBy({_member(spec, at, sign or 1)})"
     return _edge(spec, at, line, point, "egoLane", plan)
@@ -187,7 +201,13 @@ def _edge(spec: ObjectSpec, at: str, constant: str, point: str, lane: str, plan:
     """Beside the road: outwards from the edge of the lanes nearest to a point of the lane."""
     left = spec.placement.side == "left"
     two_way = plan.oncoming or plan.place.kind in ("intersection", "crosswalk") or plan.place.oncoming
-    edge = f"{lane}.group.rightEdge" if not left else f"{lane}.group.opposite.rightEdge" if two_way else f"{lane}.group.leftEdge"
+    edge = (
+        f"{lane}.group.rightEdge"
+        if not left
+        else f"{lane}.group.opposite.rightEdge"
+        if two_way
+        else f"{lane}.group.leftEdge"
+    )
     out = {"parked": 1.4, "roadside": 1.5, "sidewalk": 3.0, "intersection_exit": 1.5}.get(spec.placement.position, 1.5)
     if is_vehicle(spec.type) and spec.placement.position == "roadside":
         out = 1.8
@@ -195,14 +215,22 @@ def _edge(spec: ObjectSpec, at: str, constant: str, point: str, lane: str, plan:
     base = f"(new OrientedPoint at {edge}.project({point}), facing roadDirection at {point})"
     heading = f"roadDirection at {point}"
     facing = _facing(spec, left)
-    specifiers = (f"at {base} offset by {offset} @ 0", f"facing ({heading}){facing}", "with regionContainedIn everywhere")
-    return Spot((constant,), specifiers, "way(egoLane)" if lane == "egoLane" else f"way({lane})", off_road=True, heading=heading)
+    specifiers = (
+        f"at {base} offset by {offset} @ 0",
+        f"facing ({heading}){facing}",
+        "with regionContainedIn everywhere",
+    )
+    return Spot(
+        (constant,), specifiers, "way(egoLane)" if lane == "egoLane" else f"way({lane})", off_road=True, heading=heading
+    )
 
 
 def _facing(spec: ObjectSpec, left: bool) -> str:
     """Those that will cross look across; those that go against the road look back."""
     actions = {p.action for p in spec.phases}
-    crosses = bool(actions & {"cross_road", "enter_road", "collide"}) and (is_walker(spec.type) or spec.type == "bicycle")
+    crosses = bool(actions & {"cross_road", "enter_road", "collide"}) and (
+        is_walker(spec.type) or spec.type == "bicycle"
+    )
     if spec.placement.facing == "across" or (crosses and spec.placement.facing is None):
         return " - 90 deg" if left else " + 90 deg"
     if spec.placement.facing == "against":

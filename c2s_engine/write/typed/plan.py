@@ -21,7 +21,6 @@ APPROACH_NAME = {
 }
 LANE_NAME = {-2: "farRightLane", -1: "rightLane", 0: "egoLane", 1: "leftLane", 2: "farLeftLane"}
 TURN = {"turn_left": "LEFT_TURN", "turn_right": "RIGHT_TURN", "go_straight": "STRAIGHT", "u_turn": "U_TURN"}
-MANOEUVRE = {"left": "LEFT_TURN", "right": "RIGHT_TURN", "straight": "STRAIGHT", "u_turn": "STRAIGHT"}
 
 
 class ResolveError(ValueError):
@@ -51,6 +50,11 @@ class Plan:
     lane_of: dict[str, int | None] = field(default_factory=dict)  # object id -> lane offset at the start
 
     @property
+    def turning(self) -> bool:
+        """Whether ego's way takes a manoeuvre that the place names (`egoTurn`)."""
+        return self.junction or self.ramp or self.place.kind in RAMP
+
+    @property
     def junction(self) -> bool:
         return self.place.kind in JUNCTION
 
@@ -71,7 +75,13 @@ def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[floa
         first = spec.phases[0]
         if first.action in ("stationary", "wait", "start", "enter_road") and first.trigger is None:
             return 0.0
-        if first.speed is not None and first.action in ("keep_lane", "cross_road", "move_along", "follow", "go_straight"):
+        if first.speed is not None and first.action in (
+            "keep_lane",
+            "cross_road",
+            "move_along",
+            "follow",
+            "go_straight",
+        ):
             return first.speed
     kind = spec.type if spec.type in DEFAULT_SPEED else "car"
     usual = DEFAULT_SPEED[kind]
@@ -86,10 +96,23 @@ def make_plan(structure: Structure) -> Plan:
     objects = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
     place = _place_kind(place, ego, objects)
     lane_of = {cid: _lane_offset(cid, objects) for cid in objects}
+    ramp = any(o.placement.position == "on_ramp" for o in objects.values())
+    if ramp and place.kind not in ("motorway", "on_ramp"):
+        raise ResolveError(
+            "an object on an on-ramp needs a motorway: set R.kind to 'motorway'", ("R.kind", "O.placement.position")
+        )
+    if ramp and place.kind == "on_ramp":
+        raise ResolveError(
+            "ego and an object are both on the on-ramp: place the object ahead or behind",
+            ("R.kind", "O.placement.position"),
+        )
     oncoming = place.oncoming is True or _needs_oncoming(ego, objects)
     offsets = _offsets(place, ego, objects, lane_of)
-    place, base, offsets = _lanes(place, offsets, oncoming)
-    if oncoming and place.kind == "motorway":
+    if ramp or place.kind in RAMP:
+        place, base, offsets = _ramp_lanes(place, offsets, ramp)
+    else:
+        place, base, offsets = _lanes(place, offsets, oncoming)
+    if oncoming and place.kind in {"motorway", *RAMP}:
         raise ResolveError(
             "a motorway's carriageway has no oncoming lane: choose the kind 'straight', or leave the oncoming lane out",
             ("R.kind", "R.oncoming"),
@@ -97,9 +120,15 @@ def make_plan(structure: Structure) -> Plan:
     if oncoming:
         place = place.model_copy(update={"oncoming": True})
     approaches = tuple(
-        sorted({(o.placement.position, turn_of(o.phases)) for o in objects.values() if o.placement.position in APPROACH_ANGLE})
+        sorted(
+            {
+                (o.placement.position, turn_of(o.phases))
+                for o in objects.values()
+                if o.placement.position in APPROACH_ANGLE
+            }
+        )
     )
-    if approaches and not (place.kind in JUNCTION):
+    if approaches and place.kind not in JUNCTION:
         raise ResolveError("objects on crossing roads need an intersection: set R.kind to 'intersection'", ("R.kind",))
     speed = middle(speed_of(ego, place))
     duration = getattr(restrictions, "duration", None) or 20.0
@@ -109,12 +138,12 @@ def make_plan(structure: Structure) -> Plan:
         ego_speed=speed,
         before=_before(ego, objects),
         after=_after(place, speed, duration, ego, objects),
-        distance=_distance(place, speed, objects, ego),
+        distance=_distance(place.model_copy(update={"kind": "on_ramp"}) if ramp else place, speed, objects, ego),
         offsets=offsets,
         base=base,
         approaches=approaches,
         oncoming=oncoming,
-        ramp=any(o.placement.position == "on_ramp" for o in objects.values()),
+        ramp=ramp,
         exit_lane=any(o.placement.position == "intersection_exit" for o in objects.values()),
         lane_of=lane_of,
     )
@@ -129,7 +158,8 @@ def _place_kind(place: PlaceSpec, ego: EgoSpec, objects: dict[str, ObjectSpec]) 
     positions = {o.placement.position for o in objects.values()}
     turns = any(p.action in ("turn_left", "turn_right", "run_red", "run_stop") for p in _all_phases(ego, objects))
     wants = turns or positions & (APPROACH_ANGLE.keys() | {"intersection_exit"}) or place.control or place.arms
-    if place.kind == "road" and wants:
+    crossing = positions & (APPROACH_ANGLE.keys() | {"intersection_exit"})
+    if (place.kind == "road" and wants) or (crossing and place.kind in ("straight", "curve", "crosswalk")):
         place = place.model_copy(update={"kind": "intersection"})
     if "on_ramp" in positions and place.kind in ("road", "straight"):
         place = place.model_copy(update={"kind": "motorway"})
@@ -148,7 +178,9 @@ def _lane_offset(cid: str, objects: dict[str, ObjectSpec], seen: tuple[str, ...]
     of: int | None = 0
     if placement.of != "ego":
         if placement.of not in objects:
-            raise ResolveError(f"{cid} is placed relative to {placement.of}, which is not there", (f"{cid}.placement.of",))
+            raise ResolveError(
+                f"{cid} is placed relative to {placement.of}, which is not there", (f"{cid}.placement.of",)
+            )
         of = _lane_offset(placement.of, objects, (*seen, cid))
     step = {"ahead": 0, "behind": 0, "partly_in_lane": 0, "left_lane": 1, "right_lane": -1}.get(placement.position)
     if placement.position == "beside":
@@ -162,9 +194,13 @@ def _needs_oncoming(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> bool:
     return any(p.action in ("oncoming", "u_turn") for p in _all_phases(ego, objects))
 
 
-def _offsets(place: PlaceSpec, ego: EgoSpec, objects: dict[str, ObjectSpec], lane_of: dict[str, int | None]) -> frozenset[int]:
+def _offsets(
+    place: PlaceSpec, ego: EgoSpec, objects: dict[str, ObjectSpec], lane_of: dict[str, int | None]
+) -> frozenset[int]:
     """All lane offsets that positions and lane changes reach."""
     used = {0} | {k for k in lane_of.values() if k is not None}
+    if place.kind == "off_ramp" and place.ego_lane in ("middle", "leftmost"):
+        used.add(-1)
     movers = [(0, ego.phases, ego)] + [(lane_of[c], o.phases, o) for c, o in objects.items()]
     narrow = place.lanes == 1 or (place.lanes is None and place.oncoming is True)
     for start, phases, spec in movers:
@@ -189,7 +225,9 @@ def _lanes(place: PlaceSpec, offsets: frozenset[int], oncoming: bool) -> tuple[P
     left, right = max(offsets), -min(offsets)
     needed = 1 + left + right
     if needed > 3:
-        raise ResolveError("more than three neighbouring lanes are referred to; maps have three", ("R.lanes", "O.placement"))
+        raise ResolveError(
+            "more than three neighbouring lanes are referred to; maps have three", ("R.lanes", "O.placement")
+        )
     wish = place.ego_lane
     if wish is None and (left or right):
         wish = "middle" if left and right else "rightmost" if left else "leftmost"
@@ -203,6 +241,19 @@ def _lanes(place: PlaceSpec, offsets: frozenset[int], oncoming: bool) -> tuple[P
     base = {"rightmost": 0, "leftmost": -1, "middle": 1, None: 0}[wish]
     update: dict = {"ego_lane": wish, "lanes": lanes or place.lanes}
     return place.model_copy(update=update), base, offsets
+
+
+def _ramp_lanes(place: PlaceSpec, offsets: frozenset[int], ramp: bool) -> tuple[PlaceSpec, int, frozenset[int]]:
+    """At a ramp ego's lane is given: the ramp itself, the rightmost lane, or (leaving) one to the left of that."""
+    left, right = max(offsets), -min(offsets)
+    most_left, most_right = (1, 0) if place.kind == "on_ramp" else (1, 1) if place.kind == "off_ramp" else (2, 0)
+    if left > most_left or right > most_right:
+        raise ResolveError("at this ramp there is no such neighbouring lane", ("R.kind", "O.placement.position"))
+    if place.oncoming:
+        raise ResolveError("a motorway's ramp has no oncoming lane", ("R.kind", "R.oncoming"))
+    if place.kind == "on_ramp":
+        offsets |= {1}
+    return place.model_copy(update={"ego_lane": None, "lanes": None}), 0, offsets
 
 
 def _before(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> float:
@@ -228,7 +279,9 @@ def _furthest(objects: dict[str, ObjectSpec]) -> float:
         return here
 
     ways = {"ahead", "left_lane", "right_lane", "partly_in_lane", "parked", "roadside", "sidewalk"}
-    return max((at(o) for o in objects.values() if o.placement.position in ways and o.placement.along != "behind"), default=0)
+    return max(
+        (at(o) for o in objects.values() if o.placement.position in ways and o.placement.along != "behind"), default=0
+    )
 
 
 def _after(place: PlaceSpec, speed: float, duration: float, ego: EgoSpec, objects: dict[str, ObjectSpec]) -> float:
@@ -244,7 +297,9 @@ def _after(place: PlaceSpec, speed: float, duration: float, ego: EgoSpec, object
     return min(math.ceil(wanted / 50) * 50.0, limit)
 
 
-def _distance(place: PlaceSpec, speed: float, objects: dict[str, ObjectSpec], ego: EgoSpec) -> float | tuple[float, float] | None:
+def _distance(
+    place: PlaceSpec, speed: float, objects: dict[str, ObjectSpec], ego: EgoSpec
+) -> float | tuple[float, float] | None:
     """From ego's start to what lies ahead of it, m."""
     if place.kind not in JUNCTION | RAMP | {"crosswalk"}:
         return None
@@ -264,7 +319,10 @@ def _distance(place: PlaceSpec, speed: float, objects: dict[str, ObjectSpec], eg
 
 
 def _junction_side(o: ObjectSpec) -> float:
-    if o.placement.position in ("ahead", "left_lane", "right_lane", "partly_in_lane", "parked") and o.placement.along != "behind":
+    if (
+        o.placement.position in ("ahead", "left_lane", "right_lane", "partly_in_lane", "parked")
+        and o.placement.along != "behind"
+    ):
         gap = low(o.placement.gap) if o.placement.gap is not None else default_gap(o, 10)
         return gap + 8 + (o.count - 1) * 8
     return 0

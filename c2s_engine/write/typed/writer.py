@@ -4,14 +4,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from c2s_engine.maps.expressions import place_code
+from c2s_engine.maps.expressions import PlaceCode, place_code
 from c2s_engine.maps.extras import MapExtras
 from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.quantity import high
 from c2s_engine.structure.regenerate import spec_references
 from c2s_engine.write.typed import behaviour, kernel, scope
 from c2s_engine.write.typed.ego import write_ego
 from c2s_engine.write.typed.objects import write_object
-from c2s_engine.write.typed.place import write_place
+from c2s_engine.write.typed.place import candidates, write_place
 from c2s_engine.write.typed.plan import Plan, make_plan
 from c2s_engine.write.typed.restrictions import write_restrictions
 from c2s_engine.write.typed.settings import write_settings
@@ -93,10 +94,15 @@ class TypedWriter:
         code = self.place(plan)
         return write_place(plan, code, self._kernel(structure, plan))
 
-    def place(self, plan: Plan):
-        """The expression that selects the place on the map."""
-        room = (plan.before + plan.after) * self.room if plan.distance is None else None
-        return place_code(plan.place, self.map.extras, room=room or 0)
+    def place(self, plan: Plan) -> PlaceCode:
+        """The code that selects the place on the map."""
+        room = (plan.before + plan.after) * self.room if plan.distance is None else high(plan.distance) + plan.before
+        spec = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place
+        return place_code(spec, self.map.extras, room=room)
+
+    def candidates(self, plan: Plan) -> str:
+        """The list from which the program draws its place; how long it is says how many places there are."""
+        return candidates(plan, self.place(plan))
 
     def _kernel(self, structure: Structure, plan: Plan) -> frozenset[str]:
         others = write_ego(structure, plan) + "".join(write_object(structure, c.id, plan) for c in structure.objects)
@@ -105,5 +111,3 @@ class TypedWriter:
 
 def _one_line(text: str) -> str:
     return " ".join(text.split())
-
-

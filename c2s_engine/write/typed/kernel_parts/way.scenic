@@ -1,9 +1,10 @@
 def way(lane, turn=ManeuverType.STRAIGHT, metres=900):
-    """Points 2 m apart along a lane and on through the junctions ahead: by `turn` at the first, then straight on."""
+    """Points 2 m apart along a lane and on through the junctions ahead: by `turn` (a manoeuvre
+    or its type) at the first, then straight on."""
     points = []
     while len(points) < metres / 2:
         points += lane.centerline.pointsSeparatedBy(2)
-        onward = [m for m in lane.maneuvers if m.type is turn] or list(lane.maneuvers)
+        onward = [m for m in lane.maneuvers if turn in (m, m.type)] or list(lane.maneuvers)
         if not onward:
             break
         if onward[0].connectingLane:

@@ -26,7 +26,7 @@ class SplitName(StrEnum):
 
 
 Runs = Annotated[int, typer.Option("--runs", min=1, max=50, help="Rollouts of each program (K).")]
-Jobs = Annotated[int, typer.Option("--jobs", min=1, help="Processes at a time.")]
+Jobs = Annotated[int, typer.Option("--jobs", min=0, help="Processes at a time; 0: in this one.")]
 SplitOption = Annotated[SplitName, typer.Option("--split", help="Which part: ids divisible by 3 are `test`.")]
 Files = Annotated[
     list[Path] | None, typer.Option("--records", help="Records of your own in the same format (may be repeated).")
@@ -55,6 +55,7 @@ def bench(
     records: Files = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     explain: Annotated[str, typer.Option("--explain", metavar="ID", help="Show one record atom by atom.")] = "",
+    atoms: Annotated[bool, typer.Option("--atoms", help="List every atom that fails, by kind.")] = False,
     reveal: Reveal = False,
     scheduler: Scheduler = "",
     out: Annotated[Path | None, typer.Option("--out", help="Write the results there as JSON lines.")] = None,
@@ -92,6 +93,9 @@ def bench(
             typer.echo(tables.by_source(results))
             typer.echo("\nBy kind of atom, where the program ran:\n\n" + tables.by_kind(results))
             _list_failures(results, reveal)
+            if atoms:
+                typer.echo("\nAtoms that fail, where the program ran:\n")
+                typer.echo(tables.failing(results, reveal))
 
 
 @app.command()

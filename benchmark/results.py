@@ -82,17 +82,19 @@ def kinds(results: Iterable[Result]) -> dict[str, tuple[int, int]]:
     for result in results:
         for atom in result.score.atoms if result.score.ran else ():
             if atom.counts:
-                label = f"{atom.layer} {_kind(atom)}"
+                label = label_of(atom)
                 held, number = counted.get(label, (0, 0))
                 counted[label] = (held + atom.holds, number + 1)
     return dict(sorted(counted.items(), key=lambda kv: (LAYERS.index(kv[0][:2]), kv[1][0] - kv[1][1], kv[0])))
 
 
-def _kind(atom: AtomScore) -> str:
+def label_of(atom: AtomScore) -> str:
+    """An atom's layer and kind; events and temporary things by their own name."""
+    kind = atom.atom if atom.kind == "temporary" else atom.kind
     if atom.kind == "event":
         event = atom.atom.split(": ", 1)[1]
-        return "any_of" if " or " in event else event.split()[0]
-    return atom.kind if atom.kind != "temporary" else atom.atom
+        kind = "any_of" if " or " in event else event.split()[0]
+    return f"{atom.layer} {kind}"
 
 
 def as_json(results: Sequence[Result], setup: Setup, reveal: bool) -> dict[str, Any]:

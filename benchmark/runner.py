@@ -8,7 +8,7 @@ import threading
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from c2s_bench.host import REAL
+from c2s_bench.host import REAL, EngineHost
 from c2s_bench.store import Store
 from c2s_bench.tasks import Outcome, Task
 
@@ -27,7 +27,7 @@ def run(
     fresh: bool = False,
     limit: float = LIMIT,
 ) -> Iterator[Outcome]:
-    """The outcomes as they come: first the stored ones, then those of `jobs` processes or of a Dask cluster."""
+    """The outcomes as they come: first the stored ones, then those of `jobs` processes (0: of this one) or of Dask."""
     todo = []
     for task in tasks:
         known = None if fresh else store.get(task.key)
@@ -41,11 +41,21 @@ def run(
         from c2s_bench.cluster import run_on_cluster
 
         source = run_on_cluster(scheduler, todo, engine)
+    elif jobs == 0:
+        source = _here(todo, engine)
     else:
         source = _in_processes(todo, min(jobs, len(todo)), engine, limit)
     for outcome in source:
         store.put(outcome)
         yield outcome
+
+
+def _here(tasks: Sequence[Task], engine: str) -> Iterator[Outcome]:
+    host = EngineHost(engine)
+    try:
+        yield from map(host.run, tasks)
+    finally:
+        host.close()
 
 
 def _in_processes(tasks: Sequence[Task], jobs: int, engine: str, limit: float) -> Iterator[Outcome]:

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from c2s_bench.paper import paper
-from c2s_bench.results import Result, grouped, kinds, parts, total_of
+from c2s_bench.results import Result, grouped, kinds, label_of, parts, total_of
 from c2s_bench.scorer import Totals
 
 COLUMNS = ("CSR", "RT", "tokens", "RL", "TI", "TM", "DO", "EN", "SQ", "FA")
@@ -40,6 +40,17 @@ def by_kind(results: Sequence[Result]) -> str:
         layer, _, kind = label.partition(" ")
         lines.append(f"| {layer} | {kind} | {held} | {number} | {100 * held / number:.0f} |")
     return "\n".join(lines)
+
+
+def failing(results: Sequence[Result], reveal: bool) -> str:
+    """Every atom that fails, by kind, with its record; those of the reporting part only when revealed."""
+    found: dict[str, list[str]] = {}
+    for result in results:
+        for atom in result.score.atoms if result.score.ran and (reveal or not result.withheld) else ():
+            if atom.counts and not atom.holds:
+                found.setdefault(label_of(atom), []).append(f"- {result.id}: {atom.atom} ({100 * atom.share:.0f} %)")
+    ordered = sorted(found.items(), key=lambda kv: (-len(kv[1]), kv[0]))
+    return "\n".join(line for label, lines in ordered for line in (f"{label} ({len(lines)})", *lines, ""))
 
 
 def models(rows: Mapping[str, Totals], with_paper: bool = True) -> str:

@@ -1,5 +1,5 @@
 """What can go wrong with sessions, one sentence each for the user as it stands."""
 
 
-class SessionError(Exception):
+class SessionError(ValueError):
     """A session that cannot be opened, changed or read; the message says why and what to do."""

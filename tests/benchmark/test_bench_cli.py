@@ -40,13 +40,13 @@ def test_json_has_the_figures_in_all_by_source_and_by_record(calls, own):
 
 
 def test_what_is_known_is_not_run_again(calls, own):
-    first = bench("--records", own, "--jobs", 1, *FAKE)
+    first = bench("--records", own, "--jobs", 0, *FAKE)
     assert len(calls.read_text()) == 3
-    assert bench("--records", own, "--jobs", 1, *FAKE) == first
+    assert bench("--records", own, "--jobs", 0, *FAKE) == first
     assert len(calls.read_text()) == 3
-    bench("--records", own, "--jobs", 1, "--seed", 7, *FAKE)
+    bench("--records", own, "--jobs", 0, "--seed", 7, *FAKE)
     assert len(calls.read_text()) == 6
-    bench("--records", own, "--jobs", 1, "--fresh", *FAKE)
+    bench("--records", own, "--jobs", 0, "--fresh", *FAKE)
     assert len(calls.read_text()) == 9
 
 
@@ -79,14 +79,14 @@ def test_nothing_that_could_be_run_is_one_sentence(calls, own):
 
 
 def test_explain_shows_each_atom_with_its_share(calls, own):
-    said = bench("--records", own, "--explain", "mine-02", "--runs", 4, *FAKE)
+    said = bench("--records", own, "--explain", "mine-02", "--runs", 4, "--jobs", 0, *FAKE)
     assert "FAILS      0 %  weather rain" in said and "holds    100 %  lead: stop" in said
     assert "# embedded: fog" in said
     assert len(calls.read_text()) == 1
 
 
 def test_the_reporting_part_is_shown_in_sum_only(calls):
-    args = ["--split", "test", "--runs", 1, "--jobs", 1, *FAKE]
+    args = ["--split", "test", "--runs", 1, "--jobs", 0, *FAKE]
     data = json.loads(bench(*args, "--json"))
     assert data["total"]["number"] == data["withheld"] == 40 and data["by_record"] == {}
     assert "un-r152-03" not in bench(*args)
@@ -96,9 +96,9 @@ def test_the_reporting_part_is_shown_in_sum_only(calls):
 
 
 def test_compare_names_records_and_atoms(calls, own, tmp_path):
-    bench("--records", own, "--runs", 1, "--out", tmp_path / "a.jsonl", *FAKE)
+    bench("--records", own, "--jobs", 0, "--runs", 1, "--out", tmp_path / "a.jsonl", *FAKE)
     own.write_text(own.read_text().replace("text: fog", "text: fog and rain").replace("refuse rain", "fog"))
-    bench("--records", own, "--runs", 1, "--out", tmp_path / "b.jsonl", *FAKE)
+    bench("--records", own, "--jobs", 0, "--runs", 1, "--out", tmp_path / "b.jsonl", *FAKE)
     said = bench("compare", tmp_path / "a.jsonl", tmp_path / "b.jsonl")
     assert "mine-02: FA 50.0 -> 100.0\n  + EN weather rain" in said
     assert "mine-03: FA 0.0 -> 50.0\n  now runs; before: compile: no such lane" in said
@@ -108,7 +108,7 @@ def test_compare_names_records_and_atoms(calls, own, tmp_path):
 
 
 def test_the_papers_tables_are_printed_beside_ours(calls):
-    args = ["--split", "dev", "--runs", 1, "--jobs", 1, *FAKE]
+    args = ["--split", "dev", "--runs", 1, "--jobs", 0, *FAKE]
     models = bench("table", "--models", "embedded", *args)
     assert "| embedded | 100.00 |" in models and "| Gemini-3-Flash | 76.42 | 222.11 | 52339 |" in models
     tiers = bench("ablation", "--only", "C4", *args)

@@ -1,0 +1,203 @@
+"""The paper's generation: interpreter, header, then the components one by one, each with the code so far (Algorithm 1).
+
+Beyond the paper, and only where asked for: every fragment is checked as soon as it is written, and repaired.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+from c2s_engine.interpret.llm import fallback
+from c2s_engine.interpret.llm.asking import FATAL, Asker
+from c2s_engine.interpret.llm.components import Sentences, link, read_components
+from c2s_engine.interpret.llm.settings import detect
+from c2s_engine.models.client import OllamaClient
+from c2s_engine.models.errors import AnswerTruncated, AnswerUnusable, ModelError
+from c2s_engine.models.messages import Message, Question
+from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.progress import ComponentState, Passage, Progress, Say
+from c2s_engine.structure.regenerate import code_references, dirty, key_of, order
+from c2s_engine.write.prompted.checking import Check, Fix, Verdict, with_code
+from c2s_engine.write.prompted.configuration import configuration, default
+from c2s_engine.write.prompted.header import Ground, settings_text
+from c2s_engine.write.prompted.parsing import code_of
+from c2s_engine.write.prompted.prompt import code_so_far, generator_question
+from c2s_engine.write.prompted.repair import Repairer, Search
+from c2s_engine.write.prompted.texts import fill
+
+OnEvent = Callable[[Progress], None]
+
+
+class PromptedMethod:
+    """Generator_R, _E, _O, _T and the HeaderGenerator under one of the twelve configurations.
+
+    `checker` and `fix` are used for repair only; without a checker nothing is checked and nothing repaired. The map
+    that headers name is `ground`.
+    """
+
+    def __init__(
+        self,
+        config_id: str | None,
+        client: OllamaClient,
+        retriever: Search | None = None,
+        checker: Check | None = None,
+        *,
+        embedded: Any = None,
+        fix: Fix | None = None,
+        ground: Ground | None = None,
+    ) -> None:
+        self.configuration = configuration(config_id or default())
+        self.client = client
+        self.search = retriever
+        self.embedded = embedded
+        self.ground = ground or Ground()
+        self.name = f"chat2scenic:{self.configuration.name}"
+        self.verdicts: dict[ComponentId, Verdict] = {}
+        self.repairer: Repairer | None = None
+        self._on_event: OnEvent | None = None
+        if checker is not None:
+            self.name += "+repair"
+            self.repairer = Repairer(self._ask, checker, fix, retriever, self.configuration)
+
+    # As the regeneration sees it (structure.regenerate): whose names a fragment uses, and when it is out of date.
+
+    def config(self) -> dict[str, Any]:
+        return {"writer": self.name, "version": 1, "model": self.client.settings.model, "reads_descriptions": True,
+                "ground": [self.ground.map_file, self.ground.carla_map]}  # fmt: skip
+
+    def inputs(self, structure: Structure, cid: ComponentId) -> Any:
+        """The header rests on the settings as the HeaderGenerator is told them; the rest is in words and names."""
+        return settings_text(structure, self.ground) if cid == "G" else []
+
+    def reads(self, structure: Structure, cid: ComponentId) -> frozenset[ComponentId]:
+        """A component's dependents are those whose code uses its names."""
+        return code_references(structure, cid)
+
+    # The method
+
+    async def generate(
+        self, text: str, structure: Structure | None = None, on_event: OnEvent | None = None
+    ) -> Structure:
+        """S with its code, for a text or for an S that was read before; raises ModelError where no model answers."""
+        if structure is None:
+            structure = await self.interpret(text, on_event)
+        return await self.write(structure, on_event)
+
+    async def interpret(self, text: str, on_event: OnEvent | None = None) -> Structure:
+        """The Interpreter and the SettingsDetector; specs are the embedded interpreter's, for panes and edits."""
+        asker = Asker(self.client, on_event)
+        sentences = await read_components(text, asker)
+        detected = await detect(text, asker)
+        structure = _structure(text, sentences, self.embedded)
+        settings = structure.settings.model_copy(
+            update={"spec": detected.spec, "assumed": detected.assumed, "unmet": detected.unmet}
+        )
+        structure = structure.with_component(settings)
+        if detected.ego_model:
+            spec = structure.ego.spec.model_copy(update={"model": detected.ego_model})
+            structure = structure.with_component(structure.ego.model_copy(update={"spec": spec}))
+        return structure
+
+    async def write(self, structure: Structure, on_event: OnEvent | None = None) -> Structure:
+        """Every component that is out of date, in Algorithm 1's order; the given S stays as it was."""
+        self._on_event = on_event
+        written: set[ComponentId] = set()
+        while todo := [c for c in order(structure, dirty(structure, self), self) if c not in written]:
+            structure = await self.write_component(structure, todo[0], on_event)
+            written.add(todo[0])
+        return structure
+
+    async def write_component(
+        self, structure: Structure, cid: ComponentId, on_event: OnEvent | None = None
+    ) -> Structure:
+        """One component, with what stands before it as its context."""
+        self._on_event = on_event
+        self._emit(ComponentState(component=structure[cid], state="writing"))
+        passages = await self._retrieved(structure, cid)
+        asked = generator_question(
+            structure, cid, self.configuration, *passages,
+            settings=settings_text(structure, self.ground) if cid == "G" else "",
+        )  # fmt: skip
+        try:
+            code = await self._code(asked, structure, cid)
+        except FATAL:
+            raise
+        except ModelError as error:
+            self._emit(Say(text=f"{cid}: {error}", severity="warning"))
+            self._emit(ComponentState(component=structure[cid], state="failed"))
+            code = ""
+        if code and self.repairer:
+            found = await self.repairer.settle(structure, cid, code)
+            self.verdicts[cid] = found
+            code = found.code
+            if found.diagnostic:
+                self._emit(Say(text=f"{cid} does not pass: {found.diagnostic.message}", severity="warning"))
+        component = with_code(structure[cid], code) if code else structure[cid].model_copy(update={"code": ""})
+        structure = structure.with_component(component)
+        component = component.model_copy(update={"key": key_of(structure, cid, self)})
+        component = component.model_copy(update={"links": (*component.links, *_sources(passages))})
+        failed = bool(self.repairer and not self.verdicts.get(cid, Verdict("", 0)).ok) or not code
+        self._emit(ComponentState(component=component, state="failed" if failed else "clean"))
+        return structure.with_component(component)
+
+    async def _retrieved(self, structure: Structure, cid: ComponentId) -> tuple[list[Passage], list[Passage]]:
+        """CodeICL and DocICL: what the configuration asks for, by the component's sentence."""
+        config, query = self.configuration, structure[cid].description
+        if self.search is None or not query or cid == "G":
+            return [], []
+        snippets, chunks = [], []
+        if config.has("CodeICL"):
+            snippets = await self.search(query, kind="snippet", component=cid[0], limit=config.snippets)
+        if config.has("DocICL"):
+            chunks = await self.search(query, kind="doc", component=None, limit=config.chunks)
+        for passage in (*snippets, *chunks):
+            self._emit(passage)
+        return snippets, chunks
+
+    async def _code(self, asked: Question, structure: Structure, cid: ComponentId) -> str:
+        before = code_so_far(structure, cid)
+        try:
+            return code_of(await self._ask(asked), cid[0], before)
+        except (AnswerUnusable, AnswerTruncated):
+            more = (*asked.messages, Message(role="user", content=fill("empty")))
+            again = asked.model_copy(update={"messages": more, "purpose": f"{asked.purpose} again"})
+            return code_of(await self._ask(again), cid[0], before)
+
+    async def _ask(self, asked: Question) -> str:
+        return (await self.client.chat(asked, self._on_event)).text
+
+    def _emit(self, event: Progress) -> None:
+        if self._on_event:
+            self._on_event(event)
+
+
+def _structure(text: str, sentences: Sentences, embedded: Any) -> Structure:
+    """S of sentences; the specs are those of the embedded interpreter, where one is given."""
+    stand_in = fallback.Embedded(embedded, text) if embedded is not None else None
+    empty = Structure(text=text)
+
+    def component(cid: str) -> Component:
+        if stand_in is not None:
+            spec = stand_in.spec(cid, sentences)
+        elif cid.startswith("O"):
+            spec = fallback.ObjectSpec(type=sentences.objects[int(cid[1:]) - 1].type)
+        else:
+            spec = empty[cid].spec
+        sentence = sentences.of(cid)
+        return Component(id=cid, description=sentence, spec=spec, links=link(text, sentence) if sentence else ())
+
+    made = {cid: component(cid) for cid in sentences.ids}
+    structure = Structure(
+        text=text, settings=made["G"], place=made["R"], ego=made["E"], restrictions=made["T"],
+        objects=tuple(made[c] for c in sentences.ids if c.startswith("O")),
+    )  # fmt: skip
+    return fallback.distinct_names(structure)
+
+
+def _sources(passages: tuple[list[Passage], list[Passage]]) -> list[Any]:
+    from c2s_engine.structure.components import Link
+
+    kinds = {"snippet": "snippet", "doc": "chunk"}
+    return [Link(kind=kinds[p.kind], label=p.title) for found in passages for p in found]
+
+
+__all__ = ["PromptedMethod"]

@@ -32,6 +32,6 @@ def test_the_overview_shows_every_road_and_kind_of_place(extras):
 @pytest.mark.parametrize("centre", [(-600, 0), (1150, 500), (700, -1500)])
 def test_close_views_stay_in_their_frame(extras, centre):
     picture = close_up(extras, centre, 100, pixels=200)
-    points = re.findall(r"(-?[0-9.]+),(-?[0-9.]+)", "".join(re.findall(r'<polygon points="([^"]+)"', picture)))
+    points = re.findall(r"(-?[0-9.]+),(-?[0-9.]+)", " ".join(re.findall(r'<polygon points="([^"]+)"', picture)))
     assert len(points) > 50
     assert all(0 <= float(number) <= 200 for point in points for number in point)

@@ -70,6 +70,11 @@ class Session:
         return self._state.facts
 
     @property
+    def details(self) -> dict[str, Any]:
+        """The facade's details that outlive a turn: map, folder (where the program's map lies), places."""
+        return self._state.details
+
+    @property
     def history(self) -> list[Turn]:
         """The turns that lead here, the first first."""
         path = [t for t in self._path() if t.kind != ROOT]

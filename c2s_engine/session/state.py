@@ -1,6 +1,7 @@
 """What stands at the end of a turn."""
 
 from collections.abc import Collection
+from typing import Any
 
 from pydantic import BaseModel, ConfigDict
 
@@ -9,6 +10,8 @@ from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.facts import RunFacts
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import Finished
+
+KEPT_DETAILS = ("map", "folder", "places")  # what saving the program and the status line need
 
 
 class State(BaseModel):
@@ -20,15 +23,29 @@ class State(BaseModel):
     program: Program = Program(text="")
     stages: tuple[StageResult, ...] = ()
     facts: tuple[RunFacts, ...] = ()
+    details: dict[str, Any] = {}
 
     @classmethod
     def of(cls, finished: Finished) -> "State":
-        return cls(structure=finished.structure, program=finished.program, stages=finished.stages, facts=finished.facts)
+        return cls(
+            structure=finished.structure,
+            program=finished.program,
+            stages=finished.stages,
+            facts=finished.facts,
+            details={k: finished.details[k] for k in KEPT_DETAILS if k in finished.details},
+        )
 
     def finished(self) -> Finished:
         """The event that tells a front to show this."""
         ok = all(s.ok for s in self.stages)
-        return Finished(ok=ok, structure=self.structure, program=self.program, stages=self.stages, facts=self.facts)
+        return Finished(
+            ok=ok,
+            structure=self.structure,
+            program=self.program,
+            stages=self.stages,
+            facts=self.facts,
+            details=self.details,
+        )
 
 
 def cleared(structure: Structure, components: Collection[str] = ()) -> Structure:

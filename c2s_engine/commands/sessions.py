@@ -1,0 +1,202 @@
+"""`c2s edit` and `c2s sessions`: a session's turns without the app, and sessions as a whole."""
+
+import asyncio
+import json
+from collections.abc import AsyncIterator
+from datetime import datetime
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from rich.text import Text
+
+from c2s_engine.commands import show
+from c2s_engine.commands.console import OK, REFUSED, InputError, dump, err, out, sentences
+from c2s_engine.structure.progress import Finished, Say
+
+app = typer.Typer(help="Sessions: list, rename, duplicate, delete, export, import.", no_args_is_help=True)
+
+Name = Annotated[str, typer.Argument(help="The session's name.")]
+
+
+def edit(
+    name: Annotated[str, typer.Argument(metavar="SESSION", help="The session; a new one is made.")],
+    say: Annotated[
+        str | None, typer.Option("--say", help="A turn of the chat: a scenario, a change, a question.")
+    ] = None,
+    fields: Annotated[
+        list[str] | None, typer.Option("--set", metavar="ID.FIELD=VALUE", help="Such as O1.speed=10 (may be repeated).")
+    ] = None,
+    remove: Annotated[list[str] | None, typer.Option("--remove", metavar="ID", help="Remove an object.")] = None,
+    code: Annotated[
+        list[str] | None, typer.Option("--code", metavar="ID=FILE", help="A fragment by hand; `ID=` gives it back.")
+    ] = None,
+    undo: Annotated[bool, typer.Option("--undo", help="Go back to before the last turn.")] = False,
+    redo: Annotated[bool, typer.Option("--redo", help="Bring back what was undone.")] = False,
+    resume: Annotated[bool, typer.Option("--resume", help="Run the turn that a crash interrupted.")] = False,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Save the program there, its map beside it.")
+    ] = None,
+    method: Annotated[str | None, typer.Option(help="How it is written.")] = None,
+    seed: Annotated[int, typer.Option(help="Of the sampled scene.")] = 0,
+    no_run: Annotated[bool, typer.Option("--no-run", help="Compile and sample, but do not run it.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+) -> None:
+    """Work on a session: say something, set fields of S, write code by hand, undo, redo; show where it stands."""
+    with sentences(as_json):
+        edits = _edits(fields or [], remove or [], code or [])
+        options = {"method": method, "seed": seed, "run": not no_run}
+        session, done = asyncio.run(_work(name, say, edits, (undo, redo, resume), options, as_json))
+        if output is not None:
+            from c2s_engine.api import save
+
+            written = save(session.program, session.details.get("folder"), output)
+            if not as_json:
+                err.print(Text(f"saved {', '.join(map(str, written))}"))
+        if as_json:
+            dump(_as_dict(session, done))
+        else:
+            _print(session)
+    raise typer.Exit(OK if done is None or done.ok else REFUSED)
+
+
+@app.command("list")
+def list_sessions(as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False) -> None:
+    """List the sessions, the one used last first."""
+    with sentences(as_json):
+        found = _sessions().list()
+        if as_json:
+            dump({"sessions": [vars(s) for s in found]})
+            return
+        for s in found:
+            when = datetime.fromtimestamp(s.updated).strftime("%Y-%m-%d %H:%M")
+            out.print(Text(f"{s.name:<30} {s.turns:>4} turns  {when}  {s.last[:60]}"))
+
+
+@app.command()
+def rename(name: Name, new: str) -> None:
+    """Give a session another name."""
+    with sentences():
+        _sessions().rename(name, new)
+
+
+@app.command()
+def duplicate(name: Name, new: str) -> None:
+    """Make a second session with the same turns."""
+    with sentences():
+        _sessions().duplicate(name, new)
+
+
+@app.command()
+def delete(name: Name) -> None:
+    """Delete a session with all its turns and drafts."""
+    with sentences():
+        _sessions().delete(name)
+
+
+@app.command("export")
+def export_session(name: Name, file: Path) -> None:
+    """Write a session with its turns as one file."""
+    with sentences():
+        _sessions().export(name, file)
+
+
+@app.command("import")
+def import_session(file: Path, name: Annotated[str | None, typer.Option(help="Another name.")] = None) -> None:
+    """Take a session from a file."""
+    with sentences():
+        out.print(Text(_sessions().import_file(file, name)))
+
+
+def _sessions() -> Any:
+    from c2s_engine.session.sessions import Sessions
+
+    return Sessions()
+
+
+def _edits(fields: list[str], remove: list[str], code: list[str]) -> list[Any]:
+    from c2s_engine.structure.edits import RemoveObject, SetCode, SetDescription, SetField
+
+    edits: list[Any] = []
+    for given in fields:
+        target, equals, text = given.partition("=")
+        component, dot, path = target.strip().partition(".")
+        if not equals or not dot or not path:
+            raise InputError(f"--set {given}: write it as ID.FIELD=VALUE, such as O1.speed=10")
+        try:
+            value = json.loads(text)
+        except ValueError:
+            value = text
+        described = path == "description"
+        edits.append(
+            SetDescription(component=component, description=str(value))
+            if described
+            else SetField(component=component, path=path, value=value)
+        )
+    edits += [RemoveObject(component=r) for r in remove]
+    for given in code:
+        component, equals, file = given.partition("=")
+        if not equals:
+            raise InputError(f"--code {given}: write it as ID=FILE")
+        edits.append(SetCode(component=component, code=Path(file).read_text(encoding="utf-8") if file else None))
+    return edits
+
+
+async def _work(
+    name: str, say: str | None, edits: list[Any], steps: tuple[bool, bool, bool], options: dict[str, Any], quiet: bool
+) -> tuple[Any, Finished | None]:
+    from c2s_engine.api import Engine
+    from c2s_engine.config import load_settings
+
+    undo, redo, resume = steps
+    done: Finished | None = None
+    async with Engine(load_settings()) as engine:
+        session = _sessions().open(name, engine)
+        try:
+            if session.pending and not resume:
+                err.print(Text(f"a turn was interrupted: {session.pending.text!r} (--resume runs it)", style="yellow"))
+            if resume:
+                done = await _take(session.resume(), quiet)
+            if undo:
+                done = await _take(session.undo(), quiet)
+            if redo:
+                done = await _take(session.redo(), quiet)
+            if say:
+                done = await _take(session.say(say, **options), quiet)
+            if edits:
+                done = await _take(session.apply(edits, **options), quiet)
+        finally:
+            session.close()
+    return session, done
+
+
+async def _take(events: AsyncIterator[Any], quiet: bool) -> Finished | None:
+    done = None
+    async for event in events:
+        if isinstance(event, Say) and not quiet:
+            err.print(Text(event.text, style={"warning": "yellow", "error": "red"}.get(event.severity, "")))
+        elif isinstance(event, Finished):
+            done = event
+    return done
+
+
+def _as_dict(session: Any, done: Finished | None) -> dict[str, Any]:
+    from c2s_engine.commands.generate import as_dict
+
+    kept = {"folder": session.details.get("folder"), "map": session.details.get("map")}
+    state = done or Finished(
+        ok=True, structure=session.structure, program=session.program, stages=session.stages, facts=session.facts,
+        details=kept,
+    )  # fmt: skip
+    history = [{"kind": t.kind, "text": t.text, "summary": t.summary, "when": t.when} for t in session.history]
+    return {**as_dict(state), "session": session.name, "history": history}
+
+
+def _print(session: Any) -> None:
+    for turn in session.history[-5:]:
+        out.print(Text(f"{turn.index + 1:>3}  {turn.text[:70]}  ({turn.summary})", style="dim"))
+    show.structure(session.structure)
+    show.stages(session.stages)
+    show.diagnostics([d for s in session.stages for d in s.diagnostics])
+    if session.facts:
+        show.runs(session.facts)

@@ -17,7 +17,9 @@ FOLDERS = ("R", "E", "O", "T")
 
 
 class Snippet(BaseModel):
-    """A component-level snippet: what it is, and the code of that one component."""
+    """A component-level snippet: what it is, and the code of that one component.
+
+    `hosts`: the ids of the snippets that it stands upon in a whole program, where the plain ones would not do."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -29,7 +31,9 @@ class Snippet(BaseModel):
     positions: tuple[str, ...] = ()
     actions: tuple[str, ...] = ()
     types: tuple[str, ...] = ()
-    host: str = "road"
+    conditions: tuple[str, ...] = ()
+    reactions: tuple[str, ...] = ()
+    hosts: tuple[str, ...] = ()
     code: str
 
     @property
@@ -61,7 +65,7 @@ def rows(snippets: Iterable[Snippet], source_id: str, source: str) -> list[Row]:
     """One row a phrase; the code is read by BM25 with the first of them only."""
     found = []
     for snippet in snippets:
-        tags = " ".join((*snippet.places, *snippet.positions, *snippet.actions, *snippet.types)).replace("_", " ")
+        tags = " ".join((*snippet.places, *snippet.positions, *snippet.actions, *snippet.types, *snippet.conditions, *snippet.reactions)).replace("_", " ")
         for i, phrase in enumerate(dict.fromkeys(snippet.phrases)):
             found.append(
                 Row(item=snippet.id, source_id=source_id, title=snippet.description, text=snippet.code, embedded=phrase,

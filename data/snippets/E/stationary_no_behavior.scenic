@@ -1,0 +1,7 @@
+# component: E
+# description: Ego is placed without any behaviour, so that it simply stands.
+# paraphrases:
+#   - motionless subject vehicle
+# actions: [stationary]
+# ---
+ego = new Car at egoSpot, facing roadDirection, with blueprint 'vehicle.lincoln.mkz_2017'

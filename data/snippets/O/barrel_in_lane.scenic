@@ -1,0 +1,9 @@
+# component: O
+# description: A barrel stands in ego's lane.
+# paraphrases:
+#   - drum on the path
+# positions: [ahead]
+# actions: [stationary]
+# types: [barrel]
+# ---
+barrel = new Barrel at egoSpot offset by (0, Range(35, 45)), with regionContainedIn None

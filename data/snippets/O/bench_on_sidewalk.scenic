@@ -1,0 +1,11 @@
+# component: O
+# description: A bench stands on the sidewalk.
+# paraphrases:
+#   - seat beside the street
+# positions: [sidewalk]
+# actions: [stationary]
+# types: [bench]
+# hosts: [R/road_with_sidewalk]
+# ---
+benchSpot = new OrientedPoint following roadDirection from egoSpot for 20
+bench = new Bench at nearSidewalk.centerline.project(benchSpot.position), with regionContainedIn None

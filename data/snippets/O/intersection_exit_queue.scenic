@@ -1,0 +1,12 @@
+# component: O
+# description: Two cars queue in ego's exit lane, so that the junction cannot be cleared.
+# paraphrases:
+#   - congestion behind the crossing
+# positions: [intersection_exit]
+# actions: [stationary]
+# types: [car]
+# hosts: [R/intersection_four_way]
+# ---
+queueHead = new OrientedPoint at egoManeuver.endLane.centerline.pointAlongBy(20), facing roadDirection
+headCar = new Car at queueHead, facing roadDirection
+tailCar = new Car behind headCar by 2

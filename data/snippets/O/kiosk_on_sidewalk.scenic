@@ -1,0 +1,10 @@
+# component: O
+# description: A kiosk stands at the sidewalk and blocks the view of it.
+# paraphrases:
+#   - newsstand at the street
+# positions: [sidewalk]
+# actions: [stationary]
+# types: [kiosk]
+# ---
+kioskSpot = new OrientedPoint following roadDirection from egoSpot for 22
+kiosk = new Kiosk right of kioskSpot by 7, with regionContainedIn None

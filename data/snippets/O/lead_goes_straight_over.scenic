@@ -1,0 +1,11 @@
+# component: O
+# description: A bus ahead of ego goes straight over the intersection.
+# paraphrases:
+#   - leader crosses the junction first
+# positions: [ahead]
+# actions: [go_straight]
+# types: [bus]
+# hosts: [R/intersection_four_way]
+# ---
+busLead = new Bus ahead of ego by 8, with width 2.6,
+    with behavior FollowTrajectoryBehavior(target_speed=7, turn_speed=7, trajectory=egoPath)

@@ -1,0 +1,11 @@
+# component: O
+# description: A box, lost cargo, lies in the middle of ego's lane.
+# paraphrases:
+#   - crate fallen off a lorry
+#   - parcel on the roadway
+# positions: [ahead]
+# actions: [stationary]
+# types: [box, obstacle]
+# ---
+boxSpot = new OrientedPoint following roadDirection from egoSpot for 42
+box = new Box at boxSpot

@@ -1,0 +1,11 @@
+# component: O
+# description: Plant pots stand in a row along the right edge of the road.
+# paraphrases:
+#   - flower tubs beside the lane
+# positions: [roadside]
+# actions: [stationary]
+# types: [plant_pot]
+# ---
+potSpot = new OrientedPoint following roadDirection from egoSpot for 20
+for k in range(3):
+    new PlantPot right of (potSpot offset by (0, 5 * k)) by 3, with regionContainedIn None

@@ -1,0 +1,13 @@
+# component: O
+# description: A lorry stands in the lane with its handbrake on.
+# paraphrases:
+#   - stopped heavy vehicle ahead
+# positions: [ahead]
+# actions: [stationary]
+# types: [truck]
+# ---
+behavior StandsBraked():
+    while True:
+        take SetHandBrakeAction(True), SetBrakeAction(1)
+
+lorry = new Truck ahead of ego by 35, with behavior StandsBraked()

@@ -1,0 +1,11 @@
+# component: O
+# description: A road worker stands at the edge of the road beside cones.
+# paraphrases:
+#   - construction worker next to the lane
+# positions: [roadside]
+# actions: [stationary]
+# types: [pedestrian]
+# ---
+workPoint = new OrientedPoint following roadDirection from egoSpot for 35
+worker = new Pedestrian right of workPoint by 2.4, with regionContainedIn None
+workCone = new Cone at workPoint offset by (1.6, -3), with regionContainedIn None

@@ -1,0 +1,11 @@
+# component: R
+# description: 'Any way through any intersection: ego may turn or go straight.'
+# paraphrases:
+#   - random junction, random direction
+# places: [intersection]
+# ---
+junction = Uniform(*network.intersections)
+egoManeuver = Uniform(*junction.maneuvers)
+egoLane = egoManeuver.startLane
+egoPath = [egoLane, egoManeuver.connectingLane, egoManeuver.endLane]
+egoSpot = new OrientedPoint at egoLane.centerline.pointAlongBy(0.6 * egoLane.centerline.length), facing roadDirection

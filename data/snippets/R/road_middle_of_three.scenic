@@ -1,0 +1,11 @@
+# component: R
+# description: A road on which ego has a lane of its own direction on both sides.
+# paraphrases:
+#   - neighbours left and right, both driving the same way
+# places: [road]
+# ---
+between = [s for s in network.laneSections if s._laneToLeft and s._laneToRight and s._laneToLeft.isForward == s.isForward and s._laneToRight.isForward == s.isForward]
+egoSection = Uniform(*filter(lambda s: s.centerline.length > 300, between))
+egoLane = egoSection.lane
+leftLane, rightLane = egoSection._laneToLeft, egoSection._laneToRight
+egoSpot = new OrientedPoint at egoSection.centerline.pointAlongBy(120), facing roadDirection

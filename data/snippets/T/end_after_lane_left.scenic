@@ -1,0 +1,7 @@
+# component: T
+# description: The run ends when ego has left the lane that it started in.
+# paraphrases:
+#   - stop at a lane departure
+# conditions: [action]
+# ---
+terminate when not (ego in egoLane) and simulation().currentTime > 5

@@ -1,0 +1,8 @@
+# component: T
+# description: The run ends when ego enters the intersection.
+# paraphrases:
+#   - stop at the moment the junction is reached
+# conditions: [action]
+# hosts: [R/intersection_four_way]
+# ---
+terminate when ego in egoManeuver.intersection

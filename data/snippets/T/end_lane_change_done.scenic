@@ -1,0 +1,9 @@
+# component: T
+# description: The run ends when ego has reached the lane to its left.
+# paraphrases:
+#   - over when the lane change is complete
+# conditions: [action]
+# hosts: [R/road_two_lanes_same_direction]
+# ---
+goalSection = network.laneSectionAt(egoSpot).laneToLeft
+terminate when ego in goalSection

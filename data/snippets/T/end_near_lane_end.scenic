@@ -1,0 +1,7 @@
+# component: T
+# description: The run ends when ego comes within 10 metres of the end of its lane.
+# paraphrases:
+#   - stop before the junction is reached
+# conditions: [travelled]
+# ---
+terminate when (distance from ego to egoLane.centerline[-1]) < 10

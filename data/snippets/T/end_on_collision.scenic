@@ -1,0 +1,9 @@
+# component: T
+# description: The run ends when ego touches the lead vehicle.
+# paraphrases:
+#   - finish at the crash
+#   - stop on contact
+# conditions: [collision]
+# hosts: [O/lead_ahead_of_specifier]
+# ---
+terminate when ego intersects lead

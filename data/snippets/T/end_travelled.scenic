@@ -1,0 +1,8 @@
+# component: T
+# description: The run ends when ego has travelled 80 metres from its start.
+# paraphrases:
+#   - stop after a given distance
+#   - finish once the car has covered its stretch
+# conditions: [travelled]
+# ---
+terminate when (distance from ego to egoSpot) > 80

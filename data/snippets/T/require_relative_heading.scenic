@@ -1,0 +1,8 @@
+# component: T
+# description: Both vehicles point the same way at the start, within 10 degrees.
+# paraphrases:
+#   - aligned with each other
+# conditions: [distance]
+# hosts: [O/lead_ahead_of_specifier]
+# ---
+require abs(relative heading of lead from ego) < 10 deg

@@ -1,0 +1,9 @@
+# component: T
+# description: Ego can see the other vehicle at the start.
+# paraphrases:
+#   - target in the field of view
+#   - line of sight is free
+# conditions: [visible]
+# hosts: [O/lead_ahead_of_specifier]
+# ---
+require ego can see lead

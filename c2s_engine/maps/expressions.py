@@ -30,7 +30,7 @@ import yaml
 
 from c2s_engine import paths
 from c2s_engine.maps.extras import MapExtras
-from c2s_engine.maps.spots import crosswalk_spots, has_room_crosswalk
+from c2s_engine.maps.spots import approaches_with_crosswalk, crosswalk_spots, has_room_crosswalk
 from c2s_engine.structure.specs import PlaceSpec
 
 Yields = Literal["lanes", "maneuvers", "spots"]
@@ -197,9 +197,7 @@ def _ways(where: _Where, spec: PlaceSpec, kind: dict[str, Any], extras: MapExtra
     if spec.manoeuvre:
         where.add(fields["manoeuvre"][spec.manoeuvre])
     if spec.crosswalk is not None:
-        near = {(c.road, c.s < extras.roads[c.road].length / 2) for c in extras.crosswalks
-                if c.road in extras.roads and not has_room_crosswalk(extras, c)}  # fmt: skip
-        pairs = {(j, r) for j, r, at_end in extras.approaches if (r, not at_end) in near}
+        pairs = approaches_with_crosswalk(extras)
         where.add_ids(fields["crosswalk_at_junction"][spec.crosswalk], pairs, "approaches with a crosswalk",
                       "The map has no crosswalk at an intersection." if spec.crosswalk else "")  # fmt: skip
 

@@ -18,7 +18,8 @@ Point = tuple[float, float]
 
 UNITS = {"m/s": 1.0, "km/h": 1 / 3.6, "mph": 0.44704}
 MOTORWAY_LIMIT = 24.0
-"""m/s: a road of two lanes a direction with at least this limit counts as a motorway where types say nothing."""
+"""m/s: a one-way road of two lanes or more without a sidewalk and with at least this limit counts as a motorway where
+types say nothing (CARLA's towns post 55 mph on city streets too)."""
 
 
 @dataclass(frozen=True)
@@ -47,10 +48,12 @@ class RoadInfo:
     limit: float | None
     left: int
     right: int
+    sidewalk: bool
 
     @property
     def motorway(self) -> bool:
-        fast = self.type == "motorway" or (self.limit or 0.0) >= MOTORWAY_LIMIT
+        one_way = 0 in (self.left, self.right) and not self.sidewalk
+        fast = self.type == "motorway" or (one_way and (self.limit or 0.0) >= MOTORWAY_LIMIT)
         return fast and max(self.left, self.right) >= 2
 
 
@@ -78,6 +81,11 @@ class MapExtras:
             if kind in kinds:
                 return kind
         return None
+
+    def approach_end(self, road: int, at_end: bool) -> Point:
+        """Where a road meets its junction, on its reference line."""
+        shape = self.geometry[road]
+        return shape.at(shape.length if at_end else 0.0)[:2]
 
     def of_kind(self, *kinds: str) -> set[int]:
         """Ids of the junctions of those kinds."""
@@ -125,6 +133,7 @@ def _road_info(element: ET.Element, road: opendrive.Road) -> RoadInfo:
     return RoadInfo(
         road.id, element.get("name") or "", road.length, junction if junction >= 0 else None,
         kinds[0].get("type", "") if kinds else "", limit, len(section.driving(1)), len(section.driving(-1)),
+        any(lane.type == "sidewalk" for lane in section.lanes),
     )  # fmt: skip
 
 

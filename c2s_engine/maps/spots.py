@@ -1,11 +1,15 @@
 """Where crosswalks cross the lanes that cars drive in, from the map's own file."""
 
+import math
+
 from c2s_engine.maps.extras import Crosswalk, MapExtras
 from c2s_engine.maps.opendrive import Lane, Road, Section
 from c2s_engine.structure.specs import PlaceSpec
 
 MID_BLOCK = 40.0
 """m between a crosswalk and the road's ends from which on it lies between junctions."""
+AT_STOP_LINE = 12.0
+"""m between the end of an approach and the middle of the crosswalk across it."""
 AHEAD = 30.0
 """m of lane that a spot needs behind the crosswalk."""
 LIMIT_TOLERANCE = 0.6  # m/s
@@ -15,6 +19,17 @@ def has_room_crosswalk(extras: MapExtras, crosswalk: Crosswalk) -> bool:
     """Whether a crosswalk lies mid-block."""
     road = extras.roads.get(crosswalk.road)
     return road is not None and road.junction is None and MID_BLOCK < crosswalk.s < road.length - MID_BLOCK
+
+
+def approaches_with_crosswalk(extras: MapExtras) -> set[tuple[int, int]]:
+    """(junction, road) of the approaches at whose stop line a crosswalk lies, whatever road the map hangs it on."""
+    centres = [crosswalk.centre for crosswalk in extras.crosswalks]
+    found = set()
+    for junction, road, at_end in extras.approaches:
+        end = extras.approach_end(road, at_end) if road in extras.geometry else None
+        if end and any(math.dist(end, centre) < AT_STOP_LINE for centre in centres):
+            found.add((junction, road))
+    return found
 
 
 def crosswalk_spots(extras: MapExtras, spec: PlaceSpec, before: float) -> list[tuple[float, float]]:

@@ -5,6 +5,7 @@ import ast
 import pytest
 import shapely
 
+from c2s_engine import paths
 from c2s_engine.maps.expressions import nearest, place_code, relaxed
 from c2s_engine.maps.extras import read_extras
 from c2s_engine.structure import vocabulary
@@ -133,3 +134,21 @@ def test_a_map_without_the_place_says_so(tmp_path, kind):
     code = place_code(PlaceSpec(kind=kind), read_extras(path))
     assert code.expression == "[]"
     assert code.missing.startswith("The map has no")
+
+
+def test_crosswalks_at_stop_lines(names, extras):
+    with_, without = (places(names, extras, kind="intersection", crosswalk=has) for has in (True, False))
+    every = places(names, extras, kind="intersection")
+    assert len(with_) + len(without) == len(every) and with_ and without
+    assert {way.intersection.name for way in without} == {"quiet crossing", "quiet tee", "rural tee"}
+
+
+def test_a_fast_city_street_is_no_motorway(tmp_path, extras):
+    streets = [info for info in extras.roads.values() if info.sidewalk]
+    assert streets and not any(info.motorway for info in streets)
+    text = paths.shipped("maps", "town.xodr").read_text()
+    path = tmp_path / "fast.xodr"
+    path.write_text(text.replace('type="motorway"', 'type="town"').replace('max="50"', 'max="110"'))
+    assert {r.id for r in read_extras(path).roads.values() if r.motorway} == {
+        r.id for r in extras.roads.values() if r.motorway
+    }

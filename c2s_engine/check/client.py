@@ -10,7 +10,14 @@ from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Any
 
-from c2s_engine.check.protocol import CheckReport, CheckRequest, PlacesReport, PlacesRequest
+from c2s_engine.check.protocol import (
+    CheckReport,
+    CheckRequest,
+    ImportRequest,
+    ImportResult,
+    PlacesReport,
+    PlacesRequest,
+)
 
 LINE = 256 << 20  # bytes of the longest report
 
@@ -78,6 +85,16 @@ class CheckClient:
     async def places(self, request: PlacesRequest) -> PlacesReport:
         """Count the places of a map that expressions match; raises CheckError where the map cannot be read."""
         return PlacesReport.model_validate(await self._ask("places", request.model_dump(mode="json")))
+
+    async def import_program(self, text: str, filename: str = "program.scenic") -> ImportResult:
+        """Decompose a Scenic program into S; raises CheckError, with the line, where it cannot be parsed."""
+        request = ImportRequest(text=text, filename=filename)
+        result = ImportResult.model_validate(await self._ask("import", request.model_dump(mode="json")))
+        if result.structure is None:
+            first = result.diagnostics[0]
+            where = f"line {first.line}: " if first.line else ""
+            raise CheckError(f"{where}{first.message}")
+        return result
 
     async def close(self) -> None:
         """Stop the server and all that it forked."""
@@ -159,6 +176,9 @@ class SyncCheckClient:
 
     def check(self, request: CheckRequest) -> CheckReport:
         return self._do(self._client.check(request))
+
+    def import_program(self, text: str, filename: str = "program.scenic") -> ImportResult:
+        return self._do(self._client.import_program(text, filename))
 
     def places(self, request: PlacesRequest) -> PlacesReport:
         return self._do(self._client.places(request))

@@ -8,8 +8,8 @@ from typing import Any
 
 from c2s_engine.check import wire
 from c2s_engine.check.pool import Pool
-from c2s_engine.check.protocol import CheckRequest, PlacesRequest
-from c2s_engine.check.supervise import check, places
+from c2s_engine.check.protocol import CheckRequest, ImportRequest, PlacesRequest
+from c2s_engine.check.supervise import check, import_program, places
 
 LINE = 64 << 20  # bytes of the longest request
 
@@ -63,6 +63,8 @@ async def _answer(pool: Pool, message: dict[str, Any], out: int, runner: str | N
             body = (await check(pool, CheckRequest.model_validate(message["body"]), runner)).model_dump_json()
         elif kind == "places":
             body = (await places(pool, PlacesRequest.model_validate(message["body"]))).model_dump_json()
+        elif kind == "import":
+            body = (await import_program(pool, ImportRequest.model_validate(message["body"]))).model_dump_json()
         else:
             raise ValueError(f"unknown kind of request {kind!r}")
     except asyncio.CancelledError:

@@ -4,7 +4,8 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict
 
-from c2s_engine.structure.diagnostics import StageResult
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.facts import RunFacts, Trajectories
 from c2s_engine.structure.program import FragmentSpan
 
@@ -55,6 +56,22 @@ class CheckReport(_Message):
     @property
     def ok(self) -> bool:
         return all(s.ok for s in self.stages)
+
+
+class ImportRequest(_Message):
+    """Decompose a program into components."""
+
+    text: str
+    filename: str = "program.scenic"
+
+
+class ImportResult(_Message):
+    """S of an imported program. `upgraded`: its text in Scenic 3 where it was older, with the `diff`."""
+
+    structure: Structure | None = None
+    upgraded: str | None = None
+    diff: str = ""
+    diagnostics: tuple[Diagnostic, ...] = ()  # why there is no structure
 
 
 class PlacesRequest(_Message):

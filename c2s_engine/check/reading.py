@@ -158,5 +158,16 @@ def serve(conn: socket.socket) -> None:
             request, _ = wire.receive(conn)
         except wire.Closed:
             return
+        if request.get("kind") == "import":
+            wire.send(conn, _import(request))
+            continue
         header, blob = reader.read(request)
         wire.send(conn, header, blob)
+
+
+def _import(request: dict[str, Any]) -> dict[str, Any]:
+    from c2s_engine.check import importer
+    from c2s_engine.check.protocol import ImportRequest
+
+    wanted = ImportRequest(text=request["text"], filename=request["filename"])
+    return importer.import_program(wanted).model_dump(mode="json")

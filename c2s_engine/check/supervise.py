@@ -10,9 +10,20 @@ from typing import Any
 from c2s_engine.check import wire
 from c2s_engine.check.pool import Pool, TooSlow
 from c2s_engine.check.processes import Child
-from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits, PlacesReport, PlacesRequest
+from c2s_engine.check.protocol import (
+    CheckReport,
+    CheckRequest,
+    ImportRequest,
+    ImportResult,
+    Limits,
+    PlacesReport,
+    PlacesRequest,
+)
 from c2s_engine.structure.diagnostics import Diagnostic, StageName, StageResult
 from c2s_engine.structure.facts import RunFacts, Trajectories
+
+
+LONGEST = 500_000  # characters of a program
 
 
 async def check(pool: Pool, request: CheckRequest, runner: str | None) -> CheckReport:
@@ -23,6 +34,8 @@ async def check(pool: Pool, request: CheckRequest, runner: str | None) -> CheckR
     job["runner"] = runner
     gathered = _Gathered()
     started = time.perf_counter()
+    if len(request.program) > LONGEST:
+        return gathered.failed("parse", started, "too_long", f"the program is longer than {LONGEST:,} characters")
     try:
         header, blob = await pool.read(job)
     except TooSlow:
@@ -142,10 +155,23 @@ async def places(pool: Pool, request: PlacesRequest) -> PlacesReport:
         raise ValueError(f"there is no map file {request.map}")
     header, blob = await pool.read(job)
     zygote = await pool.nearest(request.map, (header["preamble"], job["filename"], "[]"), job, blob)
-    child = await zygote.spawn({**job, "kind": "places", "expressions": request.expressions, "prelude": request.prelude}, b"")
+    child = await zygote.spawn(
+        {**job, "kind": "places", "expressions": request.expressions, "prelude": request.prelude}, b""
+    )
     gathered = _Gathered()
     report = await _watch(child, check_request.limits, gathered)
     if gathered.places is None:
         found = [d.message for s in report.stages for d in s.diagnostics]
         raise ValueError(found[0] if found else f"the map {request.map} could not be read")
     return PlacesReport.model_validate(gathered.places)
+
+
+async def import_program(pool: Pool, request: ImportRequest) -> ImportResult:
+    """Decompose a program in the reader: nothing of it is executed."""
+    try:
+        header, _ = await pool.read({"kind": "import", **request.model_dump(mode="json")})
+    except TooSlow:
+        raise ValueError("the program takes too long to parse; make it simpler") from None
+    except wire.Closed:
+        raise ValueError("the program is nested too deeply or too large to parse; make it simpler") from None
+    return ImportResult.model_validate(header)

@@ -2,6 +2,7 @@
 
 import ast
 import builtins
+import contextlib
 import functools
 import hashlib
 import importlib
@@ -9,6 +10,7 @@ import importlib.util
 import inspect
 import pickle
 import sys
+import types
 from dataclasses import dataclass, field
 from importlib.metadata import version
 from pathlib import Path
@@ -24,6 +26,7 @@ class Module:
     names: frozenset[str] = frozenset()
     stars: tuple[str, ...] = ()
     behaviors: dict[str, tuple[tuple[str, ...], bool]] = field(default_factory=dict)
+    imports: tuple[tuple[str, str, str], ...] = ()  # (module, name or nothing for the module itself, name here)
 
 
 @dataclass(frozen=True)
@@ -102,7 +105,7 @@ def _python_names(name: str) -> set[str]:
 def _module(path: Path) -> Module:
     source = path.read_bytes()
     tag = hashlib.blake2b(
-        source + version("scenic").encode() + sys.version.encode() + b"world 1", digest_size=16
+        source + version("scenic").encode() + sys.version.encode() + b"world 2", digest_size=16
     ).hexdigest()
     cached = paths.cache_folder() / "modules" / f"{tag}.world"
     try:
@@ -122,6 +125,7 @@ def read_module(tree: Any) -> Module:
 
     names: set[str] = set()
     stars: list[str] = []
+    imports: list[tuple[str, str, str]] = []
     behaviors: dict[str, tuple[tuple[str, ...], bool]] = {}
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom):
@@ -129,8 +133,10 @@ def read_module(tree: Any) -> Module:
                 stars.append(node.module or "")
             else:
                 names |= {a.asname or a.name for a in node.names}
+                imports += [(node.module or "", a.name, a.asname or a.name) for a in node.names]
         elif isinstance(node, ast.Import):
             names |= {a.asname or a.name.split(".")[0] for a in node.names}
+            imports += [(a.name, "", a.asname or a.name.split(".")[0]) for a in node.names]
         elif isinstance(node, s.BehaviorDef):
             names.add(node.name)
             behaviors[node.name] = signature(node.args)
@@ -140,7 +146,7 @@ def read_module(tree: Any) -> Module:
             names |= {f"param {p.identifier}" for p in node.elts}
         elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
             names.add(node.id)
-    return Module(frozenset(names), tuple(stars), behaviors)
+    return Module(frozenset(names), tuple(stars), behaviors, tuple(imports))
 
 
 def signature(arguments: ast.arguments) -> tuple[tuple[str, ...], bool]:
@@ -167,3 +173,37 @@ def enumerations() -> dict[str, frozenset[str]]:
         for name, value in inspect.getmembers(roads, inspect.isclass)
         if name in ("ManeuverType", "VehicleType")
     }
+
+
+_HARMLESS = frozenset({"math", "random", "time", "numbers", "itertools", "Optional", "Union", "Any", "List", "Tuple"})
+
+
+@functools.cache
+def leaks(name: str) -> frozenset[str]:
+    """Names of a module that are other modules, or functions and classes from outside Scenic."""
+    path = source_of(name)
+    if path is None:
+        try:
+            found = vars(importlib.import_module(name))
+        except ImportError:
+            return frozenset()
+        return frozenset(n for n, v in found.items() if not n.startswith("__") and _foreign(v)) - _HARMLESS
+    module = _module(path)
+    leaked: set[str] = set()
+    for source, original, here in module.imports:
+        if not original:
+            leaked.add(here)
+            continue
+        with contextlib.suppress(ImportError):
+            if _foreign(getattr(importlib.import_module(source), original, None)):
+                leaked.add(here)
+    for star in module.stars:
+        leaked |= leaks(star)
+    return frozenset(leaked) - _HARMLESS
+
+
+def _foreign(value: Any) -> bool:
+    if isinstance(value, types.ModuleType):
+        return True
+    home = getattr(value, "__module__", None)
+    return callable(value) and isinstance(home, str) and not home.startswith(("scenic.", "builtins", "typing"))

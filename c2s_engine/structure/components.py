@@ -60,6 +60,9 @@ class Component(Frozen):
     assumed: tuple[Assumption, ...] = ()
     unmet: tuple[Unmet, ...] = ()
     key: str = Field("", description="the digest under which `code` was written; empty: not written yet")
+    layout: tuple[tuple[int, str], ...] = Field(
+        (), description="imported code that stood scattered: (place in the program, text) of each of its parts"
+    )
     conflict: str | None = Field(None, description="what would be written, where code by hand stands against it")
 
     @property

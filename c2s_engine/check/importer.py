@@ -1,0 +1,248 @@
+"""Any Scenic program as S: each top-level statement, with the comments before it, goes to one component.
+
+Who needs a statement decides where it goes: what only ego needs is E's, what describes places is R's, each object is
+an O with the behaviours that only it runs, requirements are T's, and what all share is G's. Nothing is executed.
+"""
+
+import ast
+import functools
+import io
+from collections import defaultdict
+from dataclasses import dataclass, field
+from importlib.resources import files
+from typing import Any
+
+import yaml
+
+from c2s_engine.check import describe, diagnose, pieces, upgrade, world
+from c2s_engine.check.protocol import ImportRequest, ImportResult
+from c2s_engine.structure.components import Component, Structure
+
+SINGLE = ("G", "R", "E", "T")
+
+
+@functools.cache
+def table() -> dict[str, Any]:
+    return yaml.safe_load(files("c2s_engine.check").joinpath("importer.yaml").read_text(encoding="utf-8"))
+
+
+@dataclass
+class Unit:
+    """A top-level statement with the comment lines before it."""
+
+    text: str
+    tree: Any
+    kind: str = ""  # settings, place, object, ego, restriction, definition, constant, other
+    defines: frozenset[str] = frozenset()
+    uses: frozenset[str] = frozenset()
+    component: str = ""
+    classes: list[str] = field(default_factory=list)
+
+
+def import_program(request: ImportRequest) -> ImportResult:
+    """Decompose a program; where it is of Scenic 2, upgrade it first."""
+    text = request.text
+    try:
+        newer = upgrade.upgraded(text, request.filename)
+        found = units(newer, request.filename)
+    except Exception as error:
+        program = diagnose.Program(text, request.filename)
+        return ImportResult(diagnostics=(diagnose.diagnose(error, "parse", program),))
+    assign(found)
+    changed = newer if newer != text else None
+    return ImportResult(
+        structure=build(found), upgraded=changed, diff=upgrade.difference(text, newer, request.filename)
+    )
+
+
+def units(text: str, filename: str) -> list[Unit]:
+    """The program cut at its top-level statements; raises what the parser raises. The texts joined are the program."""
+    try:
+        cuts = pieces.cut(text)
+    except pieces.Cut:
+        pieces.parse(text, filename)
+        raise
+    lines = list(io.StringIO(text, newline="\n"))
+    found: list[Unit] = []
+    begin = 0
+    for piece in cuts:
+        end = piece.last
+        found.append(Unit("".join(lines[begin:end]), pieces.parse(piece.text, filename, piece.first - 1)))
+        begin = end
+    rest = "".join(lines[begin:])
+    if not found:
+        return [Unit(text, ast.Module(body=[], type_ignores=[]), kind="settings")]
+    found[-1].text += rest
+    for unit in found:
+        classify(unit)
+    return found
+
+
+def classify(unit: Unit) -> None:
+    """What a statement is by itself, what it defines and what it uses."""
+    from scenic.syntax import ast as s
+
+    bound: set[str] = set()
+    read: set[str] = set()
+    kinds: set[str] = set()
+    for node in ast.walk(unit.tree):
+        if isinstance(node, ast.Name):
+            (read if isinstance(node.ctx, ast.Load) else bound).add(node.id)
+        elif isinstance(node, s.New):
+            read.add(node.className)
+            unit.classes.append(node.className)
+        elif isinstance(node, s.TrackedAssign):
+            kinds.add("ego" if isinstance(node.target, s.Ego) else "place")
+    for node in unit.tree.body:
+        if isinstance(node, s.Model | s.Param | s.Simulator | ast.Import | ast.ImportFrom):
+            kinds.add("settings")
+        elif isinstance(node, s.BehaviorDef | s.MonitorDef | s.ScenarioDef | ast.FunctionDef | ast.ClassDef):
+            kinds.add("definition")
+            bound = {node.name}
+        elif isinstance(node, _restrictions()):
+            kinds.add("restriction")
+        elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
+            kinds.add("settings")
+    made = [c for c in unit.classes if c not in table()["points"]]
+    whole_scenario = any(isinstance(n, s.ScenarioDef) for n in unit.tree.body)
+    if "ego" in kinds and (not kinds & {"definition"} or whole_scenario):
+        unit.kind = "ego"
+        bound.add("ego")
+    elif made and (not kinds & {"definition"} or whole_scenario):
+        unit.kind = "object"
+    elif "restriction" in kinds:
+        unit.kind = "restriction"
+    elif "settings" in kinds:
+        unit.kind = "settings"
+    elif "definition" in kinds:
+        unit.kind = "definition"
+    elif "place" in kinds or read & set(table()["places"]) or unit.classes:
+        unit.kind = "place"
+    else:
+        unit.kind = "constant" if bound else "other"
+    unit.defines, unit.uses = frozenset(bound), frozenset(read - bound if unit.kind == "definition" else read)
+
+
+def _restrictions() -> tuple[type, ...]:
+    from scenic.syntax import ast as s
+
+    return (
+        s.Require, s.RequireMonitor, s.Record, s.RecordInitial, s.RecordFinal, s.Mutate,
+        s.TerminateWhen, s.TerminateSimulationWhen, s.TerminateAfter,
+    )  # fmt: skip
+
+
+def assign(found: list[Unit]) -> None:
+    """Give each statement its component."""
+    makers: dict[str, int] = {name: i for i, unit in enumerate(found) for name in unit.defines}
+    number = 0
+    for unit in found:
+        if unit.kind == "ego":
+            unit.component = "E"
+        elif unit.kind == "object":
+            number += 1
+            unit.component = f"O{number}"
+        elif unit.kind == "restriction":
+            unit.component = "T"
+        elif unit.kind == "settings":
+            unit.component = "G"
+        elif unit.kind == "place":
+            unit.component = "R"
+    spread(found, makers)
+    before = "G"
+    for unit in found:
+        if not unit.component:
+            owners = [found[makers[n]].component for n in sorted(unit.uses) if n in makers]
+            unit.component = next((o for o in owners if o), before)
+        before = unit.component
+
+
+def spread(found: list[Unit], makers: dict[str, int]) -> None:
+    """Definitions and constants go where they are needed; places made of random or constant values only, too."""
+    users: dict[int, set[int]] = defaultdict(set)
+    for i, unit in enumerate(found):
+        for name in unit.uses:
+            if name in makers and makers[name] != i:
+                users[makers[name]].add(i)
+    for _ in found:
+        changed = False
+        for i in range(len(found) - 1, -1, -1):
+            unit = found[i]
+            if unit.component or unit.kind not in ("definition", "constant"):
+                continue
+            owners = {found[j].component for j in users[i]}
+            if not owners or "" in owners:
+                continue
+            unit.component = _common(owners, unit.kind)
+            changed = True
+        if not changed:
+            break
+    for unit in found:
+        if not unit.component and unit.kind == "definition":
+            unit.component = "T" if _is_monitor(unit) else "G"
+
+
+def _common(owners: set[str], kind: str) -> str:
+    if len(owners) == 1:
+        return next(iter(owners))
+    if kind == "definition" and "E" in owners:
+        return "E"
+    movers = sorted((o for o in owners if o.startswith("O")), key=lambda o: int(o[1:]))
+    return movers[0] if kind == "definition" and movers else "G"
+
+
+def _is_monitor(unit: Unit) -> bool:
+    from scenic.syntax import ast as s
+
+    return any(isinstance(n, s.MonitorDef) for n in unit.tree.body)
+
+
+def build(found: list[Unit]) -> Structure:
+    """The structure: each component with its code, the places of its parts, a spec and a description."""
+    grouped: dict[str, list[tuple[int, Unit]]] = defaultdict(list)
+    for i, unit in enumerate(found):
+        grouped[unit.component].append((i, unit))
+    ids = ["G", "R", "E", *sorted((c for c in grouped if c.startswith("O")), key=lambda c: int(c[1:])), "T"]
+    order = [u.component for u in found]
+    contiguous = order == sorted(order, key=ids.index)
+    context = describe.Context(found)
+    components = {cid: _component(cid, grouped[cid], context, contiguous) for cid in ids}
+    return Structure(
+        settings=components["G"],
+        place=components["R"],
+        ego=components["E"],
+        objects=tuple(components[c] for c in ids if c.startswith("O")),
+        restrictions=components["T"],
+    )
+
+
+def _component(cid: str, members: list[tuple[int, Unit]], context: "describe.Context", contiguous: bool) -> Component:
+    spec, description = context.describe(cid, [unit for _, unit in members])
+    parts: list[list[Any]] = []
+    for place, unit in members:
+        if parts and parts[-1][2] == place - 1:
+            parts[-1][1] += unit.text
+            parts[-1][2] = place
+        else:
+            parts.append([place, unit.text, place])
+    code = "".join(unit.text for _, unit in members)
+    layout = () if contiguous else tuple((int(p[0]), str(p[1])) for p in parts)
+    return Component(id=cid, description=description, spec=spec, code=code, origin="imported", layout=layout)
+
+
+def type_of(name: str, classes: dict[str, str]) -> str | None:
+    """The type of S of a class, through the classes that the program derives."""
+    for _ in range(10):
+        if name in table()["types"]:
+            return str(table()["types"][name])
+        if name not in classes:
+            return None
+        name = classes[name]
+    return None
+
+
+def known_classes(model: str) -> frozenset[str]:
+    """The classes whose objects a program can make: the table's, and what the world model defines like a class."""
+    found = world.world(model) if model else None
+    names = {n for n in found.names if n[:1].isupper()} if found else set()
+    return frozenset(table()["types"]) | frozenset(table()["points"]) | {n for n in names if n.isidentifier()}

@@ -1,0 +1,7 @@
+# goal: evaluate text
+# upto: sample
+param map = localPath('town.xodr')
+param carla_map = None
+model scenic.simulators.carla.model
+x = eval("__import__('os').system('touch MARK')")
+ego = new Car on Uniform(*network.lanes).centerline

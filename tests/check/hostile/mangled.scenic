@@ -1,0 +1,7 @@
+# goal: bind a dunder by assignment
+# upto: sample
+param map = localPath('town.xodr')
+param carla_map = None
+model scenic.simulators.carla.model
+__builtins__ = {}
+ego = new Car on Uniform(*network.lanes).centerline

@@ -10,6 +10,7 @@ from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.syntax import Word
 
 CLAUSAL = frozenset(("advcl", "relcl", "ccomp", "acl", "csubj", "csubjpass", "parataxis", "pcomp", "xcomp"))
+CONTACT = frozenset(("hit", "strike", "collide", "crash", "rear-end", "run"))
 PLACES = {"speed": "#speed", "distance": "#dist", "time": "#time", "acceleration": "#acc", "percent": "#percent"}
 
 
@@ -132,7 +133,7 @@ class Clauses:
                     parts.append(mark)
             elif i in self.cast.of:
                 parts.append("@" + self.cast.of[i].key + (" 's" if word.tag == "PRP$" else ""))
-            elif word.tag.startswith("VB") or word.tag == "MD":
+            elif (word.tag.startswith("VB") and word.dep not in ("amod", "compound")) or word.tag == "MD":
                 parts.append(self._lemma(word))
             else:
                 parts.append(word.norm)
@@ -204,6 +205,10 @@ class Clauses:
         if word.dep in ("pcomp", "advcl", "conj", "parataxis", "dep", "csubj", "prep", "amod", "appos", "punct"):
             above = head if head.verb or self._is_verb(head) else self._governor(head)
             if above is not None and above.i != word.i:
+                if word.dep == "csubj":
+                    found = next((self.cast.referent(c) for c in above.children if self.words[c].dep in ("attr", "nsubj") and c > word.i), None)
+                    if found is not None:
+                        return found, above.i, False
                 if word.dep == "csubj" and not any(self.words[c].dep in ("nsubj", "attr") for c in above.children):
                     return self._inverted(word)
                 inverted = self._inverted(word) if word.dep in ("conj",) and word.tag in ("VBZ", "VBD") and word.i > above.i else (None, None, False)
@@ -254,7 +259,7 @@ class Clauses:
                 mode = "negated"
             if other.dep == "aux" and other.norm in ("would", "could", "might"):
                 mode = "hypothetical"
-            if other.dep == "mark" and other.norm in ("if", "unless", "whether", "lest"):
+            if other.dep == "mark" and other.norm in ("if", "unless", "whether", "lest") and not self._criterion(word):
                 mode = "hypothetical"
             if other.dep in ("nsubj", "nsubjpass") and (other.norm in ("none", "neither", "nobody", "nothing") or any(self.words[c].norm in ("no", "neither") for c in other.children)):
                 mode = "negated"
@@ -286,7 +291,7 @@ class Clauses:
             elif word.dep == "conj" and head.verb:
                 above = self._mode(head)
                 own_subject = any(self.words[c].dep in ("nsubj", "nsubjpass", "aux") for c in word.children)
-                if above in ("hypothetical", "negated", "purpose") and not own_subject and word.tag in ("VB", "VBN"):
+                if above in ("hypothetical", "negated", "purpose") and not own_subject and word.tag in ("VB", "VBN") and self._lemma(word) not in CONTACT:
                     mode = above
                 if above == "intended" and not own_subject and word.tag == "VB":
                     mode = above
@@ -294,10 +299,18 @@ class Clauses:
                 mode = "negated"
         if word.dep in ("advcl",) and self.words[word.i - 1].norm in ("than",):
             mode = "negated"
+        if word.dep == "csubj" and head.verb and self._mode(head) in ("negated", "hypothetical"):
+            mode = self._mode(head)
+        if word.dep == "pcomp" and (noun := self.words[head.head]).tag.startswith("NN") and any(self.words[c].norm == "no" for c in noun.children):
+            mode = "negated"
         before = [w.norm for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]
         if before[-2:] in (["rather", "than"], ["instead", "of"]) or before[-1:] == ["nor"] or before[-1:] == ["without"]:
             mode = "negated"
         return mode
+
+    def _criterion(self, word: Word) -> bool:
+        """Whether an if-clause states what a test demands: "passed if the system brakes"."""
+        return self.words[word.head].lemma in ("pass", "succeed", "accept", "fulfil", "satisfy", "meet", "deem", "consider", "successful", "fulfill")
 
     def _verb(self, word: Word) -> None:
         lemma = self._lemma(word)
@@ -306,15 +319,25 @@ class Clauses:
         text, whole = self.render(after, word.i), self.render(own, word.i)
         shades = language.table("motions")["modality"]
         complements = [c for c in word.children if self.words[c].dep in ("xcomp", "ccomp") and self._is_verb(self.words[c])]
+        if lemma in ("let", "allow", "wait", "permit") and complements:
+            text = f"{text} {self.render(self.own(self.words[complements[0]]))}"
+        if lemma == "wait" and (later := [c for c in word.children if self.words[c].dep == "advcl" and self._mark(self.words[c]) in ("until", "till")]):
+            text = f"wait until {self.render(self.own(self.words[later[0]]))}"
         if complements and lemma in (*shades["light"], *shades["intended"], *shades["failed"]) and not re.search(r"^(stop|start|be|see|observe|detect|ensure|decide|remain) .*@", text):
-            if not (lemma == "let" or lemma == "allow" or lemma in ("wait",) and "for" in text):
+            if lemma not in ("let", "allow", "permit", "wait"):
                 self.light.add(word.i)
                 return
         agent, at, passive = self._subject(word)
+        if agent is None:
+            agent = self._nearest(word, at)
         patient = self._patient(word, own, agent, passive)
         event = self._event(lemma, word, text, whole, agent, patient)
         if event is None:
             return
+        if event.act == "start_straight":
+            event.act = "start"
+            then = Event("go_straight", event.agent, word.i, text, whole, order=word.i + 0.1, mode=self._mode(word), words=[word.i])
+            self.events.append(then)
         event.words, event.mode, event.passive = own, self._mode(word), passive
         event.start, event.end = self.words[own[0]].start, self.words[own[-1]].end
         event.quantities = self._quantities(own)
@@ -323,6 +346,20 @@ class Clauses:
         event.also = self._also(at)
         self.events.append(event)
         self.by_word[word.i] = event
+
+    def _nearest(self, word: Word, at: int | None) -> Entity | None:
+        """The nearest noun before the verb that no preposition governs, where the tree gives no agent."""
+        if any(self.words[c].dep in ("nsubj", "nsubjpass") and not self.words[c].span and self.words[c].norm not in ("traffic", "one", "which", "that", "who") for c in word.children) and at is not None:
+            return None
+        if word.tag not in ("VBZ", "VBD", "VBP"):
+            return None
+        for i in range(word.i - 1, max(-1, word.i - 16), -1):
+            other = self.words[i]
+            if other.sentence != word.sentence or other.norm in (";", ":"):
+                return None
+            if i in self.cast.of and other.dep not in ("pobj", "poss", "dobj") and other.tag != "PRP$":
+                return self.cast.of[i]
+        return None
 
     def _also(self, at: int | None) -> list[Entity]:
         """The others of a joint subject ("V1 and V3 met")."""
@@ -382,7 +419,7 @@ class Clauses:
             if i > word.i and i in self.cast.of and self.cast.of[i] is not agent and (self.cast.of[i].mover or self.cast.of[i].type not in ("construction_zone",)):
                 return self.cast.of[i]
         for child in word.children:
-            if self.words[child].dep == "ccomp":
+            if self.words[child].dep in ("ccomp", "advcl") and self._is_verb(self.words[child]) and word.lemma in ("let", "allow", "wait", "permit", "lets"):
                 found = self._subject(self.words[child])[0]
                 if found is not None and found is not agent:
                     return found
@@ -406,12 +443,19 @@ class Clauses:
             if "not" in patterns and patterns["not"].search(whole if rule["act"] != "reverse" else text):
                 continue
             actor = patient if rule.get("swap") else agent
-            if rule["act"] == "none":
+            if rule["act"] in ("none", "stop_none"):
                 return None
+            if rule.get("swap_passive"):
+                if patient is None or not re.search(r"past|pass|through|by|go", whole + text):
+                    continue
+                actor = agent if agent is not None and agent is not patient else self.cast.ego
             if actor is None:
                 actor = self._default_agent(word, rule["act"])
                 if actor is None:
                     return None
+                if rule["act"] == "collide":
+                    others = [self.cast.of[i] for i in sorted(self.cast.of) if i < word.i and not self.cast.of[i].ego and self.cast.of[i].mover]
+                    patient = patient or (others[-1] if others else None)
             if not self._agrees(rule, actor):
                 continue
             if rule.get("target") == "ego" and actor.ego or rule.get("of") == "ego_lane" and (actor.ego and not re.search(r"@a\d", text)):
@@ -424,7 +468,9 @@ class Clauses:
     def _default_agent(self, word: Word, act: str) -> Entity | None:
         """An imperative, or a passive without an agent: what is asked for is asked of ego."""
         subjects = [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass")]
-        if subjects and self.words[subjects[0]].lemma not in ("braking", "brake", "brakes", "manoeuvre", "maneuver", "movement", "speed", "turn", "driver", "system", "response", "pedal"):
+        if subjects and act == "collide" and self.words[subjects[0]].norm in ("two", "both", "they", "vehicles", "cars", "all"):
+            return self.cast.ego
+        if subjects and self.words[subjects[0]].lemma not in ("braking", "brake", "brakes", "manoeuvre", "maneuver", "movement", "speed", "turn", "turning", "driver", "system", "response", "pedal", "merging", "crossing"):
             return None
         if not subjects and word.dep not in ("ROOT", "conj", "csubj", "xcomp", "advcl", "ccomp", "pcomp"):
             return None
@@ -464,7 +510,10 @@ class Clauses:
                 return
             agent, patient = self._noun_agent(word, verb)
             if agent is None:
-                if rule["act"] not in ("brake", "stop", "lose_control", "lane_change", "turn", "u_turn", "reverse", "overtake"):
+                if rule["act"] == "collide":
+                    others = [self.cast.of[i] for i in sorted(self.cast.of) if i < word.i and not self.cast.of[i].ego]
+                    patient = patient or (others[-1] if others else None)
+                elif rule["act"] not in ("brake", "stop", "lose_control", "lane_change", "turn", "u_turn", "reverse", "overtake"):
                     return
                 agent = self.cast.ego
             mode = self._mode(verb) if verb is not None and verb.lemma not in ("prevent", "avoid") else "fact"
@@ -475,6 +524,8 @@ class Clauses:
             event = Event(rule["act"], agent, word.i, text, text, patient, mode, bool(rule.get("hard")), float(word.i))
             event.words, event.start, event.end = own, word.start, word.end
             event.quantities = self._quantities(self._below(word.i))
+            if event.agent.ego and event.act == "collide" and (event.patient is None or any(e.act == "collide" and e.mode == "fact" for e in self.events)):
+                return
             self.events.append(event)
             self.by_word[word.i] = event
             return

@@ -31,7 +31,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             react_to = react_to or who or _yielded(scene, event, ids)
         elif act in RESPONSES:
             stop = act != "brake"
-            if stop and _for_sign(scene, event, place) or not others:
+            if stop and _for_sign(scene, event, place) or not others or "turn" in event.text and not event.hard and not others:
                 phases.append(Phase(action="stop" if stop else "brake", rate=rate_of(event), speed=target_speed(event), trigger=trigger))
                 if stop and others and not said_reaction:
                     pass
@@ -56,7 +56,9 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         elif act == "cut_in":
             phases.append(Phase(action="cut_in" if who else "lane_change", target=who, side=towards, trigger=trigger))
         elif act == "turn":
-            towards = towards or (place.manoeuvre if place.manoeuvre in ("left", "right") else "left")
+            if towards is None and any(p.action.startswith("turn_") for p in phases):
+                continue
+            towards = towards or next((s for e in events if e.act == "turn" and (s := side(e))), None) or (place.manoeuvre if place.manoeuvre in ("left", "right") else "left")
             phases.append(Phase(action=f"turn_{towards}", trigger=trigger))
         elif act in ("u_turn", "run_red", "run_stop", "lose_control", "accelerate", "start"):
             phases.append(Phase(action=act, side=towards if act == "lose_control" else None, trigger=trigger))  # type: ignore[arg-type]
@@ -78,9 +80,13 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             phases.append(Phase(action="wait" if phases else "stationary", duration=duration_of(event)))
         elif act == "keep_lane" and not phases:
             phases.append(Phase(action="keep_lane"))
+    if any(p.action == "follow" for p in phases):
+        phases = [p for p in phases if p.action not in ("start", "accelerate")]
     struck = next((e for e in scene.clauses.events if e.act == "collide" and e.done and not e.agent.ego and e.patient is ego), None)
     phases = _tidy(phases, place, reaction)
-    speed = _speed(scene, place, phases, assumed)
+    if scene.road.signal and not any(p.action in ("run_red", "stop", "wait", "stationary") for p in phases) and _faces_red(scene) and any(p.action in ("turn_right", "turn_left", "go_straight") for p in phases) and not any(e.act in (*RESPONSES, "stationary", "yield") for e in events):
+        phases.insert(0, Phase(action="run_red"))
+    speed = _speed(scene, ids, place, phases, assumed)
     if reaction == "none" and not said_reaction and struck is None and not any(p.action in ("collide", "oncoming", "leave_road", "lose_control", "reverse", "turn_left", "turn_right", "run_red", "run_stop", "overtake", "lane_change", "u_turn") for p in phases) and _in_lane_conflict(scene, place):
         reaction = "brake"
         assumed.append(Assumption(field="reaction", value="brake", reason="the text does not say how ego reacts: it brakes for what comes into its way"))
@@ -90,6 +96,14 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         model = scene.settings.ego_model.value
     spec = EgoSpec(type=kind, model=model, speed=speed, phases=tuple(phases[:8]), reaction=reaction, react_to=react_to, hard=hard)  # type: ignore[arg-type]
     return spec, assumed
+
+
+def _faces_red(scene: Scene) -> bool:
+    """Whether the light that ego faces is red while it goes on (a right turn on red)."""
+    for event in scene.events(scene.cast.ego):
+        if re.search(r"\bred\b", " ".join(scene.words[i].norm for i in range(max(0, event.word - 8), min(len(scene.words), event.word + 9)) if scene.words[i].sentence == scene.words[event.word].sentence)):
+            return True
+    return bool(re.search(r"right turn on red|turn(s|ing)? right on red", scene.plain))
 
 
 def _tidy(phases: list[Phase], place: PlaceSpec, reaction: str) -> list[Phase]:
@@ -123,11 +137,17 @@ def _tidy(phases: list[Phase], place: PlaceSpec, reaction: str) -> list[Phase]:
     return [p for p in found if p.action != "keep_lane" or len(found) == 1]
 
 
-def _speed(scene: Scene, place: PlaceSpec, phases: list[Phase], assumed: list[Assumption]) -> float | tuple[float, float] | None:
+def _speed(scene: Scene, ids: dict[Entity, str], place: PlaceSpec, phases: list[Phase], assumed: list[Assumption]) -> float | tuple[float, float] | None:
     said = scene.speeds.get(scene.cast.ego)
     if said is not None:
         low, high = said[0], said[1]
         return round(low, 2) if high - low < 0.05 else (round(low, 2), round(high, 2))
+    lead = next((e for e in scene.actors for p in phases if p.action == "follow" and ids.get(e) == p.target and e in scene.speeds), None)
+    if lead is not None:
+        low, high = scene.speeds[lead][0], scene.speeds[lead][1]
+        if not any(e.act in ("approach", "brake") and e.agent.ego for e in scene.clauses.events):
+            assumed.append(Assumption(field="speed", value=f"{low * 3.6:.0f} km/h", reason="it follows at the speed of the one ahead"))
+            return round((low + high) / 2, 2)
     if phases and phases[0].action in ("stationary", "enter_road", "start", "wait"):
         assumed.append(Assumption(field="speed", value="0 km/h", reason="it stands at first"))
         return 0.0
@@ -176,7 +196,7 @@ def _for_sign(scene: Scene, event: Event, place: PlaceSpec) -> bool:
     """A stop that a sign or a red light asks for, not another road user."""
     near = event.whole
     sentence = " ".join(w.norm for w in scene.words if w.sentence == scene.words[event.word].sentence)
-    if re.search(r"stop sign|stop line|red light|traffic (light|signal)|at (the|a) (red|sign|line|intersection|junction)|where the cross street|behind @|queue", near):
+    if re.search(r"stop sign|stop line|red light|traffic (light|signal)|at (the|a) (red|sign|line|intersection|junction)|where the cross street", near):
         return True
     return scene.road.stop_sign and "stop sign" in sentence or event.act == "stop" and place.kind == "intersection" and bool(re.search(r"full stop|complete stop", near)) and any(e.act in ("start", "go_straight", "turn") and e.order > event.order for e in scene.events(scene.cast.ego))
 

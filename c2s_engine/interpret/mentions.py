@@ -86,6 +86,7 @@ class Cast:
         self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
         self.strong_ego = any(w.span and w.span.kind == "ego" for w in words)
         self.ego_named = self.strong_ego or any(w.span and w.span.kind == "label" and w.span.data["label"] == "1" for w in words)
+        self.one_is_ego = self._label_is_ego()
         self._resolve()
 
     # -- building ------------------------------------------------------------------------------------------------
@@ -126,10 +127,17 @@ class Cast:
             if re.search(rf"\b{kind}\b", word.norm):
                 self.ego.type, self.ego.typed = kind, True
 
+    def _label_is_ego(self) -> bool:
+        """Whether number 1 is ego although ego has another name: "V1, the subject vehicle"."""
+        if not self.strong_ego:
+            return True
+        text = " ".join("@one" if w.span and w.span.kind == "label" and w.span.data["label"] == "1" else "@ego" if w.span and w.span.kind == "ego" else w.norm for w in self.words)
+        return bool(re.search(r"@one (,|\(|is|was|being|, which is) (the )?@ego|@ego (,|\(|is|was) ?\(? ?@one", text))
+
     def _labelled(self, word: Word) -> Entity | None:
         data = word.span.data  # type: ignore[union-attr]
         label = data["label"]
-        if label == "1" and not self.strong_ego:
+        if label == "1" and self.one_is_ego:
             host = self._apposed(word)
             if host and not host.ego and len(host.mentions) == 1:
                 self._become_ego(host)
@@ -138,6 +146,9 @@ class Cast:
             if entity.label == label:
                 return entity
         host = self._apposed(word)
+        if host is None and word.i and self.words[word.i - 1].norm == "(":
+            near = [i for i in sorted(self.of) if i < word.i and self.words[i].sentence == word.sentence and not self.of[i].ego and not self.of[i].label]
+            host = self.of[near[-1]] if near else None
         if host and not host.ego and not host.label:
             host.label = label
             return host
@@ -210,7 +221,8 @@ class Cast:
         if host is not None and (host.type == "vehicle" or kind in ("vehicle", host.type) or host.ego or host.label) and (host.mover or not MOVERS & {kind}):
             return self._retyped(host, kind, roles, noun)
         host = self._apposed(word)
-        if host is not None and word.dep in ("appos", "attr", "nsubj", "ROOT", "dobj", "pobj", "conj") and self.words[word.i - 1].norm not in ("and", "or") and (
+        bracket = word.i and any(w.norm in ("(", "--", "-", ":") for w in self.words[max(0, word.i - 4) : word.i])
+        if host is not None and (word.dep in ("appos", "attr") or bracket) and self.words[word.i - 1].norm not in ("and", "or") and (
             fits(host, kind) or host.type == "vehicle" or (host.ego and not self.ego.typed and kind in MOTOR)
         ) and not (word.dep == "conj" and not host.label and not host.ego):
             return self._retyped(host, kind, roles, noun)
@@ -218,6 +230,14 @@ class Cast:
         definite = bool(DEFINITE & set(before)) or previous in DEFINITE
         other = bool({"other", "another"} & set(before)) or previous in ("other", "another")
         ordinal = next((ORDINALS[b] for b in before if b in ORDINALS), None)
+        if not other and not ordinal:
+            for entity in self.entities:
+                if entity.type == kind and len(entity.mentions) == 1 and count == entity.count and self._heading(self.words[entity.mentions[0].word].sentence) and self.words[entity.mentions[0].word].sentence < word.sentence:
+                    return entity
+        if kind != "vehicle" and previous in ("a", "an") or {"a", "an"} & set(before):
+            named = self._revealed(word, kind)
+            if named is not None:
+                return self._retyped(named, kind, roles, noun)
         if noun == "road works" or kind in ZONES:
             for entity in self.entities:
                 if entity.type == kind:
@@ -233,6 +253,18 @@ class Cast:
                 found.roles |= roles
                 return found
         return self._new(Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal))
+
+    def _heading(self, sentence: int) -> bool:
+        """Whether a sentence is a title: without a finite verb."""
+        return not any(w.sentence == sentence and w.tag in ("VBZ", "VBD", "VBP", "MD") for w in self.words)
+
+    def _revealed(self, word: Word, kind: str) -> Entity | None:
+        """The bare label that a colon explains: "V3 came into view: a disabled car"."""
+        sentence = [w for w in self.words[: word.i] if w.sentence == word.sentence]
+        if not any(w.norm == ":" for w in sentence[-4:]):
+            return None
+        labels = [self.of[w.i] for w in sentence if w.i in self.of and self.of[w.i].label and self.of[w.i].type == "vehicle" and not self.of[w.i].ego]
+        return labels[-1] if labels and kind in MOTOR else None
 
     def _near(self, word: Word) -> list[str]:
         return [w.norm for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]
@@ -292,11 +324,21 @@ class Cast:
                 if roles & {"following"} and not self.ego_named and kind == "vehicle":
                     return None
                 return None
+        if kind == "vehicle" and noun == "vehicle" and not self.ego_named and not bare and not other:
+            generic = [e for e in candidates if e.noun == "vehicle"]
+            plain = [e for e in candidates if e.noun != "vehicle" and not e.roles]
+            if not generic and (len(candidates) != 1 or not plain):
+                return None
         if bare and not roles:
             return next((e for e in reversed(candidates) if e.noun == noun), None)
         if other:
             vehicles = [e for e in candidates if not e.ego]
-            return vehicles[-1] if vehicles else None
+            group = [e for e in vehicles if e.count == 2]
+            if group and self.ego_named and len(vehicles) == 1 and count == 1:
+                group[0].roles.add("group")
+                return None
+            single = [e for e in vehicles if e.count == 1 and "group" not in e.roles]
+            return single[-1] if single else None
         if ordinal is not None and len(candidates) > 1 and ordinal < len(candidates):
             return candidates[ordinal]
         if self._distinguished(word) and not any(e.noun == noun or e.type == kind for e in candidates):
@@ -345,7 +387,7 @@ class Cast:
         found = set()
         for mention in entity.mentions:
             near = " ".join(w.norm for w in self.words[mention.word : mention.word + 9] if w.sentence == self.words[mention.word].sentence)
-            if re.search(r"ahead|in front|slow|before it|precedes", near):
+            if re.search(r"ahead|in front|slow|before it|precedes|\bleads\b|\bleading\b", near):
                 found.add("ahead")
             before = " ".join(w.norm for w in self.words[max(0, mention.word - 6) : mention.word] if w.sentence == self.words[mention.word].sentence)
             if re.search(r"behind|follow|tail|trail|ahead|in front", before):

@@ -323,6 +323,9 @@ def _speed(scene: Scene, entity: Entity, kind: str, phases: list, ego: EgoSpec, 
         if standing and first in (None, "stationary"):
             return 0.0
         return round(low, 2) if high - low < 0.05 else (round(low, 2), round(high, 2))
+    if first == "reverse":
+        assumed.append(Assumption(field="speed", value="9 km/h", reason="a usual speed backwards"))
+        return 2.5
     if standing:
         return None if kind not in ("car", "truck", "van", "bus", "motorcycle", "police_car", "ambulance", "fire_truck", "bicycle", "pedestrian", "child", "animal") else 0.0 if first not in ("cross_road", "enter_road") or kind not in PERSONS else None
     if kind in PERSONS or kind == "bicycle":

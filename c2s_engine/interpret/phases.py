@@ -8,7 +8,7 @@ from c2s_engine.interpret.mentions import Entity
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.structure.specs import Phase, Placement, PlaceSpec, Trigger
 
-HARD = r"\b(hard|sharply|heavily|abruptly|suddenly|emergency|slam|full|sudden|violently|fully|strongly)\b"
+HARD = r"\b(hard|sharply|heavily|abruptly|suddenly|emergency|slam|full brak\w+|sudden|violently|fully|strongly)\b"
 
 
 def trigger_of(event: Event) -> Trigger | None:
@@ -98,6 +98,8 @@ def _phases(scene: Scene, event: Event, entity: Entity, who: str | None, ego: st
         towards = towards or "left"
         return [Phase(action=f"turn_{towards}", trigger=trigger)] if place.kind in ("intersection", "roundabout") or True else []
     if act == "go_straight":
+        if any(p.action in ("turn_left", "turn_right") for p in before):
+            return []
         return [Phase(action="go_straight", trigger=trigger)] if place.kind == "intersection" and not entity.person else []
     if act == "cross_path":
         return [Phase(action="go_straight", trigger=trigger)] if crossing else []
@@ -115,12 +117,17 @@ def _phases(scene: Scene, event: Event, entity: Entity, who: str | None, ego: st
             return [Phase(action="lane_change", side=towards or "left", trigger=trigger)] if towards else []
         if crossing:
             return []
-        return [Phase(action="cut_in", side=goal, target=who if who and who != "ego" else ego, trigger=trigger)]
+        found = [Phase(action="cut_in", side=goal, target=who if who and who != "ego" else ego, trigger=trigger)]
+        if goal and re.search(rf"through the (middle|centre|center)|(on |over )?into the {goal} (one|lane)", event.whole) and place.ego_lane == "middle" and re.search(r"through|across", event.whole):
+            found.append(Phase(action="cut_out", side=goal, target=ego))
+        return found
     if act == "lane_change" and entity.person:
         return []
     if act == "lane_change" and placement.position == "on_ramp":
         return [Phase(action="cut_in", target=ego, trigger=trigger)]
     if act in ("lane_change", "cut_out"):
+        if any(p.action == "swerve" for p in before):
+            return []
         if act == "lane_change" and placement.position in ("left_lane", "right_lane"):
             toward_ego = {"left_lane": "right", "right_lane": "left"}[placement.position]
             if towards in (None, toward_ego) and not any(p.action == "cut_in" for p in before):
@@ -131,7 +138,7 @@ def _phases(scene: Scene, event: Event, entity: Entity, who: str | None, ego: st
             return [Phase(action="cut_out", side=towards, target=ego, trigger=trigger)]
         return [Phase(action="lane_change", side=towards or "left", trigger=trigger)]
     if act == "overtake":
-        if entity.person:
+        if entity.person or any(p.action in ("cut_out", "swerve") for p in before):
             return []
         return [Phase(action="overtake", target=who or ego, side=towards, trigger=trigger)]
     if act == "follow":

@@ -110,8 +110,10 @@ class Places:
         self.of: dict[Entity, Where] = {}
         for entity in cast.entities:
             self.of[entity] = self._where(entity)
+        self._referred()
         self._mutual()
         self._hidden()
+        self._revealed()
 
     def _where(self, entity: Entity) -> Where:
         where = Where()
@@ -210,18 +212,48 @@ class Places:
                 if where.gap is None:
                     self._gap(event.words, where)
 
+    def _referred(self) -> None:
+        """ "In that lane", "there", "where", "the same queue": the lane that was spoken of last."""
+        for entity in self.cast.entities:
+            where = self.of[entity]
+            if where.lane not in (None, "same", "adjacent") or not entity.mover:
+                continue
+            for event in self.clauses.events:
+                if event.agent is not entity or event.mode == "hypothetical":
+                    continue
+                text = event.whole
+                if re.search(r"\b(same|that) (queue|line|row|column|jam)\b", text):
+                    earlier = [e for e in self.cast.entities if e is not entity and e.count > 1 and self.of[e].lane]
+                    if earlier:
+                        where.lane, where.rel = self.of[earlier[-1]].lane, self.of[earlier[-1]].rel or "ahead"
+                        break
+                if re.search(r"in (that|this|there|it)( very)? lane|\b(in )?there\b|in that lane|stand in (it|@)", text) or event.adverbial == "where" or re.match(r"where", text):
+                    side = self._last_lane(self.words[event.word].start)
+                    if side and not re.search(r"(right|left)(-hand)? lane", text):
+                        where.lane = side
+                        if where.rel == "behind" and where.of is None or "behind" in text or "rear" in text:
+                            where.rel = "behind"
+                        break
+
+    def _last_lane(self, before: int) -> str | None:
+        plain = " ".join(w.norm for w in self.words if w.start < before)
+        found = None
+        for match in re.finditer(r"\b(left|right)(?:-hand|most)?(?: hand)? lane|lane (?:immediately |directly )?(?:to|on) (?:the|its|their) (left|right)|lane on the (left|right)|second lane[^.;]*(left|right)", plain):
+            found = next(g for g in match.groups() if g)
+        return found
+
     def _hidden(self) -> None:
         for entity in self.cast.entities:
             where = self.of[entity]
             for mention in entity.mentions:
                 sentence = [w.i for w in self.words if w.sentence == self.words[mention.word].sentence]
                 text = self.clauses.render(sentence)
-                match = re.search(rf"@{entity.key}\b.*?(from behind|from between|out from behind|hidden (by|behind)|concealed (by|behind)|obscured (by|behind)|occluded (by|behind)|masked (by|behind)|screened by|blocked by|behind|in front of|between) (the |a |an |two |some |row of |line of )*(\w+ ){{0,2}}@(?P<by>a\d+)", text)
+                match = re.search(rf"@(?P<by>a\d+) (conceal|hide|obscure|block|mask)\w* be (the |a |an )?@{entity.key}\b", text) or re.search(rf"@{entity.key}\b.*?(from behind|from between|out from behind|hidden (by|behind)|concealed (by|behind)|obscured (by|behind)|occluded (by|behind)|masked (by|behind)|screened by|blocked by|behind|in front of|between) (the |a |an |two |some |row of |line of )*(\w+ ){{0,2}}@(?P<by>a\d+)", text)
                 if match is None:
                     match = re.search(rf"@(?P<by>a\d+)[^.;]*?(hide|hides|hid|conceal\w*|obscure\w*|block\w*|occlude\w*|mask\w*|obstruct\w*|screen\w*|shield\w*)( the view (of|to|on))?( @ego ''?s)?( view (of|to))? (the |a |an |any )?(\w+ )?@{entity.key}\b", text)
                     if match is None:
                         continue
-                elif match[1] in ("behind", "in front of", "between"):
+                elif match.re.groups > 2 and match[1] in ("behind", "in front of", "between"):
                     if not entity.person or match[1] == "behind" and not re.search(r"parked|stand|stop|stationary|emerge|step|appear|run|dart", text) or match[1] == "in front of" and not re.search(r"(parked|stopped|stationary)", text):
                         continue
                 blocker = next((e for e in self.cast.entities if e.key == match["by"]), None)
@@ -229,6 +261,20 @@ class Places:
                     where.hidden_by = blocker
                     if where.of is blocker and where.rel == "behind":
                         where.rel, where.of = None, None
+
+    def _revealed(self) -> None:
+        """What stands ahead of one who leaves the lane in front of ego is hidden by it until then."""
+        leavers = [e.agent for e in self.clauses.events if e.done and e.act in ("cut_out", "lane_change", "swerve") and not e.agent.ego and self.of[e.agent].lane in (None, "same") and self.of[e.agent].rel in (None, "ahead") and e.agent.mover] if self.clauses.events else []
+        plain = " ".join(w.norm for w in self.words)
+        if not leavers or not re.search(r"only (then|now)|come into view|comes into view|into (its |@?\w+ 's )?view|becomes? visible|reveal|expos|suddenly confronted|cannot see|can not see|hidden|conceal|uncover|appears? (in front|ahead)|see past|unseen|until then|behind it|reveals", plain):
+            return
+        for entity in self.cast.entities:
+            where = self.of[entity]
+            stands = any(e.agent is entity and e.act == "stationary" for e in self.clauses.events) or "stationary" in entity.roles or not entity.mover
+            if stands and where.hidden_by is None and entity is not leavers[0] and where.lane in (None, "same") and entity.type not in ("construction_zone", "lane_closure"):
+                where.hidden_by = leavers[0]
+                if where.of is None or where.of.ego:
+                    where.of, where.rel = leavers[0], "ahead"
 
     def of_event(self, event: Event) -> Where:
         """The relation that one clause alone states."""

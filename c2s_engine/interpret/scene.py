@@ -12,7 +12,7 @@ from c2s_engine.interpret.settings import Settings, SettingsDetector
 
 ACTIVE = frozenset(
     "brake brake_stop stop accelerate start lane_change cut_in cut_out overtake follow swerve drift turn u_turn go_straight cross_road move_along enter_road "
-    "leave_road reverse oncoming run_red run_stop yield lose_control collide cross_path approach keep_lane evade travel stationary lead held_up".split()
+    "leave_road reverse oncoming run_red run_stop yield lose_control collide cross_path approach keep_lane evade travel stationary lead held_up pass_by".split()
 )
 
 
@@ -61,6 +61,7 @@ def understand(text: str) -> Scene:
     clauses = Clauses(words, cast)
     _choose_ego(cast, clauses)
     places = Places(cast, clauses)
+    _rules_of_sense(cast, clauses, road)
     settings = SettingsDetector().detect(plain, sentences)
     light = environment.light(plain, sentences)
     scene = Scene(text, plain, sentences, words, cast, clauses, places, road, settings, light, spans=spans)
@@ -126,6 +127,8 @@ def _actors(scene: Scene) -> list[Entity]:
         own = scene.events(entity)
         where = scene.where(entity)
         passive = [e for e in scene.clauses.events if e.patient is entity and e.done]
+        if "group" in entity.roles:
+            continue
         if not own and not passive and not entity.roles and where.rel is None and where.lane is None and not _mentioned_alone(scene, entity):
             continue
         if not own and entity.type in ("vehicle", "pedestrian") and entity.count > 1 and where.rel is None and where.lane is None:
@@ -134,7 +137,7 @@ def _actors(scene: Scene) -> list[Entity]:
         if only_denied and not own and not passive and where.rel is None and where.lane is None and not entity.roles and entity.type not in ZONES:
             continue
         kept.append(entity)
-    generic = [e for e in kept if e.noun in ("obstacle", "obstruction", "hazard", "object", "obstacles", "objects", "hazards", "road user", "blockage", "stationary object", "vehicle", "vehicles", "road users", "actor", "cars", "obstacle vehicle")]
+    generic = [e for e in kept if e.noun in ("obstacle", "obstruction", "hazard", "object", "obstacles", "objects", "hazards", "road user", "blockage", "stationary object", "vehicle", "vehicles", "road users", "actor", "obstacle vehicle")]
     for entity in generic:
         specific = [e for e in kept if e is not entity and (e.type != "vehicle" or entity.noun != "vehicle") and e not in generic]
         same = [e for e in specific if entity.type == "obstacle" or e.type in VEHICLES]
@@ -161,7 +164,7 @@ def _speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         if word is None:
             continue
         unit = word
-        owner = _speed_owner(scene, unit.i)
+        owner = _before(scene, span) or _speed_owner(scene, unit.i)
         value = (span.data["low"], span.data["high"], span.start, span.end)
         near = scene.plain[max(0, span.start - 40) : span.start]
         both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20]))
@@ -181,6 +184,43 @@ def _speeds(scene: Scene, quantities: list[scan.Span]) -> None:
             others = [e for e in scene.actors if e.type in VEHICLES]
             for other in others[:1]:
                 scene.speeds.setdefault(other, value)
+
+
+def _before(scene: Scene, span: scan.Span) -> Entity | None:
+    """The owner that stands before a speed in the same stretch between commas, where the verb's subject comes later."""
+    near = scene.plain[max(0, span.start - 60) : span.start]
+    if re.search(r"set[- ]speed[^.;]*$|\b(system|alks|dcas|aebs|acc|cruise control)\b[^,.;]*$", near) and not re.search(r"whose", near[-20:]):
+        return scene.cast.ego
+    return None
+
+
+def _rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
+    """What single clauses cannot tell: a stop that is denied before a stop sign, a pass that is waited for."""
+    for event in list(clauses.events):
+        if event.act == "stop" and event.mode == "negated":
+            sentence = " ".join(w.norm for w in cast.words if abs(w.sentence - cast.words[event.word].sentence) <= 1)
+            if re.search(r"stop sign", sentence) and road.stop_sign:
+                event.act, event.mode = "run_stop", "fact"
+            elif re.search(r"red (light|signal)|traffic (light|signal)", event.whole + " " + sentence) and re.search(r"(fail|not|never|without).{0,30}stop.{0,30}(red|light|signal)", sentence):
+                event.act, event.mode = "run_red", "fact"
+        if event.act == "pass_by":
+            junction = road.kind == "intersection" and not re.search(r"lane|left|right|behind", event.whole)
+            event.act = "travel" if junction else "overtake"
+        elif event.act == "overtake" and event.patient is None and road.kind == "intersection" and event.text.startswith("pass"):
+            event.act = "travel"
+        passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")
+        if passes and not event.agent.ego and event.agent.mover and event.mode == "fact":
+            word = cast.words[event.word]
+            before = " ".join(w.norm for w in cast.words[max(0, event.word - 9) : event.word] if w.sentence == word.sentence)
+            waits = re.search(r"(only (after|once|when)|not (before|until|till)|wait(s|ing)? (for|until|till)|must wait|have to wait|has to wait)\b", before)
+            gone = re.search(r"pass|clear|gone|go(es)? (by|past)|cross|through", event.text + " " + word.norm + " " + " ".join(w.norm for w in cast.words[event.word : event.word + 4]))
+            if waits and gone and not any(e.act == "yield" and e.agent.ego for e in clauses.events):
+                clauses.events.append(Event("yield", cast.ego, event.word, event.text, event.whole, event.agent, order=event.order - 0.1, words=[event.word], start=event.start, end=event.end))
+    contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
+    for event in clauses.events:
+        if event.mode == "purpose" and event.act == "overtake" and any(c.order > event.order and (c.agent is event.agent or event.agent in c.also) for c in contact):
+            event.mode = "hypothetical"
+    clauses.events.sort(key=lambda e: e.order)
 
 
 def _event_of(scene: Scene, i: int) -> Event | None:

@@ -78,7 +78,7 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
         base = len(words)
         for token, (proxy, start, end, span) in zip(doc, piece, strict=True):
             norm = plain[start:end]
-            lemma = norm if proxy != norm and span else token.lemma_.lower()
+            lemma = norm if proxy != norm else token.lemma_.lower()
             words.append(Word(base + token.i, text[start:end], norm, lemma, token.tag_, token.dep_, base + token.head.i, start, end, number, span))
     for word in words:
         if word.head != word.i:
@@ -90,16 +90,36 @@ def _pieces(plain: str, start: int, end: int, spans: list[Span]) -> list[tuple[s
     inside = [s for s in spans if start <= s.start and s.end <= end]
     found: list[tuple[str, int, int, Span | None]] = []
     at = start
+    last: Span | None = None
     for span in [*inside, None]:
         stop = span.start if span else end
-        found += [(_word(m[0]), at + m.start(), at + m.end(), None) for m in WORD.finditer(plain[at:stop])]
+        for number, match in enumerate(WORD.finditer(plain[at:stop])):
+            near = last if number == 0 or number == 1 and found and found[-1][0].endswith("ly") else None
+            found.append((_word(match[0], near, plain, at + match.start()), at + match.start(), at + match.end(), None))
+        last = span
         if span:
             found += _proxies(plain, span, found[-1][0] if found else "")
             at = span.end
     return found
 
 
-def _word(text: str) -> str:
+NOUN_LIKE = frozenset(
+    "brakes stops turns slides drifts cuts starts backs swerves moves slows runs walks crawls pulls heads parks rides races pedals shoots lands steps trots sweeps swings "
+    "returns steers leads trails ends merges veers switches changes creeps rolls skids slips spins cruises lets drives brake stop turn merge cross swerve".split()
+)
+TRANSITIVE = frozenset("trails leads lets".split())
+VERBAL_LEFT = regex.compile(r"left\s+(?:the|its|his|their|a|that|this)\s+(?!side|lane of)")
+
+
+def _word(text: str, before: Span | None, plain: str, start: int) -> str:
+    """The word that the parser sees in place of one that it would take for another part of speech."""
+    if text == "left" and not VERBAL_LEFT.match(plain[start : start + 24]):
+        return "right"
+    if before is not None and before.kind != "quantity" and text in NOUN_LIKE:
+        if text in TRANSITIVE:
+            return "follows" if text != "lets" else text
+        if text.endswith("s"):
+            return "goes"
     return text
 
 
@@ -130,7 +150,7 @@ def _proxies(plain: str, span: Span, before: str) -> list[tuple[str, int, int, S
     if span.data.get("plural"):
         return [("bikes" if kind == "bicycle" else "men" if kind in ("pedestrian", "child") else "trucks", start, end, span)]
     verb_follows = LETTERS_AFTER.match(plain[end : end + 20])
-    proxy = PROXY.get(kind, "car")
+    proxy = "man" if span.data.get("person") else PROXY.get(kind, "car")
     if not after_determiner and verb_follows and kind not in ("debris", "construction_zone", "obstacle"):
         proxy = "Mary" if kind in ("pedestrian", "child", "bicycle", "rider") else "Mark"
     return [(proxy, start, end, span)]

@@ -5,7 +5,7 @@ from functools import cached_property
 from typing import Any
 
 from c2s_engine.interpret.llm import words
-from c2s_engine.interpret.llm.components import Sentences
+from c2s_engine.interpret.llm.components import ObjectSentence, Sentences
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import _REFERENCE_FIELDS
 from c2s_engine.structure.specs import SPEC_OF, AnySpec, ObjectSpec
@@ -20,10 +20,19 @@ class Embedded:
 
     @cached_property
     def structure(self) -> Structure:
+        """The embedded reading; an empty S where the embedded interpreter refuses the text."""
         return self._read(self.text)
 
+    def strict(self) -> Structure:
+        """The embedded reading; what the embedded interpreter raises passes through."""
+        found = self.interpreter.interpret(self.text)
+        return getattr(found, "structure", found)
+
     def _read(self, text: str) -> Structure:
-        found = self.interpreter.interpret(text)
+        try:
+            found = self.interpreter.interpret(text)
+        except ValueError:
+            return Structure(text=text)
         return getattr(found, "structure", found)
 
     def spec(self, cid: str, sentences: Sentences) -> AnySpec:
@@ -35,6 +44,13 @@ class Embedded:
             theirs = partner.spec if partner else self._by_itself(sentences, cid)
         back = {their.id: mine for mine, their in self._partners(sentences).items()}
         return _renumbered(theirs, {"ego": "ego", **back})
+
+    def spec_among(self, cid: str, structure: Structure) -> AnySpec:
+        """The spec that stands in for a component of an S."""
+        objects = tuple(ObjectSentence(type=o.spec.type, sentence=o.description) for o in structure.objects)
+        ids = {o.id: f"O{i + 1}" for i, o in enumerate(structure.objects)}
+        found = self.spec(ids.get(cid, cid), Sentences(objects=objects))
+        return _renumbered(found, {"ego": "ego", **{mine: theirs for theirs, mine in ids.items()}})
 
     def _partners(self, sentences: Sentences) -> dict[str, Component]:
         """Which embedded object is which of the model's: the likest first, by type and words in common."""
@@ -86,6 +102,11 @@ def _renumbered(spec: AnySpec, ids: dict[str, str]) -> AnySpec:
         return value
 
     return SPEC_OF[spec.component].model_validate(walk(spec.model_dump(exclude_none=True)))
+
+
+def without_references(spec: AnySpec) -> AnySpec:
+    """The spec with its references to other objects left out."""
+    return _renumbered(spec, {"ego": "ego"})
 
 
 def distinct_names(structure: Structure) -> Structure:

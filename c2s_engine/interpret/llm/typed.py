@@ -54,7 +54,10 @@ async def interpret(
     embedded: Embedded,
     on_event: OnEvent | None = None,
 ) -> Reading:
-    """S for a text; never raises ModelError (what went wrong is in `notes`)."""
+    """S for a text; never raises ModelError (what went wrong is in `notes`).
+
+    Where no answer of the model can be used and the embedded interpreter refuses the text, its refusal is raised.
+    """
     return await TypedReader(client, embedded, on_event).read(text)
 
 
@@ -72,7 +75,7 @@ class TypedReader:
         try:
             sentences = await read_components(text, self.asker)
         except ModelError as error:
-            return self._all_embedded(text, stand_in.structure, str(error))
+            return self._all_embedded(text, stand_in.strict(), str(error))
         structure = Structure(text=text)
         fallbacks: dict[str, str] = {}
         components: dict[str, Component] = {}

@@ -1,7 +1,8 @@
 """Which object of a rollout stands for which expected actor: the assignment that satisfies most atoms.
 
 Searched exhaustively with a bound, because relations between actors (`of:`, `{follow: lead}`) make it more than a
-linear assignment. Ties go to the assignment that leaves fewest moving objects unaccounted for.
+linear assignment. An object that satisfies nothing that is said of an actor does not stand for it. Ties go to the
+assignment that leaves fewest moving objects unaccounted for.
 """
 
 from dataclasses import dataclass, field

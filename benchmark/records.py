@@ -68,7 +68,8 @@ def load(files: Sequence[Path] | None = None, split: Split = "all") -> list[Reco
     problems: list[str] = []
     first: dict[str, str] = {}
     for path in paths:
-        for record, errors in _read(path, shipped):
+        for record, found in _checked(path, path.stat().st_mtime_ns if path.exists() else 0, shipped):
+            errors = list(found)
             where = f"{path.name}:{record.line}"
             if record.id in first:
                 errors.append(f"{where}: {record.id}: id: is used before, at {first[record.id]}")
@@ -91,6 +92,12 @@ def by_source(records: Iterable[Record]) -> dict[str, list[Record]]:
         grouped.setdefault(record.source, []).append(record)
     known = list(validator().SOURCES)
     return {s: grouped[s] for s in sorted(grouped, key=lambda s: (known.index(s) if s in known else len(known), s))}
+
+
+@cache
+def _checked(path: Path, changed: int, shipped: bool) -> list[tuple[Record, list[str]]]:
+    """A file's records, read once as long as it does not change."""
+    return list(_read(path, shipped))
 
 
 def _read(path: Path, shipped: bool) -> Iterable[tuple[Record, list[str]]]:

@@ -6,7 +6,7 @@ from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import behaviour, scope
 from c2s_engine.write.typed.placement import Spot, place_object
 from c2s_engine.write.typed.plan import Plan, speed_of
-from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS, LENGTH, ROLE, is_static, is_vehicle, is_walker
+from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS, ROLE, is_static, is_vehicle, is_walker
 
 
 def write_object(structure: Structure, cid: str, plan: Plan) -> str:
@@ -116,8 +116,6 @@ def _driver(
         approach=spot.approach,
     )
     statements = behaviour.body(actor)
-    if spot.off_road:  # beside the lane: it keeps beside it until it enters
-        statements = [statements[0], *_off_road(statements[1:], spec)]
     if (
         spot.approach
         and plan.junction
@@ -134,12 +132,6 @@ def _synchronised(statement: str, prefix: str) -> str:
     plain = f"do Drive(line, {prefix}_SPEED)"
     met = f"do Drive(line, lambda: meet(self, line, ego, way(egoLane, egoTurn), {prefix}_SPEED))"
     return statement.replace(plain, met)
-
-
-def _off_road(statements: list[str], spec: ObjectSpec) -> list[str]:
-    return [
-        s.replace("do Drive(line, 0)", "wait") if s.startswith("do Drive(line, 0)") and False else s for s in statements
-    ]
 
 
 def _start_condition(
@@ -207,5 +199,3 @@ def _rider_across(
         f"do Drive(line, {own})",
     ]
 
-
-_ = LENGTH

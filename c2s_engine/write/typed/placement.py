@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.quantity import low, middle
+from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.place import approach_name
@@ -31,6 +31,9 @@ def place_object(structure: Structure, cid: str, plan: Plan) -> Spot:
     position = spec.placement.position
     if spec.placement.hidden_by and not is_vehicle(spec.type):
         return _hidden(structure, spec)
+    of = spec.placement.of
+    if of not in ("ego", "E") and plan.lane_of[of] is None and position not in _OWN_PLACE:
+        return _in_line_with(structure, cid, spec, plan)
     if position in APPROACH_ANGLE:
         return _approaching(structure, cid, spec, plan)
     if position == "oncoming_lane":
@@ -42,6 +45,47 @@ def place_object(structure: Structure, cid: str, plan: Plan) -> Spot:
     if position in ("roadside", "sidewalk", "parked"):
         return _beside_road(structure, cid, spec, plan)
     return _on_lane(structure, cid, spec, plan)
+
+
+_OWN_PLACE = {*APPROACH_ANGLE, "oncoming_lane", "on_ramp", "intersection_exit", "roadside", "sidewalk", "parked"}
+_TO_END = {**dict.fromkeys(APPROACH_ANGLE, "_TO_JUNCTION"), "on_ramp": "_TO_MERGE"}
+
+
+def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
+    """Ahead of or behind an object that is itself on no lane of ego's direction: on the same lane as that one."""
+    parent = structure[spec.placement.of]
+    assert isinstance(parent.spec, ObjectSpec)
+    place = parent.spec.placement.position
+    base = scope.constant(structure, parent.id)
+    gap = scope.quantity(_gap(structure, cid, spec, plan))
+    half = scope.number((LENGTH[spec.type] + LENGTH[parent.spec.type]) / 2)
+    behind = _along(spec) < 0
+    loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
+    if place in _TO_END:  # measured back from the lane's end
+        name = f"{scope.constant(structure, cid)}{_TO_END[place]}"
+        op = "+" if behind else "-"
+        turn = turn_of(parent.spec.phases)
+        lane = "rampLane" if place == "on_ramp" else approach_name(plan, place, turn)
+        own = turn_of(spec.phases, turn)
+        way = f"way({lane})" if place == "on_ramp" else f"way({lane}, ManeuverType.{own})"
+        line = f"{name} = {base}{_TO_END[place]} {op} {gap} {op} {half}  # m"
+        at = f"min(-1, -({_member(spec, name)}))"
+        return Spot((line,), (f"at {lane}.centerline.pointAlongBy({at})", *loose), way, approach=None if place == "on_ramp" else lane)
+    name = position_constant(structure, cid)
+    if place in ("oncoming_lane", "intersection_exit"):
+        forward = behind if place == "oncoming_lane" else not behind
+        op = "+" if forward else "-"
+        line = f"{name} = {base}_AT {op} {gap} {op} {half}  # m along the lane"
+        lane, sign = ("oncomingLane", "-") if place == "oncoming_lane" else ("exitLane", "")
+        at = f"{sign}({_member(spec, name)})" if sign else f"max(1, {_member(spec, name)})"
+        return Spot((line,), (f"at {lane}.centerline.pointAlongBy({at})", *loose), f"way({lane})")
+    where = "behind" if behind else "ahead of"
+    return Spot(
+        (),
+        (f"{where} {scope.reference(structure, parent.id)} by {gap}", "with regionContainedIn everywhere"),
+        "way(egoLane)",
+        off_road=True,
+    )
 
 
 def position_constant(structure: Structure, cid: str) -> str:
@@ -64,8 +108,8 @@ def _at(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, sign: int,
     half = (LENGTH[spec.type] + _of_length(structure, of)) / 2 if extra is None else extra
     gap = _gap(structure, cid, spec, plan)
     base = position_constant(structure, of)
-    if of not in ("ego", "E") and structure[of].spec.placement.position in APPROACH_ANGLE:
-        sign = -sign if False else sign
+    if of not in ("ego", "E") and plan.lane_of[of] is None:
+        base = "EGO_AT"
     op = "+" if sign > 0 else "-"
     text = scope.quantity(gap) if isinstance(gap, tuple | list) else scope.number(gap)
     tail = f" {op} {text}" if text != "0" else ""
@@ -250,5 +294,3 @@ def _hidden(structure: Structure, spec: ObjectSpec) -> Spot:
         off_road=True,
     )
 
-
-__all__ = ["Spot", "place_object", "position_constant", "low"]

@@ -23,6 +23,10 @@ LANE_NAME = {-2: "farRightLane", -1: "rightLane", 0: "egoLane", 1: "leftLane", 2
 TURN = {"turn_left": "LEFT_TURN", "turn_right": "RIGHT_TURN", "go_straight": "STRAIGHT", "u_turn": "U_TURN"}
 
 
+LONGEST_APPROACH = 200.0
+"""m of lane before a junction that maps can be expected to have."""
+
+
 class ResolveError(ValueError):
     """Specs that contradict each other; `fields` names them."""
 
@@ -278,7 +282,7 @@ def _furthest(objects: dict[str, ObjectSpec]) -> float:
             here += at(objects[o.placement.of], seen + 1)
         return here
 
-    ways = {"ahead", "left_lane", "right_lane", "partly_in_lane", "parked", "roadside", "sidewalk"}
+    ways = {"ahead", "left_lane", "right_lane", *_BESIDE}
     return max(
         (at(o) for o in objects.values() if o.placement.position in ways and o.placement.along != "behind"), default=0
     )
@@ -303,7 +307,7 @@ def _distance(
     """From ego's start to what lies ahead of it, m."""
     if place.kind not in JUNCTION | RAMP | {"crosswalk"}:
         return None
-    far = max((_junction_side(o) for o in objects.values()), default=0)
+    far = max((_junction_side(o, speed) for o in objects.values()), default=0)
     if place.distance is not None:
         if high(place.distance) < far:
             raise ResolveError(
@@ -311,21 +315,27 @@ def _distance(
                 "enlarge R.distance or lessen the gap",
                 ("R.distance", "O.placement.gap"),
             )
-        return place.distance
-    base = max(min(4.0 * speed, 110), 35.0, far + 8)
-    if place.kind in RAMP:
-        base = max(base, 60)
-    return min(base, 140.0)
+        return place.distance if low(place.distance) >= far else (far, high(place.distance))
+    if far > LONGEST_APPROACH:
+        raise ResolveError(
+            f"an object would stand {far:.0f} m ahead of ego, approaches have {LONGEST_APPROACH:.0f} m: lessen the gap",
+            ("O.placement.gap",),
+        )
+    base = max(min(4.0 * speed, 110), 35.0, far + 4)
+    return max(base, 60.0) if place.kind in RAMP else base
 
 
-def _junction_side(o: ObjectSpec) -> float:
-    if (
-        o.placement.position in ("ahead", "left_lane", "right_lane", "partly_in_lane", "parked")
-        and o.placement.along != "behind"
-    ):
-        gap = low(o.placement.gap) if o.placement.gap is not None else default_gap(o, 10)
-        return gap + 8 + (o.count - 1) * 8
-    return 0
+_BESIDE = {"partly_in_lane", "parked", "roadside", "sidewalk"}
+
+
+def _junction_side(o: ObjectSpec, ego_speed: float) -> float:
+    """How far ahead of ego an object reaches that must stand before the junction, m."""
+    placement = o.placement
+    if placement.position not in {"ahead", "left_lane", "right_lane", *_BESIDE} or placement.along == "behind":
+        return 0
+    gap = high(placement.gap) if placement.gap is not None else default_gap(o, ego_speed)
+    step = LENGTH[o.type] + (high(o.spacing) if o.spacing is not None else 3.0)
+    return gap + LENGTH[o.type] + 5 + (o.count - 1) * step
 
 
 def default_gap(o: ObjectSpec, ego_speed: float) -> float:

@@ -34,7 +34,7 @@ from c2s_engine.maps.spots import approaches_with_crosswalk, crosswalk_spots, ha
 from c2s_engine.structure.specs import PlaceSpec
 
 Yields = Literal["lanes", "maneuvers", "spots"]
-LIMIT_TOLERANCE = 0.6  # m/s
+LIMIT_TOLERANCE = 0.55  # m/s
 FAST = 24.0
 """m/s: from this limit on a plain road may be a carriageway of a motorway."""
 MARGIN = 15.0

@@ -12,7 +12,7 @@ AT_STOP_LINE = 12.0
 """m between the end of an approach and the middle of the crosswalk across it."""
 AHEAD = 30.0
 """m of lane that a spot needs behind the crosswalk."""
-LIMIT_TOLERANCE = 0.6  # m/s
+LIMIT_TOLERANCE = 0.55  # m/s
 
 
 def has_room_crosswalk(extras: MapExtras, crosswalk: Crosswalk) -> bool:

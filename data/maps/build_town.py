@@ -82,7 +82,8 @@ class Town:
         line.road = self._road(
             line.id, plan["name"], line.start, line.pieces, road_lanes(line, linked=link is not None), -1
         )
-        line.road.add_type(xodr.RoadType[profile["type"]], 0, country="DE", speed=profile["limit"], speed_unit="km/h")
+        limit, unit = (*str(plan.get("limit", profile["limit"])).split(), "km/h")[:2]
+        line.road.add_type(xodr.RoadType[profile["type"]], 0, country="DE", speed=float(limit), speed_unit=unit)
         if link:
             line.road.add_predecessor(xodr.ElementType.road, link.id, xodr.ContactPoint.end)
             link.road.add_successor(xodr.ElementType.road, line.id, xodr.ContactPoint.start)

@@ -29,6 +29,16 @@ def code_of(answer: str, kind: str, before: str = "") -> str:
     return "\n".join(line.rstrip() for line in code.splitlines())
 
 
+def program_of(answer: str) -> str:
+    """The whole program in an answer (the longest block); raises AnswerUnusable where there is none."""
+    text = _THOUGHT.sub("", answer)
+    blocks = [b for b in _FENCE.findall(text) if b.strip()]
+    code = _dedented(max(blocks, key=len) if blocks else _unfenced(text)).strip()
+    if not re.sub(r"#.*", "", code).strip():
+        raise AnswerUnusable("it holds no code")
+    return "\n".join(line.rstrip() for line in code.replace("\t", "    ").splitlines())
+
+
 def _unfenced(text: str) -> str:
     """An answer without fences counts as code where most of its lines look like code."""
     lines = [line for line in text.splitlines() if line.strip()]

@@ -1,0 +1,108 @@
+"""The typed method: a model fills forms, what contradicts itself falls back, the typed writer renders."""
+
+from collections.abc import Awaitable, Callable
+from typing import Any
+
+from c2s_engine.interpret.llm import fallback
+from c2s_engine.interpret.llm.typed import Reading, TypedReader
+from c2s_engine.models.client import OllamaClient
+from c2s_engine.structure.components import Assumption, ComponentId, Structure
+from c2s_engine.structure.diagnostics import Diagnostic
+from c2s_engine.structure.progress import Progress, Say
+from c2s_engine.structure.regenerate import regenerate
+from c2s_engine.write.typed import ResolveError, TypedWriter, make_plan
+
+OnEvent = Callable[[Progress], None]
+Resolve = Callable[[Structure], Awaitable[Diagnostic | None]]
+"""Whether S can be written on a map at hand: what stands against it, or nothing."""
+
+
+class TypedMethod:
+    """`resolve` says whether S has a place on a map; without it only contradictions between specs are found."""
+
+    name = "typed"
+
+    def __init__(
+        self, client: OllamaClient, embedded: Any, resolve: Resolve | None = None, writer: TypedWriter | None = None
+    ) -> None:
+        self.client, self.embedded, self.writer = client, embedded, writer
+        self.resolve = resolve or contradiction
+
+    async def interpret(self, text: str, on_event: OnEvent | None = None) -> Reading:
+        """What was read with the model, made to resolve: a component that stands against the others falls back."""
+        reading = await TypedReader(self.client, self.embedded, on_event).read(text)
+        settled = await self.settle(reading)
+        if on_event and settled is not reading:
+            on_event(Say(text=settled.notes[-1], severity="warning"))
+        return settled
+
+    async def settle(self, reading: Reading) -> Reading:
+        """The reading with the fewest further fallbacks under which it resolves; at worst the embedded one."""
+        stand_in = fallback.Embedded(self.embedded, reading.structure.text)
+        settled, problem = reading, await self.resolve(reading.structure)
+        while problem is not None:
+            changed = await self._one_less(settled, problem, stand_in)
+            if changed is None:
+                return _whole(settled, stand_in.structure, problem)
+            settled, problem = changed
+        return settled
+
+    async def _one_less(
+        self, reading: Reading, problem: Diagnostic, stand_in: fallback.Embedded
+    ) -> tuple[Reading, Diagnostic | None] | None:
+        """The reading with one component replaced so that this problem is gone; none where no single one does it."""
+        best = None
+        for cid in _suspects(reading, problem):
+            structure = _replaced(reading.structure, cid, stand_in, problem.message)
+            found = await self.resolve(structure)
+            if found is not None and found.message == problem.message:
+                continue
+            fallbacks = {**reading.fallbacks, cid: problem.message}
+            note = f"{cid}: read by the embedded interpreter instead of the model. {problem.message}."
+            changed = Reading(structure=structure, fallbacks=fallbacks, notes=(*reading.notes, note))
+            if found is None:
+                return changed, None
+            best = best or (changed, found)
+        return best
+
+    async def write(self, structure: Structure, on_event: OnEvent | None = None) -> Structure:
+        """Render what is out of date; raises ResolveError."""
+        assert self.writer is not None, "a method that renders specs needs its writer"
+        return regenerate(structure, [], self.writer)[0]
+
+
+async def contradiction(structure: Structure) -> Diagnostic | None:
+    """What in the specs contradicts itself, whatever the map."""
+    try:
+        make_plan(structure)
+    except ResolveError as error:
+        return Diagnostic(stage="resolve", message=str(error), text=", ".join(error.fields))
+    return None
+
+
+def _suspects(reading: Reading, problem: Diagnostic) -> list[ComponentId]:
+    """The components that the model filled in, those that the problem names first."""
+    structure = reading.structure
+    named = [f.split(".")[0] for f in (problem.text or problem.component or "").split(", ")]
+    objects = [o.id for o in structure.objects]
+    first = [c for n in named for c in (objects if n == "O" else [n]) if c in structure]
+    rest = [*reversed(objects), "R", "E", "T"]
+    return [c for c in dict.fromkeys([*first, *rest]) if c not in reading.fallbacks]
+
+
+def _replaced(structure: Structure, cid: ComponentId, stand_in: fallback.Embedded, reason: str) -> Structure:
+    spec = stand_in.spec_among(cid, structure)
+    mark = Assumption(field="*", value="embedded interpreter", reason=reason)
+    component = structure[cid]
+    changed = component.model_copy(update={"spec": spec, "assumed": (*component.assumed, mark)})
+    return fallback.distinct_names(structure.with_component(changed))
+
+
+def _whole(reading: Reading, structure: Structure, problem: Diagnostic) -> Reading:
+    reason = problem.message
+    mark = Assumption(field="*", value="embedded interpreter", reason=reason)
+    for component in structure.components:
+        structure = structure.with_component(component.model_copy(update={"assumed": (*component.assumed, mark)}))
+    structure = structure.model_copy(update={"text": reading.structure.text})
+    note = f"The whole text was read by the embedded interpreter instead of the model. {reason}."
+    return Reading(structure=structure, fallbacks=dict.fromkeys(structure.ids, reason), notes=(*reading.notes, note))

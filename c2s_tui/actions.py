@@ -1,0 +1,203 @@
+"""What the commands of the app do (a mixin of the workbench: a method `do_NAME` for each)."""
+
+from dataclasses import replace
+from typing import Any
+
+from textual import work
+
+from c2s_engine.structure.edits import SetCode
+from c2s_tui.choices import Choices
+from c2s_tui.commands import commands
+from c2s_tui.files import Files
+from c2s_tui.start import Start
+
+
+class Actions(Start, Files, Choices):
+    """Commands that concern the panes and the session's turns; the other mixins hold the rest."""
+
+    async def run_command(self: Any, name: str, argument: str = "") -> None:
+        """Run a command by name; an unknown one is said in the chat."""
+        if name not in commands():
+            near = [c for c in commands() if name and c.startswith(name[0])]
+            more = f" Did you mean {', '.join('/' + n for n in near)}?" if near else ""
+            await self.chat.note(f"There is no command /{name}.{more} /help lists them.", "error")
+            return
+        await getattr(self, f"do_{name}")(argument)
+
+    async def action_command(self: Any, name: str) -> None:
+        await self.run_command(name)
+
+    def visit(self: Any, cid: str) -> None:
+        """Go to a component in the structure pane."""
+        self.sheet.point(cid)
+        self.code.point(cid)
+        self.go_to("sheet")
+
+    async def do_chat(self: Any, _: str) -> None:
+        self.leave_code("chat")
+
+    async def do_sheet(self: Any, _: str) -> None:
+        self.leave_code("sheet")
+
+    async def do_code(self: Any, _: str) -> None:
+        self.go_to("code")
+
+    def leave_code(self: Any, to: str) -> None:
+        """Go to another pane; hand edits of the code are committed on the way."""
+        if not self.busy:
+            self.code.commit()
+        self.go_to(to)
+
+    async def do_help(self: Any, _: str) -> None:
+        from c2s_tui.screens.help import help_screen
+
+        focused = self.focused
+        name = next((n.HELP_NAME for n in focused.ancestors_with_self if hasattr(n, "HELP_NAME")), "chat") \
+            if focused else "chat"  # fmt: skip
+        titles = {"chat": "the chat", "sheet": "the structure S", "code": "the code", "picture": "the picture"}
+        self.app.push_screen(help_screen(titles.get(name, name), focused, self.app.prefs.keys))
+
+    async def do_run(self: Any, _: str) -> None:
+        """Apply hand edits; without any, check and run what stands."""
+        if not self.code.commit() and await self._may_begin():
+            self._waiting_edits = ()
+            options = self.options()
+            self.turn(lambda: self.session.apply((), **options), "checking")
+
+    async def do_regenerate(self: Any, argument: str) -> None:
+        if not await self._may_begin():
+            return
+        chosen = tuple(argument.replace(",", " ").split())
+        unknown = [c for c in chosen if c not in self.desk.structure]
+        if unknown:
+            await self.chat.note(f"There is no component {', '.join(unknown)}.", "error")
+            return
+        options = self.options()
+        self.turn(lambda: self.session.regenerate(chosen, **options), "writing")
+
+    async def do_undo(self: Any, _: str) -> None:
+        await self._back("undo")
+
+    async def do_redo(self: Any, _: str) -> None:
+        await self._back("redo")
+
+    async def _back(self: Any, which: str) -> None:
+        if not await self._may_begin():
+            return
+        if not getattr(self.session, f"can_{which}"):
+            self.app.notify(f"There is nothing to {which}.", markup=False)
+            return
+        self.turn(lambda: getattr(self.session, which)(), which)
+
+    async def do_resume(self: Any, _: str) -> None:
+        if await self._may_begin():
+            if self.session.pending is None:
+                await self.chat.note("No turn was interrupted.", "note")
+                return
+            self.turn(lambda: self.session.resume(), "resuming")
+
+    async def do_cancel(self: Any, _: str) -> None:
+        """Cancel what runs; S is as before the turn, what is typed stays."""
+        if self.busy:
+            self._waiting_edits = ()
+            self.workers.cancel_group(self, "turn")
+            await self.chat.note("Cancelled; everything is as it was before.", "note")
+
+    async def do_search(self: Any, argument: str) -> None:
+        if not argument:
+            self.chat.entry.put("/search ")
+            return
+        await self.chat.user(f"/search {argument}")
+        self.look_up(argument)
+
+    @work(group="search", exclusive=True, exit_on_error=False)
+    async def look_up(self: Any, query: str) -> None:
+        """Search the documents and show what was found, numbered."""
+        self.working = self.working or "searching"
+        self.show_status()
+        try:
+            found = await self.backend.ask("search", query, kind="doc", limit=5)
+        except Exception as error:
+            await self.chat.note(f"The search failed: {self._sentence(error)}", "error")
+            return
+        finally:
+            self.working = "" if self.working == "searching" else self.working
+            self.show_status()
+        if found:
+            await self.chat.found([as_passage(f) for f in found])
+            await self.chat.note("/use N takes one as the description; /why shows what rests on it.", "note")
+        else:
+            await self.chat.note("Nothing was found.", "note")
+
+    async def do_use(self: Any, argument: str) -> None:
+        passages = self.chat.passages
+        if not argument.isdigit() or not 1 <= int(argument) <= len(passages):
+            await self.chat.note(f"Say which: /use 1 to /use {len(passages)}." if passages else
+                                 "There is no result to use: /search first.", "error")  # fmt: skip
+            return
+        self.chat.entry.put(" ".join(passages[int(argument) - 1].text.split()))
+        self.leave_code("chat")
+
+    async def do_why(self: Any, argument: str) -> None:
+        from c2s_tui.screens.why import why_screen
+
+        cid = argument or (self.sheet.here.cid if self.sheet.here else "") or "E"
+        if cid not in self.desk.structure:
+            await self.chat.note(f"There is no component {cid}.", "error")
+            return
+        component = self.desk.structure[cid]
+        self.app.push_screen(why_screen(self.desk.structure, component, self.desk.state(component)))
+
+    async def do_conflict(self: Any, argument: str) -> None:
+        from c2s_tui.screens.conflict import Conflict
+
+        cid = argument or next((c.id for c in self.desk.structure.components if c.conflict is not None), "")
+        if not cid or cid not in self.desk.structure or self.desk.structure[cid].conflict is None:
+            await self.chat.note("There is no conflict.", "note")
+            return
+        component = self.desk.structure[cid]
+
+        async def decided(which: str | None) -> None:
+            if which == "mine":
+                await self.make_edits((SetCode(component=cid, code=component.code),))
+            elif which == "theirs":
+                await self.make_edits((SetCode(component=cid, code=None),))
+
+        self.app.push_screen(Conflict(cid, component.code, component.conflict or ""), decided)
+
+    async def do_copy(self: Any, argument: str) -> None:
+        if argument == "answer":
+            answers = list(self.chat.query("Answer"))
+            text = answers[-1].text if answers else ""
+        elif argument:
+            text = self.desk.program.fragment(argument)
+        else:
+            text = self.code.area.selected_text or self.code.area.text
+        if not text:
+            self.app.notify("There is nothing to copy.", markup=False)
+            return
+        self.app.copy_to_clipboard(text)
+        self.app.notify(
+            f"{len(text.splitlines())} lines sent to the terminal's clipboard; /save writes a file.", markup=False
+        )
+
+    async def do_picture(self: Any, _: str) -> None:
+        self.app.notify("There is no run to show: F5 runs the program.", markup=False)
+
+    def choose(self: Any, **values: Any) -> None:
+        """Change what the next turn uses, and remember it."""
+        self.choice = replace(self.choice, **values)
+        self.app.remember(**values)
+        self.show_status()
+
+
+def as_passage(found: Any) -> Any:
+    """A search result as the event that the chat shows."""
+    from c2s_engine.structure.progress import Passage
+
+    if isinstance(found, Passage):
+        return found
+    data = (
+        found if isinstance(found, dict) else {n: getattr(found, n) for n in Passage.model_fields if hasattr(found, n)}
+    )
+    return Passage.model_validate({"kind": "doc", "title": "", "text": "", "score": 0.0, **data, "type": "passage"})

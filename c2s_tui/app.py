@@ -1,0 +1,93 @@
+"""The app's shell: it is on the screen before anything heavy is imported, and keeps what is typed meanwhile."""
+
+import asyncio
+import os
+import signal
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from textual import work
+from textual.app import App, ComposeResult
+from textual.events import Key
+from textual.widgets import Static
+
+from c2s_tui import prefs as preferences
+from c2s_tui.look.themes import DEFAULT, themes
+
+
+class C2SApp(App[None]):
+    """Shell, themes, keys, signals. The work is the Workbench's."""
+
+    TITLE = "c2s"
+    CSS_PATH = "look/app.tcss"
+    ENABLE_COMMAND_PALETTE = True
+    HORIZONTAL_BREAKPOINTS = [(0, "-narrow"), (100, "-wide"), (180, "-roomy")]
+
+    def __init__(
+        self,
+        backend: Any = None,
+        session: str | None = None,
+        file: Path | None = None,
+        prefs: preferences.Prefs | None = None,
+    ):
+        super().__init__()
+        self.prefs = prefs or preferences.load()
+        self.backend, self.session_name, self.file = backend, session, file
+        self.typed_early: list[str] = []
+        self.workbench: Any = None
+        for theme in themes():
+            self.register_theme(theme)
+        wanted = self.prefs.theme if self.prefs.theme in self.available_themes else DEFAULT
+        self.theme = "c2s-mono" if self.no_color else "c2s-ansi" if os.environ.get("TERM") == "linux" else wanted
+
+    def compose(self) -> ComposeResult:
+        yield Static(" c2s", id="top", markup=False)
+
+    def on_mount(self) -> None:
+        self.set_keymap(self.prefs.keys)
+        self.call_after_refresh(self.furnish)
+        loop = asyncio.get_running_loop()
+        for name in (signal.SIGHUP, signal.SIGTERM):
+            try:
+                loop.add_signal_handler(name, self._dropped)
+            except (NotImplementedError, RuntimeError):  # not the main thread
+                return
+
+    def on_key(self, event: Key) -> None:
+        if self.workbench is None and event.character and event.is_printable:
+            self.typed_early.append(event.character)
+
+    @work(exit_on_error=False)
+    async def furnish(self) -> None:
+        """Import the panes behind the first paint and put them up."""
+        module = await asyncio.to_thread(import_module, "c2s_tui.workbench")
+        if self.backend is None:
+            from c2s_tui.backend import Backend
+
+            self.backend = Backend()
+        self.workbench = module.Workbench(self.backend, self.session_name, self.file)
+        await self.push_screen(self.workbench)
+
+    def _dropped(self) -> None:
+        """The line was dropped (SIGHUP) or the process is told to end: save and go."""
+        if self.workbench is not None:
+            self.workbench.save_drafts(now=True)
+        self.exit()
+
+    def remember(self, **choices: Any) -> None:
+        """Keep choices for the next start; a file that cannot be written costs a notice, not the choice."""
+        for name, value in choices.items():
+            setattr(self.prefs, name, value)
+        try:
+            preferences.save(self.prefs)
+        except OSError as error:
+            self.notify(f"The choice holds for this run only: {error}", severity="warning", markup=False)
+
+    def copy_to_clipboard(self, text: str) -> None:
+        """To the terminal's clipboard, through a multiplexer where there is one."""
+        from c2s_tui.clipboard import osc52
+
+        self._clipboard = text
+        if self._driver is not None:
+            self._driver.write(osc52(text))

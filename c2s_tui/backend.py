@@ -1,0 +1,130 @@
+"""How the app comes to the engine and its sessions: everything of theirs runs in the engine's thread."""
+
+from collections.abc import AsyncIterator, Callable
+from pathlib import Path
+from typing import Any
+
+from c2s_tui.engine_thread import EngineThread
+
+EngineFactory = Callable[[], Any]
+
+
+def real_engine() -> Any:
+    """The engine with the user's settings."""
+    from c2s_engine.api import Engine
+    from c2s_engine.config import load_settings
+
+    return Engine(load_settings())
+
+
+class Backend:
+    """One engine, one folder of sessions, one open session at a time."""
+
+    def __init__(self, engine: EngineFactory = real_engine, folder: Path | None = None):
+        self._make, self._folder = engine, folder
+        self.thread = EngineThread()
+        self.engine: Any = None
+        self.sessions: Any = None
+        self.session: Any = None
+
+    async def load(self) -> None:
+        """Import and make engine and sessions (nothing is started yet)."""
+
+        def make() -> None:
+            from c2s_engine.session.sessions import Sessions
+
+            self.engine, self.sessions = self._make(), Sessions(self._folder)
+
+        await self.thread.do(make)
+
+    async def start(self) -> None:
+        """Start the check server."""
+        await self.thread.call(self.engine.start)
+
+    async def open(self, name: str) -> Any:
+        """Open (or make) a session and close the one before; raises SessionError, and then the old one stays open."""
+
+        def change() -> Any:
+            if self.session is not None and self.session.name == name:
+                return self.session
+            opened = self.sessions.open(name, self.engine)
+            if self.session is not None:
+                self.session.close()
+            self.session = opened
+            return opened
+
+        return await self.thread.do(change)
+
+    def events(self, source: Callable[[], AsyncIterator[Any]]) -> AsyncIterator[Any]:
+        """The events of a turn; closing the iterator cancels the turn."""
+        return self.thread.stream(source)
+
+    async def ask(self, name: str, *arguments: Any, **options: Any) -> Any:
+        """Call a method of the engine, plain or async."""
+
+        async def run() -> Any:
+            answer = getattr(self.engine, name)(*arguments, **options)
+            return await answer if hasattr(answer, "__await__") else answer
+
+        return await self.thread.call(run)
+
+    def can(self, name: str) -> bool:
+        """Whether the engine offers a service."""
+        return hasattr(self.engine, name)
+
+    async def set_model(self, name: str) -> None:
+        """Use that model for the methods that need one."""
+
+        def change() -> None:
+            if settings := getattr(self.engine, "settings", None):
+                settings.model = name
+
+        await self.thread.do(change)
+
+    async def models(self) -> list[dict[str, Any]]:
+        """The models at hand: name and a note with their size. Raises what the client raises (one sentence)."""
+
+        async def ask() -> list[dict[str, Any]]:
+            async with self._client() as client:
+                return await client.models()
+
+        return [{**m, "note": _note(m)} for m in await self.thread.call(ask)]
+
+    async def pull(self, name: str) -> AsyncIterator[tuple[str, int, int]]:
+        """Fetch a model: (what is done, bytes so far, bytes in all)."""
+
+        async def steps() -> AsyncIterator[tuple[str, int, int]]:
+            async with self._client() as client:
+                async for step in client.pull(name):
+                    yield step
+
+        async for step in self.thread.stream(steps):
+            yield step
+
+    def _client(self) -> Any:
+        if hasattr(self.engine, "model_client"):
+            return self.engine.model_client()
+        from c2s_engine.models.client import OllamaClient
+
+        return OllamaClient()
+
+    def save(self, program: Any, folder: str | None, target: Path) -> list[Path]:
+        """Write a program, its map beside it; raises OSError."""
+        from c2s_engine.api import save
+
+        return save(program, folder, target)
+
+    async def close(self) -> None:
+        """Close the session, the engine and its processes, and the thread."""
+        if self.session is not None:
+            await self.thread.do(self.session.close)
+        if self.engine is not None:
+            await self.thread.call(self.engine.close)
+        if self.sessions is not None:
+            await self.thread.do(self.sessions.close)
+        self.thread.stop()
+
+
+def _note(model: dict[str, Any]) -> str:
+    size = f"{model['size'] / 1e9:.1f} GB" if model.get("size") else ""
+    return "  ".join(filter(None, [size, model.get("parameters", ""), model.get("quantization", "")]))

@@ -1,0 +1,69 @@
+"""The kinds of entries in the conversation."""
+
+from typing import Any
+
+from textual.app import ComposeResult
+from textual.containers import Vertical
+from textual.content import Content
+from textual.widgets import Markdown, Static
+
+from c2s_engine.structure.progress import Passage
+from c2s_tui.look.kinds import mark, mentions
+
+
+class Line(Static):
+    """One thing said: by the user, by the engine, as a note. Never read as markup."""
+
+    def __init__(self, text: str, kind: str):
+        sign = {"user": ">", "error": mark("error"), "warning": mark("warning")}.get(kind, " ")
+        self.plain = text
+        super().__init__(Content.assemble((f"{sign} ", "bold"), mentions(text)), classes=f"line -{kind}")
+
+
+class Answer(Vertical):
+    """An answer of a model, as it streams."""
+
+    def __init__(self, component: str | None = None):
+        super().__init__(classes="answer")
+        self.component = component
+        self.text = ""
+        self.thought = 0
+        self._stream: Any = None
+
+    def compose(self) -> ComposeResult:
+        yield Static("", classes="thinking", markup=False)
+        yield Markdown("", open_links=False)
+
+    async def add(self, text: str, thinking: bool = False) -> None:
+        """Take the next piece."""
+        if thinking:
+            self.thought += len(text.split())
+            self.query_one(".thinking", Static).update(f"thinking {mark('writing')} {self.thought} words")
+            return
+        self.text += text
+        if self._stream is None:
+            self._stream = Markdown.get_stream(self.query_one(Markdown))
+        await self._stream.write(text)
+
+    async def end(self) -> None:
+        """No more pieces come."""
+        if self._stream is not None:
+            await self._stream.stop()
+            self._stream = None
+
+
+class Sources(Static):
+    """What was found for a question: numbered, to be opened or used."""
+
+    def __init__(self, passages: list[Passage]):
+        self.passages = passages
+        parts: list = []
+        for i, passage in enumerate(passages, 1):
+            where = f" {passage.clause}" if passage.clause else ""
+            first = " ".join(passage.text.split())
+            first = first if len(first) <= 120 else first[:119] + "…"
+            parts += [
+                (f"{i} ", "bold $text-accent"), (passage.title + where, "bold"), (f"  {passage.source}", "$muted"),
+                "\n", first, "\n" if i < len(passages) else "",
+            ]  # fmt: skip
+        super().__init__(Content.assemble(*parts), classes="sources")

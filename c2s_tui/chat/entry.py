@@ -1,0 +1,82 @@
+"""The line to type in: Enter sends, the text grows downwards, earlier lines come back with the arrow keys."""
+
+from textual.binding import Binding
+from textual.events import Key
+from textual.widgets import TextArea
+
+from c2s_tui.messages import CommandAsked, Said
+
+
+class Entry(TextArea):
+    """Posts `Said`. What is typed survives a cancelled turn, and a crash."""
+
+    HELP_NAME = "chat"
+    BINDINGS = [
+        Binding("escape", "cancel", "Cancel", id="chat.cancel", tooltip="Cancel what runs; what is typed stays"),
+        Binding("alt+enter,ctrl+j", "newline", "New line", show=False, id="chat.newline", tooltip="Begin a new line"),
+    ]
+
+    def __init__(self, **options):
+        super().__init__(
+            "", soft_wrap=True, compact=True, tab_behavior="focus", highlight_cursor_line=False,
+            placeholder="Describe a scenario, ask, or change one.  /help", **options,
+        )  # fmt: skip
+        self.sent: list[str] = []
+        self._at = 0
+
+    async def _on_key(self, event: Key) -> None:
+        if event.key == "enter":
+            event.stop()
+            event.prevent_default()
+            self.send()
+            return
+        if event.key == "tab" and self.text.startswith("/") and self._complete():
+            event.stop()
+            event.prevent_default()
+            return
+        if event.key == "up" and self.cursor_at_first_line and self._recall(-1):
+            event.stop()
+            event.prevent_default()
+            return
+        if event.key == "down" and self.cursor_at_last_line and self._recall(1):
+            event.stop()
+            event.prevent_default()
+            return
+        await super()._on_key(event)
+
+    def send(self) -> None:
+        """Send what is typed."""
+        text = self.text.strip()
+        if text:
+            self.sent.append(text)
+            self._at = len(self.sent)
+            self.text = ""
+            self.post_message(Said(text))
+
+    def put(self, text: str) -> None:
+        """Put a text there to be sent or changed."""
+        self.text = text
+        self.move_cursor(self.document.end)
+
+    def _recall(self, by: int) -> bool:
+        if not 0 <= self._at + by <= len(self.sent):
+            return False
+        self._at += by
+        self.put(self.sent[self._at] if self._at < len(self.sent) else "")
+        return True
+
+    def _complete(self) -> bool:
+        from c2s_tui.commands import completions
+
+        found = completions(self.text)
+        if len(found) == 1:
+            self.put(found[0] + " ")
+        elif found:
+            self.suggestion = found[0][len(self.text) :]
+        return bool(found)
+
+    def action_newline(self) -> None:
+        self.insert("\n")
+
+    def action_cancel(self) -> None:
+        self.post_message(CommandAsked("cancel"))

@@ -1,0 +1,100 @@
+"""The chat pane: the conversation above, the line to type in below."""
+
+from typing import Any
+
+from textual.app import ComposeResult
+from textual.containers import Vertical, VerticalScroll
+from textual.widget import Widget
+
+from c2s_engine.structure.progress import Passage, Progress, Say, Token
+from c2s_tui.chat.bubbles import Answer, Line, Sources
+from c2s_tui.chat.entry import Entry
+
+KEPT = 400
+"""Entries of the conversation that stay on the screen; the session keeps all."""
+
+
+class Conversation(VerticalScroll):
+    """Follows the newest entry while it is at the bottom."""
+
+    can_focus = True
+    HELP_NAME = "chat"
+
+
+class ChatPane(Vertical):
+    """Turns the engine's words into entries; the workbench feeds it the events."""
+
+    BORDER_TITLE = "chat"
+
+    def __init__(self, **options: Any):
+        super().__init__(**options)
+        self.passages: list[Passage] = []
+        self._answer: Answer | None = None
+
+    def compose(self) -> ComposeResult:
+        yield Conversation(id="conversation")
+        yield Entry(id="entry")
+
+    @property
+    def conversation(self) -> Conversation:
+        return self.query_one(Conversation)
+
+    @property
+    def entry(self) -> Entry:
+        return self.query_one(Entry)
+
+    def on_mount(self) -> None:
+        self.conversation.anchor()
+
+    async def put(self, entry: Widget) -> None:
+        """Add an entry at the end."""
+        await self.conversation.mount(entry)
+        if len(self.conversation.children) > KEPT:
+            await self.conversation.children[0].remove()
+
+    async def note(self, text: str, kind: str = "note") -> None:
+        """Say something to the user."""
+        await self.put(Line(text, kind))
+
+    async def user(self, text: str) -> None:
+        """Show what the user sent."""
+        self.passages = []
+        await self.put(Line(text, "user"))
+
+    async def take(self, event: Progress) -> None:
+        """Take an event of a turn."""
+        if isinstance(event, Token):
+            if self._answer is None or self._answer.component != event.component:
+                await self.end_answer()
+                self._answer = Answer(event.component)
+                await self.put(self._answer)
+            await self._answer.add(event.text, event.thinking)
+        elif isinstance(event, Say):
+            await self.end_answer()
+            await self.note(event.text, event.severity if event.severity != "info" else "say")
+        elif isinstance(event, Passage):
+            self.passages.append(event)
+
+    async def end_answer(self) -> None:
+        if self._answer is not None:
+            await self._answer.end()
+            self._answer = None
+
+    async def end(self) -> None:
+        """A turn is over: show its sources."""
+        await self.end_answer()
+        if self.passages and not self._shown():
+            await self.put(Sources(list(self.passages)))
+
+    async def found(self, passages: list[Passage]) -> None:
+        """Show what a search found."""
+        self.passages = passages
+        await self.put(Sources(passages))
+
+    async def clear(self) -> None:
+        self.passages = []
+        await self.conversation.remove_children()
+
+    def _shown(self) -> bool:
+        last = self.query(Sources)
+        return bool(last) and last.last().passages == self.passages

@@ -1,0 +1,1 @@
+"""The code pane: the live program, its fragments and its diagnostics."""

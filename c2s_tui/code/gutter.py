@@ -1,0 +1,72 @@
+"""The strip beside the code: whose fragment a line is, what is new in it, what is wrong with it."""
+
+from rich.segment import Segment
+from rich.style import Style
+from textual.events import Click
+from textual.geometry import Size
+from textual.strip import Strip
+from textual.widget import Widget
+
+from c2s_engine.structure.diagnostics import Diagnostic
+from c2s_engine.structure.program import FragmentSpan
+from c2s_tui.look.kinds import mark
+from c2s_tui.messages import Picked
+
+WIDTH = 6
+
+
+class Gutter(Widget):
+    """Six cells: a mark of what changed, the component's id at its first line, a mark of what is wrong."""
+
+    COMPONENT_CLASSES = {f"gutter--{name}" for name in ("g", "r", "e", "o", "t", "changed", "error", "warning", "info")}
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.top = 0
+        self.spans: tuple[FragmentSpan, ...] = ()
+        self.changed: frozenset[int] = frozenset()
+        self.problems: dict[int, Diagnostic] = {}
+        self.here: str | None = None
+
+    def show(self, **values) -> None:
+        """Set any of top, spans, changed, problems, here; draws only if something differs."""
+        if any(getattr(self, name) != value for name, value in values.items()):
+            for name, value in values.items():
+                setattr(self, name, value)
+            self.refresh()
+
+    def get_content_width(self, container: Size, viewport: Size) -> int:
+        return WIDTH
+
+    def component_at(self, line: int) -> FragmentSpan | None:
+        return next((s for s in self.spans if s.first <= line <= s.last), None)
+
+    def render_line(self, y: int) -> Strip:
+        line = self.top + y + 1
+        base = self.rich_style
+        span = self.component_at(line)
+        changed, problem = line in self.changed, self.problems.get(line)
+        segments = [self._cell(mark("changed") if changed else " ", "changed", base)]
+        if span is None:
+            segments.append(Segment("    ", base))
+        else:
+            style = base + self._style(span.component[0].lower())
+            bold = Style(bold=True, reverse=span.component == self.here)
+            if line == span.first:
+                label = span.component
+                segments += [Segment(label, style + bold), Segment(" " * (4 - len(label)), base)]
+            else:
+                segments.append(Segment(f"{mark('rule')}   ", style))
+        segments.append(self._cell(mark(problem.severity), problem.severity, base) if problem else Segment(" ", base))
+        return Strip(segments, WIDTH)
+
+    def _cell(self, text: str, name: str, base: Style) -> Segment:
+        return Segment(text, base + self._style(name))
+
+    def _style(self, name: str) -> Style:
+        return self.get_component_rich_style(f"gutter--{name}", partial=True)
+
+    def on_click(self, event: Click) -> None:
+        line = self.top + event.y + 1
+        if span := self.component_at(line):
+            self.post_message(Picked(span.component, "gutter", line))

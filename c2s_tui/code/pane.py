@@ -1,0 +1,183 @@
+"""The code pane: gutter, program, and the finding at the cursor."""
+
+from typing import Any
+
+from textual import on
+from textual.app import ComposeResult
+from textual.binding import Binding
+from textual.containers import Horizontal, Vertical
+from textual.content import Content
+from textual.widgets import Static, TextArea
+
+from c2s_engine.structure.diagnostics import Diagnostic
+from c2s_engine.structure.edits import SetCode
+from c2s_tui.code.area import CodeArea
+from c2s_tui.code.fragments import changed_fragments, changed_lines, moved_spans
+from c2s_tui.code.gutter import Gutter
+from c2s_tui.desk import Desk
+from c2s_tui.look.kinds import mark
+from c2s_tui.messages import CodeTyped, CommandAsked, EditsAsked, Picked
+
+
+class CodePane(Vertical):
+    """The live program. Hand edits are committed as SetCode: by key, or when the pane is left."""
+
+    BORDER_TITLE = "code"
+    HELP_NAME = "code"
+    BINDINGS = [
+        Binding(
+            "f8", "problem(1)", "Next finding", show=False, id="code.next_problem", tooltip="Go to the next finding"
+        ),
+        Binding("ctrl+t", "fix", "Take fix", show=False, id="code.fix", tooltip="Apply the fix offered for this line"),
+        Binding("ctrl+g", "external", "$EDITOR", show=False, id="code.external", tooltip="Edit the program in $EDITOR"),
+        Binding("escape", "drop", "Back", show=False, id="code.leave", tooltip="Cancel what runs"),
+    ]
+
+    def __init__(self, **options: Any):
+        super().__init__(**options)
+        self.desk = Desk()
+        self.base = self.desk.program  # the program that the shown text was edited from
+        self._live: tuple[Diagnostic, ...] | None = None
+
+    def compose(self) -> ComposeResult:
+        with Horizontal(id="code-body"):
+            yield Gutter()
+            yield CodeArea(id="code")
+        yield Static(id="finding", markup=False)
+
+    def on_mount(self) -> None:
+        self.watch(self.area, "scroll_y", lambda y: self.gutter.show(top=round(y)), init=False)
+
+    @property
+    def area(self) -> CodeArea:
+        return self.query_one(CodeArea)
+
+    @property
+    def gutter(self) -> Gutter:
+        return self.query_one(Gutter)
+
+    @property
+    def edited(self) -> bool:
+        """Whether the shown text differs from the session's program."""
+        return self.area.text != self.base.text
+
+    def show(self, desk: Desk) -> None:
+        """Draw the desk. Text that is being edited by hand is not overwritten."""
+        hand = self.edited
+        self.desk, self._live = desk, None
+        if not hand or desk.program.text == self.area.text:
+            self.base = desk.program
+            self.area.replace_text(desk.program.text)
+        self._draw()
+
+    def show_findings(self, diagnostics: tuple[Diagnostic, ...]) -> None:
+        """Findings of a check of the text as it is being typed."""
+        self._live = diagnostics
+        self._draw()
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        return self.desk.diagnostics if self._live is None else self._live
+
+    def _draw(self) -> None:
+        self.area.show_problems(self.diagnostics)
+        changed = changed_lines(self.desk.before, self.area.text) if self.desk.before or self.edited else frozenset()
+        self.gutter.show(
+            top=round(self.area.scroll_y), spans=moved_spans(self.base, self.area.text), changed=changed,
+            problems=dict(self.area.problems),
+        )  # fmt: skip
+        self.border_subtitle = "edited, not applied: F5 applies" if self.edited else ""
+        self._show_finding()
+
+    def _show_finding(self) -> None:
+        found = self.finding
+        strip = self.query_one("#finding", Static)
+        strip.display = bool(self.diagnostics)
+        if found is None:
+            if self.diagnostics:
+                count = len(self.diagnostics)
+                strip.update(Content.styled(f"{count} finding{'s' * (count > 1)}: F8 goes to the next", "$muted"))
+            return
+        colour = {"error": "$text-error", "warning": "$text-warning"}.get(found.severity, "$muted")
+        where = " ".join(filter(None, [found.stage, found.component or "", f"line {found.line}" if found.line else ""]))
+        parts: list = [(f"{mark(found.severity)} {where}: ", colour), found.message]
+        if found.fix:
+            parts += [("\nfix: ", "bold"), found.fix]
+            if found.edit:
+                parts.append(("  Ctrl+T takes it", "$muted"))
+        strip.update(Content.assemble(*parts))
+
+    @property
+    def finding(self) -> Diagnostic | None:
+        """The finding at the cursor's line; else one that has no line."""
+        line = self.area.cursor_location[0] + 1
+        at = self.area.problems.get(line)
+        return at or next((d for d in self.diagnostics if not d.line), None)
+
+    def point(self, cid: str, line: int | None = None) -> None:
+        """Show a component's fragment, without taking the focus."""
+        self.gutter.show(here=cid)
+        span = next((s for s in self.gutter.spans if s.component == cid), None)
+        if span is None:
+            return
+        row = (line or span.first) - 1
+        if not span.first <= self.area.cursor_location[0] + 1 <= span.last or line:
+            with self.prevent(TextArea.SelectionChanged):
+                self.area.move_cursor((row, 0))
+            self.area.scroll_to(y=max(0, row - 2), animate=False)
+
+    def hand_edits(self) -> list[SetCode]:
+        """What the hand edits amount to."""
+        changed = changed_fragments(self.base, self.area.text)
+        return [SetCode(component=cid, code=code) for cid, code in changed.items()]
+
+    def commit(self) -> bool:
+        """Ask for the hand edits to be taken; whether there were any."""
+        edits = self.hand_edits()
+        if edits:
+            self.base = self.base.model_copy(update={"text": self.area.text, "spans": self.gutter.spans})
+            self.post_message(EditsAsked(edits))
+        return bool(edits)
+
+    @on(TextArea.Changed)
+    def _changed(self, event: TextArea.Changed) -> None:
+        event.stop()
+        self._draw()
+        self.post_message(CodeTyped())
+
+    @on(TextArea.SelectionChanged)
+    def _moved(self, event: TextArea.SelectionChanged) -> None:
+        event.stop()
+        line = self.area.cursor_location[0] + 1
+        span = self.gutter.component_at(line)
+        self._show_finding()
+        if span and self.area.has_focus:
+            self.gutter.show(here=span.component)
+            self.post_message(Picked(span.component, "code", line))
+
+    def action_problem(self, by: int) -> None:
+        lines = sorted(self.area.problems)
+        if lines:
+            here = self.area.cursor_location[0] + 1
+            after = next((n for n in lines if n > here), lines[0])
+            self.area.focus()
+            self.area.move_cursor((after - 1, 0), center=True)
+
+    def action_fix(self) -> None:
+        """Apply the fix that the finding at the cursor offers."""
+        found = self.finding
+        if found is None or found.edit is None:
+            self.app.bell()
+            return
+        edit = found.edit
+        lines = self.area.text.split("\n")
+        lines[edit.first - 1 : edit.last] = edit.text.rstrip("\n").split("\n")
+        self.area.text = "\n".join(lines)
+        self._draw()
+        self.commit()
+
+    def action_external(self) -> None:
+        self.post_message(CommandAsked("editor"))
+
+    def action_drop(self) -> None:
+        self.post_message(CommandAsked("cancel"))

@@ -1,0 +1,118 @@
+"""What lies on the desk: everything the panes draw, as a pure fold over the engine's events."""
+
+from dataclasses import dataclass, field, replace
+
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.diagnostics import Diagnostic, StageResult
+from c2s_engine.structure.facts import RunFacts, Trajectories
+from c2s_engine.structure.program import Program
+from c2s_engine.structure.progress import (
+    ComponentState,
+    Finished,
+    ProgramChanged,
+    Progress,
+    RunDone,
+    StageDone,
+    StageStarted,
+    StructureChanged,
+    Usage,
+)
+
+
+@dataclass(frozen=True)
+class Desk:
+    """The state that all panes share. Times in seconds."""
+
+    structure: Structure = Structure()
+    program: Program = Program(text="")
+    before: str = ""  # the program before the last change, for the marks of what changed
+    states: dict[str, str] = field(default_factory=dict)  # by component: what ComponentState said last
+    rewritten: tuple[str, ...] = ()
+    stages: tuple[StageResult, ...] = ()
+    running: str | None = None  # the stage under way
+    facts: tuple[RunFacts, ...] = ()
+    trajectories: tuple[Trajectories, ...] = ()
+    prompt_tokens: int = 0
+    answer_tokens: int = 0
+    seconds: float = 0.0
+    folder: str | None = None  # where the program's map lies
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        return tuple(d for stage in self.stages for d in stage.diagnostics)
+
+    def state(self, component: Component) -> str:
+        """clean, dirty, writing, failed, by_hand or conflict."""
+        if component.conflict is not None:
+            return "conflict"
+        said = self.states.get(component.id)
+        if said in ("writing", "dirty", "failed"):
+            return said
+        if any(d.component == component.id and d.severity == "error" for d in self.diagnostics):
+            return "failed"
+        if component.origin in ("by_hand", "imported"):
+            return "by_hand"
+        return "clean" if component.code else "dirty"
+
+
+def begun(desk: Desk) -> Desk:
+    """A turn begins: what the last one measured is put aside."""
+    return replace(
+        desk, before=desk.program.text, rewritten=(), stages=(), running=None, facts=(), trajectories=(),
+        prompt_tokens=0, answer_tokens=0, seconds=0.0, states={},
+    )  # fmt: skip
+
+
+def opened(structure: Structure, program: Program) -> Desk:
+    """The desk on which a session was laid as it was left."""
+    return Desk(structure=structure, program=program, before=program.text)
+
+
+def broken_off(desk: Desk, structure: Structure, program: Program) -> Desk:
+    """A turn was cancelled: S and program are those from before it."""
+    return replace(desk, structure=structure, program=program, before=program.text, states={}, running=None)
+
+
+def step(desk: Desk, event: Progress) -> Desk:
+    """The desk after one event."""
+    if isinstance(event, StageStarted):
+        return replace(desk, running=event.stage)
+    if isinstance(event, StageDone):
+        others = tuple(s for s in desk.stages if s.name != event.result.name)
+        return replace(desk, stages=(*others, event.result), running=None)
+    if isinstance(event, ComponentState):
+        structure = desk.structure
+        if event.component.id in structure:
+            structure = structure.with_component(event.component)
+        return replace(desk, structure=structure, states={**desk.states, event.component.id: event.state})
+    if isinstance(event, StructureChanged):
+        return replace(desk, structure=event.structure)
+    if isinstance(event, ProgramChanged):
+        return replace(desk, program=event.program, rewritten=event.rewritten)
+    if isinstance(event, Usage):
+        return replace(
+            desk,
+            prompt_tokens=desk.prompt_tokens + event.prompt_tokens,
+            answer_tokens=desk.answer_tokens + event.answer_tokens,
+        )
+    if isinstance(event, RunDone):
+        trajectories = (*desk.trajectories, event.trajectories) if event.trajectories else desk.trajectories
+        return replace(desk, facts=(*desk.facts, event.facts), trajectories=trajectories)
+    if isinstance(event, Finished):
+        return replace(
+            desk, structure=event.structure, program=event.program, stages=event.stages or desk.stages,
+            facts=event.facts or desk.facts, seconds=event.seconds, running=None, states={},
+            folder=event.details.get("folder") or desk.folder,
+        )  # fmt: skip
+    return desk
+
+
+def expected(desk: Desk, structure: Structure) -> Desk:
+    """S as edits under way will make it: what they touch is dirty until the engine says more."""
+    states = {c.id: "dirty" for c in structure.components if c.id not in desk.structure or desk.structure[c.id] != c}
+    return replace(desk, structure=structure, states=states)
+
+
+def restored(desk: Desk, stages: tuple[StageResult, ...], facts: tuple[RunFacts, ...]) -> Desk:
+    """With the verdicts that a session kept."""
+    return replace(desk, stages=tuple(stages), facts=tuple(facts))

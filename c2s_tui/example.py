@@ -1,0 +1,22 @@
+"""The example session that a first run opens: one exported file, and six lines that explain it."""
+
+from pathlib import Path
+from typing import Any
+
+from c2s_engine.paths import shipped
+
+
+def file() -> Path:
+    return shipped("examples", "session.json")
+
+
+def lines() -> list[str]:
+    """Six lines on what is on the screen and what to do next."""
+    return shipped("examples", "session.txt").read_text("utf-8").strip().splitlines()
+
+
+def install(sessions: Any, name: str) -> str:
+    """The name of the example session, taken from its file where the user does not have it. Raises SessionError."""
+    if any(info.name == name for info in sessions.list()):
+        return name
+    return sessions.import_file(file(), name)

@@ -1,0 +1,156 @@
+"""Programs as files: save, open, import, edit outside, notice changes (a mixin of the workbench)."""
+
+import asyncio
+import os
+import shlex
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from textual import work
+
+from c2s_tui.screens.dialogs import Choosable, Chooser, Confirm
+
+WATCH_SECONDS = 2.0
+
+
+class Files:
+    """Commands that read and write files."""
+
+    async def do_save(self: Any, argument: str) -> None:
+        """Write the program (and its map beside it)."""
+        self.code.commit() if self.code.edited and not self.busy else None
+        target = Path(argument).expanduser() if argument else self.file
+        if target is None:
+            self.chat.entry.put(f"/save {self.session.name if self.session else 'program'}.scenic")
+            self.chat.entry.focus()
+            return
+        if target.suffix == "":
+            target = target.with_suffix(".scenic")
+        if self._changed_outside(target):
+            answers = {"o": ("over", "overwrite the file"), "r": ("reload", "read the file instead")}
+            self.app.push_screen(
+                Confirm(f"{target.name} was changed by another program.", answers),
+                lambda answer: self._resolve_change(answer, target),
+            )
+            return
+        await self.write(target)
+
+    async def write(self: Any, target: Path) -> None:
+        program = self.desk.program.model_copy(update={"text": self.code.area.text})
+        try:
+            written = await asyncio.to_thread(self.backend.save, program, self.desk.folder, target)
+        except OSError as error:
+            await self.chat.note(f"{target} could not be written: {error.strerror or error}", "error")
+            return
+        self.file, self.file_seen = target, _stamp(target)
+        self.saved_text = program.text
+        await self.chat.note(f"Saved {', '.join(str(p) for p in written)}.")
+
+    async def _resolve_change(self: Any, answer: str | None, target: Path) -> None:
+        if answer == "over":
+            await self.write(target)
+        elif answer == "reload":
+            await self.import_file(target)
+
+    def _changed_outside(self: Any, target: Path) -> bool:
+        return target == self.file and self.file_seen is not None and _stamp(target) not in (None, self.file_seen)
+
+    def watch_file(self: Any) -> None:
+        """Called now and then: whether the opened file was changed by another program; told once."""
+        if self.file is not None and self._changed_outside(self.file) and self.told_change != _stamp(self.file):
+            self.told_change = _stamp(self.file)
+            self.app.notify(
+                f"{self.file.name} was changed by another program: /open {self.file} reads it again.",
+                severity="warning", markup=False,
+            )  # fmt: skip
+
+    async def do_open(self: Any, argument: str) -> None:
+        if not argument:
+            self.offer_sessions()
+            return
+        path = Path(argument).expanduser()
+        if path.suffix == ".scenic" or path.is_file():
+            await self.import_file(path)
+        else:
+            self.open_session(argument)
+
+    async def import_file(self: Any, path: Path) -> None:
+        """Take a Scenic file into the session, in components."""
+        if not await self._may_begin():
+            return
+        try:
+            text = await asyncio.to_thread(path.read_text, "utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            await self.chat.note(f"{path} cannot be read: {getattr(error, 'strerror', None) or error}", "error")
+            return
+        self.take_program(text, path)
+
+    @work(group="choices", exclusive=True, exit_on_error=False)
+    async def take_program(self: Any, text: str, path: Path) -> None:
+        """Decompose a program and make it the session's S."""
+        from c2s_engine.structure.edits import Replace
+
+        if not self.backend.can("import_program"):
+            await self.chat.note("This engine cannot import programs.", "error")
+            return
+        try:
+            structure = await self.backend.ask("import_program", text)
+        except (ValueError, OSError, RuntimeError) as error:
+            await self.chat.note(f"{path.name} could not be taken apart: {self._sentence(error)}", "error")
+            return
+        self.file, self.file_seen = path, _stamp(path)
+        self.saved_text = text
+        await self.chat.note(f"Opened {path.name}.")
+        await self.make_edits((Replace(structure=structure),))
+
+    @work(group="choices", exclusive=True, exit_on_error=False)
+    async def offer_sessions(self: Any) -> None:
+        found = await self.backend.thread.do(self.backend.sessions.list)
+        entries = [Choosable(s.name, s.name, f"{s.turns} turns  {s.last[:40]}") for s in found]
+        chosen = await self.app.push_screen_wait(
+            Chooser(
+                "Sessions", entries, self.session.name if self.session else "", free="narrow, or a new session's name"
+            )
+        )
+        if chosen:
+            self.open_session(chosen)
+
+    async def do_new(self: Any, argument: str) -> None:
+        from c2s_tui.start import fresh_name
+
+        taken = {s.name for s in await self.backend.thread.do(self.backend.sessions.list)}
+        self.open_session(argument or fresh_name(taken))
+
+    # Outside.
+
+    async def do_editor(self: Any, _: str) -> None:
+        """The program in $EDITOR; what comes back is a hand edit."""
+        editor = os.environ.get("VISUAL") or os.environ.get("EDITOR")
+        if not editor:
+            await self.chat.note("Set EDITOR (such as EDITOR=vim) to edit the program outside.", "error")
+            return
+        text = self.code.area.text
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "program.scenic"
+            file.write_text(text, "utf-8")
+            try:
+                with self.app.suspend():
+                    subprocess.run([*shlex.split(editor), str(file)], stdout=sys.__stdout__, stderr=sys.__stderr__)
+            except Exception as error:
+                await self.chat.note(f"{editor} could not be run: {self._sentence(error)}", "error")
+                return
+            changed = file.read_text("utf-8")
+        self.app.refresh()
+        if changed != text:
+            self.code.area.text = changed
+            self.code.commit()
+
+
+def _stamp(path: Path) -> float | None:
+    try:
+        return path.stat().st_mtime
+    except OSError:
+        return None

@@ -1,0 +1,20 @@
+"""What the doctor says, as lines for a screen."""
+
+from typing import Any
+
+from c2s_tui.look.kinds import mark
+
+
+async def findings(backend: Any) -> list[str]:
+    """One line a finding: a mark, what was looked at, how it is, what to do."""
+    if backend.can("doctor"):
+        return [_line(f) for f in await backend.ask("doctor")]
+    from c2s_engine.commands.places import examine
+
+    return [_line(f) for f in await backend.thread.call(examine)]
+
+
+def _line(found: dict[str, Any]) -> str:
+    name = "clean" if found.get("ok", True) else "warning" if found.get("optional") else "failed"
+    text = f"{mark(name)} {found.get('name', '')}: {found.get('found', '')}"
+    return f"{text}\n  {found['advice']}" if found.get("advice") else text

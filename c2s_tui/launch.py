@@ -1,0 +1,22 @@
+"""Runs the app in a terminal."""
+
+import asyncio
+import sys
+from pathlib import Path
+
+
+def launch(session: str | None = None, file: Path | None = None) -> int:
+    """Run until the user leaves; the exit status."""
+    if not (sys.stdin.isatty() and sys.stdout.isatty()):
+        print("c2s app needs a terminal; `c2s generate` and `c2s edit` work without one.", file=sys.stderr)
+        return 2
+    from c2s_engine.paths import cache_folder
+    from c2s_tui.app import C2SApp
+    from c2s_tui.guard import guarded
+
+    with guarded(cache_folder() / "app.log"):
+        app = C2SApp(session=session, file=file)
+        app.run()
+    if app.backend is not None:
+        asyncio.run(app.backend.close())
+    return app.return_code or 0

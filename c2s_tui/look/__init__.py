@@ -1,0 +1,1 @@
+"""The visual language: one colour and one letter per kind of component, marks, themes."""

@@ -1,0 +1,1 @@
+"""The top-down picture of the dry run, stepped and played."""

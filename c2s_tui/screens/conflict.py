@@ -1,0 +1,43 @@
+"""Code by hand beside what would be written now; the user says which stands."""
+
+from textual.app import ComposeResult
+from textual.binding import Binding
+from textual.containers import Horizontal, Vertical, VerticalScroll
+from textual.screen import ModalScreen
+from textual.widgets import Static
+
+
+class Conflict(ModalScreen[str | None]):
+    """Dismisses with `mine`, `theirs`, or None."""
+
+    BINDINGS = [
+        Binding("escape", "take('')", "Later", show=False),
+        Binding("m", "take('mine')", "Mine", show=False),
+        Binding("t", "take('theirs')", "Theirs", show=False),
+        Binding("down,j", "scroll(1)", show=False), Binding("up,k", "scroll(-1)", show=False),
+    ]  # fmt: skip
+
+    def __init__(self, cid: str, mine: str, theirs: str):
+        super().__init__()
+        self.cid, self.mine, self.theirs = cid, mine, theirs
+
+    def compose(self) -> ComposeResult:
+        with Vertical(classes="dialog -wide"):
+            yield Static(
+                f"{self.cid} was written by hand, and its fields have changed since", classes="title", markup=False
+            )
+            with Horizontal(id="conflict-sides"):
+                for title, text in (("by hand (m keeps it)", self.mine), ("from the fields (t takes it)", self.theirs)):
+                    side = VerticalScroll(Static(text, markup=False))
+                    side.border_title = title
+                    yield side
+            yield Static(
+                "m keeps the code by hand, t takes the new one, Esc decides later", classes="foot", markup=False
+            )
+
+    def action_scroll(self, by: int) -> None:
+        for side in self.query(VerticalScroll):
+            side.scroll_relative(y=by, animate=False)
+
+    def action_take(self, which: str) -> None:
+        self.dismiss(which or None)

@@ -1,0 +1,54 @@
+"""F1: what can be pressed in the focused pane, and what can be typed."""
+
+from typing import Any
+
+from textual.content import Content
+
+from c2s_tui.commands import commands
+from c2s_tui.look.kinds import badge, kind_name, look, mark
+from c2s_tui.screens.dialogs import Reading
+
+WIDE = 22
+
+
+def help_screen(pane: str, widget: Any, keymap: dict[str, str]) -> Reading:
+    """The help for a pane: its keys first, then the app's, the commands and the marks."""
+    parts: list = []
+    for name, bound in (("Here", _own(widget, keymap)), ("Everywhere", _app(keymap))):
+        parts += [(f"{name}\n", "bold $text-primary")]
+        for keys, about in bound:
+            parts += [(f"{keys:<{WIDE}}", "bold"), f" {about}\n"]
+        parts.append("\n")
+    parts.append(("Typed in the chat\n", "bold $text-primary"))
+    for command in commands().values():
+        typed = f"/{command.name} {command.argument}".rstrip()
+        parts += [(f"{typed:<{WIDE}}", "bold"), f" {command.about}\n"]
+    parts += ["\n", ("Marks\n", "bold $text-primary")]
+    for kind in look()["kinds"]:
+        parts += [badge(kind if kind != "O" else "O1"), f" {kind_name(kind)}   "]
+    parts.append("\n")
+    for name, words in (
+        ("clean", "up to date"), ("dirty", "to be written"), ("writing", "being written"), ("failed", "a check failed"),
+        ("by_hand", "written by hand"), ("conflict", "by hand, and its fields changed"), ("seen", "seen in the run"),
+        ("unseen", "said, not seen"), ("assumed", "assumed: the text left it open"), ("unmet", "not understood"),
+        ("changed", "line changed by the last turn"),
+    ):  # fmt: skip
+        parts.append(f"{mark(name)}  {words}\n")
+    return Reading(f"Help: {pane}", Content.assemble(*parts))
+
+
+def _own(widget: Any, keymap: dict[str, str]) -> list[tuple[str, str]]:
+    found = []
+    for node in widget.ancestors_with_self if widget is not None else ():
+        own = [b for b in type(node).__dict__.get("BINDINGS", ()) if getattr(b, "id", None) and b.tooltip]
+        found += [(_keys(keymap.get(b.id, b.key)), b.tooltip) for b in own if not b.id.startswith("app.")]
+    return found
+
+
+def _app(keymap: dict[str, str]) -> list[tuple[str, str]]:
+    keys = [(_keys(keymap.get(c.id, c.key)), c.about) for c in commands().values() if c.key]
+    return [*keys, ("ctrl+p", "Command palette"), ("tab, shift+tab", "Next, previous part")]
+
+
+def _keys(keys: str) -> str:
+    return keys.replace("left_square_bracket", "[").replace("right_square_bracket", "]").replace(",", ", ")

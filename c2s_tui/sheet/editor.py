@@ -1,0 +1,135 @@
+"""The line in which a field of S is edited in place, with what may stand there and what it would reach."""
+
+from typing import Any
+
+from textual.app import ComposeResult
+from textual.binding import Binding
+from textual.containers import Vertical
+from textual.content import Content
+from textual.message import Message
+from textual.suggester import SuggestFromList
+from textual.widgets import Input, Static
+
+from c2s_engine.structure.edits import EditError, SetDescription, SetField
+from c2s_tui.sheet.rows import SENTENCE, Row
+from c2s_tui.sheet.values import Field, head_name, parse
+
+SHOWN_CHOICES = 14
+
+
+class FieldEditor(Vertical):
+    """Edits one row; posts `Made` with the edit, `Left` when it is given up."""
+
+    BINDINGS = [Binding("escape", "leave", "Back", id="sheet.leave_field", tooltip="Keep the field as it was")]
+
+    class Made(Message):
+        def __init__(self, edit: Any):
+            self.edit = edit
+            super().__init__()
+
+    class Left(Message):
+        pass
+
+    class Typed(Message):
+        """What is typed so far is a valid edit (or is not: None)."""
+
+        def __init__(self, edit: Any | None):
+            self.edit = edit
+            super().__init__()
+
+    def __init__(self, row: Row, spec: Any):
+        super().__init__()
+        self.row, self.spec = row, spec
+        self.field = row.field
+        self._appends = bool(self.field and self.field.many and not self.field.leaf)
+
+    def compose(self) -> ComposeResult:
+        value = "" if self._appends else self.row.text
+        choices = self._choices()
+        yield Input(
+            value, compact=True, select_on_focus=False,
+            suggester=SuggestFromList(choices, case_sensitive=False) if choices else None,
+        )  # fmt: skip
+        yield Static(self._hint(), markup=False)
+
+    def on_mount(self) -> None:
+        self.query_one(Input).focus()
+
+    def _choices(self) -> tuple[str, ...]:
+        if self._appends:
+            return self._item_choices()
+        return self.field.choices if self.field else ()
+
+    def _item_choices(self) -> tuple[str, ...]:
+        from c2s_tui.sheet.values import _head_choices, _model_in
+
+        assert self.field
+        model = _model_in(type(self.spec).model_fields[self.field.path].annotation)
+        return _head_choices(model) if model else ()
+
+    def _hint(self, error: str = "") -> Content:
+        if error:
+            return Content.styled(error, "$text-error")
+        if self.row.kind == SENTENCE:
+            return Content.styled("one sentence; Enter takes it, Esc leaves", "$muted")
+        parts = [self.field.about] if self.field and self.field.about else []
+        if choices := self._choices():
+            more = f" ... {len(choices)} in all" if len(choices) > SHOWN_CHOICES else ""
+            parts.append("one of " + ", ".join(choices[:SHOWN_CHOICES]) + more)
+        elif self.field and self.field.unit == "m/s":
+            parts.append("typed without a unit it is km/h")
+        return Content.styled("; ".join(parts) or "Enter takes it, Esc leaves", "$muted")
+
+    def edit_of(self, text: str) -> Any:
+        """The edit that a typed text means; raises EditError."""
+        if self.row.kind == SENTENCE:
+            if not text.strip():
+                raise EditError("a component needs a sentence")
+            return SetDescription(component=self.row.cid, description=text.strip())
+        field = self.field
+        assert field
+        if self._appends:
+            item = Field(field.path, None, False, choices=self._item_choices())
+            chosen = parse(item, text)
+            if chosen is None:
+                raise EditError(f"say which: {', '.join(item.choices[:SHOWN_CHOICES])}")
+            name = "action" if "action" in self._first_names() else "kind"
+            return SetField(component=self.row.cid, path=f"{field.path}.{len(field.value)}", value={name: chosen})
+        value = parse(field, text)
+        head = head_name(self.spec, field.path) if value is not None and field.value is None else None
+        if head:
+            value = {head: value}
+        return SetField(component=self.row.cid, path=field.path, value=value)
+
+    def _first_names(self) -> list[str]:
+        from c2s_tui.sheet.values import _model_in
+
+        assert self.field
+        model = _model_in(type(self.spec).model_fields[self.field.path].annotation)
+        return list(model.model_fields)[:1] if model else []
+
+    def on_input_changed(self, event: Input.Changed) -> None:
+        event.stop()
+        try:
+            edit = self.edit_of(event.value)
+        except EditError:
+            edit = None
+        self.post_message(self.Typed(edit))
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        event.stop()
+        try:
+            edit = self.edit_of(event.value)
+        except EditError as error:
+            self.refuse(str(error))
+            return
+        self.post_message(self.Made(edit))
+
+    def refuse(self, why: str) -> None:
+        """Say why the text cannot stand there; what was typed stays."""
+        self.query_one(Static).update(self._hint(why))
+        self.query_one(Input).styles.color = None
+        self.query_one(Input).focus()
+
+    def action_leave(self) -> None:
+        self.post_message(self.Left())

@@ -1,0 +1,94 @@
+"""The lines of the structure pane, from S and what is known of it: pure, so that tests need no screen."""
+
+from collections.abc import Mapping, Set
+from dataclasses import dataclass
+
+from c2s_engine.structure.components import Component
+from c2s_tui.desk import Desk
+from c2s_tui.look.kinds import kind_name
+from c2s_tui.seen import Mark, marks
+from c2s_tui.sheet.values import Field, fields, show
+
+HEAD, SENTENCE, FIELD, UNMET, CONFLICT, LINK, ADD = "head", "sentence", "field", "unmet", "conflict", "link", "add"
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line: `key` identifies it between two drawings."""
+
+    key: str
+    kind: str
+    cid: str
+    text: str = ""
+    note: str = ""
+    state: str = ""
+    depth: int = 0
+    field: Field | None = None
+    seen: bool | None = None
+    judged: bool = False
+    open: bool = False
+    reached: bool = False
+
+
+def rows(desk: Desk, unfolded: Set[str] = frozenset(), reached: Set[str] = frozenset()) -> list[Row]:
+    """The whole sheet. Unfolded components show every field, the others those that are set."""
+    found: dict[tuple[str, str], Mark] = {(m.component, m.path): m for m in marks(desk.structure, desk.facts)}
+    lines: list[Row] = []
+    for component in desk.structure.components:
+        lines += _component(desk, component, component.id in unfolded, component.id in reached, found)
+    for unmet in desk.structure.not_understood:
+        lines.append(Row(f"text:{unmet.text}", UNMET, "", unmet.text, unmet.reason))
+    lines.append(Row("add", ADD, "", "add an object"))
+    return lines
+
+
+def title(component: Component) -> str:
+    """What a component is, in two words."""
+    spec = component.spec
+    if component.kind == "O":
+        count = f" x{spec.count}" if spec.count > 1 else ""
+        return (
+            f"{spec.name} ({spec.type.replace('_', ' ')}{count})" if spec.name != spec.type else f"{spec.type}{count}"
+        )
+    return kind_name(component.kind)
+
+
+def _component(
+    desk: Desk, component: Component, unfolded: bool, reached: bool, found: Mapping[tuple[str, str], Mark]
+) -> list[Row]:
+    cid = component.id
+    state = desk.state(component)
+    lines = [Row(f"{cid}", HEAD, cid, title(component), state=state, open=unfolded, reached=reached)]
+    if component.description:
+        lines.append(Row(f"{cid}:sentence", SENTENCE, cid, component.description))
+    assumed = {a.field: a for a in component.assumed}
+    shown: set[str] = set()
+    for field in fields(component.spec):
+        if not unfolded and not _in_short(field):
+            continue
+        why = assumed.get(field.path)
+        if why:
+            shown.add(why.field)
+        mark = found.get((cid, field.path))
+        lines.append(
+            Row(
+                f"{cid}:{field.path}", FIELD, cid, show(field), why.reason if why else "",
+                depth=field.depth if unfolded else 0,
+                field=field, seen=mark.seen if mark else None, judged=mark is not None,
+            )
+        )  # fmt: skip
+    left = [a for a in component.assumed if a.field not in shown]
+    lines += [Row(f"{cid}:assumed:{a.field}", LINK, cid, f"{a.field} {a.value}", a.reason) for a in left]
+    lines += [Row(f"{cid}:unmet:{u.text}", UNMET, cid, u.text, u.reason) for u in component.unmet]
+    if component.conflict is not None:
+        lines.append(Row(f"{cid}:conflict", CONFLICT, cid, "written by hand, and its fields have changed since"))
+    return lines
+
+
+def _in_short(field: Field) -> bool:
+    """In the short form: what is set, parts in one line, the steps of a behaviour one line each."""
+    if not field.set:
+        return False
+    if field.depth == 0:
+        return not (field.many and not field.leaf)
+    return field.depth == 1 and not field.leaf and field.path.rsplit(".", 1)[-1].isdigit()

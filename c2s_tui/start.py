@@ -1,0 +1,142 @@
+"""Beginning and ending: the first run, opening sessions, recovery, leaving (a mixin of the workbench)."""
+
+from typing import Any
+
+from textual import work
+
+from c2s_tui.screens.dialogs import Confirm
+
+EXAMPLE = "example"
+
+
+def fresh_name(taken: set[str]) -> str:
+    """A name for a new session that none has."""
+    return next(name for i in range(1, 10_000) if (name := f"session-{i}") not in taken)
+
+
+class Start:
+    """What happens before the first turn and after the last."""
+
+    @work(group="begin", exit_on_error=False)
+    async def begin(self: Any) -> None:
+        """Make the engine, open the session that is asked for (else the last, else the example), start the checks."""
+        try:
+            await self.backend.load()
+        except Exception as error:
+            await self.chat.note(self._sentence(error), "error")
+            return
+        prefs = self.app.prefs
+        if prefs.trouble:
+            await self.chat.note(prefs.trouble, "warning")
+        if prefs.model:
+            await self.backend.set_model(prefs.model)
+        known = {s.name for s in await self.backend.thread.do(self.backend.sessions.list)}
+        if self.wanted is None and not prefs.welcomed:
+            await self.welcome()
+        else:
+            last = prefs.session if prefs.session in known else None
+            await self.enter(self.wanted or last or fresh_name(known))
+        try:
+            await self.backend.start()
+        except Exception as error:
+            await self.chat.note(f"Programs cannot be checked: {self._sentence(error)}. /doctor says more.", "error")
+        self.ready = True
+        if self.file is not None and self.session is not None:
+            await self.import_file(self.file)
+
+    async def welcome(self: Any) -> None:
+        """The first run: the example session, explained in six lines; no model, no network."""
+        from c2s_tui.example import install, lines
+
+        try:
+            name = await self.backend.thread.do(lambda: install(self.backend.sessions, EXAMPLE))
+        except (OSError, ValueError, RuntimeError) as error:
+            await self.chat.note(f"The example could not be opened: {self._sentence(error)}", "warning")
+            name = "session-1"
+        await self.enter(name)
+        for line in lines():
+            await self.chat.note(line, "say")
+        self.app.remember(welcomed=True)
+
+    async def do_example(self: Any, _: str) -> None:
+        if await self._may_begin():
+            await self.welcome()
+
+    @work(group="begin", exit_on_error=False)
+    async def open_session(self: Any, name: str) -> None:
+        """Close the session and open another."""
+        if self.busy:
+            await self._may_begin()
+            return
+        self.code.commit()
+        await self.enter(name)
+
+    async def enter(self: Any, name: str) -> None:
+        """Open a session and show where it was left, with what was typed and not sent."""
+        if self.session is not None:
+            self.save_drafts(now=True)
+        try:
+            session = await self.backend.open(name)
+        except Exception as error:
+            await self.chat.note(f"The session {name} could not be opened: {self._sentence(error)}", "error")
+            if self.session is not None:
+                return
+            session = await self.backend.open(f"{name}-2")
+        changed = self.session is not session
+        typed = self.chat.entry.text if self.session is None else ""
+        if changed:
+            await self.chat.clear()
+        self.take_session(session)
+        self.app.remember(session=session.name)
+        for turn in session.history[-50:]:
+            await self.chat.note(turn.text, "user" if turn.kind == "say" else "note")
+            for reply in turn.replies:
+                await self.chat.note(reply, "say")
+        await self._recover(session, typed)
+
+    async def _recover(self: Any, session: Any, typed: str) -> None:
+        """Put back drafts; offer a turn that a crash interrupted."""
+        self.chat.entry.put(session.draft("chat") + typed)
+        code = session.draft("code")
+        if code and code != session.program.text:
+            self.code.area.text = code
+            await self.chat.note(
+                "Hand edits that were not applied are in the code pane again: F5 applies them.", "warning"
+            )
+        if session.pending is not None:
+            said = session.pending.text[:120]
+            await self.chat.note(f"This turn was interrupted: “{said}”. /resume runs it again.", "warning")
+
+    async def do_quit(self: Any, _: str) -> None:
+        """Leave; where work would be lost or broken off, ask once."""
+        reasons = []
+        if self.busy:
+            reasons.append("a turn is still running")
+        if self.code.edited:
+            reasons.append("the code has hand edits that are not applied")
+        if self.file is not None and self.saved_text is not None and self.code.area.text != self.saved_text:
+            reasons.append(f"{self.file.name} does not have the last changes")
+        if not reasons:
+            await self.leave()
+            return
+        answers = {
+            "q": ("quit", "quit (drafts are kept)"),
+            "s": ("save", "save the file and quit"),
+            "b": ("", "go back"),
+        }
+        if self.file is None:
+            del answers["s"]
+
+        async def decided(answer: str | None) -> None:
+            if answer == "save":
+                await self.write(self.file)
+            if answer in ("quit", "save"):
+                await self.leave()
+
+        self.app.push_screen(Confirm(f"Leave? {'; '.join(reasons).capitalize()}.", answers), decided)
+
+    async def leave(self: Any) -> None:
+        """Save drafts, close everything, end the app."""
+        self.save_drafts(now=True)
+        self.workers.cancel_all()
+        self.app.exit()

@@ -1,0 +1,71 @@
+"""The status line: where things stand, in one row."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from textual.content import Content
+from textual.widgets import Static
+
+from c2s_tui.desk import Desk
+from c2s_tui.look.kinds import mark
+from c2s_tui.seen import marks, score
+
+STAGES = ("interpret", "resolve", "write", "parse", "safety", "compile", "sample", "run")
+
+
+@dataclass(frozen=True)
+class Choice:
+    """What the next turn will use."""
+
+    method: str = "embedded"
+    model: str = ""
+    map: str = ""
+
+
+class StatusBar(Static):
+    """Method, model, map, verdicts of the stages, time, tokens, said and seen."""
+
+    def __init__(self, **options: Any):
+        super().__init__("", markup=False, **options)
+
+    def show(self, desk: Desk, choice: Choice, working: str = "") -> None:
+        self.update(line(desk, choice, working, self.app.size.width))
+
+
+def line(desk: Desk, choice: Choice, working: str, width: int) -> Content:
+    """The row; narrow terminals lose the least needed first."""
+    parts: list = []
+
+    def add(*pieces: Any) -> None:
+        if parts:
+            parts.append((f" {mark('rule')} ", "$faint"))
+        parts.extend(pieces)
+
+    add((choice.method, "bold"))
+    if choice.model and width >= 100:
+        add((choice.model, "$muted"))
+    add((f"map {choice.map or 'auto'}", "$muted"))
+    verdicts: list = []
+    done = {s.name: s for s in desk.stages}
+    shown = [s for s in STAGES if s in done or s == desk.running]
+    for name in shown if width >= 100 else shown[-2:]:
+        result = done.get(name)
+        sign = ("writing", "$text-accent") if result is None else ("clean", "$text-success") if result.ok else \
+            ("failed", "$text-error")  # fmt: skip
+        verdicts += [(f"{mark(sign[0])}{name} ", sign[1])]
+    if verdicts:
+        add(*verdicts)
+    if desk.seconds:
+        add((_time(desk.seconds), "$muted"))
+    if desk.answer_tokens:
+        add((f"{desk.prompt_tokens}+{desk.answer_tokens} tok", "$muted"))
+    seen, said = score(marks(desk.structure, desk.facts))
+    if said:
+        add((f"said {said} seen {seen}", "$text-success" if seen == said else "$text-warning"))
+    if working:
+        add((f"{working} (Esc cancels)", "bold $text-accent"))
+    return Content.assemble(*parts)
+
+
+def _time(seconds: float) -> str:
+    return f"{seconds * 1000:.0f} ms" if seconds < 10 else f"{seconds:.1f} s"

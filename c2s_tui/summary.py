@@ -1,0 +1,28 @@
+"""The one line that closes a turn in the chat."""
+
+from c2s_tui.desk import Desk
+from c2s_tui.seen import marks, score
+
+
+def summary(desk: Desk) -> tuple[str, str]:
+    """What was rewritten, how far it came, what was seen; and whether that is a note, a warning or an error."""
+    if not desk.stages and not desk.rewritten:
+        return "", "note"
+    parts = [f"{', '.join(desk.rewritten)} written" if desk.rewritten else "nothing rewritten"]
+    failed = next((s for s in desk.stages if not s.ok), None)
+    if failed is not None:
+        first = next((d for d in failed.diagnostics if d.severity == "error"), None)
+        where = f" ({first.component})" if first and first.component else ""
+        parts.append(f"{failed.name} failed{where}: {first.message}" if first else f"{failed.name} failed")
+        if first and first.fix:
+            parts.append(f"fix: {first.fix}")
+    elif desk.stages:
+        last = desk.stages[-1].name
+        parts.append({"run": "runs", "sample": "samples", "compile": "compiles"}.get(last, f"{last} done"))
+    seen, said = score(marks(desk.structure, desk.facts))
+    if said:
+        parts.append(f"{seen} of {said} said actions seen")
+    if desk.seconds:
+        parts.append(f"{desk.seconds:.1f} s")
+    kind = "error" if failed is not None else "warning" if said and seen < said else "note"
+    return "; ".join(parts), kind

@@ -1,0 +1,319 @@
+"""The workbench: three panes kept in step, one state beneath them, one turn at a time."""
+
+import asyncio
+from contextlib import aclosing
+from pathlib import Path
+from typing import Any
+
+from textual import on, work
+from textual.app import ComposeResult
+from textual.containers import Horizontal, Vertical
+from textual.screen import Screen
+from textual.widgets import Tab, Tabs
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import EditError, apply
+from c2s_engine.structure.progress import Finished
+from c2s_tui import desk as desks
+from c2s_tui.actions import Actions
+from c2s_tui.chat.entry import Entry
+from c2s_tui.chat.pane import ChatPane
+from c2s_tui.code.pane import CodePane
+from c2s_tui.commands import bindings, split
+from c2s_tui.desk import Desk
+from c2s_tui.files import WATCH_SECONDS
+from c2s_tui.messages import CodeTyped, CommandAsked, EditsAsked, Picked, ReachAsked, Said
+from c2s_tui.palette import Palette
+from c2s_tui.sheet.pane import SheetPane
+from c2s_tui.status import Choice, StatusBar
+
+DRAFT_SECONDS = 1.0
+LIVE_SECONDS = 0.4
+"""How long typing in the code must rest before the text is checked."""
+
+
+class Workbench(Actions, Screen):
+    """Owns the desk; panes show it and post what they want."""
+
+    BINDINGS = bindings()
+    COMMANDS = {Palette}
+    PANES = ("chat", "sheet", "code")
+
+    def __init__(self, backend: Any, session: str | None, file: Path | None):
+        super().__init__()
+        self.backend, self.wanted, self.file = backend, session, file
+        self.session: Any = None
+        self.desk = Desk()
+        self.choice = Choice()
+        self.working = ""
+        self.ready = False
+        self._turn_lock = asyncio.Lock()
+        self._waiting_edits: tuple[Any, ...] = ()
+        self._typed: set[str] = set()
+        self._live: Any = None
+        self.file_seen: float | None = None
+        self.told_change: float | None = None
+        self.saved_text: str | None = None
+
+    def compose(self) -> ComposeResult:
+        yield Tabs(Tab("F2 chat", id="tab-chat"), Tab("F3 S", id="tab-sheet"), Tab("F4 code", id="tab-code"), id="tabs")
+        with Horizontal(id="panes"):
+            yield ChatPane(id="chat", classes="pane -current")
+            yield SheetPane(id="sheet", classes="pane")
+            with Vertical(id="right"):
+                yield CodePane(id="code-pane", classes="pane")
+        yield StatusBar(id="status")
+
+    # Parts.
+
+    @property
+    def chat(self) -> ChatPane:
+        return self.query_one(ChatPane)
+
+    @property
+    def sheet(self) -> SheetPane:
+        return self.query_one(SheetPane)
+
+    @property
+    def code(self) -> CodePane:
+        return self.query_one(CodePane)
+
+    # Beginning.
+
+    def on_mount(self) -> None:
+        prefs = self.app.prefs  # type: ignore[attr-defined]
+        self.choice = Choice(method=prefs.method or "embedded", model=prefs.model, map=prefs.map)
+        early = "".join(self.app.typed_early)  # type: ignore[attr-defined]
+        self.chat.entry.put(early)
+        self.chat.entry.focus()
+        self.show()
+        self.begin()
+        self.set_interval(DRAFT_SECONDS, self.save_drafts)
+        self.set_interval(WATCH_SECONDS, self.watch_file)
+
+    def show(self) -> None:
+        """Draw the desk everywhere."""
+        self.sheet.show(self.desk)
+        self.code.show(self.desk)
+        self.show_status()
+
+    def show_status(self) -> None:
+        self.query_one(StatusBar).show(self.desk, self.choice, self.working)
+
+    def take_session(self, session: Any) -> None:
+        """Lay an opened session on the desk."""
+        self.session = session
+        self.desk = desks.opened(session.structure, session.program)
+        self.desk = desks.restored(self.desk, getattr(session, "stages", ()), getattr(session, "facts", ()))
+        self.chat.border_subtitle = session.name
+        self.show()
+
+    # Turns.
+
+    @property
+    def busy(self) -> bool:
+        return bool(self.working)
+
+    def options(self) -> dict[str, Any]:
+        """What the next turn is asked with."""
+        chosen = {"method": self.choice.method, "map": self.choice.map or None, "trajectories": True}
+        return {name: value for name, value in chosen.items() if value is not None}
+
+    @work(group="turn", exclusive=True, exit_on_error=False)
+    async def turn(self, source: Any, label: str) -> None:
+        """Run a turn of the session and show its events; cancelling leaves S as it was."""
+        async with self._turn_lock:
+            self.working = label
+            self.desk = desks.begun(self.desk)
+            if self._waiting_edits:
+                self.desk = desks.expected(self.desk, self._optimistic(self._waiting_edits))
+            self.show()
+            finished = False
+            try:
+                async with aclosing(self.backend.events(source)) as events:
+                    async for event in events:
+                        finished = finished or isinstance(event, Finished)
+                        await self._take(event)
+            except asyncio.CancelledError:
+                raise
+            except Exception as error:  # the engine's public errors are sentences; anything else is reported too
+                await self.chat.note(self._sentence(error), "error")
+            finally:
+                self.working = ""
+                if not finished:
+                    self.desk = desks.broken_off(self.desk, self.session.structure, self.session.program)
+                else:
+                    self._waiting_edits = ()
+                self.show()
+                await self.chat.end()
+            if finished:
+                await self._summarise()
+
+    async def _take(self, event: Any) -> None:
+        self.desk = desks.step(self.desk, event)
+        await self.chat.take(event)
+        if event.type not in ("token", "say", "passage"):
+            if event.type in ("structure", "component", "program", "finished"):
+                self.show()
+            else:
+                self.show_status()
+
+    def _optimistic(self, edits: tuple[Any, ...]) -> Structure:
+        structure = self.session.structure
+        for edit in edits:
+            structure = apply(structure, edit)
+        return structure
+
+    async def _summarise(self) -> None:
+        from c2s_tui.summary import summary
+
+        text, kind = summary(self.desk)
+        if text:
+            await self.chat.note(text, kind)
+
+    @staticmethod
+    def _sentence(error: Exception) -> str:
+        text = str(error).strip() or type(error).__name__
+        return text.splitlines()[0]
+
+    # What the panes ask for.
+
+    @on(Said)
+    async def _said(self, event: Said) -> None:
+        command = split(event.text)
+        if command is not None:
+            await self.run_command(*command)
+            return
+        await self.say(event.text)
+
+    async def say(self, text: str) -> None:
+        """A turn of the chat."""
+        if not await self._may_begin():
+            self.chat.entry.put(text)
+            return
+        await self.chat.user(text)
+        options = self.options()
+        self._waiting_edits = ()
+        self.turn(lambda: self.session.say(text, **options), "reading")
+
+    async def _may_begin(self) -> bool:
+        if self.session is None:
+            self.app.notify("The session is still being opened.", markup=False)
+            return False
+        if self.busy:
+            self.app.notify("Still working on the last turn: Esc cancels it.", severity="warning", markup=False)
+            return False
+        return True
+
+    @on(EditsAsked)
+    async def _edits_asked(self, event: EditsAsked) -> None:
+        await self.make_edits(event.edits)
+
+    async def make_edits(self, edits: tuple[Any, ...]) -> None:
+        """Edits of S; those of an edit turn that still runs are taken along, for its check is stale now."""
+        if self.session is None or (self.busy and not self._waiting_edits):
+            await self._may_begin()
+            return
+        together = (*self._waiting_edits, *edits)
+        try:
+            self._optimistic(together)
+        except EditError as error:
+            if not self.sheet.refuse(str(error)):
+                self.app.notify(str(error), title="Not possible", severity="error", markup=False)
+            return
+        await self.sheet.close_editor() if self.sheet.editor else None
+        self._waiting_edits = together
+        options = self.options()
+        self.turn(lambda: self.session.apply(together, **options), "writing")
+
+    @on(ReachAsked)
+    def _reach_asked(self, event: ReachAsked) -> None:
+        self.reach(event.edit)
+
+    @work(group="reach", exclusive=True, exit_on_error=False)
+    async def reach(self, edit: Any) -> None:
+        """Show what an edit would rewrite, before it is made."""
+        try:
+            reached = await self.backend.ask("reach", self.desk.structure, edit)
+        except (ValueError, LookupError, OSError):
+            reached = []
+        if self.sheet.editor:
+            self.sheet.show_reach(frozenset(reached))
+
+    @on(Picked)
+    def _picked(self, event: Picked) -> None:
+        if event.source != "sheet":
+            self.sheet.point(event.cid)
+        if event.source != "code":
+            self.code.point(event.cid, event.line)
+
+    @on(CommandAsked)
+    async def _command_asked(self, event: CommandAsked) -> None:
+        await self.run_command(event.name, event.argument)
+
+    @on(CodeTyped)
+    def _code_typed(self) -> None:
+        self._typed.add("code")
+        if self._live is not None:
+            self._live.stop()
+        self._live = self.set_timer(LIVE_SECONDS, self.check_live)
+
+    @work(group="live", exclusive=True, exit_on_error=False)
+    async def check_live(self) -> None:
+        """Check the text as it is being typed, when no turn runs; newer text cancels it."""
+        if not self.code.edited or self.busy or not self.backend.can("check"):
+            return
+        text, spans = self.code.area.text, self.code.gutter.spans
+        try:
+            report = await self.backend.ask("check", text, spans=spans, upto="compile")
+        except (ValueError, OSError, RuntimeError):
+            return
+        if text == self.code.area.text and not self.busy:
+            self.code.show_findings(tuple(d for stage in report.stages for d in stage.diagnostics))
+
+    @on(Entry.Changed)
+    def _entry_changed(self) -> None:
+        self._typed.add("chat")
+
+    # Drafts.
+
+    def save_drafts(self, now: bool = False) -> None:
+        """Swap to disk what was typed and neither sent nor applied."""
+        if self.session is None or not self._typed:
+            return
+        texts = {"chat": self.chat.entry.text, "code": self.code.area.text if self.code.edited else ""}
+        typed, self._typed = self._typed, set()
+        if now:
+            for pane in typed:
+                self.session.save_draft(pane, texts[pane])
+        else:
+            self._write_drafts({pane: texts[pane] for pane in typed})
+
+    @work(group="drafts", exit_on_error=False)
+    async def _write_drafts(self, texts: dict[str, str]) -> None:
+        session = self.session
+        await asyncio.to_thread(lambda: [session.save_draft(pane, text) for pane, text in texts.items()])
+
+    # Layout.
+
+    @on(Tabs.TabActivated)
+    def _tab(self, event: Tabs.TabActivated) -> None:
+        name = (event.tab.id or "").removeprefix("tab-")
+        if name != self.current_pane and self.has_class("-narrow"):
+            self.go_to(name)
+
+    @property
+    def current_pane(self) -> str:
+        return next((n for n in self.PANES if self._pane(n).has_class("-current")), "chat")
+
+    def _pane(self, name: str) -> Any:
+        return {"chat": self.chat, "sheet": self.sheet, "code": self.code}[name]
+
+    def go_to(self, name: str) -> None:
+        """Bring a pane to the front (narrow) and focus it. Hand edits are committed when the code is left."""
+        for other in self.PANES:
+            self._pane(other).set_class(other == name, "-current")
+        self.query_one("#right").set_class(name == "code", "-current")
+        self.query_one(Tabs).active = f"tab-{name}"
+        target = {"chat": self.chat.entry, "sheet": self.sheet, "code": self.code.area}[name]
+        self.call_after_refresh(target.focus)

@@ -179,7 +179,7 @@ def _ways(where: _Where, spec: PlaceSpec, kind: dict[str, Any], extras: MapExtra
     if spec.arms:
         where.add(fields["arms"][spec.arms])
     if spec.control == "signal":
-        where.add(fields["signal"])
+        where.add(fields["signal_among_signs" if extras.signs_on_ways else "signal"])
     elif spec.control == "none":
         regulated = {c.junction for c in extras.controls}
         free = {j for j in extras.of_kind("intersection") if j not in regulated}

@@ -16,6 +16,8 @@ from c2s_engine.maps.topology import JunctionInfo, junction_infos
 
 Point = tuple[float, float]
 
+LIGHT = "1000001"
+"""The type of signal that stock Scenic takes for a traffic light."""
 UNITS = {"m/s": 1.0, "km/h": 1 / 3.6, "mph": 0.44704}
 MOTORWAY_LIMIT = 24.0
 """m/s: a one-way road of two lanes or more without a sidewalk and with at least this limit counts as a motorway where
@@ -68,6 +70,8 @@ class MapExtras:
     geometry: dict[int, opendrive.Road]
     approaches: frozenset[tuple[int, int, bool]]
     """(junction, road, whether the road's end meets it)"""
+    signs_on_ways: bool = False
+    """Whether ways through junctions refer to more than lights: stock Scenic then calls any sign signalised."""
 
     def limit(self, road: int) -> float | None:
         """The posted limit on a road or on a junction's way (m/s), where the map has one."""
@@ -118,7 +122,16 @@ def _read(path: Path, mtime: int, size: int) -> MapExtras:
     junctions = junction_infos(root, connections, {i: (r.left, r.right) for i, r in roads.items()}, geometry)
     crosswalks = tuple(c for e in elements for c in _crosswalks(e, geometry[int(number(e, "id"))]))
     approaches = frozenset((link.junction, link.source, link.at_end) for link in connections)
-    return MapExtras(roads, junctions, crosswalks, read_controls(elements, geometry, connections), geometry, approaches)
+    controls = read_controls(elements, geometry, connections)
+    return MapExtras(roads, junctions, crosswalks, controls, geometry, approaches, _signs_on_ways(elements))
+        roads,
+        junctions,
+        crosswalks,
+        read_controls(elements, geometry, connections),
+        geometry,
+        approaches,
+        _signs_on_ways(elements),
+    )
 
 
 def _road_info(element: ET.Element, road: opendrive.Road) -> RoadInfo:
@@ -135,6 +148,13 @@ def _road_info(element: ET.Element, road: opendrive.Road) -> RoadInfo:
         kinds[0].get("type", "") if kinds else "", limit, len(section.driving(1)), len(section.driving(-1)),
         any(lane.type == "sidewalk" for lane in section.lanes),
     )  # fmt: skip
+
+
+def _signs_on_ways(elements: list[ET.Element]) -> bool:
+    types = {each.get("id"): each.get("type") for element in elements for each in element.findall("signals/signal")}
+    ways = [element for element in elements if number(element, "junction", -1) >= 0]
+    marks = [mark.get("id") for way in ways for signals in way.findall("signals") for mark in signals]
+    return any(types.get(mark, LIGHT) != LIGHT for mark in marks)
 
 
 def _connections(root: ET.Element) -> list[Link]:

@@ -1,6 +1,7 @@
 """Places as Scenic code: each field selects what it says."""
 
 import ast
+from xml.etree import ElementTree
 
 import pytest
 import shapely
@@ -156,3 +157,23 @@ def test_a_fast_city_street_is_no_motorway(tmp_path, extras):
     assert {r.id for r in read_extras(path).roads.values() if r.motorway} == {
         r.id for r in extras.roads.values() if r.motorway
     }
+
+
+@pytest.mark.full
+def test_lights_are_told_from_signs_on_ways(tmp_path, names):
+    """CARLA's towns refer to stop signs from the ways through junctions, and stock Scenic counts those as signals."""
+    from scenic.domains.driving.roads import Network
+
+    tree = ElementTree.parse(paths.shipped("maps", "town.xodr"))
+    marks = {each.get("id") for way in tree.findall("road[@junction='101']") for each in way.iter("signalReference")}
+    for signal in tree.iter("signal"):
+        if signal.get("id") in marks:
+            signal.set("type", "206")
+            signal.set("name", "stop")
+    path = tmp_path / "signs.xodr"
+    tree.write(path)
+    network = Network.fromFile(path, useCache=False, writeCache=False)
+    found = places({**names, "network": network}, read_extras(path), kind="intersection", control="signal")
+    assert {way.intersection.id for way in found} == {102, 103, 104, 105}
+    stops = places({**names, "network": network}, read_extras(path), kind="intersection", control="stop")
+    assert {way.intersection.id for way in stops} == {101, 107, 108, 112}

@@ -109,6 +109,41 @@ def compare(a: str, b: str, reveal: Reveal = False) -> None:
 
 
 @app.command()
+def rate(
+    out: Annotated[Path | None, typer.Option("--out", help="Write a sheet for scores by hand there.")] = None,
+    read: Annotated[Path | None, typer.Option("--read", help="Read a filled sheet, print the agreement.")] = None,
+    method: Method = "embedded",
+    model: Model = "",
+    split: SplitOption = SplitName.dev,
+    runs: Runs = 5,
+    jobs: Jobs = CORES,
+    records: Files = None,
+    every: Annotated[int, typer.Option("--every", min=1, help="Only every n-th record.")] = 1,
+    reveal: Reveal = False,
+    seed: Seed = 0,
+    engine: EngineOption = "",
+) -> None:
+    """Have people score what was generated, layer by layer as in the paper, and compare with the executed scores."""
+    with _one_sentence():
+        from c2s_bench.execute import execute
+        from c2s_bench.pictures import text_pictures
+        from c2s_bench.rate import markdown, read_sheet, write_sheet
+        from c2s_bench.tasks import Setup
+
+        if (out is None) == (read is None):
+            raise BenchmarkError("say either --out SHEET to write a sheet or --read SHEET to read a filled one")
+        if read:
+            typer.echo(markdown(read_sheet(read)))
+        elif out:
+            chosen = [r for r in load(records, split.value) if reveal or not r.withheld][::every]
+            results = execute(chosen, Setup(method, model, None, runs, seed), jobs=jobs, engine=engine)
+            pictures = text_pictures(results, seed)
+            facts = {r.id: r.first for r in results if r.first}
+            number = write_sheet(out, chosen, results, facts, pictures.__getitem__)
+            typer.echo(f"{number} programs that ran are on {out}; {len(chosen) - number} did not run.")
+
+
+@app.command()
 def distribution(records: Files = None) -> None:
     """Print how the records are distributed, beside the paper's table."""
     with _one_sentence():

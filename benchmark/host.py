@@ -59,7 +59,10 @@ class EngineHost:
         key = (setup.model, setup.map)
         if key not in self._engines:
             manager = self._factory(setup)
-            self._engines[key] = (manager, await manager.__aenter__())
+            engine = await manager.__aenter__()
+            if hasattr(engine, "check_client"):
+                await engine.check_client.ready()  # its start is no part of any record's time
+            self._engines[key] = (manager, engine)
         return self._engines[key][1]
 
     async def _run(self, task: Task) -> Outcome:

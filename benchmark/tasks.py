@@ -76,7 +76,9 @@ class Outcome:
             if not stage["ok"]:
                 return f"{stage['name']}: {stage.get('message', '')}"
         broken = [f for f in self.facts if f["ended_by"] not in ("time", "terminated", "collision")]
-        return self.error or (f"run {broken[0]['ended_by']}: {broken[0].get('reason', '')}" if broken else "")
+        if broken:
+            return f"run {broken[0]['ended_by']}: {broken[0].get('reason', '')}"
+        return self.error or ("" if self.facts else "no rollout was made")
 
 
 def tasks_for(records: Sequence[Record], setup: Setup) -> list[Task]:

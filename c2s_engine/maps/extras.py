@@ -124,14 +124,6 @@ def _read(path: Path, mtime: int, size: int) -> MapExtras:
     approaches = frozenset((link.junction, link.source, link.at_end) for link in connections)
     controls = read_controls(elements, geometry, connections)
     return MapExtras(roads, junctions, crosswalks, controls, geometry, approaches, _signs_on_ways(elements))
-        roads,
-        junctions,
-        crosswalks,
-        read_controls(elements, geometry, connections),
-        geometry,
-        approaches,
-        _signs_on_ways(elements),
-    )
 
 
 def _road_info(element: ET.Element, road: opendrive.Road) -> RoadInfo:

@@ -43,6 +43,8 @@ def diagnose(error: BaseException, stage: StageName, program: Program) -> Diagno
     """The diagnostic of an exception that a stage raised."""
     line, column = position(error, program)
     found = errors.explain(error, stage, program.lines, line)
+    if found.line is not None:
+        line, column = found.line, None
     diagnostic = Diagnostic(
         stage=stage,
         message=found.message,

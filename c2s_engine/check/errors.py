@@ -1,5 +1,6 @@
 """What an exception means to the author of a program: cause, code, fix, edit."""
 
+import dataclasses
 import re
 from dataclasses import dataclass
 
@@ -13,6 +14,7 @@ class Explained:
     code: str = ""
     fix: str = ""
     edit: TextEdit | None = None
+    line: int | None = None  # where it is another line than that of the exception
 
 
 def explain(error: BaseException, stage: StageName, lines: list[str], number: int | None) -> Explained:
@@ -24,11 +26,16 @@ def explain(error: BaseException, stage: StageName, lines: list[str], number: in
     if found is None:
         return Explained(message=f"{type(error).__name__}: {text}", code=type(error).__name__)
     entry, values = found
+    edit = fixes.propose(entry, values, lines, number)
+    if entry.code == "missing_comma" and edit is None and number is not None:
+        head = fixes.head_of(lines, number)
+        if head != number:
+            return dataclasses.replace(explain(error, stage, lines, head), line=head)
     return Explained(
         message=catalogue.fill(entry.message, values),
         code=entry.code,
         fix=catalogue.fill(entry.fix, values),
-        edit=fixes.propose(entry, values, lines, number),
+        edit=edit,
     )
 
 

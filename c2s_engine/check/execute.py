@@ -195,6 +195,7 @@ class _Check:
             found.extend(trouble)
             if scene is None:
                 break
+            self._send({"scene": self.names.positions(scenario, scene)})
             if run is not None:
                 self._send({"begin": "run"})
                 ran.extend(self._rollout(run, scenario, scene, seed))

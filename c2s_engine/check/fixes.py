@@ -34,6 +34,16 @@ def propose(entry: catalogue.Entry, values: dict[str, str], lines: list[str], nu
     return None
 
 
+def head_of(lines: list[str], number: int) -> int:
+    """The first line of the statement whose continuation stands on a line (1-based)."""
+    indent = len(lines[number - 1]) - len(lines[number - 1].lstrip())
+    for i in range(number - 2, -1, -1):
+        text = lines[i].strip()
+        if text and not text.startswith("#") and len(lines[i]) - len(lines[i].lstrip()) < indent:
+            return i + 1
+    return number
+
+
 def _comma(lines: list[str], number: int, reason: str) -> TextEdit | None:
     """A comma at the end of the last code line before a line that begins with a specifier."""
     for i in range(number - 2, -1, -1):

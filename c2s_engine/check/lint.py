@@ -131,7 +131,7 @@ def _member(node: ast.Attribute) -> list[Diagnostic]:
     members = worlds.enumerations().get(node.value.id) if isinstance(node.value, ast.Name) else None
     if members is None or node.attr in members or node.attr.startswith("guess"):
         return []
-    near = next((m for m in members if node.attr.startswith(m)), None) or _near(node.attr, members)
+    near = next((m for m in members if m.startswith(node.attr) or node.attr.startswith(m)), None) or _near(node.attr, members)
     whole = f"{node.value.id}.{node.attr}"  # type: ignore[attr-defined]
     fixed = f"{node.value.id}.{near}" if near else ""  # type: ignore[attr-defined]
     return [
@@ -147,8 +147,9 @@ def _against_string(node: ast.Compare) -> list[Diagnostic]:
     kind = any(isinstance(s, ast.Attribute) and s.attr == "type" for s in sides)
     if text is None or not kind:
         return []
-    member = text.upper().replace(" ", "_").removesuffix("_TURN") if text.upper() != "U_TURN" else "U_TURN"
-    near = f"ManeuverType.{member}" if member in worlds.enumerations()["ManeuverType"] else ""
+    member = text.upper().replace(" ", "_").replace("-", "_")
+    meant = next((m for m in worlds.enumerations()["ManeuverType"] if m.startswith(member) or member.startswith(m)), "")
+    near = f"ManeuverType.{meant}" if meant else ""
     return [catalogue.finding("enum_string", node.lineno, node.col_offset + 1, name=repr(text), near=near)]
 
 

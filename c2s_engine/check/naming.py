@@ -92,3 +92,10 @@ class Names:
             if component:
                 components[name] = component
         return names, components
+
+    def positions(self, scenario: Any, scene: Any) -> dict[str, tuple[float, float, float]]:
+        """Where each object stands at the start: x, y in m, heading in rad."""
+        names, _ = self.of(scenario, scene)
+        return {
+            names[id(o)]: (float(o.position.x), float(o.position.y), float(o.heading)) for o in scene.objects
+        }

@@ -50,6 +50,7 @@ class CheckReport(_Message):
     facts: tuple[RunFacts, ...] = ()
     trajectories: tuple[Trajectories, ...] = ()
     iterations: tuple[int, ...] = ()  # of the sampler, a scene
+    scenes: tuple[dict[str, tuple[float, float, float]], ...] = ()  # name -> x (m), y (m), heading (rad) at the start
     isolation: str = ""  # in words: what the child was confined by, and what was not available
     ast_hash: str = ""
 

@@ -22,7 +22,6 @@ from c2s_engine.check.protocol import (
 from c2s_engine.structure.diagnostics import Diagnostic, StageName, StageResult
 from c2s_engine.structure.facts import RunFacts, Trajectories
 
-
 LONGEST = 500_000  # characters of a program
 
 
@@ -72,6 +71,7 @@ class _Gathered:
         self.facts: list[RunFacts] = []
         self.trajectories: list[Trajectories] = []
         self.iterations: list[int] = []
+        self.scenes: list[dict[str, Any]] = []
         self.isolation = ""
         self.ast_hash = ""
         self.stage: StageName = "compile"
@@ -89,6 +89,8 @@ class _Gathered:
             self.trajectories.append(Trajectories.model_validate(message["trajectories"]))
         elif "iterations" in message:
             self.iterations.append(int(message["iterations"]))
+        elif "scene" in message:
+            self.scenes.append(dict(message["scene"]))
         elif "isolation" in message:
             self.isolation = str(message["isolation"])
         elif "places" in message:
@@ -108,6 +110,7 @@ class _Gathered:
             facts=tuple(self.facts),
             trajectories=tuple(self.trajectories),
             iterations=tuple(self.iterations),
+            scenes=tuple(self.scenes),
             isolation=self.isolation,
             ast_hash=self.ast_hash,
         )

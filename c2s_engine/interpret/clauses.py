@@ -59,7 +59,7 @@ def _irregular() -> dict[str, str]:
         "overtakes": "overtake", "rear-ends": "rear-end", "rear-ended": "rear-end", "yields": "yield", "parked": "park", "pulls": "pull", "u-turns": "turn", "cutting": "cut",
         "swerves": "swerve", "travelling": "travel", "travelled": "travel", "merges": "merge", "drifts": "drift", "skids": "skid", "accelerates": "accelerate", "decelerates": "decelerate",
         "slammed": "slam", "slams": "slam", "drove": "drive", "driven": "drive", "drives": "drive", "fell": "fall", "led": "lead", "sped": "speed", "crept": "creep", "swept": "sweep", "shot": "shoot",
-        "t-boned": "t-bone", "sideswiped": "sideswipe", "stationary": "stand",
+        "oncoming": "oncome", "t-boned": "t-bone", "sideswiped": "sideswipe", "stationary": "stand",
     }  # fmt: skip
 
 
@@ -84,6 +84,10 @@ class Clauses:
     # -- verbs ---------------------------------------------------------------------------------------------------
     def _is_verb(self, word: Word) -> bool:
         if word.span is not None or word.dep in ("aux", "auxpass") or word.tag == "MD":
+            return False
+        if word.norm in ("slow", "near", "clear") and word.tag != "VB":
+            return False
+        if word.norm == "slow" and not any(self.words[c].dep in ("aux", "prt", "advmod") for c in word.children):
             return False
         if word.tag.startswith("VB"):
             return not (word.dep in ("amod", "compound") and word.tag in ("VBG", "VBN"))
@@ -204,6 +208,10 @@ class Clauses:
                 return agent, at, False
         if word.dep in ("pcomp", "advcl", "conj", "parataxis", "dep", "csubj", "prep", "amod", "appos", "punct"):
             above = head if head.verb or self._is_verb(head) else self._governor(head)
+            if word.dep == "conj" and above is not None and word.tag in ("VBZ", "VBD", "VBP"):
+                comma = self.words[word.i - 1].norm == ","
+                if above.tag == "VB" and above.dep in ("ccomp", "xcomp") or above.dep == "advcl" and comma and not any(self.words[c].dep == "cc" and above.i < c < word.i for c in above.children):
+                    above = self._governor(above) or above
             if above is not None and above.i != word.i:
                 if word.dep == "csubj":
                     found = next((self.cast.referent(c) for c in above.children if self.words[c].dep in ("attr", "nsubj") and c > word.i), None)
@@ -303,6 +311,8 @@ class Clauses:
             mode = self._mode(head)
         if word.dep == "pcomp" and (noun := self.words[head.head]).tag.startswith("NN") and any(self.words[c].norm == "no" for c in noun.children):
             mode = "negated"
+        if word.dep == "conj" and mode in ("fact", "intended") and any(self.words[c].norm == "or" and c < word.i for c in head.children) and self._mode(head) != "negated":
+            mode = "alternative"
         before = [w.norm for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]
         if before[-2:] in (["rather", "than"], ["instead", "of"]) or before[-1:] == ["nor"] or before[-1:] == ["without"]:
             mode = "negated"
@@ -516,9 +526,12 @@ class Clauses:
                 elif rule["act"] not in ("brake", "stop", "lose_control", "lane_change", "turn", "u_turn", "reverse", "overtake"):
                     return
                 agent = self.cast.ego
-            mode = self._mode(verb) if verb is not None and verb.lemma not in ("prevent", "avoid") else "fact"
+            moment = re.search(r"(until|at|before|on|upon) (the )?(moment|point|time|instant)? ?(of )?(the )?impact", near)
+            mode = self._mode(verb) if verb is not None and not moment and verb.lemma not in ("prevent", "avoid") else "fact"
             if any(self.words[c].norm in ("no", "not", "without") for c in word.children) or self.words[word.head].norm in ("without", "of") and "avoid" in near:
                 mode = "negated"
+            if word.dep == "conj" and any(self.words[c].norm == "or" for c in self.words[word.head].children):
+                mode = "alternative"
             own = sorted(set(self._below(word.i)) | ({i for i in self.own(verb)} if verb is not None else set()))
             text = " ".join(self.words[i].norm if i not in self.cast.of else "@" + self.cast.of[i].key for i in own)
             event = Event(rule["act"], agent, word.i, text, text, patient, mode, bool(rule.get("hard")), float(word.i))

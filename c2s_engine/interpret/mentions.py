@@ -211,7 +211,7 @@ class Cast:
             return None
         if "no" in before or previous in ("no", "without", "any"):
             return None
-        if self._is_modifier(word):
+        if self._is_modifier(word) or noun == "traffic" and not roles or self._proper(word):
             return None
         count = self._count(word, before, data)
         known = language.roles()
@@ -268,6 +268,13 @@ class Cast:
 
     def _near(self, word: Word) -> list[str]:
         return [w.norm for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]
+
+    def _proper(self, word: Word) -> bool:
+        """Whether the noun is part of a name ("Van Ness", "Ford")."""
+        if not word.text[:1].isupper() or word.text.isupper() or word.i + 1 >= len(self.words) or word.i == 0:
+            return False
+        before, after = self.words[word.i - 1], self.words[word.i + 1]
+        return before.sentence == word.sentence and after.text[:1].isupper() and not after.text.isupper() and after.span is None and before.norm not in (".", ":", ";", "a", "the", "(", "an")
 
     def _is_modifier(self, word: Word) -> bool:
         """Whether the noun only qualifies another ("truck lane", "bus stop", "bicycle lane", "car park", "dog walker")."""
@@ -464,6 +471,9 @@ class Cast:
         sentence = [p for p in same if self.words[p[0]].sentence == word.sentence]
         if word.dep == "poss":
             own = self._subject_of(verb)
+            its = [self.of[w.i] for w in self.words[: word.i] if w.sentence == word.sentence and w.norm == "it" and w.i in self.of]
+            if its and its[-1] is not own and "another" in self._near(word):
+                return its[-1]
             if own is not None and accept(own):
                 return own
         if word.dep in ("dobj", "pobj", "poss"):
@@ -508,7 +518,7 @@ class Cast:
         norm = word.norm
         if word.children and any(self.words[c].span for c in word.children if self.words[c].dep == "compound"):
             return None
-        argument = word.dep in ("nsubj", "nsubjpass", "dobj", "pobj", "conj", "ROOT", "attr", "appos")
+        argument = word.dep in ("nsubj", "nsubjpass", "dobj", "pobj", "conj", "ROOT", "attr", "appos", "dep", "npadvmod")
         following = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
         if following is not None and (following.noun or following.tag.startswith("JJ")) and following.sentence == word.sentence and following.norm not in ("one",) and not following.verb:
             return None
@@ -524,7 +534,7 @@ class Cast:
             return next((self.of[i] for i in last[-4:] if len(kinds) > 1 and id(self.of[i]) == kinds[-2]), None)
         if norm == "another" or norm in ("second", "third", "fourth") and self.words[word.i - 1].norm in ("a", "the"):
             model = movers[-1]
-            return self._new(Entity("", model.type, noun=model.noun, typed=model.typed))
+            return self._new(Entity("", model.type, noun=model.noun, typed=model.typed, roles=set(model.roles & {"parked", "stationary"})))
         if norm == "one" and self.words[word.i - 1].norm in ("that", "this"):
             return movers[-1]
         if norm in ("other", "others") and self.words[word.i - 1].norm == "the":

@@ -99,6 +99,8 @@ def _person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         return {"position": position, "side": _from_side(text) or edge or "right", "said": where.lane is not None or where.side is not None}
     if "stationary" in acts and (where.lane in ("same", None) and where.rel != "beside") and where.lane not in ("sidewalk", "roadside"):
         return {"position": "ahead", "said": True}
+    if entity.type == "bicycle" and where.side and place.manoeuvre == where.side and where.rel in (None, "ahead", "beside"):
+        return {"position": "partly_in_lane", "side": where.side, "said": True}
     if along or entity.type == "bicycle":
         if where.rel == "behind" and where.lane != "same":
             return {"position": "behind", "said": True}
@@ -151,6 +153,11 @@ def _thing(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
 def _vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:
     junction = place.kind == "intersection"
     lane, rel, edge = where.lane, where.rel, where.side
+    direction = _compass(scene, entity) if junction and lane in (None, "same", "crossing") else None
+    if direction in ("left", "right"):
+        return {"position": f"crossing_{direction}", "said": True}
+    if direction == "opposite":
+        return {"position": "opposite_approach", "said": True}
     text = " ".join(t for _, t in where.phrases)
     roles = entity.roles
     moves = [a for a in acts if a not in ("stationary",)]

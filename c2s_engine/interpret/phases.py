@@ -155,13 +155,18 @@ def _phases(scene: Scene, event: Event, entity: Entity, who: str | None, ego: st
     if act == "oncoming":
         return [Phase(action="oncoming", side="left", trigger=trigger)]
     if act in ("cross_road", "move_along"):
+        if act == "move_along" and entity.type == "bicycle" and place.kind == "intersection" and any(p.action == "move_along" for p in before) and "straight" in event.whole and not any(p.action == "go_straight" for p in before):
+            return [Phase(action="go_straight", trigger=trigger)]
         if act == "move_along" and any(p.action in ("cross_road", "move_along") for p in before) or act == "cross_road" and any(p.action == "cross_road" for p in before):
             return []
         if act == "move_along" and entity.type == "bicycle" and placement.position in ("opposite_approach",) or act == "cross_road" and crossing:
             return [Phase(action="go_straight")] if not any(p.action == "go_straight" for p in before) else []
         if act == "cross_road" and entity.type == "bicycle" and placement.position in ("ahead", "partly_in_lane", "behind", "left_lane", "right_lane"):
             return [Phase(action="go_straight")] if place.kind == "intersection" else []
-        return [Phase(action=act, trigger=trigger)]
+        found = [Phase(action=act, trigger=trigger)]
+        if act == "move_along" and entity.type == "bicycle" and place.kind == "intersection" and re.search(r"straight|(over|through|across) (the|an) (\w+ )?(junction|intersection|crossroads)", event.whole):
+            found.append(Phase(action="go_straight"))
+        return found
     if act == "enter_road":
         if not entity.person and any(p.action == "enter_road" for p in before):
             return []

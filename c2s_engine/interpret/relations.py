@@ -85,6 +85,8 @@ def _take(fact: dict[str, Any], side: str | None, other: Entity | None, where: W
                 where.side = where.side or lane
             if other is not None and where.of is None and lane in ("left", "right", "same"):
                 where.of = other
+    if side is None and fact.get("side"):
+        side = fact["side"]
     if side and lane not in ("left", "right") and where.side is None:
         where.side = side
     if fact.get("rel") and where.rel is None:
@@ -163,6 +165,15 @@ class Places:
         if known and text.strip():
             read(text, where, entity, self.cast, "noun")
             self._gap(indices, where)
+        if word.span is not None and not indices and word.dep in ("pobj", "conj", "dobj", "attr", "ROOT", "dep", "appos", "nsubj") or word.norm == "another":
+            after: list[int] = []
+            for other in self.words[i + 1 : i + 14]:
+                if other.sentence != word.sentence or other.norm in (",", ".", ";", "and", "(", ":", "-", "but", "while", "when") or (other.verb and other.tag != "VBN") or other.norm in ("that", "which", "who"):
+                    break
+                after.append(other.i)
+            if after and self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO"):
+                read(self.clauses.render(after), where, entity, self.cast, "noun")
+                self._gap(after, where)
         # copula without a verb of its own: "V2 in front, 20 m" and following adverbs in headless sentences
         if word.dep in ("ROOT",) and not word.verb:
             rest = self.clauses.own(word)

@@ -23,7 +23,8 @@ def compose_place(scene: Scene) -> PlaceSpec:
     manoeuvre = None
     if kind == "intersection":
         if turn is not None:
-            manoeuvre = "u_turn" if turn.act == "u_turn" else side(turn)
+            sides = [side(e) for e in scene.events(ego) if e.act == "turn"]
+            manoeuvre = "u_turn" if turn.act == "u_turn" else next((s for s in sides if s), "left")
         if manoeuvre is None and _ends_before(scene):
             manoeuvre = "straight"
         manoeuvre = manoeuvre or "straight"
@@ -88,9 +89,9 @@ def _at_junction(scene: Scene) -> bool:
         return True
     for event in scene.clauses.events:
         if event.act == "turn" and event.done and (event.agent.ego or event.agent in scene.actors):
-            if re.search(r"driveway|parking|lane|@\w+$", event.text) and not re.search(r"intersection|junction|street|road", event.whole):
+            if re.search(r"driveway|parking|lane", event.text) and not re.search(r"intersection|junction|street|road", event.whole):
                 continue
-            return side(event) is not None
+            return side(event) is not None and not scene.road.no_intersection
     crossing = [e for e in scene.actors if scene.where(e).lane == "crossing" and not e.person and e.type != "bicycle"]
     return bool(crossing) and not scene.road.no_intersection and any(e.act in ("cross_path", "go_straight", "collide", "yield", "run_stop") for e in scene.clauses.events)
 

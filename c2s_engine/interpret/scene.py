@@ -83,7 +83,7 @@ def _choose_ego(cast: Cast, clauses: Clauses) -> None:
     candidates = []
     for entity in vehicles:
         first = " ".join(w.norm for w in cast.words[entity.mentions[0].word : entity.mentions[0].word + 7])
-        if entity.roles & ROLE_WORDS or re.search(r"^\S+( \S+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)|coming|approaching|oncoming|from (the|its|behind))", first):
+        if entity.roles & ROLE_WORDS or any(v.act == "overtake" and (v.patient is None or v.patient.type not in VEHICLES) for v in acting[entity]) or re.search(r"^\S+( \S+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)|coming|approaching|oncoming|from (the|its|behind))", first):
             continue
         head = cast.words[entity.mentions[0].word]
         before = cast.words[head.i - 1].norm if head.i else ""
@@ -99,6 +99,9 @@ def _choose_ego(cast: Cast, clauses: Clauses) -> None:
         candidates.append(entity)
     if not candidates:
         return
+    generic = [e for e in candidates if e.noun == "vehicle"]
+    if generic and "the" in [w.norm for w in cast.words[max(0, generic[0].mentions[0].word - 2) : generic[0].mentions[0].word]]:
+        candidates = generic
     others = [e for e in cast.entities if e not in candidates]
     best = next((e for e in candidates if "following" in e.roles), candidates[0])
     hit = {v.patient for v in clauses.events if v.act in ("collide", "overtake", "follow", "yield") and v.agent is best}
@@ -169,6 +172,11 @@ def _speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         near = scene.plain[max(0, span.start - 40) : span.start]
         both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20]))
         like = re.search(r"like (it|the \w+|ego)[^.;,]*$", near)
+        if re.search(r"(lanes|traffic|queue|jam)\b[^.;,]*$", near) and (owner is None or scene.plain[max(0, span.start - 40) : span.start].find(owner.noun or "@@") < 0):
+            for other in (cast.ego, *scene.actors):
+                if other.ego or other.type in VEHICLES and other.type not in ("motorcycle", "bicycle"):
+                    scene.speeds.setdefault(other, value)
+            continue
         if owner is None:
             continue
         event = _event_of(scene, unit.i)
@@ -216,11 +224,29 @@ def _rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             gone = re.search(r"pass|clear|gone|go(es)? (by|past)|cross|through", event.text + " " + word.norm + " " + " ".join(w.norm for w in cast.words[event.word : event.word + 4]))
             if waits and gone and not any(e.act == "yield" and e.agent.ego for e in clauses.events):
                 clauses.events.append(Event("yield", cast.ego, event.word, event.text, event.whole, event.agent, order=event.order - 0.1, words=[event.word], start=event.start, end=event.end))
+    _echoes(cast, clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:
         if event.mode == "purpose" and event.act == "overtake" and any(c.order > event.order and (c.agent is event.agent or event.agent in c.also) for c in contact):
             event.mode = "hypothetical"
     clauses.events.sort(key=lambda e: e.order)
+
+
+def _echoes(cast: Cast, clauses: Clauses) -> None:
+    """What is said by reference to another clause: "and so must ego", "the two collided"."""
+    words = cast.words
+    for i, word in enumerate(words[:-2]):
+        ahead = " ".join(w.norm for w in words[i : i + 7] if w.sentence == word.sentence)
+        if re.match(r"so (must|does|do|did|has|should|will|had)\b", ahead):
+            target = next((cast.of[w.i] for w in words[i : i + 6] if w.i in cast.of), None)
+            earlier = [e for e in clauses.events if e.word < i and e.agent is not target and e.mode == "fact"]
+            if target is not None and earlier:
+                last = max(earlier, key=lambda e: e.word)
+                clauses.events.append(Event(last.act, target, i, last.text, last.whole, None, hard=last.hard, order=i, words=[i], start=word.start, end=word.end))
+        if re.match(r"(the |they |)(two|both|they)( vehicles| cars| of them)? (then )?(collide|collided|crash|crashed|meet|met)\b", ahead) and not any(e.act == "collide" and abs(e.word - i) < 6 for e in clauses.events):
+            before = [cast.of[j] for j in sorted(cast.of) if j < i and cast.of[j].mover and not cast.of[j].ego]
+            if before:
+                clauses.events.append(Event("collide", before[-1], i, ahead, ahead, cast.ego, order=i, words=[i], start=word.start, end=word.end))
 
 
 def _event_of(scene: Scene, i: int) -> Event | None:

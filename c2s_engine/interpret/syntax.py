@@ -107,19 +107,36 @@ NOUN_LIKE = frozenset(
     "brakes stops turns slides drifts cuts starts backs swerves moves slows runs walks crawls pulls heads parks rides races pedals shoots lands steps trots sweeps swings "
     "returns steers leads trails ends merges veers switches changes creeps rolls skids slips spins cruises lets drives brake stop turn merge cross swerve".split()
 )
+MOTION = frozenset(
+    "slam brake decelerate accelerate merge emerge appear swing veer drift slide skid crawl creep trundle pedal pull cut cruise come go travel drive step dart dash jump speed slow weave "
+    "approach turn reverse back stop stall halt start wait yield overtake run walk jog cycle cross enter leave exit switch change filter close arrive proceed continue head lurch spin hydroplane "
+    "wander stray roll coast park stand sit lie intrude encroach invade return".split()
+)
 TRANSITIVE = frozenset("trails leads lets".split())
 VERBAL_LEFT = regex.compile(r"left\s+(?:the|its|his|their|a|that|this)\s+(?!side|lane of)")
+
+
+FOLLOWS = regex.compile(
+    r"\s*(?:[.,;:!?)]|$|(?:at|in|into|onto|on|off|out|over|across|along|towards?|from|to|through|behind|past|with|without|for|and|then|while|when|as|because|due|hard|sharply|"
+    r"suddenly|abruptly|heavily|slowly|left|right|straight|away|up|down|back|ahead|around|again|gradually|before|after|but|so|too|immediately|quickly|by|under|between|beside|just|directly|unexpectedly|strongly)\b)"
+)
+BASE = frozenset("travel drive approach brake stop turn crawl creep cruise head move ride walk".split())
 
 
 def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     """The word that the parser sees in place of one that it would take for another part of speech."""
     if text == "left" and not VERBAL_LEFT.match(plain[start : start + 24]):
         return "right"
-    if before is not None and before.kind != "quantity" and text in NOUN_LIKE:
+    follows = FOLLOWS.match(plain[start + len(text) : start + len(text) + 14])
+    if before is not None and before.kind != "quantity" and text.endswith("s") and (text in NOUN_LIKE or text[:-1] in MOTION or text[:-2] in MOTION):
         if text in TRANSITIVE:
             return "follows" if text != "lets" else text
-        if text.endswith("s"):
+        if follows:
             return "goes"
+    elif follows and text in NOUN_LIKE and text.endswith("s") and regex.search(r"(?:,|\band|\bthen|\bbut|ly)\s*$", plain[max(0, start - 9) : start]):
+        return "goes"
+    elif follows and text in BASE and (before is not None and before.kind != "quantity" or regex.search(r"\blanes\b|\bthey\s*$", plain[max(0, start - 28) : start])):
+        return "go"
     return text
 
 

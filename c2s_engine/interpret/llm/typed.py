@@ -176,7 +176,11 @@ def form_of(cid: str, text: str, sentences: Sentences) -> tuple[str, dict[str, A
         schema["properties"]["phases"]["items"]["properties"]["action"]["enum"] = allowed
         return system, schema
     kind = sentences.objects[int(cid[1:]) - 1].type
-    return _object_form(kind, ["ego", *others], named)
+    system, schema = _object_form(kind, ["ego", *others], named)
+    earlier = [o for o in others if int(o[1:]) < int(cid[1:])]
+    placement = schema["properties"]["placement"]["properties"]
+    placement["of"]["enum"] = ["ego", *earlier]  # who is placed by another comes after it in the program
+    return system, schema
 
 
 def _object_form(kind: str, ids: list[str], named: dict[str, list[str]]) -> tuple[str, dict[str, Any]]:

@@ -1,0 +1,1 @@
+"""The retrieval benchmark: graded queries, and what the retrievers make of them."""

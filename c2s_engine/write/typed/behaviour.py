@@ -402,7 +402,15 @@ class _Script:
         self._set(goal)
         if self.k is None and not self.a.is_ego:
             turn = ", egoTurn" if self.a.plan.turning else ""
-            return [([f"do Drive(line, lambda: meet(self, line, {other}, way(egoLane{turn}), {self.speed}))"], "")]
+            return [
+                (
+                    [
+                        f"spot = meeting(line, way(egoLane{turn}))",
+                        f"do Drive(line, lambda: meet(self, {other}, spot, {self.speed}))",
+                    ],
+                    "",
+                )
+            ]
         faster = max(goal, self._target_speed(p) + 4) if self._same_lane(p) else goal
         return [([self._drive(scope.number(faster) if faster > goal else None)], "")]
 
@@ -417,7 +425,7 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     limit, rate = (4, 8) if spec.hard else (2, 5)
     force = f"need(self, {threats[0]})"
     if len(threats) > 1 or threats[0].startswith("*"):
-        force = f"max(need(self, other) for other in ({', '.join(threats)},))"
+        force = f"most_need(self, [{', '.join(threats)}])"
     head, rest = statements[:1], statements[1:]
     return [
         *head,

@@ -5,7 +5,7 @@ from functools import cache
 from importlib.resources import files
 
 ORDER = (
-    "way", "approach", "along", "straight_on", "need", "passed", "ttc", "pace", "meet", "lead_on",
+    "way", "approach", "along", "straight_on", "need", "most_need", "passed", "ttc", "pace", "meet", "lead_on",
     "drive", "turn_round", "backwards", "walk",
 )  # fmt: skip
 _NAMES = {"drive": "Drive", "turn_round": "TurnRound", "backwards": "Backwards", "walk": "Walk"}
@@ -19,7 +19,8 @@ def source(name: str) -> str:
 
 def needed(code: str) -> frozenset[str]:
     """The kernel parts whose names a piece of code uses."""
-    return frozenset(p for p in ORDER if re.search(rf"\b{_NAMES.get(p, p)}\(", code))
+    found = {p for p in ORDER if re.search(rf"\b{_NAMES.get(p, p)}\(", code)}
+    return frozenset(found | {"need"} if "most_need" in found else found)
 
 
 def text(parts: frozenset[str]) -> str:

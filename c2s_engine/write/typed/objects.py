@@ -116,12 +116,10 @@ def _driver(
         approach=spot.approach,
     )
     statements = behaviour.body(actor)
-    if (
-        spot.approach
-        and plan.junction
-        and not any(p.action in ("collide", "yield", "stop", "run_stop", "wait") for p in spec.phases)
-    ):
+    own = {"collide", "yield", "stop", "run_stop", "wait"} & {p.action for p in spec.phases}
+    if spot.approach and plan.junction and not own and not standing:
         statements = [_synchronised(s, prefix) for s in statements]
+        statements.insert(1, "spot = meeting(line, way(egoLane, egoTurn))")
     if any(p.action == "run_red" for p in spec.phases):
         statements.insert(1, "take SetTrafficLightAction('red', distance=150)")
     return statements
@@ -129,9 +127,7 @@ def _driver(
 
 def _synchronised(statement: str, prefix: str) -> str:
     """On a crossing way it arrives when ego does."""
-    plain = f"do Drive(line, {prefix}_SPEED)"
-    met = f"do Drive(line, lambda: meet(self, line, ego, way(egoLane, egoTurn), {prefix}_SPEED))"
-    return statement.replace(plain, met)
+    return statement.replace(f"do Drive(line, {prefix}_SPEED)", f"do Drive(line, lambda: meet(self, ego, spot, {prefix}_SPEED))")
 
 
 def _start_condition(

@@ -1,8 +1,11 @@
-def meet(car, points, other, others, speed):
-    """The speed (m/s) at which `car` comes where its way meets that of `other` when the other does; about `speed`."""
-    near = lambda p: min(distance from p to q for q in others[::3])
-    spot = min(points[::3], key=near)
-    if (distance from other to spot) < 12 or other.speed < 2:
+def meeting(points, others):
+    """The spot of `points` that lies nearest to `others`: where both ways meet."""
+    return min(points[::3], key=lambda p: min((p.x - q.x) ** 2 + (p.y - q.y) ** 2 for q in others[::3]))
+
+def meet(car, other, spot, speed):
+    """The speed (m/s), about `speed`, at which `car` comes to the spot when `other` does."""
+    own = (spot - car.position).rotatedBy(-car.heading).y
+    far = (spot - other.position).rotatedBy(-other.heading).y
+    if own < 8 or far < 12 or other.speed < 2:
         return speed
-    wanted = (distance from car to spot) * other.speed / (distance from other to spot)
-    return max(0.6 * speed, min(1.5 * speed, wanted))
+    return max(0.6 * speed, min(1.5 * speed, own * other.speed / far))

@@ -12,4 +12,4 @@ def need(car, other):
         return 9
     if closing <= 0.1 or abs(place.x + motion.x * max(gap, 0) / closing) > reach:
         return 0
-    return closing ** 2 / (2 * max(gap - 2, 0.3))
+    return closing ** 2 / (2 * max(gap - 2 - 0.5 * max(motion.y, 0), 0.3))

@@ -1,0 +1,95 @@
+"""Who touches whom: oriented boxes, seen from above."""
+
+import math
+from typing import Any
+
+LOW = 0.3
+"""m: props lower than this are driven over."""
+
+
+def corners(x: float, y: float, heading: float, length: float, width: float) -> list[tuple[float, float]]:
+    """The corners of a box, anticlockwise."""
+    sin, cos = math.sin(heading), math.cos(heading)
+    fx, fy = -sin * length / 2, cos * length / 2
+    rx, ry = cos * width / 2, sin * width / 2
+    return [
+        (x + fx - rx, y + fy - ry),
+        (x - fx - rx, y - fy - ry),
+        (x - fx + rx, y - fy + ry),
+        (x + fx + rx, y + fy + ry),
+    ]
+
+
+def boxes_touch(a: Any, b: Any) -> bool:
+    """Whether two boxes (x, y, heading, length, width) overlap: no axis of either separates them."""
+    dx, dy = b[0] - a[0], b[1] - a[1]
+    reach = 0.5 * (math.hypot(a[3], a[4]) + math.hypot(b[3], b[4]))
+    if dx * dx + dy * dy > reach * reach:
+        return False
+    turn = b[2] - a[2]
+    c, s = abs(math.cos(turn)), abs(math.sin(turn))
+    for one, other in ((a, b), (b, a)):
+        sin, cos = math.sin(one[2]), math.cos(one[2])
+        ahead, aside = abs(-sin * dx + cos * dy), abs(cos * dx + sin * dy)
+        if ahead > 0.5 * (one[3] + other[3] * c + other[4] * s):
+            return False
+        if aside > 0.5 * (one[4] + other[3] * s + other[4] * c):
+            return False
+    return True
+
+
+class Contacts:
+    """Finds the first contact of each pair that can collide."""
+
+    def __init__(self, actors: list[Any], kinds: list[str]) -> None:
+        self.actors = actors
+        self.pairs: list[tuple[int, int, float]] = []
+        for i, one in enumerate(actors):
+            for j in range(i):
+                if self._can(kinds[i], kinds[j], one, actors[j]):
+                    reach = 0.5 * (math.hypot(*one.size[:2]) + math.hypot(*actors[j].size[:2]))
+                    self.pairs.append((j, i, reach))
+        self.pairs = [pair for pair in self.pairs if not self._touch(pair[0], pair[1])]
+        self.found: list[tuple[float, int, int]] = []
+
+    @staticmethod
+    def _can(one: str, other: str, a: Any, b: Any) -> bool:
+        if one == other and one in ("walker", "prop"):
+            return False
+        if "prop" in (one, other):
+            return "walker" not in (one, other) and (a if one == "prop" else b).size[2] > LOW
+        return True
+
+    def _box(self, i: int) -> tuple[float, float, float, float, float]:
+        actor = self.actors[i]
+        return actor.body.x, actor.body.y, actor.body.heading, actor.size[0], actor.size[1]
+
+    def _touch(self, i: int, j: int) -> bool:
+        return boxes_touch(self._box(i), self._box(j))
+
+    def near(self, reach: float) -> list[tuple[int, int, float]]:
+        """The pairs that could touch when each moves by up to `reach` m."""
+        found = []
+        for pair in self.pairs:
+            a, b = self.actors[pair[0]].body, self.actors[pair[1]].body
+            limit = pair[2] + reach
+            if (a.x - b.x) ** 2 + (a.y - b.y) ** 2 < limit * limit:
+                found.append(pair)
+        return found
+
+    def check(self, pairs: list[tuple[int, int, float]], time: float) -> None:
+        """Note the contacts among those pairs, and stop what crashed."""
+        for pair in pairs:
+            if pair in self.pairs and self._touch(pair[0], pair[1]):
+                self.found.append((time, pair[0], pair[1]))
+                self.pairs.remove(pair)
+                _crash(self.actors[pair[0]].body, self.actors[pair[1]].body)
+
+
+def _crash(a: Any, b: Any) -> None:
+    """What is hit takes on half of the other's motion; both roll out without control."""
+    va, vb = a.velocity(), b.velocity()
+    mean = ((va[0] + vb[0]) / 2, (va[1] + vb[1]) / 2)
+    for body in (a, b):
+        body.set_velocity(*mean)
+        body.dead = True

@@ -1,0 +1,159 @@
+"""Events at intersections: turning, going straight, running red lights and stop signs."""
+
+from collections.abc import Iterator
+from functools import lru_cache
+
+import numpy as np
+from scenic.domains.driving.roads import ManeuverType
+
+from c2s_engine.dryrun.events.motion import fact
+from c2s_engine.dryrun.events.situation import NOWHERE, Seen, Situation, wrap
+from c2s_engine.dryrun.events.table import definitions
+from c2s_engine.structure.facts import EventFact
+
+RAMPS = ("on_ramp", "off_ramp", "transition")
+TURNS = {
+    ManeuverType.LEFT_TURN: "turn_left",
+    ManeuverType.RIGHT_TURN: "turn_right",
+    ManeuverType.U_TURN: "u_turn",
+    ManeuverType.STRAIGHT: "go_straight",
+}
+
+
+def junctions(seen: Seen, situation: Situation) -> Iterator[EventFact]:
+    """All events of this module that a vehicle shows."""
+    if not seen.moves or not seen.drives:
+        return
+    found: list[EventFact] = []
+    for junction, first, last in visits(seen, situation):
+        turn = passage(seen, situation, junction, first, last)
+        if turn:
+            found.append(fact(turn, situation, first))
+        if first and seen.speed[first] > definitions()["run_red"].speed and seen.forward[first] > 0:
+            road = _approach(seen, situation, first)
+            if road is not None and state(situation, junction, road, first) == "red":
+                found.append(fact("run_red", situation, first))
+            if road is not None and _stop_sign(seen, situation, junction, road, first) and not _stood(seen, first):
+                found.append(fact("run_stop", situation, first))
+    around = u_turn(seen)
+    if around is not None and not any(f.event == "u_turn" for f in found):
+        found.append(fact("u_turn", situation, around))
+    yield from found
+
+
+def is_intersection(situation: Situation, junction: str | None) -> bool:
+    """Whether a junction is more than a merge or a diverge of ramps."""
+    if junction is None:
+        return False
+    extras = situation.extras
+    if extras is not None and junction.isdigit() and int(junction) in extras.junctions:
+        return extras.junctions[int(junction)].kind not in RAMPS
+    crossing = situation.index.junctions.get(junction)
+    return crossing is None or any(m.type is not ManeuverType.STRAIGHT for m in crossing.maneuvers)
+
+
+def visits(seen: Seen, situation: Situation) -> list[tuple[str, int, int]]:
+    """(junction, first step, last step) of each time that it is within an intersection."""
+    lanes = situation.index.lanes
+    inside = [lanes[lane].junction if lane != NOWHERE else None for lane in seen.lanes.tolist()]
+    found: list[tuple[str, int, int]] = []
+    for step, junction in enumerate(inside):
+        if junction is None:
+            continue
+        if found and found[-1][0] == junction and step - found[-1][2] <= 20:
+            found[-1] = (junction, found[-1][1], step)
+        else:
+            found.append((junction, step, step))
+    return [visit for visit in found if is_intersection(situation, visit[0])]
+
+
+def passage(seen: Seen, situation: Situation, junction: str, first: int, last: int) -> str | None:
+    """Which way it takes: by the connecting lane if it is halfway through it, else by its change of heading."""
+    within = [int(lane) for lane in seen.lanes[first : last + 1] if lane != NOWHERE]
+    ways = _maneuvers(situation, junction)
+    limits = definitions()["turn_left"]
+    if within:
+        lane = max(set(within), key=within.count)
+        info = situation.index.lanes[lane]
+        steps = [s for s in range(first, last + 1) if seen.lanes[s] == lane]
+        progress, _ = info.project_many(seen.xy[steps])
+        onward = float(progress[-1]) / max(info.length, 0.1)
+        straying = len(set(within)) > 3
+        fits = abs(float(wrap(seen.heading[steps[-1]] - info.heading_at(float(progress[-1]))))) < np.radians(50)
+        if lane in ways and fits and not straying:
+            return TURNS.get(ways[lane]) if onward >= limits.half else None
+    turned = float(np.unwrap(seen.heading[first : last + 1])[-1] - seen.heading[first])
+    if abs(turned) >= np.radians(150):
+        return "u_turn"
+    if abs(turned) >= np.radians(limits.turn):
+        return "turn_left" if turned > 0 else "turn_right"
+    return "go_straight" if last < seen.until else None
+
+
+def _maneuvers(situation: Situation, junction: str) -> dict[int, ManeuverType]:
+    return _ways(situation.index, junction)
+
+
+@lru_cache(maxsize=256)
+def _ways(index, junction: str) -> dict[int, ManeuverType]:  # type: ignore[no-untyped-def]
+    crossing = index.junctions.get(junction)
+    if crossing is None:
+        return {}
+    return {index.number[m.connectingLane.uid]: m.type for m in crossing.maneuvers if m.connectingLane is not None}
+
+
+def u_turn(seen: Seen) -> int | None:
+    """The step at which it has turned round within a short way."""
+    limits = definitions()["u_turn"]
+    heading = np.unwrap(seen.heading)
+    start = 0
+    for step in range(0, len(heading), 3):
+        while seen.travelled[step] - seen.travelled[start] > limits.within:
+            start += 1
+        if abs(heading[step] - heading[start : step + 1]).max() >= np.radians(limits.turn):
+            return step
+    return None
+
+
+def _approach(seen: Seen, situation: Situation, step: int) -> str | None:
+    """The road by which it comes to the junction."""
+    for lane in seen.lanes[:step][::-1]:
+        if lane != NOWHERE:
+            info = situation.index.lanes[lane]
+            return info.road if info.junction is None else None
+    return None
+
+
+def state(situation: Situation, junction: str, road: str, step: int) -> str | None:
+    """What the light of an approach shows at a step (None: there is no light)."""
+    shown = None
+    now = step * situation.step + 1e-6
+    for time, where, approach, colour in situation.recording.lights:
+        if time > now:
+            break
+        if (where, approach) == (junction, road):
+            shown = colour
+    return shown
+
+
+def _stop_sign(seen: Seen, situation: Situation, junction: str, road: str, step: int) -> bool:
+    extras = situation.extras
+    if extras is not None and junction.isdigit() and extras.control(int(junction), int(road)) == "stop":
+        return True
+    return any(
+        o.path.role.startswith("stop_sign") and np.hypot(o.x[0] - seen.x[step], o.y[0] - seen.y[step]) < 20.0
+        and faces(o, seen.x[0], seen.y[0])
+        for o in situation.objects
+    )  # fmt: skip
+
+
+def faces(sign: Seen, x: float, y: float) -> bool:
+    """Whether a sign prop is turned towards a point (by less than 60 degrees)."""
+    bearing = np.arctan2(-(x - sign.x[0]), y - sign.y[0])
+    return bool(abs(wrap(sign.heading[0] - bearing)) < np.radians(60))
+
+
+def _stood(seen: Seen, step: int) -> bool:
+    limits = definitions()["run_stop"]
+    near = seen.travelled[step] - seen.travelled[: step + 1] <= limits.before
+    return bool((seen.speed[: step + 1][near] < limits.standing).any())

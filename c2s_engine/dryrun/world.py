@@ -1,0 +1,268 @@
+"""The dry-run world on Scenic's simulator interface: fake actors, our own stepping, and why a run ended."""
+
+import math
+import random
+from typing import Any
+
+import carla
+from scenic.core.dynamics.actions import _EndScenarioAction, _EndSimulationAction
+from scenic.core.simulators import SimulationCreationError, TerminationType
+from scenic.core.vectors import Vector
+from scenic.domains.driving.simulators import DrivingSimulation
+
+from c2s_engine.dryrun import actors as fake
+from c2s_engine.dryrun import controllers
+from c2s_engine.dryrun.contacts import Contacts
+from c2s_engine.dryrun.dynamics import SUBSTEP
+from c2s_engine.dryrun.lights import Lights
+from c2s_engine.dryrun.recording import Recorder
+from c2s_engine.dryrun.roads import RoadIndex
+from c2s_engine.dryrun.streets import Streets
+from c2s_engine.dryrun.traffic import TrafficManager
+from c2s_engine.dryrun.walkers import Guide
+from c2s_engine.maps.extras import MapExtras
+
+AFTERMATH = 1.0
+"""s that a run goes on after a collision."""
+NOTHING = Vector(0, 0, 0)
+
+
+class World(carla.World):
+    """CARLA's world as far as the stock model and its actions ask it."""
+
+    def __init__(self, simulation: "DryRunSimulation") -> None:
+        self._simulation = simulation
+        self.actors: list[Any] = []
+        self.weather: Any = None
+
+    def get_map(self) -> Streets:
+        return self._simulation.map
+
+    def get_actors(self) -> list[Any]:
+        return self.actors
+
+    def get_weather(self) -> Any:
+        return self.weather
+
+    def set_weather(self, weather: Any) -> None:
+        self.weather = weather
+
+    def freeze_all_traffic_lights(self, frozen: bool) -> None:
+        self._simulation.lights.freeze(frozen)
+
+    def reset_all_traffic_lights(self) -> None:
+        for light in self._simulation.lights.by_approach.values():
+            light.forced = None
+
+    def get_traffic_light(self, landmark: Any) -> Any:
+        return landmark.light
+
+    def get_random_location_from_navigation(self) -> Any:
+        return self._simulation.map.random_walk(self._simulation.rng)
+
+    def limit(self, road: str) -> float | None:
+        extras = self._simulation.extras
+        return extras.limit(int(road)) if extras and str(road).isdigit() else None
+
+    def red_ahead(self, actor: Any) -> float | None:
+        """m to the line of a red or yellow light that faces a vehicle, within 60 m."""
+        place = self._simulation.map.get_waypoint(actor.get_location())
+        if place is None or place.is_junction:
+            return None
+        for sign in place.get_landmarks_of_type(60.0, "1000001"):
+            if str(sign.light.state) in ("Red", "Yellow"):
+                return sign.distance
+        return None
+
+
+class DryRunSimulation(DrivingSimulation):
+    """One run of a scene."""
+
+    def __init__(self, scene: Any, *, index: RoadIndex, extras: MapExtras | None, kinds: dict[str, str], seed: int,
+                 seconds: float, timestep: float) -> None:  # fmt: skip
+        self.index, self.extras, self.kinds = index, extras, kinds
+        self.rng = random.Random(seed)
+        self.lights = Lights(extras, self.rng)
+        self.map = Streets(index, extras, self.lights, str(scene.params.get("carla_map")))
+        self.world = World(self)
+        self.tm = TrafficManager(self.world, index, self.rng)
+        self.recorder = Recorder(timestep)
+        self.classes: list[str] = []
+        self.contacts: Contacts | None = None
+        self.acting: Any = None
+        self.crashed: float | None = None
+        self.ended: TerminationType | None = None
+        self.substeps = max(1, round(timestep / SUBSTEP))
+        self._turned: dict[int, tuple[Any, float]] = {}
+        super().__init__(
+            scene, maxSteps=max(1, round(seconds / timestep)), name="dry run", timestep=timestep, enableReplay=False
+        )
+
+    @property
+    def client(self) -> Any:
+        raise RuntimeError("the dry run has no CARLA client")
+
+    def setup(self) -> None:
+        weather = self.scene.params.get("weather")
+        if isinstance(weather, str):
+            if not hasattr(carla.WeatherParameters, weather):
+                raise SimulationCreationError(f"CARLA has no weather preset {weather!r}")
+            self.world.set_weather(getattr(carla.WeatherParameters, weather))
+        elif isinstance(weather, dict):
+            self.world.set_weather(carla.WeatherParameters(**weather))
+        super().setup()
+        for obj in self.objects:
+            if obj.speed:
+                raise SimulationCreationError(
+                    f"{obj} has an initial speed, which CARLA cannot give: let its behavior take SetSpeedAction"
+                )
+        self.contacts = Contacts(self.world.actors, self.classes)
+
+    def createObjectInSimulator(self, obj: Any) -> Any:
+        kind = fake.class_of(str(getattr(obj, "blueprint", "") or ""), self.kinds)
+        actor = fake.make(len(self.world.actors), obj, kind)
+        actor.set_simulate_physics(bool(getattr(obj, "physics", kind != "prop")))
+        obj.carlaActor = actor
+        if kind == "walker":
+            obj.carlaController = Guide(actor, self.index)
+        self.world.actors.append(actor)
+        self.classes.append(kind)
+        if self.contacts is not None:
+            known = set(self.contacts.found)
+            self.contacts = Contacts(self.world.actors, self.classes)
+            self.contacts.found = sorted(known)
+        return actor
+
+    def _run(self, dynamicScenario: Any, maxSteps: int) -> tuple[TerminationType, str]:
+        """Scenic's loop, but a collision ends the run, and it is known who acts."""
+        self.recorder.sample(self.world.actors, 0)
+        self.recorder.note_lights(0.0, self.lights.states())
+        while True:
+            kind, reason = TerminationType.scenarioComplete, dynamicScenario._step()
+            self.recordCurrentState()
+            monitored = dynamicScenario._runMonitors()
+            if monitored is not None:
+                kind, reason = TerminationType.terminatedByMonitor, monitored
+            if reason is None:
+                kind = TerminationType.simulationTerminationCondition
+                reason = dynamicScenario._checkSimulationTerminationConditions()
+            if reason is None and self.currentTime >= maxSteps:
+                kind, reason = TerminationType.timeLimit, "the time was over"
+            if reason is not None:
+                return self._end(kind, reason)
+            if self.crashed is not None and self.currentTime * self.timestep >= self.crashed + AFTERMATH:
+                return self._end(TerminationType.timeLimit, "collision")
+            actions = self._decide(dynamicScenario)
+            if not isinstance(actions, dict):
+                return self._end(TerminationType.terminatedByBehavior, str(actions))
+            self.executeActions(actions)
+            self.step()
+            self.currentTime += 1
+            self.updateObjects()
+
+    def _end(self, kind: TerminationType, reason: Any) -> tuple[TerminationType, str]:
+        self.ended = kind
+        return kind, str(reason)
+
+    def _decide(self, scenario: Any) -> Any:
+        """The actions of every agent in this step, or the action that ends the run."""
+        for obj in self.objects:
+            obj.lastActions = ()
+            if obj.behavior and obj not in self.agents:
+                self.agents.append(obj)
+        chosen: dict[Any, tuple] = {}
+        for agent in self.agents:
+            if not agent.behavior:
+                continue
+            self.acting = agent
+            actions = agent.behavior._step()
+            if isinstance(actions, _EndSimulationAction):
+                return actions
+            if isinstance(actions, _EndScenarioAction):
+                if actions.scenario._isRunning:
+                    actions.scenario._stop(actions)
+                if actions.scenario is scenario:
+                    return actions
+                actions = ()
+            if len(actions) == 1 and isinstance(actions[0], list | tuple):
+                actions = tuple(actions[0])
+            for action in actions:
+                if not hasattr(action, "canBeTakenBy"):
+                    raise TypeError(f"`take` was given {action!r}, which is no action")
+                if not action.canBeTakenBy(agent):
+                    raise TypeError(f"a {type(agent).__name__} cannot take {type(action).__name__}")
+            chosen[agent] = agent.lastActions = actions
+        self.acting = None
+        return chosen
+
+    def executeActions(self, allActions: dict[Any, tuple]) -> None:
+        for agent, actions in allActions.items():
+            self.acting = agent
+            for action in actions:
+                action.applyTo(agent, self)
+        self.acting = None
+        for agent in self.agents:
+            if agent._control is not None:
+                agent.carlaActor.apply_control(agent._control)
+                agent._control = None
+
+    def step(self) -> None:
+        now = self.currentTime * self.timestep
+        actors, dt = self.world.actors, self.timestep / self.substeps
+        fastest = 0.0
+        for actor in actors:
+            if getattr(actor, "autopilot", False) and not actor.body.dead:
+                self.tm.drive(actor, self.timestep)
+            fastest = max(fastest, abs(actor.body.speed) + abs(actor.body.sideways))
+        close = self.contacts.near(2.0 * (fastest + 1.0) * self.timestep)
+        moving = [a for a in actors if not isinstance(a, fake.Prop)]
+        for i in range(self.substeps):
+            for actor in moving:
+                actor.advance(dt)
+            if close:
+                self.contacts.check(close, now + (i + 1) * dt)
+        if self.contacts.found and self.crashed is None:
+            self.crashed = self.contacts.found[0][0]
+        self.lights.tick(self.timestep)
+        self.recorder.sample(actors, self.currentTime + 1)
+        self.recorder.note_lights(now + self.timestep, self.lights.states())
+
+    def getProperties(self, obj: Any, properties: set[str]) -> dict[str, Any]:
+        actor = obj.carlaActor
+        body = actor.body
+        vx, vy = body.velocity()
+        values = {
+            "position": Vector(body.x, body.y, actor.elevation),
+            "velocity": Vector(vx, vy, 0.0),
+            "speed": math.hypot(vx, vy),
+            "angularSpeed": body.yaw_rate,
+            "angularVelocity": Vector(0.0, 0.0, body.yaw_rate),
+            "yaw": math.remainder(body.heading - self._parent_yaw(obj), math.tau),
+            "pitch": 0.0,
+            "roll": 0.0,
+            "elevation": actor.elevation,
+        }
+        return {name: values[name] if name in values else getattr(obj, name) for name in properties}
+
+    def _parent_yaw(self, obj: Any) -> float:
+        parent = obj.parentOrientation
+        known = self._turned.get(id(obj))
+        if known is None or known[0] is not parent:
+            known = self._turned[id(obj)] = (parent, float(parent.yaw))
+        return known[1]
+
+    def currentState(self) -> tuple:
+        """Scenic's own record is not used; the recorder keeps the ways."""
+        return ()
+
+    def _controllers(self, agent: Any, tuning: controllers.Tuning) -> Any:
+        return controllers.pair(agent.carlaActor.body, tuning, self.timestep, lambda: self.currentTime * self.timestep)
+
+    def getLaneFollowingControllers(self, agent: Any) -> Any:
+        return self._controllers(agent, controllers.FOLLOWING)
+
+    def getTurningControllers(self, agent: Any) -> Any:
+        return self._controllers(agent, controllers.TURNING)
+
+    def getLaneChangingControllers(self, agent: Any) -> Any:
+        return self._controllers(agent, controllers.CHANGING)

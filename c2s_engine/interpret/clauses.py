@@ -262,7 +262,7 @@ class Clauses:
         for child in word.children:
             other = self.words[child]
             if other.dep == "neg" or other.norm in ("never", "neither", "nor", "hardly", "cannot", "not"):
-                if other.norm == "not" and child > word.i:
+                if other.norm == "not" and child > word.i and other.dep != "neg":
                     continue
                 mode = "negated"
             if other.dep == "aux" and other.norm in ("would", "could", "might"):
@@ -328,7 +328,7 @@ class Clauses:
         after = [i for i in own if i >= word.i]
         text, whole = self.render(after, word.i), self.render(own, word.i)
         shades = language.table("motions")["modality"]
-        complements = [c for c in word.children if self.words[c].dep in ("xcomp", "ccomp") and self._is_verb(self.words[c])]
+        complements = [c for c in word.children if c > word.i and self.words[c].dep in ("xcomp", "ccomp") and self._is_verb(self.words[c])]
         if lemma in ("let", "allow", "wait", "permit") and complements:
             text = f"{text} {self.render(self.own(self.words[complements[0]]))}"
         if lemma == "wait" and (later := [c for c in word.children if self.words[c].dep == "advcl" and self._mark(self.words[c]) in ("until", "till")]):
@@ -338,6 +338,8 @@ class Clauses:
                 self.light.add(word.i)
                 return
         agent, at, passive = self._subject(word)
+        if agent is None and word.dep == "conj" and word.head in self.by_word and not any(self.words[c].dep in ("nsubj", "nsubjpass") for c in word.children):
+            agent = self.by_word[word.head].agent
         if agent is None:
             agent = self._nearest(word, at)
         patient = self._patient(word, own, agent, passive)
@@ -456,6 +458,8 @@ class Clauses:
             if rule["act"] in ("none", "stop_none"):
                 return None
             if rule.get("swap_passive"):
+                if patient is None and agent is not None and not agent.ego:
+                    patient, agent = agent, None
                 if patient is None or not re.search(r"past|pass|through|by|go", whole + text):
                     continue
                 actor = agent if agent is not None and agent is not patient else self.cast.ego
@@ -467,6 +471,8 @@ class Clauses:
                     others = [self.cast.of[i] for i in sorted(self.cast.of) if i < word.i and not self.cast.of[i].ego and self.cast.of[i].mover]
                     patient = patient or (others[-1] if others else None)
             if not self._agrees(rule, actor):
+                continue
+            if rule["act"] == "cross_road" and actor.type == "bicycle" and re.search(r"straight|(over|through|across) (the|an) (\w+ )?(junction|intersection|crossroads)|(?<!pedestrian )crossing(?! the)", text):
                 continue
             if rule.get("target") == "ego" and actor.ego or rule.get("of") == "ego_lane" and (actor.ego and not re.search(r"@a\d", text)):
                 continue

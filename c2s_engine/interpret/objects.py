@@ -70,10 +70,26 @@ def _placement(scene: Scene, entity: Entity, ids: dict[Entity, str], place: Plac
                 closing = max(1.0, closing - own[0])
             low = closing * where.gap_time
             gap = (low * 1.02, low * 1.2)
+    if gap is None and values["position"] == "ahead" and (ttc_start := _start_ttc(scene)) is not None:
+        speed, own = scene.speeds.get(scene.cast.ego), scene.speeds.get(entity)
+        if speed and not any(scene.where(e).gap for e in scene.actors):
+            closing = max(1.0, speed[0] - (own[0] if own else 0.0))
+            gap = (closing * ttc_start * 1.02, closing * ttc_start * 1.2)
     if gap is not None:
         low, high = sorted(gap)
         values["gap"] = round(low, 1) if high - low < 0.5 else (round(low, 1), round(high, 1))
     return Placement(of=of, hidden_by=hidden if hidden != "ego" else None, **values)
+
+
+def _start_ttc(scene: Scene) -> float | None:
+    """The time to collision at the start, where it is no trigger of what another does."""
+    for span in scene.spans:
+        if span.kind == "quantity" and span.data["dimension"] == "time":
+            near = scene.plain[max(0, span.start - 45) : span.end + 35]
+            used = any(e.trigger and e.trigger["kind"] == "ttc" and not e.agent.ego and e.act not in ("travel", "stationary") and e.trigger["value"] == span.data["low"] for e in scene.clauses.events)
+            if re.search(r"\bttc\b|time[- ]to[- ](collision|contact)", near) and not used:
+                return span.data["low"]
+    return None
 
 
 def _person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:

@@ -64,7 +64,8 @@ def phases_of(scene: Scene, entity: Entity, ids: dict[Entity, str], placement: P
     if "parked" in entity.roles and not found:
         found = [Phase(action="stationary")]
     found = _merged(found)
-    found += _struck(scene, entity, found, ids)
+    if "stationary" in entity.roles and [p.action for p in found] == ["stop"]:
+        found = [Phase(action="stationary")]
     if crossing and not any(p.action in ("turn_left", "turn_right", "go_straight", "u_turn", "stationary", "collide", "stop", "wait") for p in found):
         at = next((i for i, p in enumerate(found) if p.action in ("brake", "stop")), len(found))
         found.insert(at, Phase(action="go_straight"))
@@ -204,6 +205,8 @@ def _merged(phases: list[Phase]) -> list[Phase]:
         if last is not None and last.action == "brake" and phase.action == "stop" and phase.trigger is None:
             found[-1] = phase.model_copy(update={"rate": phase.rate or last.rate, "trigger": last.trigger})
             continue
+        if last is not None and last.action == "brake" and phase.action in ("wait", "start") and last.speed is None:
+            found[-1] = last.model_copy(update={"action": "stop"})
         if last is not None and last.action == "stop" and phase.action == "brake" and phase.trigger is None and last.rate is None:
             found[-1] = last.model_copy(update={"rate": phase.rate})
             continue
@@ -230,8 +233,3 @@ def _merged(phases: list[Phase]) -> list[Phase]:
         found = [p for p in found if p.action != "stationary" or found.index(p) > 0]
     return found
 
-
-def _struck(scene: Scene, entity: Entity, found: list[Phase], ids: dict[Entity, str]) -> list[Phase]:
-    """One who "collided" jointly with ego, said only of both."""
-    del scene, entity, found, ids
-    return []

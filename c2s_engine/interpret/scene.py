@@ -146,7 +146,21 @@ def _actors(scene: Scene) -> list[Entity]:
         same = [e for e in specific if entity.type == "obstacle" or e.type in VEHICLES]
         if same and not [e for e in scene.events(entity) if e.act not in ("travel", "approach", "stationary")] and (entity.type == "obstacle" or entity.count > 1):
             kept.remove(entity)
+            _pass_on(scene, entity, [e for e in same if e.mentions[0].word > entity.mentions[0].word])
     return kept
+
+
+def _pass_on(scene: Scene, generic: Entity, members: list[Entity]) -> None:
+    """What was said of "two obstacles" holds for those that are then named one by one."""
+    where = scene.where(generic)
+    for number, member in enumerate(members):
+        own = scene.where(member)
+        if any(e.act == "stationary" for e in scene.events(generic)) and not scene.events(member):
+            member.roles.add("stationary")
+        if own.lane is None and own.rel is None:
+            own.lane, own.rel = where.lane, where.rel or "ahead"
+        if number == 0 and own.gap is None and where.gap is not None:
+            own.gap = where.gap
 
 
 def _mentioned_alone(scene: Scene, entity: Entity) -> bool:
@@ -172,7 +186,7 @@ def _speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         near = scene.plain[max(0, span.start - 40) : span.start]
         both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20]))
         like = re.search(r"like (it|the \w+|ego)[^.;,]*$", near)
-        if re.search(r"(lanes|traffic|queue|jam)\b[^.;,]*$", near) and (owner is None or scene.plain[max(0, span.start - 40) : span.start].find(owner.noun or "@@") < 0):
+        if re.search(r"(both lanes|all lanes|traffic|jam|queue)\b[^.;,]*(creep|crawl|mov|flow|travel|driv|runs?|progress)[^.;,]*$", near) and (owner is None or scene.plain[max(0, span.start - 40) : span.start].find(owner.noun or "@@") < 0):
             for other in (cast.ego, *scene.actors):
                 if other.ego or other.type in VEHICLES and other.type not in ("motorcycle", "bicycle"):
                     scene.speeds.setdefault(other, value)
@@ -183,6 +197,11 @@ def _speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         if event is not None and event.agent is owner and event.act in ("brake", "brake_stop", "accelerate") and re.search(r"(to|down to|from)\s*(about |around |roughly )?$", near[-16:]) is not None and "from" not in near[-16:]:
             event.quantities = [{**q, "role": "target"} if q["start"] == span.start else q for q in event.quantities]
             continue
+        if owner in scene.speeds:
+            between = [j for j in sorted(cast.of) if scene.speeds[owner][3] <= scene.words[j].start < span.start and cast.of[j] is not owner and (cast.of[j].mover or cast.of[j].ego)]
+            if between and scene.words[between[-1]].sentence == word.sentence:
+                scene.speeds.setdefault(cast.of[between[-1]], value)
+                continue
         scene.speeds.setdefault(owner, value)
         subject_also = event.also if event is not None else []
         for other in subject_also:

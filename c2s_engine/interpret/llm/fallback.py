@@ -1,12 +1,13 @@
 """The embedded interpreter's answer for single components of a reading that a model began."""
 
+import keyword
 import re
 from functools import cached_property
 from typing import Any
 
 from c2s_engine.interpret.llm import words
 from c2s_engine.interpret.llm.components import ObjectSentence, Sentences
-from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.components import Component, Structure, Unmet
 from c2s_engine.structure.edits import _REFERENCE_FIELDS
 from c2s_engine.structure.specs import SPEC_OF, AnySpec, ObjectSpec
 
@@ -114,13 +115,35 @@ def distinct_names(structure: Structure) -> Structure:
     taken = {"ego"}
     for component in structure.objects:
         name, number = component.spec.name, 2
-        while name in taken:
+        while name in taken or keyword.iskeyword(name):
             name, number = f"{component.spec.name}{number}", number + 1
         taken.add(name)
         if name != component.spec.name:
             spec = component.spec.model_copy(update={"name": name})
             structure = structure.with_component(component.model_copy(update={"spec": spec}))
     return structure
+
+
+def in_order(structure: Structure) -> Structure:
+    """The objects so that each follows those that place or hide it; where no order does, hiding gives way."""
+    left, done = list(structure.objects), []
+    while left:
+        placed = {"ego", *(o.id for o in done)}
+        free = next((o for o in left if _rests_on(o) <= placed | {o.id}), None)
+        if free is None:
+            free = next((o for o in left if o.spec.placement.of in placed), left[0])
+            hidden = Unmet(text=free.description, reason="objects hide each other in a circle")
+            update = {"hidden_by": None} if free.spec.placement.of in placed else {"hidden_by": None, "of": "ego"}
+            spec = free.spec.model_copy(update={"placement": free.spec.placement.model_copy(update=update)})
+            left[left.index(free)] = free = free.model_copy(update={"spec": spec, "unmet": (*free.unmet, hidden)})
+        left.remove(free)
+        done.append(free)
+    return structure.model_copy(update={"objects": tuple(done)})
+
+
+def _rests_on(component: Component) -> set[str]:
+    placement = component.spec.placement
+    return {placement.of, placement.hidden_by} - {None}
 
 
 _GONE = object()

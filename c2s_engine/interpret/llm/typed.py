@@ -103,7 +103,7 @@ class TypedReader:
             text=text, settings=components["G"], place=components["R"], ego=components["E"], objects=objects,
             restrictions=components["T"],
         )  # fmt: skip
-        return self._done(fallback.distinct_names(structure), fallbacks)
+        return self._done(fallback.in_order(fallback.distinct_names(structure)), fallbacks)
 
     def _done(self, structure: Structure, fallbacks: dict[str, str]) -> Reading:
         notes: tuple[str, ...] = ()
@@ -165,7 +165,9 @@ def form_of(cid: str, text: str, sentences: Sentences) -> tuple[str, dict[str, A
         return prompt("place", places=words.lines("places")), spec_schema("R", ["ego", *others])
     if cid == "T":
         ids = ["ego", *others]
-        return prompt("restrictions", ids=", ".join(ids), conditions=words.lines("conditions")), spec_schema("T", ids)
+        schema = spec_schema("T", ids)
+        schema["properties"]["require"]["items"]["properties"]["kind"]["enum"] = list(_AT_THE_START)
+        return prompt("restrictions", ids=", ".join(ids), conditions=words.lines("conditions")), schema
     if cid == "E":
         allowed = words.actions_for("vehicle")
         system = prompt(
@@ -213,16 +215,37 @@ def _builder(cid: str) -> Callable[[dict[str, Any]], tuple[AnySpec, tuple[Unmet,
         left = value.pop("unmet", "")
         if "model" in value and not BLUEPRINT.fullmatch(value["model"]):
             del value["model"]
+        for condition in [*value.get("require", ()), *value.get("terminate_when", ())]:
+            _examine(condition)
         unmet = (Unmet(text=left, reason="the form has no field for it"),) if left.strip() else ()
         return SPEC_OF[cid[0]].model_validate(value), unmet
 
     return build
 
 
+def _examine(condition: dict[str, Any]) -> None:
+    """Set a condition right where that is certain; raises ValueError where it says nothing."""
+    low, high = condition.get("minimum"), condition.get("maximum")
+    if low is not None and high is not None and low > high:
+        condition["minimum"], condition["maximum"] = high, low
+    if condition["kind"] in _OF_TWO:
+        condition.setdefault("other", "ego")
+        if condition["other"] == condition.get("subject", "ego"):
+            raise ValueError(f"a condition of kind {condition['kind']} needs two different objects: subject and other")
+
+
+def share_without_fallback(structure: Structure) -> float:
+    """The share of components that no embedded answer stands in for, by the marks in `assumed`."""
+    marked = [c.id for c in structure.components if any(a.field == "*" for a in c.assumed)]
+    return 1 - len(marked) / len(structure.components)
+
+
 def _mark(reason: str) -> Assumption:
     return Assumption(field="*", value="embedded interpreter", reason=reason)
 
 
+_AT_THE_START = ("distance", "visible", "not_visible")
+_OF_TWO = {"distance", "visible", "not_visible", "collision"}
 _THINGS_STAND = {
     "ahead", "left_lane", "right_lane", "oncoming_lane", "roadside", "sidewalk", "partly_in_lane", "intersection_exit",
 }  # fmt: skip

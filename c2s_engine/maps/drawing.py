@@ -55,7 +55,7 @@ def close_up(extras: MapExtras, centre: Point, metres: float, pixels: int = 380)
         for info in extras.roads.values():
             road = extras.geometry[info.id]
             if (info.junction is not None) == way and _meets(road, box):
-                lines += _surfaces(road, box, scale)
+                lines += _surfaces(road, box, scale, marked=not way)
     for crosswalk in extras.crosswalks:
         if _inside(crosswalk.centre, box, 30):
             lines += _stripes(crosswalk.polygon, box, scale)
@@ -187,7 +187,7 @@ def _meets(road: Road, box: Box) -> bool:
     return min(xs) < box[2] + 30 and max(xs) > box[0] - 30 and min(ys) < box[3] + 30 and max(ys) > box[1] - 30
 
 
-def _surfaces(road: Road, box: Box, scale: float) -> Iterator[str]:
+def _surfaces(road: Road, box: Box, scale: float, marked: bool) -> Iterator[str]:
     for number, section in enumerate(road.sections):
         end = road.sections[number + 1].s if number + 1 < len(road.sections) else road.length
         steps = [s for _, _, s in _along(road) if section.s < s < end]
@@ -199,7 +199,7 @@ def _surfaces(road: Road, box: Box, scale: float) -> Iterator[str]:
             inner = [road.at(s, t)[:2] for s, t, _ in edges]
             outer = [road.at(s, t)[:2] for s, _, t in reversed(edges)]
             kept = _clipped([*inner, *outer], box)
-            line = ' stroke="#ffffff" stroke-width="0.6"' if lane.type == "driving" and road.length > 40 else ""
+            line = ' stroke="#ffffff" stroke-width="0.6"' if lane.type == "driving" and marked else ""
             if kept:
                 yield f'<polygon points="{_points(kept, box, scale)}" fill="{SURFACES[lane.type]}"{line}/>'
 

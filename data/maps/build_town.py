@@ -13,7 +13,7 @@ from typing import Any
 
 import yaml
 from lines import Arm, Line, connector_lanes, road_lanes
-from path import Piece, Pose, arc, between, length_of
+from path import Piece, Pose, arc, between, length_of, turning_round
 from scenariogeneration import xodr
 
 HERE = Path(__file__).parent
@@ -194,7 +194,7 @@ class Town:
             rid = self.next_road
             self.next_road += 1
             start, end = arm.pose(lane, True), other.pose(to, False)
-            pieces = between(start, _crossing(start, end))
+            pieces = turning_round(start, end) if arm is other else between(start, _crossing(start, end))
             lanes = connector_lanes(arm, lane, other, to, length_of(pieces), index in corners)
             road = self._road(rid, "", start, pieces, lanes, jid)
             road.add_predecessor(xodr.ElementType.road, arm.line.id, arm.contact)
@@ -277,7 +277,8 @@ def _ways(arm: Arm, other: Arm, turns: dict[int, float]) -> list[tuple[int, int]
     if not into or not out:
         return []
     if other is arm:
-        return [(into[0], out[0])] if arm.line.profile["lanes"][0][0] == "median" else []
+        divided = arm.line.profile["lanes"][0][0] == "median"
+        return [(into[0], out[0] if divided else out[-1])] if len(into) > 1 else []
     turn = turns[other.line.id]
     if turn > MIN_STRAIGHT:
         return [(into[0], out[0])]

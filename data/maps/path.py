@@ -44,6 +44,15 @@ def arc(turn: float, radius: float) -> list[Piece]:
     return [("arc", whole / count, math.copysign(1 / radius, turn))] * count
 
 
+def turning_round(start: Pose, end: Pose, radius: float = 5.2, run: float = 14.0) -> list[Piece]:
+    """The way from a pose to one beside it to the left that looks back: a half circle, of at least that radius, for
+    which the way first swings to the right over `run` where the poses are nearer."""
+    gap = (end.y - start.y) * math.cos(start.heading) - (end.x - start.x) * math.sin(start.heading)
+    if gap >= 2 * radius:
+        return between(start, end)
+    return [*between(start, start.moved(run, gap - 2 * radius)), *arc(math.pi, radius), ("line", run, 0.0)]
+
+
 def between(start: Pose, end: Pose) -> list[Piece]:
     """The way from pose to pose: a line, an S of two arcs, a half circle, or a line-arc-line fillet."""
     turn = math.remainder(end.heading - start.heading, math.tau)

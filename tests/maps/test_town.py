@@ -43,7 +43,8 @@ def test_every_place_of_the_survey_is_there(names, extras):
         ({"kind": "straight", "lanes": 2, "oncoming": False, "sidewalk": True}, 400, 2),
         ({"kind": "crosswalk", "lanes": 2}, 150, 2),
         ({"kind": "crosswalk", "oncoming": True}, 150, 6),
-        ({"kind": "intersection", "manoeuvre": "u_turn", "control": "signal"}, 150, 2),
+        ({"kind": "intersection", "manoeuvre": "u_turn", "arms": 4, "oncoming": True}, 150, 4),
+        ({"kind": "intersection", "manoeuvre": "u_turn", "control": "signal", "oncoming": False}, 150, 2),
         ({"kind": "straight", "lanes": 1, "oncoming": True, "speed_limit": 55 * 0.44704}, 1200, 2),
         ({"kind": "straight", "lanes": 2, "oncoming": True, "speed_limit": 55 * 0.44704}, 1200, 4),
         ({"kind": "motorway", "lanes": 2, "speed_limit": 55 * 0.44704}, 1200, 2),
@@ -105,3 +106,16 @@ def test_two_way_roads_know_their_sides(names):
                 ends = [lane.sections[0] for lane in group.lanes]
                 assert sum(section._fasterLane is None for section in ends) == 1
                 assert sum(section._slowerLane is None for section in ends) == 1
+
+
+def test_ways_that_turn_round_are_wide_enough_for_cars(names):
+    """No three points on a way lie on a circle of less than 5 m."""
+    ways = [w for i in names["network"].intersections for w in i.maneuvers if w.type.name == "U_TURN"]
+    assert len(ways) >= 8
+    for way in ways:
+        line = way.connectingLane.centerline.lineString
+        points = [line.interpolate(s) for s in range(0, int(line.length) + 1, 2)]
+        for a, b, c in zip(points, points[1:], points[2:], strict=False):
+            area = abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2
+            if area > 1e-6:
+                assert a.distance(b) * b.distance(c) * c.distance(a) / (4 * area) > 4.9

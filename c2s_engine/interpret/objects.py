@@ -131,6 +131,8 @@ def _person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             return {"position": "beside", "side": edge or "right", "said": True}
         if where.lane == "same" and re.search(r"edge", text) or entity.person and along:
             return {"position": "partly_in_lane", "side": edge or "right", "facing": _facing(text), "said": where.lane is not None}
+        if entity.type == "bicycle" and where.side and where.lane is None:
+            return {"position": "partly_in_lane", "side": where.side, "said": True}
         return {"position": "ahead", "said": where.rel is not None or where.lane is not None}
     if where.lane in ("sidewalk", "roadside", "parked"):
         return {"position": "sidewalk" if where.lane == "sidewalk" else "roadside", "side": edge or "right", "said": True}

@@ -215,23 +215,23 @@ def _builder(cid: str) -> Callable[[dict[str, Any]], tuple[AnySpec, tuple[Unmet,
         left = value.pop("unmet", "")
         if "model" in value and not BLUEPRINT.fullmatch(value["model"]):
             del value["model"]
-        for condition in [*value.get("require", ()), *value.get("terminate_when", ())]:
-            _examine(condition)
+        for name in ("require", "terminate_when"):
+            if name in value:
+                value[name] = [c for c in value[name] if _says_something(c)]
         unmet = (Unmet(text=left, reason="the form has no field for it"),) if left.strip() else ()
         return SPEC_OF[cid[0]].model_validate(value), unmet
 
     return build
 
 
-def _examine(condition: dict[str, Any]) -> None:
-    """Set a condition right where that is certain; raises ValueError where it says nothing."""
+def _says_something(condition: dict[str, Any]) -> bool:
+    """Whether a condition is about two objects where it must be; turned bounds are set right."""
     low, high = condition.get("minimum"), condition.get("maximum")
     if low is not None and high is not None and low > high:
         condition["minimum"], condition["maximum"] = high, low
     if condition["kind"] in _OF_TWO:
         condition.setdefault("other", "ego")
-        if condition["other"] == condition.get("subject", "ego"):
-            raise ValueError(f"a condition of kind {condition['kind']} needs two different objects: subject and other")
+    return condition["kind"] not in _OF_TWO or condition["other"] != condition.get("subject", "ego")
 
 
 def share_without_fallback(structure: Structure) -> float:

@@ -1,0 +1,65 @@
+"""Refinements without a model: the common forms of change become edits that touch only what was meant."""
+
+import re
+from typing import Any
+
+from c2s_engine.interpret import changes, describe, scan
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import Edit, EditError, SetField, apply
+
+Found = tuple[list[Edit], str]
+
+
+def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
+    """The edits that a text asks for and what each does, in order; empty where nothing was understood."""
+    edits: list[Edit] = []
+    said: list[str] = []
+    current = structure
+    for clause in clauses_of(text):
+        for form in changes.FORMS:
+            found = form(clause, current)
+            if found is None:
+                continue
+            new, words = found
+            try:
+                for edit in new:
+                    current = apply(current, edit)
+            except EditError as error:
+                said.append(str(error))
+                break
+            edits += new
+            said.append(words)
+            break
+    return [*edits, *_described(structure, current)], said
+
+
+def _described(before: Structure, after: Structure) -> list[Edit]:
+    """The sentences of the components whose specs changed."""
+    names = {c.id: c.spec.name for c in after.objects}  # type: ignore[union-attr]
+    edits: list[Edit] = []
+    for component in after.components:
+        if component.id in before and before[component.id].spec == component.spec or component.id == "T":
+            continue
+        spec: Any = component.spec
+        if component.id == "E":
+            words = describe.ego(spec, after.place.spec, names)  # type: ignore[arg-type]
+        elif component.id.startswith("O"):
+            words = describe.obj(spec, names)
+        else:
+            words = describe.place(spec) if component.id == "R" else describe.settings(spec)
+        if words != component.description:
+            edits.append(SetField(component=component.id, path="description", value=words))
+    return edits
+
+
+def clauses_of(text: str) -> list[str]:
+    """The single demands of a text: "make the lead a truck and remove the rain" has two."""
+    plain = " ".join(scan.normalised(text).replace("?", " ").replace("!", " ").split())
+    plain = re.sub(r"^(can|could|would|will) (you|we) (please )?", "", plain)
+    plain = re.sub(r"^(please|now|then|also|ok|okay|so|well)[, ]+", "", plain)
+    starts = r"(?:make|change|turn|replace|swap|remove|delete|drop|add|put|move|let|set|use|have|increase|reduce|slow|speed|start|the \w+ (?:should|must|drives?|is|brakes?|stops?)|ego (?:should|must|drives?|is|brakes?|stops?)|at night|in the|it (?:should|is))"
+    parts = re.split(rf"(?:[.;]\s+|,?\s+(?:and|then|but)\s+(?={starts}\b)|,\s+(?={starts}\b))", plain)
+    return [p.strip(" .,;") for p in parts if p.strip(" .,;")]
+
+
+__all__: list[Any] = ["clauses_of", "edits_of"]

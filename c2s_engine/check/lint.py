@@ -131,7 +131,9 @@ def _member(node: ast.Attribute) -> list[Diagnostic]:
     members = worlds.enumerations().get(node.value.id) if isinstance(node.value, ast.Name) else None
     if members is None or node.attr in members or node.attr.startswith("guess"):
         return []
-    near = next((m for m in members if m.startswith(node.attr) or node.attr.startswith(m)), None) or _near(node.attr, members)
+    near = next((m for m in members if m.startswith(node.attr) or node.attr.startswith(m)), None) or _near(
+        node.attr, members
+    )
     whole = f"{node.value.id}.{node.attr}"  # type: ignore[attr-defined]
     fixed = f"{node.value.id}.{near}" if near else ""  # type: ignore[attr-defined]
     return [

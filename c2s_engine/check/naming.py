@@ -96,6 +96,4 @@ class Names:
     def positions(self, scenario: Any, scene: Any) -> dict[str, tuple[float, float, float]]:
         """Where each object stands at the start: x, y in m, heading in rad."""
         names, _ = self.of(scenario, scene)
-        return {
-            names[id(o)]: (float(o.position.x), float(o.position.y), float(o.heading)) for o in scene.objects
-        }
+        return {names[id(o)]: (float(o.position.x), float(o.position.y), float(o.heading)) for o in scene.objects}

@@ -16,9 +16,12 @@ _SPECIFIER = (
 
 def upgraded(text: str, filename: str) -> str:
     """The program in Scenic 3; raises what the parser raises where that needs more than certain edits."""
-    error = _error(text, filename)
-    if error is None and not _objects_without_new(text, filename):
-        return text
+    first: Exception | None = None
+    try:
+        if not _objects_without_new(pieces.parse(text, filename)):
+            return text
+    except Exception as error:
+        first = error
     newer = _insert_new(text)
     for _ in range(ROUNDS):
         error = _error(newer, filename)
@@ -29,7 +32,7 @@ def upgraded(text: str, filename: str) -> str:
         if found.code not in CERTAIN or found.edit is None:
             break
         newer = fixes.apply_fixes(newer, [found])
-    raise _error(text, filename) or error  # type: ignore[misc]
+    raise first or error
 
 
 def _error(text: str, filename: str) -> Exception | None:
@@ -40,7 +43,7 @@ def _error(text: str, filename: str) -> Exception | None:
     return None
 
 
-def _objects_without_new(text: str, filename: str) -> bool:
+def _objects_without_new(tree: Any) -> bool:
     """Whether a class is used where only an object makes sense: `Car at x` parses, but as an operator."""
     from scenic.syntax import ast as s
 
@@ -48,7 +51,7 @@ def _objects_without_new(text: str, filename: str) -> bool:
 
     known = set(table()["types"]) | set(table()["points"])
     operators = tuple(k for k in (getattr(s, n, None) for n in ("FieldAtOp", "AtOp", "OffsetAlongOp")) if k)
-    for node in ast.walk(pieces.parse(text, filename)):
+    for node in ast.walk(tree):
         if isinstance(node, operators):
             left: Any = getattr(node, "left", None) or getattr(node, "base", None)
             if isinstance(left, ast.Name) and left.id in known:

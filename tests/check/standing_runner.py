@@ -16,9 +16,9 @@ def run_scene(
     map_path: str,
 ) -> tuple[RunFacts, Trajectories | None]:
     """Run the scene's behaviours with nothing moving; the facts name each object with its component."""
-    from scenic.core.simulators import Simulation, Simulator
+    from scenic.domains.driving.simulators import DrivingSimulation, DrivingSimulator
 
-    class StillSimulation(Simulation):
+    class StillSimulation(DrivingSimulation):
         def createObjectInSimulator(self, obj: Any) -> None:
             pass
 
@@ -31,8 +31,8 @@ def run_scene(
         def getProperties(self, obj: Any, properties: Any) -> dict[str, Any]:
             return {name: getattr(obj, name) for name in properties}
 
-    class StillSimulator(Simulator):
-        def createSimulation(self, scene: Any, **kwargs: Any) -> Simulation:
+    class StillSimulator(DrivingSimulator):
+        def createSimulation(self, scene: Any, **kwargs: Any) -> DrivingSimulation:
             return StillSimulation(scene, **kwargs)
 
     StillSimulator().createSimulation(scene, maxSteps=5, name="still", timestep=0.1)

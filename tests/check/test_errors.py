@@ -22,7 +22,9 @@ def request(row: dict, program: str) -> CheckRequest:
         FragmentSpan(component="G", first=1, last=count),
         FragmentSpan(component="O1", first=count + 1, last=count + max(1, row["code"].count("\n"))),
     )
-    return CheckRequest(program=program, folder=str(paths.shipped("maps")), spans=spans, limits=LIMITS, upto=row.get("upto", "sample"))
+    return CheckRequest(
+        program=program, folder=str(paths.shipped("maps")), spans=spans, limits=LIMITS, upto=row.get("upto", "sample")
+    )
 
 
 @pytest.mark.parametrize("name", TABLE["rows"])

@@ -1,0 +1,57 @@
+"""What is compiled piece by piece in a forked process is what Scenic compiles, and the same scenes are drawn from it."""
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from c2s_engine import paths
+from c2s_engine.check.client import SyncCheckClient
+from c2s_engine.check.protocol import CheckRequest
+
+HERE = Path(__file__).parent
+PROGRAMS = sorted((HERE / "programs").glob("*.scenic"))
+
+
+def stock(folder: Path, programs: list[Path]) -> dict[str, dict]:
+    """Scenic's own results, from copies beside a copy of the map (it writes a cache there)."""
+    shutil.copy(paths.shipped("maps", "town.xodr"), folder)
+    copies = [str(shutil.copy(p, folder)) for p in programs]
+    command = [sys.executable, str(HERE / "stock.py"), str(paths.shipped("standins")), *copies]
+    out = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    return {r["name"]: r for r in map(json.loads, out.splitlines())}
+
+
+def compare(server: SyncCheckClient, folder: Path, programs: list[Path]) -> None:
+    expected = stock(folder, programs)
+    for path in programs:
+        program = path.read_text(encoding="utf-8")
+        report = server.check(CheckRequest(program=program, folder=str(paths.shipped("maps")), seed=3))
+        want = expected[path.stem]
+        assert report.ast_hash == want["hash"], path.stem
+        assert report.ok == ("scene" in want), path.stem
+        if report.ok:
+            assert list(report.iterations) == [want["iterations"]], path.stem
+            drawn = [tuple(v) for v in report.scenes[0].values()]
+            assert drawn == [tuple(v) for v in want["scene"]], path.stem
+
+
+@pytest.mark.full
+def test_the_same_hashes_and_scenes(server: SyncCheckClient, tmp_path: Path) -> None:
+    compare(server, tmp_path, PROGRAMS)
+
+
+@pytest.mark.full
+def test_edited_pieces_compile_as_the_whole(server: SyncCheckClient, tmp_path: Path) -> None:
+    """The pieces that are kept from other programs are moved to other lines, and requirements are renumbered."""
+    made = []
+    for path in PROGRAMS[:8]:
+        text = path.read_text(encoding="utf-8").replace("\n\n", "\n\n# another line\n\nrequire 1 < 2\n", 1)
+        made.append(tmp_path / f"moved_{path.stem}.scenic")
+        made[-1].write_text(text)
+    target = tmp_path / "stock"
+    target.mkdir()
+    compare(server, target, made)

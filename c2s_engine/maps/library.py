@@ -15,7 +15,7 @@ CARLA_TOWN = re.compile(r"Town[0-9]{2}[A-Za-z_]*")
 
 
 class MapNotFound(LookupError):
-    """No map of that name; the message names those that there are."""
+    """No map of that name, or none that can be used; the message says which there are, or what to do."""
 
 
 @dataclass(frozen=True)
@@ -69,13 +69,19 @@ class MapLibrary:
         raise MapNotFound(f"There is no map named {text}. Known maps: {', '.join(files)}.{hint}")
 
     def working_copy(self, map_file: MapFile) -> Path:
-        """A copy in the cache folder, where Scenic may put its own cache beside it."""
+        """A copy in the cache folder, where Scenic may put its own cache beside it; raises MapNotFound."""
         target = paths.cache_folder() / "maps" / map_file.digest / f"{map_file.name}.xodr"
         if not target.is_file():
-            target.parent.mkdir(parents=True, exist_ok=True)
-            draft = target.with_name(f".{target.name}.{os.getpid()}")
-            shutil.copyfile(map_file.path, draft)
-            draft.replace(target)
+            try:
+                target.parent.mkdir(parents=True, exist_ok=True)
+                draft = target.with_name(f".{target.name}.{os.getpid()}")
+                shutil.copyfile(map_file.path, draft)
+                draft.replace(target)
+            except OSError as error:
+                raise MapNotFound(
+                    f"The map {map_file.name} cannot be copied to {target.parent}: {error.strerror or error}. "
+                    "Set XDG_CACHE_HOME to a folder that can be written."
+                ) from None
         return target
 
     def _files(self) -> dict[str, Path]:

@@ -82,3 +82,10 @@ def test_the_front_can_use_it_without_scenic():
         "sys.exit(any(m in sys.modules for m in ('scenic', 'numpy')))"
     )
     assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0
+
+
+def test_a_cache_that_cannot_be_written_is_said(tmp_path, monkeypatch):
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "file"))
+    with pytest.raises(MapNotFound, match="Set XDG_CACHE_HOME"):
+        MapLibrary().working_copy(MapLibrary().find("town"))

@@ -181,6 +181,13 @@ class Actions(Start, Files, Choices):
             f"{len(text.splitlines())} lines sent to the terminal's clipboard; /save writes a file.", markup=False
         )
 
+    async def do_finding(self: Any, _: str) -> None:
+        self.go_to("code")
+        self.code.next_finding()
+
+    async def do_fix(self: Any, _: str) -> None:
+        self.code.take_fix()
+
     async def do_picture(self: Any, _: str) -> None:
         self.app.notify("There is no run to show: F5 runs the program.", markup=False)
 

@@ -309,6 +309,9 @@ class Workbench(Actions, Screen):
     def _pane(self, name: str) -> Any:
         return {"chat": self.chat, "sheet": self.sheet, "code": self.code}[name]
 
+    def on_resize(self) -> None:
+        self.call_after_refresh(self.show_status)
+
     def go_to(self, name: str) -> None:
         """Bring a pane to the front (narrow) and focus it. Hand edits are committed when the code is left."""
         for other in self.PANES:

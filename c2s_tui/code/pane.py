@@ -25,10 +25,6 @@ class CodePane(Vertical):
     BORDER_TITLE = "code"
     HELP_NAME = "code"
     BINDINGS = [
-        Binding(
-            "f8", "problem(1)", "Next finding", show=False, id="code.next_problem", tooltip="Go to the next finding"
-        ),
-        Binding("ctrl+t", "fix", "Take fix", show=False, id="code.fix", tooltip="Apply the fix offered for this line"),
         Binding("ctrl+g", "external", "$EDITOR", show=False, id="code.external", tooltip="Edit the program in $EDITOR"),
         Binding("escape", "drop", "Back", show=False, id="code.leave", tooltip="Cancel what runs"),
     ]
@@ -155,7 +151,8 @@ class CodePane(Vertical):
             self.gutter.show(here=span.component)
             self.post_message(Picked(span.component, "code", line))
 
-    def action_problem(self, by: int) -> None:
+    def next_finding(self) -> None:
+        """Go to the next line that has a finding."""
         lines = sorted(self.area.problems)
         if lines:
             here = self.area.cursor_location[0] + 1
@@ -163,7 +160,7 @@ class CodePane(Vertical):
             self.area.focus()
             self.area.move_cursor((after - 1, 0), center=True)
 
-    def action_fix(self) -> None:
+    def take_fix(self) -> None:
         """Apply the fix that the finding at the cursor offers."""
         found = self.finding
         if found is None or found.edit is None:

@@ -11,7 +11,7 @@ from c2s_engine.structure.components import Assumption, Component, Link, Structu
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult, TextEdit
 from c2s_engine.structure.edits import Replace, apply, references
 from c2s_engine.structure.facts import EventFact, ObjectFacts, RunFacts, Track, Trajectories
-from c2s_engine.structure.program import Program, assemble
+from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import (
     ComponentState,
     Finished,
@@ -338,6 +338,3 @@ def describing() -> dict[str, Script]:
             )
         ),
     }
-
-
-__all__ = ["CUT_IN", "Program", "Script", "ScriptedEngine", "describing"]

@@ -1,0 +1,132 @@
+"""The app on the scripted engine, with real sessions in a folder of the test's own."""
+
+import asyncio
+from collections.abc import Awaitable, Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from pytest_textual_snapshot import SVGImageExtension
+from textual.widgets import Input, TextArea
+
+from c2s_tui.app import C2SApp
+from c2s_tui.backend import Backend
+from c2s_tui.prefs import Prefs
+from scripted_engine import ScriptedEngine, describing
+
+SNAPSHOTS = Path(__file__).parents[2] / "snapshots"
+
+
+@pytest.fixture(autouse=True, scope="session")
+def _pictures_in_the_top_folder() -> None:
+    SVGImageExtension.dirname = classmethod(
+        lambda cls, *, test_location: str(SNAPSHOTS / Path(test_location.filepath).stem)
+    )
+
+
+@pytest.fixture(autouse=True)
+def _homes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("CACHE", "DATA", "CONFIG"):
+        monkeypatch.setenv(f"XDG_{name}_HOME", str(tmp_path / name.lower()))
+    for name in ("NO_COLOR", "TMUX", "C2S_ASCII"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("TERM", "xterm-256color")
+
+
+class Stage:
+    """One app with its engine; `flow` steps wait for what they wait for, never for time."""
+
+    def __init__(self, folder: Path):
+        self.engine = ScriptedEngine(scripts=describing())
+        self.folder = folder
+        self.backends: list[Backend] = []
+        self.app: Any = None
+
+    def make(self, session: str | None = "demo", prefs: Prefs | None = None, file: Path | None = None) -> C2SApp:
+        """An app on the engine as it is set up now."""
+        backend = Backend(lambda: self.engine, self.folder)
+        self.backends.append(backend)
+        self.app = C2SApp(backend=backend, session=session, file=file, prefs=prefs or Prefs(welcomed=True))
+        return self.app
+
+    @property
+    def bench(self) -> Any:
+        return self.app.workbench
+
+    @property
+    def said(self) -> list[str]:
+        """The lines of the conversation."""
+        return [line.plain for line in self.bench.query("Line")]
+
+    async def until(self, pilot: Any, holds: Callable[[], Any]) -> None:
+        """Let the app work until something holds."""
+        for _ in range(3000):
+            if holds():
+                await pilot.pause()
+                return
+            await asyncio.sleep(0.01)
+        raise AssertionError(f"this never came to hold; the chat says {self.said[-3:]}")
+
+    async def ready(self, pilot: Any) -> None:
+        await self.until(pilot, lambda: self.bench is not None and self.bench.ready)
+
+    async def idle(self, pilot: Any) -> None:
+        await self.until(pilot, lambda: not self.bench.busy)
+        await pilot.pause()
+
+    async def say(self, pilot: Any, text: str, wait: bool = True) -> None:
+        """Type a line into the chat and send it; wait for the turn's end."""
+        before = len(self.said)
+        self.bench.chat.entry.put(text)
+        self.bench.chat.entry.focus()
+        await pilot.press("enter")
+        if wait:
+            await self.until(pilot, lambda: len(self.said) > before and not self.bench.busy)
+            await pilot.pause()
+
+    async def to_row(self, pilot: Any, key: str) -> None:
+        """Put the cursor of the structure pane on a row."""
+        self.bench.go_to("sheet")
+        await self.until(pilot, lambda: self.bench.sheet.has_focus)
+        self.bench.sheet._go([row.key for row in self.bench.sheet.rows].index(key))
+        await pilot.pause()
+
+    async def type_over(self, pilot: Any, text: str) -> None:
+        """Replace what stands in the focused line and press Enter."""
+        await self.until(pilot, lambda: isinstance(self.app.focused, Input))
+        self.app.focused.value = text
+        await pilot.press("enter")
+        await self.idle(pilot)
+
+    async def still(self, pilot: Any) -> None:
+        """Stop what blinks, and let the last drawing be done."""
+        for area in [*self.app.screen.query(TextArea), *self.app.screen.query(Input)]:
+            area.cursor_blink = False
+        self.app.clear_notifications()
+        await pilot.pause()
+        await pilot.pause()
+
+
+@pytest.fixture
+def stage(tmp_path: Path) -> Iterator[Stage]:
+    found = Stage(tmp_path / "sessions")
+    yield found
+    for backend in found.backends:
+        asyncio.run(backend.close())
+
+
+@pytest.fixture
+def compare(snap_compare: Any, stage: Stage) -> Callable[..., bool]:
+    """Run a flow on a fresh app and compare the picture; the flow asserts the state first."""
+
+    def run(flow: Callable[[Any], Awaitable[None]], size: tuple[int, int] = (140, 45), **options: Any) -> bool:
+        app = stage.make(**options)
+
+        async def before(pilot: Any) -> None:
+            await stage.ready(pilot)
+            await flow(pilot)
+            await stage.still(pilot)
+
+        return snap_compare(app, terminal_size=size, run_before=before)
+
+    return run

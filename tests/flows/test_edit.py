@@ -1,0 +1,217 @@
+"""Edits of S and of the code, and back."""
+
+import threading
+
+from scripted_engine import CUT_IN
+
+from c2s_engine.structure.edits import SetField
+
+
+def test_edit_an_object_shows_its_reach_and_rewrites_only_that(stage, compare):
+    async def flow(pilot):
+        await stage.say(pilot, CUT_IN)
+        before = stage.bench.desk.program
+        await stage.to_row(pilot, "E:speed")
+        await pilot.press("enter")
+        await stage.until(
+            pilot, lambda: stage.bench.sheet.editor is not None and stage.bench.sheet.editor.query("Input")
+        )
+        stage.app.focused.value = "60"
+        await stage.until(pilot, lambda: stage.bench.sheet.reached)
+        assert stage.bench.sheet.reached == {"E", "O1", "T"}
+        await pilot.press("enter")
+        await stage.idle(pilot)
+        await stage.until(pilot, lambda: stage.bench.sheet.editor is None)
+        desk = stage.bench.desk
+        assert desk.structure["E"].spec.speed == 16.6667
+        assert set(desk.rewritten) == {"E", "O1", "T"}
+        assert desk.program.fragment("G") == before.fragment("G")
+        assert desk.program.fragment("E") != before.fragment("E")
+
+    assert compare(flow)
+
+
+def test_the_reach_is_shown_before_the_edit_is_made(stage, compare):
+    async def flow(pilot):
+        await stage.say(pilot, CUT_IN)
+        await stage.to_row(pilot, "O1:type")
+        await pilot.press("enter")
+        await stage.until(
+            pilot, lambda: stage.bench.sheet.editor is not None and stage.bench.sheet.editor.query("Input")
+        )
+        stage.app.focused.value = "bus"
+        await stage.until(pilot, lambda: stage.bench.sheet.reached)
+        assert stage.bench.sheet.reached == {"O1"}
+        assert stage.bench.desk.structure["O1"].spec.type == "van"
+
+    assert compare(flow)
+
+
+def test_a_refused_value_is_explained_at_the_field(stage, compare):
+    async def flow(pilot):
+        await stage.say(pilot, CUT_IN)
+        await stage.to_row(pilot, "O1:type")
+        await pilot.press("enter")
+        await stage.type_over(pilot, "submarine")
+        assert stage.bench.sheet.editor is not None
+        assert stage.bench.desk.structure["O1"].spec.type == "van"
+
+    assert compare(flow, size=(80, 24))
+
+
+def test_undo_and_redo(stage, compare):
+    async def flow(pilot):
+        await stage.say(pilot, CUT_IN)
+        first = stage.bench.desk.program.text
+        await stage.to_row(pilot, "O1:placement")
+        await stage.bench.make_edits((SetField(component="O1", path="placement.gap", value=25.0),))
+        await stage.idle(pilot)
+        second = stage.bench.desk.program.text
+        assert "> 25.0" in second and second != first
+        stage.bench.sheet.focus()
+        await pilot.press("u")
+        await stage.until(pilot, lambda: not stage.bench.busy and stage.bench.code.area.text == first)
+        await pilot.press("ctrl+y")
+        await stage.until(pilot, lambda: not stage.bench.busy and stage.bench.code.area.text == second)
+        assert stage.bench.session.can_undo and not stage.bench.session.can_redo
+
+    assert compare(flow)
+
+
+async def test_objects_are_added_moved_and_removed(stage):
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, CUT_IN)
+        await stage.to_row(pilot, "add")
+        await pilot.press("enter")
+        await stage.type_over(pilot, "pedestrian")
+        await stage.until(pilot, lambda: "O2" in stage.bench.desk.structure and not stage.bench.busy)
+        assert stage.bench.desk.structure["O2"].spec.type == "pedestrian"
+        await stage.to_row(pilot, "O2")
+        await pilot.press("K")
+        await stage.until(pilot, lambda: stage.bench.desk.structure.ids == ("G", "R", "E", "O2", "O1", "T"))
+        await stage.idle(pilot)
+        await stage.to_row(pilot, "O2")
+        await pilot.press("x")
+        await stage.until(pilot, lambda: "O2" not in stage.bench.desk.structure and not stage.bench.busy)
+        assert stage.bench.desk.program.span_of("O2") is None
+
+
+async def test_a_phase_is_added_and_removed(stage):
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, CUT_IN)
+        await stage.to_row(pilot, "O1")
+        await pilot.press("space")
+        await stage.to_row(pilot, "O1:phases")
+        await pilot.press("enter")
+        await stage.type_over(pilot, "brake")
+        phases = stage.bench.desk.structure["O1"].spec.phases
+        assert [p.action for p in phases] == ["cut_in", "brake"]
+        await stage.to_row(pilot, "O1:phases.0")
+        await pilot.press("x")
+        await stage.until(pilot, lambda: len(stage.bench.desk.structure["O1"].spec.phases) == 1)
+        await stage.idle(pilot)
+
+
+async def test_newer_edits_take_along_those_still_being_written(stage):
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, CUT_IN)
+        stage.engine.gate, stage.engine.gated_at = threading.Event(), "write"
+        await stage.bench.make_edits((SetField(component="E", path="speed", value=20.0),))
+        await stage.until(pilot, lambda: ("apply", ["field"]) in stage.engine.calls)
+        await stage.bench.make_edits((SetField(component="O1", path="type", value="bus"),))
+        await stage.until(pilot, lambda: ("apply", ["field", "field"]) in stage.engine.calls)
+        stage.engine.gate.set()
+        await stage.idle(pilot)
+        structure = stage.bench.session.structure
+        assert structure["E"].spec.speed == 20.0 and structure["O1"].spec.type == "bus"
+        assert len(stage.bench.session.history) == 2
+
+
+async def test_the_panes_follow_each_other(stage):
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, CUT_IN)
+        await stage.to_row(pilot, "O1")
+        area, span = stage.bench.code.area, stage.bench.desk.program.span_of("O1")
+        await stage.until(pilot, lambda: area.cursor_location[0] + 1 == span.first)
+        await pilot.press("f4")
+        await stage.until(pilot, lambda: area.has_focus)
+        area.move_cursor((stage.bench.desk.program.span_of("E").first, 0))
+        await stage.until(pilot, lambda: stage.bench.sheet.here.cid == "E")
+
+
+def test_hand_edit_and_conflict(stage, compare):
+    async def flow(pilot):
+        await stage.say(pilot, CUT_IN)
+        await pilot.press("f4")
+        await stage.until(pilot, lambda: stage.bench.code.area.has_focus)
+        area = stage.bench.code.area
+        area.text = area.text.replace("left of ego by 3.5", "left of ego by 4.0")
+        await pilot.press("f5")
+        await stage.until(pilot, lambda: stage.bench.session.structure["O1"].origin == "by_hand")
+        await stage.idle(pilot)
+        assert stage.bench.desk.state(stage.bench.desk.structure["O1"]) == "by_hand"
+        assert "by 4.0" in stage.bench.session.program.text and not stage.bench.code.edited
+        await stage.bench.make_edits((SetField(component="O1", path="placement.gap", value=25.0),))
+        await stage.until(pilot, lambda: stage.bench.desk.structure["O1"].conflict and not stage.bench.busy)
+        assert "by 4.0" in stage.bench.desk.program.text  # what was written by hand stands
+        await stage.to_row(pilot, "O1:conflict")
+        await pilot.press("enter")
+        await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Conflict")
+
+    assert compare(flow)
+
+
+async def test_a_conflict_is_decided_either_way(stage):
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, CUT_IN)
+        for key, expected in (("m", "by 4.0"), ("t", "by 3.5")):
+            area = stage.bench.code.area
+            area.text = area.text.replace("left of ego by 3.5", "left of ego by 4.0")
+            stage.bench.code.commit()
+            await pilot.pause()
+            await stage.idle(pilot)
+            gap = stage.bench.desk.structure["O1"].spec.placement.gap + 5
+            await stage.bench.make_edits((SetField(component="O1", path="placement.gap", value=gap),))
+            await stage.until(pilot, lambda: stage.bench.desk.structure["O1"].conflict and not stage.bench.busy)
+            await stage.bench.run_command("conflict")
+            await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Conflict")
+            await pilot.press(key)
+            await stage.until(pilot, lambda: stage.bench.session.structure["O1"].conflict is None)
+            await stage.idle(pilot)
+            assert expected in stage.bench.desk.program.fragment("O1")
+
+
+def test_compile_error_and_fix(stage, compare):
+    async def flow(pilot):
+        await stage.say(pilot, CUT_IN)
+        await pilot.press("f4")
+        await stage.until(pilot, lambda: stage.bench.code.area.has_focus)
+        area = stage.bench.code.area
+        area.text = area.text.replace("with behavior VanBehavior", "with behavior VanBehaviour")
+        await stage.until(pilot, lambda: stage.bench.code.area.problems)  # checked while it is typed
+        await pilot.press("f8")
+        await stage.until(pilot, lambda: stage.bench.code.finding is not None)
+        assert stage.bench.code.finding.component == "O1"
+
+    assert compare(flow)
+
+
+async def test_the_offered_fix_is_taken(stage):
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, CUT_IN)
+        area = stage.bench.code.area
+        area.text = area.text.replace("with behavior VanBehavior", "with behavior VanBehaviour")
+        await pilot.press("f5")
+        await stage.until(pilot, lambda: stage.bench.desk.diagnostics and not stage.bench.busy)
+        assert stage.bench.desk.state(stage.bench.desk.structure["O1"]) == "failed"
+        assert "fix: VanBehavior is defined above" in stage.said[-1]
+        await pilot.press("f8")
+        await pilot.press("ctrl+t")
+        await stage.until(pilot, lambda: not stage.bench.desk.diagnostics and not stage.bench.busy)
+        assert "VanBehaviour" not in stage.bench.session.program.text

@@ -147,6 +147,7 @@ class Clauses:
         """(agent, its word, whether the verb is passive)."""
         passive = any(self.words[c].dep in ("auxpass",) for c in word.children) or any(self.words[c].dep == "nsubjpass" for c in word.children)
         subjects = [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass", "csubj")]
+        subjects.sort(key=lambda c: (c > word.i, -c))
         if passive:
             for child in word.children:
                 if self.words[child].dep == "agent" or self.words[child].norm == "by" and self.words[child].dep == "prep":
@@ -351,6 +352,8 @@ class Clauses:
             then = Event("go_straight", event.agent, word.i, text, whole, order=word.i + 0.1, mode=self._mode(word), words=[word.i])
             self.events.append(then)
         event.words, event.mode, event.passive = own, self._mode(word), passive
+        if event.act == "stop" and passive and event.agent is agent and not re.search(r"\bby @", whole):
+            event.act = "stationary"
         event.start, event.end = self.words[own[0]].start, self.words[own[-1]].end
         event.quantities = self._quantities(own)
         if word.dep in ("advcl", "relcl", "pcomp", "ccomp") or word.dep == "conj":

@@ -1,10 +1,11 @@
 """The embedded interpreter: text to S by rules over a parsed text, without a language model."""
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from c2s_engine.interpret import compose, scene
+from c2s_engine.interpret import compose, language, scan, scene
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.structure.components import Structure, Unmet
 
@@ -38,7 +39,8 @@ class EmbeddedInterpreter:
         if not text.strip():
             raise InterpretError("The text is empty: describe a driving scene, for example “a car cuts in ahead of ego”.")
         head = text[:READ_AT_MOST]
-        understood = scene.understand(head)
+        meant = typology(head)
+        understood = scene.understand(f"{head} {meant}" if meant and _adds(head) else meant or head)
         if not _has_scene(understood):
             raise InterpretError(
                 "Nothing in the text tells of a driving scene: name the vehicles or people, where they are and what they do."
@@ -47,6 +49,26 @@ class EmbeddedInterpreter:
         missed = _missed(understood, text)
         result = result.model_copy(update={"text": text, "not_understood": tuple(missed)})
         return Interpretation(result, tuple(missed), _stages(understood), understood.settings.confidences())
+
+
+def typology(text: str) -> str | None:
+    """What a text means in plain words that is little more than the name of a crash type."""
+    table = language.table("typologies")
+    plain = " ".join(scan.normalised(text).split()).strip(" .")
+    if len(plain.split()) > table["words_at_most"]:
+        return None
+    for entry in table["types"]:
+        if re.search(entry["find"], plain) and not ("not" in entry and re.search(entry["not"], plain)):
+            rest = re.sub(entry["find"], " ", plain)
+            detail = [s for s in scan.names(rest) if s.kind in ("ego", "actor", "label")]
+            return None if len(detail) >= 2 else entry["means"]
+    return None
+
+
+def _adds(text: str) -> bool:
+    """Whether a text with a type's name says more (weather, a limit, a place): then both are read."""
+    plain = scan.normalised(text)
+    return bool(re.search(r"night|rain|fog|snow|wet|rural|urban|highway|motorway|limit|\d|dusk|dawn|day", plain))
 
 
 def _has_scene(found: Scene) -> bool:

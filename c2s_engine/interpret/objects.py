@@ -217,9 +217,10 @@ def _vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place:
             return {"position": f"{start}_lane", "along": "behind", "said": True}
         return {"position": f"{start}_lane", "along": _along(rel), "said": True}
     if "overtake" in acts and scene.does(entity, "overtake") is not None and (scene.does(entity, "overtake").patient is None or scene.does(entity, "overtake").patient.ego):  # type: ignore[union-attr]
-        if lane == "same" or place.oncoming or place.lanes in (None, 1) and place.kind not in ("motorway",):
+        if lane == "same" or (place.oncoming or place.lanes in (None, 1) and place.kind not in ("motorway",)) and _cut_side(scene, entity) != "right":
             return {"position": "behind", "said": True}
-        return {"position": "left_lane" if place.ego_lane != "leftmost" else "behind", "along": "behind", "said": True}
+        lateral = _cut_side(scene, entity) or "left"
+        return {"position": f"{lateral}_lane" if place.ego_lane != "leftmost" or lateral == "right" else "behind", "along": "behind", "said": True}
     if rel == "behind":
         return {"position": "behind", "said": True}
     if rel == "ahead" or "lead" in roles or lane == "same":

@@ -104,6 +104,8 @@ def _ego_on_ramp(scene: Scene) -> bool:
     for event in scene.events(scene.cast.ego):
         if re.search(r"on-?ramp|acceleration lane|slip road|entrance ramp|entry ramp|ramp|merg\w+ (on)?to the (motorway|highway|freeway|interstate)|join\w* (the |a )?(motorway|highway|freeway|interstate)", event.whole) and not re.search(r"@a\d", event.whole.split("ramp")[0][-25:]):
             return True
+        if event.act == "lane_change" and re.search(r"\bmerg\w+|join", event.text) and not any(scene.where(e).lane == "ramp" and re.search("from", " ".join(t for _, t in scene.where(e).phrases)) for e in scene.actors):
+            return True
     return False
 
 

@@ -133,7 +133,7 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
             return "follows" if text != "lets" else text
         if follows:
             return "goes"
-    elif follows and text in NOUN_LIKE and text.endswith("s") and regex.search(r"(?:,|\band|\bthen|\bbut|ly)\s*$", plain[max(0, start - 9) : start]):
+    elif follows and text in NOUN_LIKE and text.endswith("s") and regex.search(r"(?:in front|ahead|behind|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly)\s*$", plain[max(0, start - 9) : start]):
         return "goes"
     elif follows and text in BASE and (before is not None and before.kind != "quantity" or regex.search(r"\blanes\b|\bthey\s*$", plain[max(0, start - 28) : start])):
         return "go"

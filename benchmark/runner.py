@@ -9,8 +9,10 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from c2s_bench.host import REAL, EngineHost
+from c2s_bench.records import BenchmarkError
 from c2s_bench.store import Store
 from c2s_bench.tasks import Outcome, Task
+from c2s_bench.worker import READY
 
 from c2s_engine.paths import cache_folder
 
@@ -60,7 +62,7 @@ def _here(tasks: Sequence[Task], engine: str) -> Iterator[Outcome]:
 
 def _in_processes(tasks: Sequence[Task], jobs: int, engine: str, limit: float) -> Iterator[Outcome]:
     waiting: queue.SimpleQueue[Task] = queue.SimpleQueue()
-    done: queue.SimpleQueue[Outcome] = queue.SimpleQueue()
+    done: queue.SimpleQueue[Outcome | BenchmarkError] = queue.SimpleQueue()
     for task in tasks:
         waiting.put(task)
     workers = [_Worker(waiting, done, engine, limit) for _ in range(max(1, jobs))]
@@ -68,7 +70,10 @@ def _in_processes(tasks: Sequence[Task], jobs: int, engine: str, limit: float) -
         worker.start()
     try:
         for _ in tasks:
-            yield done.get()
+            outcome = done.get()
+            if isinstance(outcome, BenchmarkError):
+                raise outcome
+            yield outcome
     finally:
         for worker in workers:
             worker.stop()
@@ -89,7 +94,11 @@ class _Worker(threading.Thread):
                 task = self.waiting.get_nowait()
             except queue.Empty:
                 break
-            self.done.put(self._ask(task))
+            try:
+                self.done.put(self._ask(task))
+            except BenchmarkError as error:
+                self.done.put(error)
+                break
         self._end()
 
     def stop(self) -> None:
@@ -126,7 +135,7 @@ class _Worker(threading.Thread):
     def _start(self) -> subprocess.Popen[str]:
         _log().parent.mkdir(parents=True, exist_ok=True)
         with _log().open("a", encoding="utf-8") as log:
-            return subprocess.Popen(
+            process = subprocess.Popen(
                 [sys.executable, "-m", "c2s_bench.worker", self.engine],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
@@ -134,6 +143,12 @@ class _Worker(threading.Thread):
                 text=True,
                 encoding="utf-8",
             )
+        assert process.stdout
+        if process.stdout.readline() != READY and not self.stopped:
+            process.wait()
+            last = _log().read_text(encoding="utf-8", errors="replace").strip().splitlines()[-1:]
+            raise BenchmarkError(f"the engine cannot be started: {''.join(last) or 'no reason given'} (see {_log()})")
+        return process
 
     def _end(self) -> None:
         if self.process and self.process.stdin:

@@ -72,6 +72,11 @@ def test_a_process_that_dies_costs_its_record_only_and_is_tried_again(calls, own
     assert [Store().get(t.key) is not None for t in tasks] == [True, False, False]
 
 
+def test_an_engine_that_cannot_be_started_is_one_sentence(calls, own):
+    said = bench("--records", own, "--jobs", 1, "--engine", "bench_fake:nothing", code=1)
+    assert "the engine cannot be started" in said and "has no attribute 'nothing'" in said
+
+
 def test_nothing_that_could_be_run_is_one_sentence(calls, own):
     own.write_text(own.read_text().replace("text: ", "text: raise "))
     said = bench("--records", own, *FAKE, code=1)

@@ -121,7 +121,7 @@ def method(name: str, tools: MethodTools) -> Method:
         return _Plainly(ChatScene(client, tools.search, tools.embedded, tools.ground), name)
     assert client is not None
     if kind == "typed":
-        return TypedMethod(client, tools.embedded, tools.resolve, tools.writer)
+        return TypedMethod(client, tools.embedded, tools.resolve, tools.writer, tools.check)
     if kind == "nl2scenic":
         return _Plainly(NL2Scenic(client, tools.embed, rest or "few", tools.ground), name)
     repaired = kind in ("prompted", "mixed") or extra == "repair"
@@ -130,5 +130,7 @@ def method(name: str, tools: MethodTools) -> Method:
         embedded=tools.embedded, fix=tools.fix, ground=tools.ground,
     )  # fmt: skip
     if kind == "mixed":
-        return MixedMethod(TypedMethod(client, tools.embedded, tools.resolve, tools.writer), prompted, tools.check)
+        return MixedMethod(
+            TypedMethod(client, tools.embedded, tools.resolve, tools.writer, tools.check), prompted, tools.check
+        )
     return _Plainly(prompted, name)

@@ -8,8 +8,10 @@ from c2s_engine.interpret.llm.typed import Reading, TypedReader
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.structure.components import Assumption, ComponentId, Structure
 from c2s_engine.structure.diagnostics import Diagnostic
+from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Progress, Say
 from c2s_engine.structure.regenerate import regenerate
+from c2s_engine.write.prompted.checking import Check, first_error
 from c2s_engine.write.typed import ResolveError, TypedWriter, make_plan
 
 OnEvent = Callable[[Progress], None]
@@ -18,14 +20,22 @@ Resolve = Callable[[Structure], Awaitable[Diagnostic | None]]
 
 
 class TypedMethod:
-    """`resolve` says whether S has a place on a map; without it only contradictions between specs are found."""
+    """`resolve` says whether S has a place on a map; without it only contradictions between specs are found.
+
+    With `check`, what was written is sampled, and a component that no scene can be found with falls back too.
+    """
 
     name = "typed"
 
     def __init__(
-        self, client: OllamaClient, embedded: Any, resolve: Resolve | None = None, writer: TypedWriter | None = None
+        self,
+        client: OllamaClient,
+        embedded: Any,
+        resolve: Resolve | None = None,
+        writer: TypedWriter | None = None,
+        check: Check | None = None,
     ) -> None:
-        self.client, self.embedded, self.writer = client, embedded, writer
+        self.client, self.embedded, self.writer, self.check = client, embedded, writer, check
         self.resolve = resolve or contradiction
 
     async def interpret(self, text: str, on_event: OnEvent | None = None) -> Reading:
@@ -68,7 +78,39 @@ class TypedMethod:
     async def write(self, structure: Structure, on_event: OnEvent | None = None) -> Structure:
         """Render what is out of date; raises ResolveError."""
         assert self.writer is not None, "a method that renders specs needs its writer"
+        written = regenerate(structure, [], self.writer)[0]
+        if self.check is None or not structure.text or structure.ego.code:
+            return written
+        stand_in = fallback.Embedded(self.embedded, structure.text)
+        tried: set[ComponentId] = set()
+        while (problem := await self._unsampled(written)) is not None:
+            marked = {c.id for c in written.components if any(a.field == "*" for a in c.assumed)}
+            reading = Reading(structure=written, fallbacks=dict.fromkeys(marked | tried, ""))
+            culprit = next(iter(_suspects(reading, problem)), None)
+            if culprit is None or len(tried) >= TRIES:
+                return self._written(_whole(reading, stand_in.structure, problem).structure, problem, "All", on_event)
+            tried.add(culprit)
+            changed = _replaced(written, culprit, stand_in, problem.message)
+            if await contradiction(changed) is None:
+                written = self._written(changed, problem, culprit, on_event)
+        return written
+
+    def _written(self, structure: Structure, problem: Diagnostic, which: str, on_event: OnEvent | None) -> Structure:
+        if on_event:
+            text = f"{which}: read by the embedded interpreter instead of the model. {problem.message}."
+            on_event(Say(text=text, severity="warning"))
+        assert self.writer is not None
         return regenerate(structure, [], self.writer)[0]
+
+    async def _unsampled(self, structure: Structure) -> Diagnostic | None:
+        """Why no scene of the program can be sampled; none where one can."""
+        assert self.check is not None
+        program = assemble(structure)
+        return first_error(await self.check(program.text, program.spans, "sample"))
+
+
+TRIES = 3
+"""Components that fall back one by one because no scene is found, before the whole text is read by the embedded way."""
 
 
 async def contradiction(structure: Structure) -> Diagnostic | None:
@@ -83,7 +125,8 @@ async def contradiction(structure: Structure) -> Diagnostic | None:
 def _suspects(reading: Reading, problem: Diagnostic) -> list[ComponentId]:
     """The components that the model filled in, those that the problem names first."""
     structure = reading.structure
-    named = [f.split(".")[0] for f in (problem.text or problem.component or "").split(", ")]
+    fields = problem.text.split(", ") if problem.stage == "resolve" else [problem.component or ""]
+    named = [f.split(".")[0] for f in fields]
     objects = [o.id for o in structure.objects]
     first = [c for n in named for c in (objects if n == "O" else [n]) if c in structure]
     rest = [*reversed(objects), "R", "E", "T"]
@@ -95,7 +138,7 @@ def _replaced(structure: Structure, cid: ComponentId, stand_in: fallback.Embedde
     mark = Assumption(field="*", value="embedded interpreter", reason=reason)
     component = structure[cid]
     changed = component.model_copy(update={"spec": spec, "assumed": (*component.assumed, mark)})
-    return fallback.distinct_names(structure.with_component(changed))
+    return fallback.in_order(fallback.distinct_names(structure.with_component(changed)))
 
 
 def _whole(reading: Reading, structure: Structure, problem: Diagnostic) -> Reading:

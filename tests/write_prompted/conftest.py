@@ -7,13 +7,13 @@ import pytest
 
 from c2s_engine import paths
 from c2s_engine.check.client import SyncCheckClient
-from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits
+from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits, PlacesReport, PlacesRequest
 from tests.models.fixtures import client_of, server
 
 __all__ = ["client_of", "server"]
 
 
-LIMITS = Limits(sample_seconds=2, iterations=300)
+LIMITS = Limits(sample_seconds=1.5, iterations=300)
 
 
 class Checker:
@@ -29,6 +29,9 @@ class Checker:
         return self.client.check(
             CheckRequest(program=text, spans=tuple(spans), upto=upto, folder=folder, limits=LIMITS)
         )
+
+    async def places(self, request: PlacesRequest) -> PlacesReport:
+        return await asyncio.to_thread(self.client.places, request)
 
     async def __call__(self, text, spans=(), upto="sample") -> CheckReport:
         return await asyncio.to_thread(self.check, text, spans, upto)

@@ -11,6 +11,7 @@ from c2s_bench.tasks import Outcome, Setup, Task
 
 from c2s_engine.structure.progress import Finished, ProgramChanged, Say, Usage
 
+WARM_UP = "The ego follows a car on a straight road."
 REAL = "c2s_bench.host:real_engine"
 
 
@@ -60,9 +61,8 @@ class EngineHost:
         if key not in self._engines:
             manager = self._factory(setup)
             engine = await manager.__aenter__()
-            if hasattr(engine, "check_client"):
-                await engine.check_client.ready()  # its start is no part of any record's time
             self._engines[key] = (manager, engine)
+            await _warm(engine, setup)
         return self._engines[key][1]
 
     async def _run(self, task: Task) -> Outcome:
@@ -101,6 +101,15 @@ class EngineHost:
         for manager, _ in self._engines.values():
             await manager.__aexit__(None, None, None)
         self._engines.clear()
+
+
+async def _warm(engine: Any, setup: Setup) -> None:
+    """Load what the first text would load, so that starting up counts for no record. Models are left alone."""
+    if hasattr(engine, "check_client"):
+        await engine.check_client.ready()
+        if not setup.model:
+            async for _ in engine.generate(WARM_UP, method=setup.method, map=setup.map, run=False):
+                pass
 
 
 def _stage(stage: Any) -> dict[str, Any]:

@@ -37,8 +37,8 @@ def test_every_place_of_the_survey_is_there(names, extras):
         ({"kind": "straight", "lanes": 2, "oncoming": True, "sidewalk": True, "shoulder": True}, 900, 4),
         ({"kind": "straight", "lanes": 1, "speed_limit": 100 / 3.6}, 1200, 2),
         ({"kind": "straight", "sidewalk": True, "shoulder": True, "speed_limit": 50 / 3.6}, 500, 2),
-        ({"kind": "curve", "curve": "left", "speed_limit": 80 / 3.6, "shoulder": True}, 1200, 2),
-        ({"kind": "curve", "curve": "right", "speed_limit": 80 / 3.6}, 1200, 2),
+        ({"kind": "curve", "curve": "left", "speed_limit": 80 / 3.6, "shoulder": True}, 475, 2),
+        ({"kind": "curve", "curve": "right", "speed_limit": 80 / 3.6}, 475, 2),
         ({"kind": "straight", "lanes": 3, "oncoming": True}, 1000, 6),
         ({"kind": "straight", "lanes": 2, "oncoming": False, "sidewalk": True}, 400, 2),
         ({"kind": "crosswalk", "lanes": 2}, 150, 2),
@@ -119,3 +119,15 @@ def test_ways_that_turn_round_are_wide_enough_for_cars(names):
             area = abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2
             if area > 1e-6:
                 assert a.distance(b) * b.distance(c) * c.distance(a) / (4 * area) > 4.9
+
+
+def test_bends_begin_soon_after_their_lanes(names, extras):
+    """A car that starts with the lane is in the bend within 200 m, and has a road before and behind it."""
+    found = eval(place_code(PlaceSpec(kind="curve", oncoming=True), extras).expression, dict(names))
+    assert len(found) >= 10
+    for lane in found:
+        line = lane.centerline
+        early = line.pointAlongBy(200.5) - line.pointAlongBy(199.5)
+        late = line.pointAlongBy(330.5) - line.pointAlongBy(329.5)
+        assert abs((line[1] - line[0]).angleWith(late)) > 0.35 or abs(early.angleWith(line[-1] - line[-2])) > 0.2
+        assert abs((line[1] - line[0]).angleWith(early)) > 0.001

@@ -14,6 +14,7 @@ from scenic.core.dynamics.utils import StuckBehaviorWarning
 from scenic.core.simulators import TerminationType
 from scenic.simulators.carla import blueprints
 
+from c2s_engine.dryrun.outline import box_of, map_outline
 from c2s_engine.dryrun.recording import Recording
 from c2s_engine.dryrun.roads import index_of
 from c2s_engine.dryrun.world import DryRunSimulation
@@ -46,7 +47,10 @@ def run_scene(scene: Any, *, names: dict[int, str], components: dict[str, str], 
                 "objects": objects,
             }
         )
-    return facts, tracks_of(run.recording) if trajectories and run.recording is not None else None
+    if not trajectories or run.recording is None:
+        return facts, None
+    outline = map_outline(scene.workspace.network, box_of(run.recording), run.extras)
+    return facts, tracks_of(run.recording).model_copy(update={"outline": outline})
 
 
 class Run:

@@ -1,6 +1,5 @@
 """The dry-run world on Scenic's simulator interface: fake actors, our own stepping, and why a run ended."""
 
-import math
 import random
 from typing import Any
 
@@ -14,6 +13,7 @@ from c2s_engine.dryrun import actors as fake
 from c2s_engine.dryrun import controllers
 from c2s_engine.dryrun.contacts import Contacts
 from c2s_engine.dryrun.dynamics import SUBSTEP
+from c2s_engine.dryrun.fast import Mirror, lookups
 from c2s_engine.dryrun.lights import Lights
 from c2s_engine.dryrun.recording import Recorder
 from c2s_engine.dryrun.roads import RoadIndex
@@ -93,10 +93,11 @@ class DryRunSimulation(DrivingSimulation):
         self.crashed: float | None = None
         self.ended: TerminationType | None = None
         self.substeps = max(1, round(timestep / SUBSTEP))
-        self._turned: dict[int, tuple[Any, float]] = {}
-        super().__init__(
-            scene, maxSteps=max(1, round(seconds / timestep)), name="dry run", timestep=timestep, enableReplay=False
-        )
+        self.mirrors: dict[int, Mirror] = {}
+        with lookups(index.network) as self.found:
+            super().__init__(
+                scene, maxSteps=max(1, round(seconds / timestep)), name="dry run", timestep=timestep, enableReplay=False
+            )
 
     @property
     def client(self) -> Any:
@@ -228,28 +229,15 @@ class DryRunSimulation(DrivingSimulation):
         self.recorder.note_lights(now + self.timestep, self.lights.states())
 
     def getProperties(self, obj: Any, properties: set[str]) -> dict[str, Any]:
-        actor = obj.carlaActor
-        body = actor.body
-        vx, vy = body.velocity()
-        values = {
-            "position": Vector(body.x, body.y, actor.elevation),
-            "velocity": Vector(vx, vy, 0.0),
-            "speed": math.hypot(vx, vy),
-            "angularSpeed": body.yaw_rate,
-            "angularVelocity": Vector(0.0, 0.0, body.yaw_rate),
-            "yaw": math.remainder(body.heading - self._parent_yaw(obj), math.tau),
-            "pitch": 0.0,
-            "roll": 0.0,
-            "elevation": actor.elevation,
-        }
-        return {name: values[name] if name in values else getattr(obj, name) for name in properties}
+        raise NotImplementedError("objects are updated by their mirrors")
 
-    def _parent_yaw(self, obj: Any) -> float:
-        parent = obj.parentOrientation
-        known = self._turned.get(id(obj))
-        if known is None or known[0] is not parent:
-            known = self._turned[id(obj)] = (parent, float(parent.yaw))
-        return known[1]
+    def updateObjects(self) -> None:
+        self.found.clear()
+        for obj in self.objects:
+            mirror = self.mirrors.get(id(obj))
+            if mirror is None or mirror.parent is not obj.parentOrientation:
+                mirror = self.mirrors[id(obj)] = Mirror(obj, obj.carlaActor)
+            mirror.write()
 
     def currentState(self) -> tuple:
         """Scenic's own record is not used; the recorder keeps the ways."""

@@ -109,3 +109,4 @@ class Trajectories(_Frozen):
     step: float
     tracks: tuple[Track, ...]
     lights: tuple[tuple[float, str, str], ...] = ()
+    outline: dict[str, tuple[tuple[tuple[float, float], ...], ...]] = {}  # kind of road part -> polygons around it, m

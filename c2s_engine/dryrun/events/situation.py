@@ -110,7 +110,7 @@ class Situation:
         last = recording.steps - 1
         until = [last] * len(recording.paths)
         for time, i, j in recording.contacts:
-            at = min(last, int(time / self.step + 0.5))
+            at = min(last, int(time / self.step - 1e-6))
             until[i], until[j] = min(until[i], at), min(until[j], at)
         self.objects = [Seen(p, u, self) for p, u in zip(recording.paths, until, strict=True)]
         self.last = last

@@ -13,7 +13,7 @@ from tests.models.fixtures import client_of, server
 __all__ = ["client_of", "server"]
 
 
-LIMITS = Limits(sample_seconds=1.5, iterations=300)
+LIMITS = Limits(sample_seconds=30, iterations=150)
 
 
 class Checker:

@@ -44,14 +44,14 @@ class Embedded:
             partner = self._partners(sentences).get(cid)
             theirs = partner.spec if partner else self._by_itself(sentences, cid)
         back = {their.id: mine for mine, their in self._partners(sentences).items()}
-        return _renumbered(theirs, {"ego": "ego", **back})
+        return renumbered(theirs, {"ego": "ego", **back})
 
     def spec_among(self, cid: str, structure: Structure) -> AnySpec:
         """The spec that stands in for a component of an S."""
         objects = tuple(ObjectSentence(type=o.spec.type, sentence=o.description) for o in structure.objects)
         ids = {o.id: f"O{i + 1}" for i, o in enumerate(structure.objects)}
         found = self.spec(ids.get(cid, cid), Sentences(objects=objects))
-        return _renumbered(found, {"ego": "ego", **{mine: theirs for theirs, mine in ids.items()}})
+        return renumbered(found, {"ego": "ego", **{mine: theirs for theirs, mine in ids.items()}})
 
     def _partners(self, sentences: Sentences) -> dict[str, Component]:
         """Which embedded object is which of the model's: the likest first, by type and words in common."""
@@ -89,7 +89,7 @@ def _family(kind: str) -> str:
     return "person" if kind in words.PERSONS else "thing" if words.is_thing(kind) else "vehicle"
 
 
-def _renumbered(spec: AnySpec, ids: dict[str, str]) -> AnySpec:
+def renumbered(spec: AnySpec, ids: dict[str, str]) -> AnySpec:
     """The spec with its references translated; those without a counterpart are left out."""
 
     def walk(value: Any, key: str = "") -> Any:
@@ -107,7 +107,7 @@ def _renumbered(spec: AnySpec, ids: dict[str, str]) -> AnySpec:
 
 def without_references(spec: AnySpec) -> AnySpec:
     """The spec with its references to other objects left out."""
-    return _renumbered(spec, {"ego": "ego"})
+    return renumbered(spec, {"ego": "ego"})
 
 
 def distinct_names(structure: Structure) -> Structure:

@@ -1,0 +1,85 @@
+"""The prompts of every configuration as golden files, with their lengths: what a model is told must not drift unseen.
+
+`C2S_GOLDEN=1 pytest tests/write_prompted/test_prompted_golden.py` writes them anew.
+"""
+
+import os
+from pathlib import Path
+
+import pytest
+import yaml
+
+from c2s_engine.interpret.llm.components import ObjectSentence, Sentences
+from c2s_engine.models import approximate_tokens
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.progress import Passage
+from c2s_engine.structure.specs import ObjectSpec, SettingsSpec
+from c2s_engine.write.prompted.checking import with_code
+from c2s_engine.write.prompted.configuration import configuration, names
+from c2s_engine.write.prompted.header import Ground, settings_text
+from c2s_engine.write.prompted.prompt import generator_question
+from tests.write_prompted.programmer import EXAMPLE
+
+GOLDEN = Path(__file__).parent / "golden"
+NEAR = [Passage(kind="snippet", title="A van at the kerb.", text="van = new Van right of spot by 2", score=0.8)]
+CHUNKS = [Passage(kind="doc", title="Specifiers", text="A specifier sets properties.", score=0.5, clause="Syntax")]
+
+
+def scenario() -> Structure:
+    structure = Structure(
+        text=EXAMPLE.description, objects=tuple(Component(id=f"O{i}", spec=ObjectSpec()) for i in (1, 2))
+    )
+    for part in EXAMPLE.fragments:
+        component = structure[part.id].model_copy(update={"description": part.sentence})
+        structure = structure.with_component(with_code(component, part.code))
+    settings = structure.settings.model_copy(update={"spec": SettingsSpec(weather=("cloudy",))})
+    return structure.with_component(settings)
+
+
+def prompts(name: str) -> dict[str, str]:
+    config, structure, told = configuration(name), scenario(), {}
+    for cid in ("G", "R", "E", "O2", "T"):
+        asked = generator_question(
+            structure,
+            cid,
+            config,
+            NEAR if config.has("CodeICL") and cid != "G" else (),
+            CHUNKS if config.has("DocICL") and cid != "G" else (),
+            settings=settings_text(structure, Ground()) if cid == "G" else "",
+        )
+        told[cid] = "\n\n".join(f"[{m.role}]\n{m.content}" for m in asked.messages)
+    return told
+
+
+@pytest.mark.parametrize("name", names())
+def test_the_prompts_are_as_they_were(name):
+    told = prompts(name)
+    text = "\n\n".join(f"======== {cid} ========\n{prompt}" for cid, prompt in told.items()) + "\n"
+    lengths = {cid: approximate_tokens(prompt) for cid, prompt in told.items()}
+    path, table = GOLDEN / f"{name}.txt", GOLDEN / "tokens.yaml"
+    if os.environ.get("C2S_GOLDEN"):
+        GOLDEN.mkdir(exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+        known = yaml.safe_load(table.read_text()) if table.exists() else {}
+        known = {n: {**known, name: lengths}.get(n) for n in names() if n in known or n == name}
+        table.write_text(
+            "# Tokens of each prompt, at four characters a token.\n" + yaml.safe_dump(known, sort_keys=False)
+        )
+    assert text == path.read_text(encoding="utf-8"), (
+        f"the prompts of {name} changed; if that is meant, set C2S_GOLDEN=1"
+    )
+    assert yaml.safe_load(table.read_text())[name] == lengths
+
+
+def test_each_prompt_leaves_room_for_an_answer_in_8k():
+    lengths = yaml.safe_load((GOLDEN / "tokens.yaml").read_text())
+    assert list(lengths) == names()
+    assert max(max(row.values()) for row in lengths.values()) <= 8192 - 1536 - 2000, (
+        "and for 2000 tokens of code so far"
+    )
+    assert sum(lengths["C1"].values()) < sum(lengths["C4"].values()) < sum(lengths["C11"].values())
+
+
+def test_the_paper_s_sentences_are_asked_for_in_order():
+    sentences = Sentences(place="A road.", objects=(ObjectSentence(type="car", sentence="A car."),))
+    assert sentences.ids == ["G", "R", "E", "O1", "T"]

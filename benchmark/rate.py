@@ -9,6 +9,7 @@ from typing import Any
 
 import yaml
 from c2s_bench.atoms import LAYERS
+from c2s_bench.explain import events
 from c2s_bench.records import BenchmarkError, Record
 from c2s_bench.results import Result
 
@@ -64,23 +65,6 @@ def write_sheet(
     file.write_text(HEAD + body, encoding="utf-8")
     _beside(file).write_text(json.dumps(executed, indent=1), encoding="utf-8")
     return len(rows)
-
-
-def events(facts: RunFacts) -> str:
-    """A rollout's road, surroundings and events in words."""
-    road = facts.road
-    parts = [f"{road.lanes_same_direction} lanes in ego's direction", f"intersection: {road.intersection}"]
-    parts += [w for w in ("oncoming_lane", "signalized", "curve", "straight") if getattr(road, w)]
-    lines = [f"road: {', '.join(parts)}", f"weather: {', '.join((*facts.weather, *facts.time)) or 'unknown'}"]
-    if there := (*facts.infrastructure, *facts.temporary):
-        lines.append(f"on ego's way: {', '.join(there)}" + (f" (light {facts.light})" if facts.light else ""))
-    for thing in facts.objects:
-        start = thing.starts.get("ego")
-        where = f", starts {'/'.join(start.lanes)} {'/'.join(start.relations)} at {start.gap:.0f} m" if start else ""
-        speed = f", {thing.held_speed * 3.6:.0f} km/h" if thing.held_speed else ""
-        shown = "; ".join(f"{e.time:.1f} s {e.event}{f' {e.other}' if e.other else ''}" for e in thing.events)
-        lines.append(f"{thing.name} ({thing.types[0]}{speed}{where}): {shown or 'nothing'}")
-    return "\n".join([*lines, f"ends after {facts.duration:.1f} s by {facts.ended_by}"])
 
 
 @dataclass(frozen=True)
@@ -160,5 +144,5 @@ def _beside(file: Path) -> Path:
 
 
 def _clean(text: str) -> str:
-    """Without blanks at the ends of lines, which YAML cannot show as a block."""
-    return "\n".join(line.rstrip() for line in text.replace("\t", "    ").splitlines()).rstrip()
+    """Without blanks at the ends of lines, which YAML cannot show as a block, and empty lines around."""
+    return "\n".join(line.rstrip() for line in text.replace("\t", "    ").splitlines()).strip("\n")

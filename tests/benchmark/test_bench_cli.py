@@ -86,6 +86,7 @@ def test_nothing_that_could_be_run_is_one_sentence(calls, own):
 def test_explain_shows_each_atom_with_its_share(calls, own):
     said = bench("--records", own, "--explain", "mine-02", "--runs", 4, "--jobs", 0, *FAKE)
     assert "FAILS      0 %  weather rain" in said and "holds    100 %  lead: stop" in said
+    assert "(seed 0): lead is lead\n" in said and "lead (car): 1.0 s stop" in said
     assert "# embedded: fog" in said
     assert len(calls.read_text()) == 1
 

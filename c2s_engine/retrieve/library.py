@@ -76,6 +76,10 @@ class Library:
                 self._queries.popitem(last=False)
         return self._queries[texts[0]][None, :]
 
+    def remember(self, queries: Sequence[str]) -> None:
+        """Embed queries beforehand, all at once."""
+        self._queries.update(zip(queries, self.embedder.embed(queries), strict=True))
+
     def find(self, query: str, kind: Kind, component: str | None, limit: int, method: Method | None) -> Found:
         """The hits of a query. Snippets are ranked by cosine, documents by both lists fused, unless `method` says so."""
         generation = self.opened()
@@ -136,7 +140,7 @@ class Library:
                 refused.append(str(error))
         self._add(added, progress)
         return {"added": [{"id": b.source.id, "title": b.source.title, "location": b.source.location,
-                           "items": len(b.rows)} for b in added], "refused": refused}  # fmt: skip
+                           "items": len({r.item for r in b.rows})} for b in added], "refused": refused}  # fmt: skip
 
     def add_snippets(self, location: str, title: str, snippets: Sequence[dict], progress: Progress = _silent) -> dict:
         """Index component snippets of a user's program (`component`, `description`, `code` each)."""

@@ -49,6 +49,7 @@ def retrieve(
     by_meaning = _best(shelf, near, np.arange(len(shelf)), near, DEPTH)
     terms = tokenise(query)
     documents, scores = shelf.postings.scores(terms)
+    documents = shelf.lexical_rows[documents]
     if allowed is not None:
         kept = allowed[documents]
         documents, scores = documents[kept], scores[kept]

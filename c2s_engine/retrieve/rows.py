@@ -1,4 +1,4 @@
-"""What the stores hold: one row a chunk of a document, one row a phrase (description) of a snippet."""
+"""What the stores hold: rows of chunks of documents, rows of snippets (one for each phrase that describes it)."""
 
 import hashlib
 from dataclasses import asdict, dataclass, field
@@ -12,7 +12,10 @@ SCHEMA = 1
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """`embedded` is what the vector is of, `lexical` what BM25 reads, `text` what is shown."""
+    """`embedded` is what the vector is of, `lexical` what BM25 reads, `text` what is shown.
+
+    An item may have several rows (phrases of a snippet; heading and sentences of a chunk): its nearest one counts. Only
+    rows with a `lexical` text are known to BM25."""
 
     item: str
     source_id: str

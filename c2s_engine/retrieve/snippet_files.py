@@ -37,6 +37,12 @@ class Snippet(BaseModel):
     code: str
 
     @property
+    def keywords(self) -> str:
+        """Its terms of the spec vocabulary, as a phrase: "cut in, left lane, car"."""
+        terms = (*self.actions, *self.reactions, *self.places, *self.positions, *self.types, *self.conditions)
+        return ", ".join(t.replace("_", " ") for t in terms)
+
+    @property
     def phrases(self) -> tuple[str, ...]:
         """All its descriptions."""
         return (self.description, *self.paraphrases)
@@ -66,10 +72,10 @@ def rows(snippets: Iterable[Snippet], source_id: str, source: str) -> list[Row]:
     found = []
     for snippet in snippets:
         tags = " ".join((*snippet.places, *snippet.positions, *snippet.actions, *snippet.types, *snippet.conditions, *snippet.reactions)).replace("_", " ")
-        for i, phrase in enumerate(dict.fromkeys(snippet.phrases)):
+        for i, phrase in enumerate(dict.fromkeys([*snippet.phrases, snippet.keywords] if tags else snippet.phrases)):
             found.append(
                 Row(item=snippet.id, source_id=source_id, title=snippet.description, text=snippet.code, embedded=phrase,
-                    lexical=f"{phrase}\n{tags}\n{snippet.code}" if i == 0 else phrase, source=source,
+                    lexical="" if phrase == snippet.keywords else f"{phrase}\n{tags}\n{snippet.code}" if i == 0 else phrase, source=source,
                     component=snippet.component)
             )  # fmt: skip
     return found

@@ -1,7 +1,9 @@
 """What is indexed: the shipped notes and snippets, the installed Scenic's reference, and the user's documents."""
 
 import os
+import re
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 
 from c2s_engine.paths import shipped
@@ -38,7 +40,7 @@ def shipped_batches() -> list[Batch]:
         source = Source(
             source_id(f"docs/{path.name}"), f"docs/{path.name}", title, "doc", "shipped", digest(path.read_bytes())
         )
-        batches.append(Batch(source, document_rows(chunks(blocks, title), source)))
+        batches.append(Batch(source, document_rows(chunks(blocks, title), source, sentences=True)))
     location = f"scenic {scenic_reference.scenic_version()}"
     reference = Source(
         source_id("scenic"), location, f"Reference of the installed {location}", "doc", "scenic", location
@@ -53,17 +55,23 @@ def shipped_batches() -> list[Batch]:
     return batches
 
 
-def document_rows(found: Iterable[Chunk], source: Source) -> list[Row]:
-    """One row a chunk; its vector and its terms are of title path and text together."""
+def document_rows(found: Iterable[Chunk], source: Source, sentences: bool = False) -> list[Row]:
+    """The rows of chunks: title path and text together, the heading alone, and (`sentences`) each sentence.
+
+    A short question is nearer to a heading or a sentence than to a whole chunk."""
     rows = []
     for number, chunk in enumerate(found):
         title = " › ".join(chunk.path)
         below = " › ".join(chunk.path[1:]) or chunk.path[0]
-        rows.append(
-            Row(item=f"{source.id}/{number}", source_id=source.id, title=title, text=chunk.text,
-                embedded=f"{below}\n{chunk.text}", lexical=f"{title}\n{chunk.clause}\n{chunk.text}",
-                source=source.title, clause=chunk.clause, page=chunk.page)
+        whole = Row(
+            item=f"{source.id}/{number}", source_id=source.id, title=title, text=chunk.text, embedded=f"{below}\n{chunk.text}",
+            lexical=f"{title}\n{chunk.clause}\n{chunk.text}", source=source.title, clause=chunk.clause, page=chunk.page,
         )  # fmt: skip
+        rows.append(whole)
+        facets = [chunk.path[-1]]
+        if sentences:
+            facets += [s for s in re.split(r"(?<=[.:;!?])\s+", chunk.text) if 25 <= len(s) <= 400]
+        rows += [replace(whole, embedded=facet, lexical="") for facet in dict.fromkeys(facets)]
     return rows
 
 

@@ -15,6 +15,7 @@ from pathlib import Path
 import lancedb
 import numpy as np
 import pyarrow as pa
+import pyarrow.compute as pc
 
 from c2s_engine.retrieve.bm25 import Postings
 from c2s_engine.retrieve.errors import RetrievalError, storage_error
@@ -47,7 +48,8 @@ class Manifest:
 
 
 class Shelf:
-    """One table of a generation, in memory for searching: its rows, unit vectors and postings."""
+    """One table of a generation, in memory for searching: its rows, unit vectors, and the postings of those rows that
+    have a lexical text."""
 
     def __init__(self, table: pa.Table, postings: Postings):
         self.table = table
@@ -56,8 +58,9 @@ class Shelf:
         width = vectors.type.list_size
         self.vectors = vectors.values.to_numpy(zero_copy_only=False).reshape(-1, width)
         self.items = table.column("item").to_pylist()
+        self.lexical_rows = np.flatnonzero(pc.not_equal(table.column("lexical"), "").to_numpy())
         self.components = np.asarray(table.column("component").to_pylist(), dtype=object)
-        if len(self.items) != postings.size:
+        if len(self.lexical_rows) != postings.size:
             raise ValueError("the postings do not fit the table")
 
     def __len__(self) -> int:
@@ -157,7 +160,7 @@ class Store:
                 if progress:
                     progress("writing", i, len(tables))
                 database.create_table(TABLES[kind], _arrow(rows, vectors, manifest.dimensions))
-                Postings.build(tokenise(r.lexical) for r in rows).save(building / f"{TABLES[kind]}.npz")
+                Postings.build(tokenise(r.lexical) for r in rows if r.lexical).save(building / f"{TABLES[kind]}.npz")
                 manifest.counts[kind] = len({r.item for r in rows})
             (building / "manifest.json").write_text(manifest.dump())
             _sync(building)

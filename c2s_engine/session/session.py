@@ -2,6 +2,7 @@
 
 import asyncio
 import fcntl
+import sqlite3
 from collections.abc import AsyncIterator, Callable, Iterable
 from contextlib import aclosing
 from dataclasses import dataclass
@@ -170,6 +171,8 @@ class Session:
                     yield event
             if finished:
                 await asyncio.to_thread(self._commit, turn, finished, tuple(said))
+        except sqlite3.Error as error:
+            raise SessionError(f"the session cannot be written ({error}): free some space; S is as it was") from None
         finally:
             self._running = False
             if turn:

@@ -211,7 +211,7 @@ def _run(examples, steps):
 
 
 def test_step_by_step_equals_all_anew():
-    _run(8, 10)
+    _run(6, 8)
 
 
 @pytest.mark.full

@@ -220,6 +220,19 @@ async def test_one_checkpoint_a_turn(sessions, tmp_path):
         assert db.execute("SELECT count(*) FROM checkpoints").fetchone()[0] == 4
 
 
+async def test_a_turn_that_cannot_be_written_is_one_sentence_and_changes_nothing(sessions):
+    session = sessions.open("one", FakeEngine())
+    await take(session.say("car"))
+    before = whole(session)
+    sessions._store.connection.execute("PRAGMA query_only = ON")
+    with pytest.raises(SessionError, match="cannot be written"):
+        await take(session.say("truck"))
+    assert whole(session) == before
+    sessions._store.connection.execute("PRAGMA query_only = OFF")
+    await take(session.say("bus"))
+    assert [t.text for t in session.history] == ["car", "bus"]
+
+
 class GraphEngine(FakeEngine):
     """An engine that works through a graph of its own."""
 

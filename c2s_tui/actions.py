@@ -189,7 +189,17 @@ class Actions(Start, Files, Choices):
         self.code.take_fix()
 
     async def do_picture(self: Any, _: str) -> None:
-        self.app.notify("There is no run to show: F5 runs the program.", markup=False)
+        """Show or hide the picture of the run."""
+        if self.picture.has_class("-on"):
+            self.picture.stop()
+            self.picture.remove_class("-on")
+            self.go_to("sheet")
+        elif not self.picture.available:
+            self.app.notify("There is no run to show: F5 runs the program.", markup=False)
+        else:
+            self.picture.add_class("-on")
+            self.go_to("picture")
+            self.call_after_refresh(self.picture.show, self.desk)
 
     def choose(self: Any, **values: Any) -> None:
         """Change what the next turn uses, and remember it."""

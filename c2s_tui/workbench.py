@@ -24,6 +24,7 @@ from c2s_tui.desk import Desk
 from c2s_tui.files import WATCH_SECONDS
 from c2s_tui.messages import CodeTyped, CommandAsked, EditsAsked, Picked, ReachAsked, Said
 from c2s_tui.palette import Palette
+from c2s_tui.picture.pane import PicturePane
 from c2s_tui.sheet.pane import SheetPane
 from c2s_tui.status import Choice, StatusBar
 
@@ -37,7 +38,7 @@ class Workbench(Actions, Screen):
 
     BINDINGS = bindings()
     COMMANDS = {Palette}
-    PANES = ("chat", "sheet", "code")
+    PANES = ("chat", "sheet", "code", "picture")
 
     def __init__(self, backend: Any, session: str | None, file: Path | None):
         super().__init__()
@@ -61,6 +62,7 @@ class Workbench(Actions, Screen):
             yield ChatPane(id="chat", classes="pane -current")
             yield SheetPane(id="sheet", classes="pane")
             with Vertical(id="right"):
+                yield PicturePane(id="picture", classes="pane")
                 yield CodePane(id="code-pane", classes="pane")
         yield StatusBar(id="status")
 
@@ -73,6 +75,10 @@ class Workbench(Actions, Screen):
     @property
     def sheet(self) -> SheetPane:
         return self.query_one(SheetPane)
+
+    @property
+    def picture(self) -> PicturePane:
+        return self.query_one(PicturePane)
 
     @property
     def code(self) -> CodePane:
@@ -95,6 +101,7 @@ class Workbench(Actions, Screen):
         """Draw the desk everywhere."""
         self.sheet.show(self.desk)
         self.code.show(self.desk)
+        self.picture.show(self.desk)
         self.show_status()
 
     def show_status(self) -> None:
@@ -307,7 +314,7 @@ class Workbench(Actions, Screen):
         return next((n for n in self.PANES if self._pane(n).has_class("-current")), "chat")
 
     def _pane(self, name: str) -> Any:
-        return {"chat": self.chat, "sheet": self.sheet, "code": self.code}[name]
+        return {"chat": self.chat, "sheet": self.sheet, "code": self.code, "picture": self.picture}[name]
 
     def on_resize(self) -> None:
         self.call_after_refresh(self.show_status)
@@ -316,7 +323,8 @@ class Workbench(Actions, Screen):
         """Bring a pane to the front (narrow) and focus it. Hand edits are committed when the code is left."""
         for other in self.PANES:
             self._pane(other).set_class(other == name, "-current")
-        self.query_one("#right").set_class(name == "code", "-current")
-        self.query_one(Tabs).active = f"tab-{name}"
-        target = {"chat": self.chat.entry, "sheet": self.sheet, "code": self.code.area}[name]
+        self.query_one("#right").set_class(name in ("code", "picture"), "-current")
+        if name != "picture":
+            self.query_one(Tabs).active = f"tab-{name}"
+        target = {"chat": self.chat.entry, "sheet": self.sheet, "code": self.code.area, "picture": self.picture}[name]
         self.call_after_refresh(target.focus)

@@ -7,12 +7,12 @@ from typing import Any
 
 import pytest
 from pytest_textual_snapshot import SVGImageExtension
+from scripted_engine import ScriptedEngine, describing
 from textual.widgets import Input, TextArea
 
 from c2s_tui.app import C2SApp
 from c2s_tui.backend import Backend
 from c2s_tui.prefs import Prefs
-from scripted_engine import ScriptedEngine, describing
 
 SNAPSHOTS = Path(__file__).parents[2] / "snapshots"
 

@@ -107,7 +107,7 @@ def test_a_failing_engine_is_one_sentence_in_the_chat(stage, compare):
 def test_search_and_use_a_result(stage, compare):
     stage.engine.passages = [
         Passage(kind="doc", title="UN R157", clause="4.5", text=CUT_IN, score=0.9, source="un-r157.md"),
-        Passage(kind="doc", title="UN R152", clause="6.5", text="A car stands [in] the lane.", score=0.7, source="r152.md"),
+        Passage(kind="doc", title="UN R152", clause="6.5", text="A car [stands].", score=0.7, source="r152.md"),
     ]  # fmt: skip
 
     async def flow(pilot):

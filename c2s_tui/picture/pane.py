@@ -1,0 +1,149 @@
+"""The picture pane: a run from above, stepped and played by key."""
+
+from dataclasses import replace
+from typing import Any
+
+from textual.app import ComposeResult
+from textual.binding import Binding
+from textual.containers import Vertical
+from textual.timer import Timer
+from textual.widgets import Static
+
+from c2s_engine.structure.facts import RunFacts, Trajectories
+from c2s_tui.desk import Desk
+from c2s_tui.messages import CommandAsked
+from c2s_tui.picture.draw import View, caption, draw, fitting, frames, names
+
+FRAMES_PER_SECOND = 8
+ZOOM = 1.25
+
+
+class PicturePane(Vertical, can_focus=True):
+    """Shows one rollout at one step; plays in real time."""
+
+    BORDER_TITLE = "picture"
+    HELP_NAME = "picture"
+    BINDINGS = [
+        Binding("space", "play", "Play", id="picture.play", tooltip="Play or pause"),
+        Binding("left", "step(-0.1)", "Back", show=False, id="picture.back", tooltip="A step back"),
+        Binding("right", "step(0.1)", "On", show=False, id="picture.on", tooltip="A step on"),
+        Binding("down,pageup", "step(-1)", "1 s back", show=False, id="picture.second_back", tooltip="A second back"),
+        Binding("up,pagedown", "step(1)", "1 s on", show=False, id="picture.second_on", tooltip="A second on"),
+        Binding("home", "edge(0)", "Start", show=False, id="picture.start", tooltip="To the start"),
+        Binding("end", "edge(1)", "End", show=False, id="picture.end", tooltip="To the end"),
+        Binding("plus,equals_sign", "zoom(-1)", "Nearer", show=False, id="picture.nearer", tooltip="Nearer"),
+        Binding("minus", "zoom(1)", "Farther", show=False, id="picture.farther", tooltip="Farther"),
+        Binding("w", "whole", "Whole", show=False, id="picture.whole", tooltip="The whole run, or following ego"),
+        Binding("n", "rollout", "Next run", show=False, id="picture.next_run", tooltip="The next rollout"),
+        Binding("escape", "close", "Close", id="picture.close", tooltip="Close the picture"),
+    ]
+
+    def __init__(self, **options: Any):
+        super().__init__(**options)
+        self.ways: tuple[Trajectories, ...] = ()
+        self.facts: tuple[RunFacts, ...] = ()
+        self.run, self.frame, self.view = 0, 0, View()
+        self._fitted = False
+        self._timer: Timer | None = None
+
+    def compose(self) -> ComposeResult:
+        yield Static(id="frame", markup=False)
+        yield Static(id="caption", markup=False)
+
+    def show(self, desk: Desk) -> None:
+        """Take the runs of the desk; the step shown stays where there still is one."""
+        if desk.trajectories is not self.ways:
+            self.ways, self.facts = desk.trajectories, desk.facts
+            self.run = min(self.run, max(0, len(self.ways) - 1))
+            self.frame = 0
+            self._fitted = False
+            self.stop()
+        self._draw()
+
+    @property
+    def available(self) -> bool:
+        return any(frames(w) for w in self.ways)
+
+    @property
+    def playing(self) -> bool:
+        return self._timer is not None
+
+    def on_resize(self) -> None:
+        self._draw()
+
+    def _draw(self) -> None:
+        if not self.has_class("-on") or not self.available:
+            return
+        ways = self.ways[self.run]
+        facts = self.facts[self.run] if self.run < len(self.facts) else None
+        columns, rows = self.content_size.width, self.content_size.height - 2
+        if columns < 4 or rows < 2:
+            return
+        if not self._fitted:
+            self.view = replace(self.view, scale=fitting(ways, columns, rows))
+            self._fitted = True
+        labels = names(facts, ways)
+        self.query_one("#frame", Static).update(draw(ways, self.frame, columns, rows, labels, self.view))
+        self.query_one("#caption", Static).update(caption(ways, self.frame, labels, self.view, facts))
+        last = (frames(ways) - 1) * ways.step
+        state = "playing" if self.playing else "space plays"
+        several = f", run {self.run + 1} of {len(self.ways)}" if len(self.ways) > 1 else ""
+        self.border_subtitle = f"{self.frame * ways.step:.1f} of {last:.1f} s, {state}{several}"
+
+    def go(self, frame: int) -> None:
+        """Show a step."""
+        self.frame = max(0, min(frame, frames(self.ways[self.run]) - 1)) if self.available else 0
+        self._draw()
+
+    def stop(self) -> None:
+        """Stop playing."""
+        if self._timer is not None:
+            self._timer.stop()
+            self._timer = None
+
+    def action_play(self) -> None:
+        if not self.available:
+            return
+        if not self.app.prefs.animation:  # type: ignore[attr-defined]
+            self.action_step(0.5)
+            return
+        if self.playing:
+            self.stop()
+        else:
+            if self.frame >= frames(self.ways[self.run]) - 1:
+                self.frame = 0
+            self._timer = self.set_interval(1 / FRAMES_PER_SECOND, self._tick)
+        self._draw()
+
+    def _tick(self) -> None:
+        ways = self.ways[self.run]
+        self.frame += max(1, round(1 / FRAMES_PER_SECOND / ways.step))
+        if self.frame >= frames(ways) - 1:
+            self.stop()
+        self.go(self.frame)
+
+    def action_step(self, seconds: float) -> None:
+        if self.available:
+            step = self.ways[self.run].step
+            self.go(self.frame + (1 if seconds > 0 else -1) * max(1, round(abs(seconds) / step)))
+
+    def action_edge(self, end: int) -> None:
+        if self.available:
+            self.go(frames(self.ways[self.run]) - 1 if end else 0)
+
+    def action_zoom(self, by: int) -> None:
+        self.view = replace(self.view, scale=min(8.0, max(0.2, self.view.scale * ZOOM**by)), follow=True)
+        self._draw()
+
+    def action_whole(self) -> None:
+        self.view = replace(self.view, follow=not self.view.follow)
+        self._draw()
+
+    def action_rollout(self) -> None:
+        if len(self.ways) > 1:
+            self.run = (self.run + 1) % len(self.ways)
+            self._fitted = False
+            self.go(0)
+
+    def action_close(self) -> None:
+        self.post_message(CommandAsked("picture"))

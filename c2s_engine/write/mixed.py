@@ -56,9 +56,15 @@ class MixedMethod:
             if on_event:
                 on_event(Say(text=f"{rendered.id} stays as rendered: {problem}.", severity="warning"))
             return structure
+        return self._up_to_date(kept.with_component(written.model_copy(update={"unmet": ()})))
+
+    def _up_to_date(self, structure: Structure) -> Structure:
+        """All of it as the typed writer's own: what others use is still there, so nothing needs to be rendered anew."""
         assert self.typed.writer is not None
-        key = key_of(kept, rendered.id, self.typed.writer)
-        return kept.with_component(written.model_copy(update={"key": key, "unmet": ()}))
+        for component in structure.components:
+            key = key_of(structure, component.id, self.typed.writer)
+            structure = structure.with_component(component.model_copy(update={"key": key}))
+        return structure
 
     async def _problem(self, structure: Structure, rendered: Component, written: Component) -> str:
         """Why a generated fragment cannot take the rendered one's place; empty where it can."""

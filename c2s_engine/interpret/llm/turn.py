@@ -3,6 +3,7 @@
 What needs no model (undo, redo, no S yet) is decided without one; where it fails, the embedded routing decides.
 """
 
+from collections.abc import Sequence
 from typing import Any, get_args
 
 from c2s_engine.interpret import turn as embedded_turn
@@ -46,6 +47,25 @@ async def route(
             on_event(Say(text=f"The turn was read without the model. {error}", severity="warning"))
         return plain
     return Turn("edit", edits, "; ".join(said), (0, len(text)))
+
+
+async def mend(
+    differences: Sequence[str],
+    structure: Structure,
+    *,
+    client: OllamaClient,
+    embedded: Any,
+    on_event: OnEvent | None = None,
+) -> list[Edit]:
+    """Edits of S by which a run would show what it says, for what it did not show; raises ModelError, EditError."""
+    rows = "\n".join(f"- {d}" for d in differences)
+    asked = f"{_asked('', structure).removesuffix('Turn: ')}Said, but not seen:\n{rows}"
+    found = await Asker(client, on_event).form(
+        prompt("seen"), asked, turn_schema(structure), purpose="seen", build=_sensible
+    )
+    if found["kind"] != "edit":
+        return []
+    return (await _edits(found["changes"], structure, client, embedded, on_event))[0]
 
 
 def turn_schema(structure: Structure) -> dict[str, Any]:

@@ -46,7 +46,7 @@ class Example(BaseModel):
 def fragments(text: str) -> tuple[Fragment, ...]:
     """A program's components by its borders."""
     borders = list(_BORDER.finditer(text))
-    ends = [b.start() for b in borders[1:]] + [len(text)]
+    ends = [b.start() for b in borders[1:]] + [len(text)] * bool(borders)
     return tuple(
         Fragment(id=b["id"], sentence=b["sentence"].strip(), code=text[b.end() : end].strip())
         for b, end in zip(borders, ends, strict=True)

@@ -114,7 +114,12 @@ class _Worker(threading.Thread):
         assert self.process.stdin and self.process.stdout
         late = threading.Event()
         process = self.process
-        timer = threading.Timer(self.limit, lambda: (late.set(), process.kill()))
+
+        def end() -> None:
+            late.set()
+            process.kill()
+
+        timer = threading.Timer(self.limit, end)
         timer.start()
         try:
             self.process.stdin.write(json.dumps(task.as_dict()) + "\n")

@@ -141,7 +141,10 @@ class Store:
             found = self.connection.execute(
                 "SELECT checkpoint_id, parent, kind, text, at, summary, replies FROM turns WHERE thread = ?", (thread,)
             ).fetchall()
-        return {f[0]: TurnRow(*f[:6], tuple(json.loads(f[6]))) for f in found}
+        return {
+            c: TurnRow(c, parent, kind, text, at, told, tuple(json.loads(r)))
+            for c, parent, kind, text, at, told, r in found
+        }
 
     def add_turn(self, thread: str, turn: TurnRow) -> None:
         """A turn, and the head on it; nothing is left to redo."""

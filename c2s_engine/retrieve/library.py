@@ -15,6 +15,7 @@ from c2s_engine.retrieve.lock import exclusive
 from c2s_engine.retrieve.retriever import Found, Method, retrieve
 from c2s_engine.retrieve.rows import TABLES, Batch, Kind, Row, Source, digest, source_id
 from c2s_engine.retrieve.store import Generation, Manifest, Store
+from c2s_engine.retrieve.wording import plain
 from c2s_engine.structure.progress import Passage
 
 Progress = Callable[[str, int, int], None]
@@ -67,24 +68,26 @@ class Library:
             return self._opened
 
     def embed(self, texts: Sequence[str]) -> np.ndarray:
-        """Unit vectors of texts; those of single queries are remembered."""
-        if len(texts) != 1:
-            return self.embedder.embed(texts)
-        if texts[0] not in self._queries:
-            self._queries[texts[0]] = self.embedder.embed(texts)[0]
-            if len(self._queries) > REMEMBERED:
+        """Unit vectors of texts, as they are."""
+        return self.embedder.embed(texts)
+
+    def vector(self, query: str) -> np.ndarray:
+        """The vector of a query; the latest are remembered."""
+        if query not in self._queries:
+            self.remember([query])
+            while len(self._queries) > REMEMBERED:
                 self._queries.popitem(last=False)
-        return self._queries[texts[0]][None, :]
+        return self._queries[query]
 
     def remember(self, queries: Sequence[str]) -> None:
         """Embed queries beforehand, all at once."""
-        self._queries.update(zip(queries, self.embedder.embed(queries), strict=True))
+        self._queries.update(zip(queries, self.embedder.embed([plain(q) for q in queries]), strict=True))
 
     def find(self, query: str, kind: Kind, component: str | None, limit: int, method: Method | None) -> Found:
         """The hits of a query. Snippets are ranked by cosine, documents by both lists fused, unless `method` says so."""
         generation = self.opened()
         chosen = method or ("embedding" if kind == "snippet" else "fused")
-        return retrieve(generation.shelves[kind], kind, query, self.embed([query])[0], chosen, limit, component)
+        return retrieve(generation.shelves[kind], kind, query, self.vector(query), chosen, limit, component)
 
     def search(self, query: str, kind: Kind = "doc", component: str | None = None, limit: int = 5,
                abstain: bool = True, method: Method | None = None) -> list[Passage]:  # fmt: skip
@@ -241,7 +244,7 @@ class Library:
         texts = {r.key: r.embedded for rows in tables.values() for r in rows}
         missing = [key for key in texts if key not in known]
         if missing:
-            made = self.embedder.embed([texts[k] for k in missing], lambda d, n: progress("embedding", d, n))
+            made = self.embedder.embed([plain(texts[k]) for k in missing], lambda d, n: progress("embedding", d, n))
             known.update(zip(missing, made, strict=True))
         dimensions = len(next(iter(known.values()))) if known else 384
         filled = {

@@ -4,6 +4,8 @@ import hashlib
 from dataclasses import asdict, dataclass, field
 from typing import Literal
 
+from c2s_engine.retrieve.wording import plain
+
 Kind = Literal["doc", "snippet"]
 TABLES: dict[Kind, str] = {"doc": "documents", "snippet": "snippets"}
 SCHEMA = 1
@@ -31,7 +33,7 @@ class Row:
     @property
     def key(self) -> str:
         """The digest of what was embedded: a row whose key is known needs no new vector."""
-        return hashlib.sha256(self.embedded.encode()).hexdigest()[:32]
+        return hashlib.sha256(plain(self.embedded).encode()).hexdigest()[:32]
 
 
 @dataclass(frozen=True)

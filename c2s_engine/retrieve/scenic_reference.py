@@ -16,15 +16,19 @@ from c2s_engine.retrieve.blocks import Block, Chunk, chunks
 MODULES = (
     "syntax/veneer.py", "core/distributions.py", "core/regions.py", "core/vectors.py", "core/object_types.py",
     "core/workspaces.py", "core/dynamics/behaviors.py", "core/dynamics/scenarios.py", "core/dynamics/guards.py",
-    "core/dynamics/actions.py", "core/dynamics/invocables.py", "core/simulators.py", "core/scenarios.py",
-    "core/errors.py", "core/external_params.py", "core/geometry.py", "core/shapes.py", "core/specifiers.py",
-    "core/sensors.py", "domains/driving/roads.py", "domains/driving/actions.py", "domains/driving/controllers.py",
+    "core/dynamics/actions.py", "core/simulators.py", "core/scenarios.py", "core/errors.py", "core/external_params.py",
+    "core/shapes.py", "core/sensors.py", "domains/driving/roads.py", "domains/driving/actions.py", "domains/driving/controllers.py",
     "domains/driving/workspace.py", "domains/driving/simulators.py", "domains/driving/behaviors.scenic",
     "domains/driving/model.scenic", "domains/driving/__init__.py", "simulators/carla/__init__.py",
     "simulators/carla/model.scenic", "simulators/carla/behaviors.scenic", "simulators/carla/actions.py",
     "simulators/carla/blueprints.py", "simulators/carla/misc.py", "simulators/newtonian/driving_model.scenic",
     "simulators/utils/colors.py",
 )  # fmt: skip
+CLASSES_ONLY = (
+    "core/regions.py", "core/distributions.py", "core/simulators.py", "core/scenarios.py", "core/external_params.py",
+    "core/shapes.py", "core/sensors.py", "core/dynamics/scenarios.py",
+)  # fmt: skip
+"""Modules whose methods are for those who extend Scenic, not for those who write scenarios."""
 _SCENIC_HEAD = re.compile(
     r"^(?P<indent>[ ]*)(?P<kind>class|behavior|def|monitor|scenario)\s+(?P<name>\w+)(?P<rest>[^:\n]*):?", re.M
 )
@@ -53,6 +57,8 @@ def reference() -> list[Chunk]:
         module = "scenic." + name.rsplit(".", 1)[0].removesuffix("/__init__").replace("/", ".")
         entries = _python(path.read_text()) if path.suffix == ".py" else _scenic(path.read_text())
         for names, signature, text in entries:
+            if len(names) > 1 and name in CLASSES_ONLY:
+                continue
             body = _plain(text)
             if name.startswith("syntax/"):
                 signature = ""  # the veneer's functions stand for syntax, which their docstrings spell out

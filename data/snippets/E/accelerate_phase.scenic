@@ -3,6 +3,8 @@
 # paraphrases:
 #   - increase the speed after a few seconds
 #   - acceleration phase of the test vehicle
+#   - go faster after some time
+#   - get up to a higher speed later
 # actions: [accelerate]
 # ---
 behavior EgoSpeedsUp(slow, fast, after):

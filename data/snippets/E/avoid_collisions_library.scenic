@@ -3,6 +3,7 @@
 # paraphrases:
 #   - built-in collision avoidance
 #   - drive but stay clear of other cars
+#   - keep away from other cars
 # reactions: [brake]
 # ---
 ego = new Car at egoSpot, facing roadDirection,

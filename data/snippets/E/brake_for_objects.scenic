@@ -3,6 +3,7 @@
 # paraphrases:
 #   - emergency stop for an obstacle in front
 #   - collision avoidance by hard braking
+#   - my car stops for whatever is in its way
 # reactions: [brake]
 # ---
 behavior EgoBrakesForObjects(speed, distance):

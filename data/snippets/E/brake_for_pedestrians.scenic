@@ -3,6 +3,7 @@
 # paraphrases:
 #   - yield to people on foot by braking
 #   - pedestrian emergency braking
+#   - my car makes an emergency stop for people on foot
 # reactions: [brake]
 # ---
 behavior EgoStopsForPedestrians(speed, gap):

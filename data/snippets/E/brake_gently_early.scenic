@@ -3,6 +3,7 @@
 # paraphrases:
 #   - anticipatory, comfortable deceleration
 #   - graded braking
+#   - slow down early and softly
 # reactions: [brake]
 # ---
 behavior EgoBrakesInSteps(speed):

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - last-moment emergency braking
 #   - panic stop
+#   - slam on the brakes at the last moment
 # reactions: [brake]
 # ---
 behavior EgoBrakesLate(speed):

@@ -2,6 +2,7 @@
 # description: Ego slows from 12 to 5 m/s of its own accord, without a reason ahead.
 # paraphrases:
 #   - speed reduction of the host vehicle
+#   - become slower for no reason
 # actions: [brake]
 # ---
 behavior EgoSlowsDown(high, low):

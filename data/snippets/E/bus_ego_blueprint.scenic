@@ -2,6 +2,7 @@
 # description: Ego is a city bus that keeps its lane slowly.
 # paraphrases:
 #   - public transport vehicle under test
+#   - my vehicle is a bus
 # actions: [keep_lane]
 # types: [bus]
 # ---

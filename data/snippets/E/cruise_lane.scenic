@@ -3,6 +3,7 @@
 # paraphrases:
 #   - the vehicle under test just drives on at a steady pace
 #   - constant velocity in its own lane, no reaction
+#   - my car just drives along and ignores everybody
 # actions: [keep_lane]
 # types: [car]
 # ---

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - leave a parking bay and join the traffic
 #   - parking exit of the test vehicle
+#   - drive out of a parking space
 # actions: [enter_road]
 # hosts: [R/road_with_parking_lane]
 # ---

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - steer round the blockage into the neighbouring lane
 #   - avoid what is ahead by moving over
+#   - go around something by moving over to the left
 # actions: [lane_change]
 # reactions: [evade]
 # hosts: [R/road_two_lanes_same_direction]

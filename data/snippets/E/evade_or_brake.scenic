@@ -2,6 +2,7 @@
 # description: Ego changes lanes for an obstacle if it sees it early, and brakes if it is already too near.
 # paraphrases:
 #   - prefer overtaking, fall back on stopping
+#   - dodge something or else stop
 # reactions: [evade]
 # hosts: [R/road_two_lanes_same_direction]
 # ---

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - jerk the wheel to miss an object
 #   - evasive steering without a lane change
+#   - dodge something by turning the wheel sharply
 # reactions: [evade]
 # ---
 behavior EgoSwerves(speed):

@@ -2,6 +2,7 @@
 # description: Ego leaves the motorway by the off-ramp, slowing from 16 m/s.
 # paraphrases:
 #   - take the exit and reduce speed
+#   - leave the highway
 # actions: [keep_lane]
 # hosts: [R/off_ramp_exit]
 # ---

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - adaptive cruise control
 #   - car-following with headway regulation
+#   - keep a distance to the car in front
 # reactions: [follow]
 # ---
 behavior EgoKeepsGap(speed, gap):

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - congestion, stop-and-go traffic assist
 #   - crawl in a queue
+#   - traffic jam assistant
 # reactions: [follow]
 # ---
 behavior EgoStopAndGo(crawl):

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - two-second rule
 #   - maintain headway in seconds
+#   - keep two seconds behind the car in front
 # reactions: [follow]
 # ---
 behavior EgoTimeGap(speed, headway):

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - driver-initiated lane change to the passing lane
 #   - move over to the inner lane on its own
+#   - move over to the left
 # actions: [lane_change]
 # hosts: [R/road_two_lanes_same_direction]
 # ---

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - return to the slow lane
 #   - keep-right manoeuvre
+#   - move over to the right
 # actions: [lane_change]
 # hosts: [R/road_left_of_two_lanes]
 # ---

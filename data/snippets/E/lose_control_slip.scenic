@@ -3,6 +3,7 @@
 # paraphrases:
 #   - skid on a slippery patch
 #   - the car breaks away and is caught again
+#   - slide and catch the car
 # actions: [lose_control]
 # ---
 behavior EgoSkids(speed):

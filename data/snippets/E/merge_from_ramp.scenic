@@ -3,6 +3,7 @@
 # paraphrases:
 #   - join the highway from the acceleration lane
 #   - on-ramp merging by trajectory
+#   - drive up the slip road onto the highway
 # actions: [keep_lane]
 # hosts: [R/on_ramp_merge]
 # ---

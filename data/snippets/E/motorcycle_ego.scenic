@@ -2,6 +2,7 @@
 # description: Ego is a motorcycle that follows its lane and brakes for what is ahead.
 # paraphrases:
 #   - powered two-wheeler as the host
+#   - my vehicle is a motorbike
 # actions: [keep_lane]
 # types: [motorcycle]
 # ---

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - use the opposite lane to get round a blockage
 #   - two-way road detour
+#   - get past something on the other side of the road
 # actions: [overtake]
 # hosts: [R/road_oncoming_lane_adjacent]
 # ---

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - pass the car in front by the left lane
 #   - get ahead of a slow leader and return
+#   - get past a slow car
 # actions: [overtake]
 # hosts: [R/road_two_lanes_same_direction]
 # ---

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - the test vehicle goes backwards
 #   - reversing manoeuvre
+#   - drive backwards
 # actions: [reverse]
 # ---
 behavior EgoBacksUp():

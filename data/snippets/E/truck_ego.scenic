@@ -3,6 +3,7 @@
 # paraphrases:
 #   - lorry under test
 #   - the subject vehicle is an HGV
+#   - my vehicle is a truck
 # actions: [keep_lane]
 # types: [truck]
 # ---

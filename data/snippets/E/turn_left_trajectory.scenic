@@ -3,6 +3,7 @@
 # paraphrases:
 #   - left at the junction by following a path of lanes
 #   - make the left-hand turn
+#   - go left at the junction
 # actions: [turn_left]
 # hosts: [R/intersection_left_turn]
 # ---

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - right turn into the side road
 #   - nearside turning vehicle under test
+#   - go right at the junction
 # actions: [turn_right]
 # hosts: [R/intersection_right_turn]
 # ---

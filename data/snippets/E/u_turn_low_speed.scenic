@@ -3,6 +3,7 @@
 # paraphrases:
 #   - U-turn on a two-way road
 #   - reverse its direction of travel
+#   - turn around
 # actions: [u_turn]
 # hosts: [R/road_oncoming_lane_adjacent]
 # ---

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - delayed departure from standstill
 #   - starts after a pause
+#   - stand for a while, then get going
 # actions: [wait, start]
 # ---
 behavior EgoMovesOff(delay, speed):

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - give way to cross traffic
 #   - let the others go first
+#   - let the others go first at the junction
 # actions: [yield]
 # reactions: [yield]
 # hosts: [R/intersection_four_way]

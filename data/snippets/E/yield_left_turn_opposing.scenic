@@ -3,6 +3,7 @@
 # paraphrases:
 #   - unprotected left turn, wait for a gap
 #   - yield to oncoming cars when turning
+#   - wait for a gap before going left
 # actions: [turn_left]
 # reactions: [yield]
 # hosts: [R/intersection_left_turn_with_opposing]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - full stop at the line before crossing
 #   - obey a stop sign
+#   - halt, then go on
 # actions: [stop]
 # reactions: [yield]
 # hosts: [R/intersection_unsignalised]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - deer jumps onto the carriageway
 #   - wildlife crosses in front of the car
+#   - a wild animal leaps out of the woods
 # positions: [roadside]
 # actions: [cross_road]
 # types: [animal]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - cow blocks the road
 #   - deer frozen in the headlights
+#   - a cow or deer stands in my way
 # positions: [ahead]
 # actions: [stationary]
 # types: [animal]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - lane blocked for road works
 #   - the lane ends at a barricade
+#   - my side of the road is closed by workmen
 # positions: [ahead]
 # actions: [stationary]
 # types: [lane_closure, barrier]

@@ -2,6 +2,7 @@
 # description: A single barrier stands in the middle of the lane.
 # paraphrases:
 #   - barricade on the path
+#   - a barrier in my way
 # positions: [ahead]
 # actions: [stationary]
 # types: [barrier]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - vehicle alongside blocks the neighbouring lane
 #   - companion side by side
+#   - a car drives right next to me
 # positions: [beside]
 # actions: [keep_lane]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: A motorcycle rides in ego's blind spot on the right.
 # paraphrases:
 #   - two-wheeler next to the car, hard to see
+#   - somebody rides where I cannot see them in the mirror
 # positions: [beside]
 # actions: [keep_lane]
 # types: [motorcycle]

@@ -2,6 +2,7 @@
 # description: A cyclist rides along the right edge of the lane.
 # paraphrases:
 #   - bike keeps to the kerb side
+#   - somebody on a bicycle at the side of my lane
 # positions: [partly_in_lane]
 # actions: [move_along]
 # types: [bicycle]

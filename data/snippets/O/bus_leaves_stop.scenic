@@ -2,6 +2,7 @@
 # description: A bus waits at its stop for three seconds and then moves into ego's lane.
 # paraphrases:
 #   - public transport vehicle pulls away from the stop
+#   - a bus sets off after passengers have boarded
 # positions: [parked]
 # actions: [wait, enter_road]
 # types: [bus]

@@ -2,6 +2,7 @@
 # description: A stationary car is hidden from ego by a truck that drives between them.
 # paraphrases:
 #   - obstructed sight of a standing vehicle
+#   - a standing car that I cannot see because of a truck
 # positions: [hidden]
 # actions: [stationary]
 # types: [car, truck]

@@ -2,6 +2,8 @@
 # description: A child at the roadside runs across as soon as ego is two seconds away.
 # paraphrases:
 #   - youngster rushes over the street
+#   - a schoolchild dashes across the street
+#   - a kid chases a ball onto the road
 # positions: [roadside]
 # actions: [cross_road]
 # types: [child]

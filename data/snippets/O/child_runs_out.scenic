@@ -3,6 +3,8 @@
 # paraphrases:
 #   - kid darts out after a ball
 #   - small pedestrian suddenly appears at speed
+#   - a schoolchild dashes into the traffic between cars
+#   - a kid chases a ball
 # positions: [hidden]
 # actions: [enter_road, cross_road]
 # types: [child]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - sideswipe
 #   - neighbour veers into the test vehicle
+#   - a car next to me rams my side
 # positions: [left_lane]
 # actions: [collide]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - coned-off carriageway
 #   - pylons block the path
+#   - traffic cones across my lane
 # positions: [ahead]
 # actions: [stationary]
 # types: [cone]

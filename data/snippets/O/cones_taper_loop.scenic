@@ -3,6 +3,7 @@
 # paraphrases:
 #   - merging taper before a lane closure
 #   - diagonal line of cones closes the lane
+#   - traffic cones in a slanting line lead me out of the lane
 # positions: [ahead]
 # actions: [stationary]
 # types: [cone, lane_closure]

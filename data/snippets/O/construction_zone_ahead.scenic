@@ -3,6 +3,8 @@
 # paraphrases:
 #   - construction site on the lane
 #   - road works with signage
+#   - roadworks in my lane
+#   - my side of the road is dug up
 # positions: [ahead]
 # actions: [stationary]
 # types: [construction_zone, warning_sign]

@@ -2,6 +2,7 @@
 # description: 'A work zone beside the lane: cones along the right edge over 15 metres and a sign before them.'
 # paraphrases:
 #   - roadside works that leave the lane open
+#   - roadworks next to the lane
 # positions: [roadside]
 # actions: [stationary]
 # types: [construction_zone]

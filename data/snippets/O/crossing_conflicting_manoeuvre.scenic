@@ -3,6 +3,7 @@
 # paraphrases:
 #   - crossing paths with another vehicle at the junction
 #   - straight crossing path conflict
+#   - another car crosses my way at a junction
 # positions: [crossing_left, crossing_right]
 # actions: [go_straight]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - cross traffic from the left-hand side
 #   - vehicle on the side street drives over the junction
+#   - another car crosses in front of me from the left at a junction
 # positions: [crossing_left]
 # actions: [go_straight]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: A truck comes from ego's right and crosses the intersection.
 # paraphrases:
 #   - heavy vehicle enters from the right-hand side road
+#   - a truck crosses in front of me from the right at a junction
 # positions: [crossing_right]
 # actions: [go_straight]
 # types: [truck]

@@ -3,6 +3,8 @@
 # paraphrases:
 #   - gives way to the host at the crossroads
 #   - waits its turn at the intersection
+#   - the other driver lets me go first
+#   - another car waits until I have passed the junction
 # positions: [crossing_right]
 # actions: [yield, go_straight]
 # types: [car]

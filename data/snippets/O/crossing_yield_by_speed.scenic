@@ -2,6 +2,7 @@
 # description: A car on the side road slows down for ego and goes on when ego is past.
 # paraphrases:
 #   - cross traffic that surrenders priority
+#   - the other car slows down and lets me go first
 # positions: [crossing_left]
 # actions: [yield]
 # types: [car]

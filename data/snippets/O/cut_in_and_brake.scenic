@@ -3,6 +3,8 @@
 # paraphrases:
 #   - swoops in and slows down at once
 #   - cut-in followed by deceleration
+#   - pushes in front of me and brakes at once
+#   - brake-checking after a lane change
 # positions: [left_lane]
 # actions: [cut_in, brake]
 # types: [car]

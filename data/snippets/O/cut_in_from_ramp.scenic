@@ -3,6 +3,8 @@
 # paraphrases:
 #   - joining vehicle from the slip road enters ego's lane
 #   - entry-ramp merge ahead of the host
+#   - a car entering the highway pushes in front of me
+#   - traffic joining from a slip road
 # positions: [on_ramp]
 # actions: [cut_in]
 # types: [car]

@@ -3,6 +3,8 @@
 # paraphrases:
 #   - a vehicle from the neighbouring lane squeezes in ahead
 #   - merging in close from the left
+#   - another driver pushes into my lane from the side
+#   - moves over into my path just in front of me
 # positions: [left_lane]
 # actions: [cut_in]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - overtaker pulls in right before the host
 #   - passes and swings back into the lane too early
+#   - passes me and pulls in sharply in front of me
 # positions: [left_lane]
 # actions: [overtake, cut_in]
 # types: [car]

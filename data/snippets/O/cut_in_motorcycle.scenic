@@ -2,6 +2,7 @@
 # description: A motorcycle moves over from the left lane of the motorway into ego's lane, close ahead.
 # paraphrases:
 #   - powered two-wheeler filters in before the car
+#   - a motorbike pushes in just in front of me
 # positions: [left_lane]
 # actions: [cut_in]
 # types: [motorcycle]

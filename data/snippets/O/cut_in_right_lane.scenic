@@ -3,6 +3,7 @@
 # paraphrases:
 #   - slow-lane vehicle pushes into the passing lane
 #   - cut-in from the right-hand side
+#   - another driver pushes into my lane from the right
 # positions: [right_lane]
 # actions: [cut_in]
 # types: [car]

@@ -3,6 +3,8 @@
 # paraphrases:
 #   - swerving leader uncovers a standing target
 #   - obstacle appears behind the vehicle that changes lanes
+#   - the one in front dodges at the last moment and a parked car becomes visible
+#   - a swerving car uncovers a standing car
 # positions: [ahead, hidden]
 # actions: [cut_out, stationary]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: A van ahead of ego in the left lane moves to the right when ego is two seconds behind it.
 # paraphrases:
 #   - leader clears the passing lane
+#   - the one in front moves over to the right and lets me by
 # positions: [ahead]
 # actions: [cut_out]
 # types: [van]

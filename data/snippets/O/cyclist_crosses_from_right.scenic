@@ -3,6 +3,7 @@
 # paraphrases:
 #   - bike traverses the carriageway
 #   - pedal cyclist rides across the host's path
+#   - somebody on a bicycle crosses in front of me
 # positions: [crossing_right]
 # actions: [cross_road]
 # types: [bicycle]

@@ -2,6 +2,7 @@
 # description: A cyclist waits at the roadside and crosses when ego is within 25 metres.
 # paraphrases:
 #   - bike sets off across the street at the wrong moment
+#   - somebody on a bicycle rides out in front of me
 # positions: [roadside]
 # actions: [wait, cross_road]
 # types: [bicycle]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - nearside turn across a bike
 #   - right hook
+#   - a cyclist beside me while I turn right
 # positions: [right_lane]
 # actions: [go_straight, move_along]
 # types: [bicycle]

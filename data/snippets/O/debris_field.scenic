@@ -2,6 +2,7 @@
 # description: Three pieces of debris are scattered over ego's lane at random offsets.
 # paraphrases:
 #   - spread-out wreckage
+#   - wreckage after an accident spread over the road
 # positions: [ahead]
 # actions: [stationary]
 # types: [debris]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - rubbish strewn over the carriageway
 #   - fragments on the road surface
+#   - wreckage and parts lie on the road
 # positions: [ahead]
 # actions: [stationary]
 # types: [debris]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - badly parked vehicle sticks out into the carriageway
 #   - partially blocking the lane
+#   - a delivery van parked in the second row, half in my way
 # positions: [partly_in_lane]
 # actions: [stationary]
 # types: [van]

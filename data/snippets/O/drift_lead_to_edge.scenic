@@ -3,6 +3,7 @@
 # paraphrases:
 #   - drowsy driver runs off the carriageway
 #   - road departure of the vehicle in front
+#   - the driver in front falls asleep and runs off the road
 # positions: [ahead]
 # actions: [drift, leave_road]
 # types: [van]

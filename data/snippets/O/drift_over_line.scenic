@@ -3,6 +3,7 @@
 # paraphrases:
 #   - inattentive neighbour slides across the marking
 #   - gradual lane departure next to the host
+#   - a car next to me wanders over the line
 # positions: [left_lane]
 # actions: [drift]
 # types: [car]

@@ -3,6 +3,8 @@
 # paraphrases:
 #   - emergency vehicle wants to get by
 #   - rescue service rushes past
+#   - paramedics with siren come up from behind
+#   - a rescue vehicle wants to get through
 # positions: [behind]
 # actions: [overtake]
 # types: [ambulance]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - vehicle leaves its parking space without looking
 #   - car at the roadside moves into the lane
+#   - somebody drives out of a parking space right in front of me
 # positions: [parked]
 # actions: [enter_road]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: A fire engine drives ahead of ego.
 # paraphrases:
 #   - fire brigade vehicle in front
+#   - the fire brigade drives in front of me
 # positions: [ahead]
 # actions: [keep_lane]
 # types: [fire_truck]

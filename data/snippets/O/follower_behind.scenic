@@ -3,6 +3,8 @@
 # paraphrases:
 #   - somebody keeps behind the test vehicle
 #   - tail vehicle that adapts to ego
+#   - a car behind me in my lane
+#   - the vehicle to the rear keeps its distance
 # positions: [behind]
 # actions: [follow]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: Two cars drive ahead of ego; the rear one follows the front one at its pace.
 # paraphrases:
 #   - a platoon in front, the second adapts to the first
+#   - two cars in front, one behind the other
 # positions: [ahead]
 # actions: [follow]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: An oncoming car crosses the centre line and hits ego head-on.
 # paraphrases:
 #   - frontal crash with opposing traffic
+#   - frontal collision with a car from the other direction
 # positions: [oncoming_lane]
 # actions: [collide, oncoming]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - exit of the junction is blocked
 #   - stalled vehicle just after the crossing
+#   - a car blocks the way out of the junction
 # positions: [intersection_exit]
 # actions: [stationary]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - person on the crosswalk of the side street
 #   - turning vehicle meets a walker
+#   - somebody walks across the road I turn into
 # positions: [intersection_exit]
 # actions: [cross_road]
 # types: [pedestrian]

@@ -2,6 +2,7 @@
 # description: Two cars queue in ego's exit lane, so that the junction cannot be cleared.
 # paraphrases:
 #   - congestion behind the crossing
+#   - a traffic jam behind the junction
 # positions: [intersection_exit]
 # actions: [stationary]
 # types: [car]

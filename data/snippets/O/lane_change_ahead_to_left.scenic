@@ -2,6 +2,7 @@
 # description: A bus ahead in ego's lane changes to the left lane when ego is within 20 metres.
 # paraphrases:
 #   - coach moves out to the inner lane
+#   - a bus in front moves over
 # positions: [ahead]
 # actions: [lane_change]
 # types: [bus]

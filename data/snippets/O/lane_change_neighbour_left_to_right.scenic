@@ -2,6 +2,7 @@
 # description: A car well ahead in the left lane changes to the right lane and stays there.
 # paraphrases:
 #   - a neighbour moves over one lane far in front
+#   - a car far in front moves one lane over
 # positions: [left_lane]
 # actions: [lane_change]
 # types: [car]

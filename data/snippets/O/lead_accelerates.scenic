@@ -3,6 +3,8 @@
 # paraphrases:
 #   - leader pulls away
 #   - vehicle in front gathers speed
+#   - the car in front goes faster and gets away
+#   - acceleration of the vehicle in front
 # positions: [ahead]
 # actions: [accelerate]
 # types: [car]

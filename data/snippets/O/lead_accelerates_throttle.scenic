@@ -2,6 +2,7 @@
 # description: A motorcycle ahead opens the throttle fully once ego is within 20 metres.
 # paraphrases:
 #   - biker shoots off
+#   - a motorbike in front shoots off
 # positions: [ahead]
 # actions: [accelerate]
 # types: [motorcycle]

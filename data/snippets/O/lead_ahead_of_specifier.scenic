@@ -2,6 +2,7 @@
 # description: A car starts 15 metres in front of ego's bumper and keeps its lane.
 # paraphrases:
 #   - somebody directly before the test vehicle
+#   - another car a few metres in front of mine
 # positions: [ahead]
 # actions: [keep_lane]
 # types: [car]

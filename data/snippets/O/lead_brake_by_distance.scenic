@@ -3,6 +3,7 @@
 # paraphrases:
 #   - leader reduces its speed as the follower approaches
 #   - deceleration triggered by the gap
+#   - the car in front gets slower as I come nearer
 # positions: [ahead]
 # actions: [brake]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: The lead car brakes moderately whenever its speed is above a limit that falls after four seconds.
 # paraphrases:
 #   - gentle slowing of the vehicle in front
+#   - the car in front eases off
 # positions: [ahead]
 # actions: [brake]
 # types: [car]

@@ -3,6 +3,8 @@
 # paraphrases:
 #   - the vehicle in front is slow
 #   - catch up with a leader that holds its pace
+#   - stuck behind a slowpoke
+#   - a vehicle in front crawls along
 # positions: [ahead]
 # actions: [keep_lane]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - vehicle in front moves out of the way into the neighbouring lane
 #   - leader changes lanes away from ego
+#   - the car in front gets out of my lane
 # positions: [ahead]
 # actions: [cut_out]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - sudden deceleration of the leader
 #   - the one in front slams on the brakes
+#   - the vehicle in front does an emergency stop out of the blue
 # positions: [ahead]
 # actions: [brake]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: A van placed by an offset of 25 metres along ego's heading drives on in its lane.
 # paraphrases:
 #   - delivery vehicle farther on in the same lane
+#   - a van further up the road
 # positions: [ahead]
 # actions: [keep_lane]
 # types: [van]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - a vehicle waiting in front sets off
 #   - departing leader
+#   - the waiting car in front gets going
 # positions: [ahead]
 # actions: [wait, start]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: A bus waits in the lane and starts only when ego is less than 15 metres behind it.
 # paraphrases:
 #   - coach at a halt pulls off as the follower arrives
+#   - a bus in the lane gets moving again when I arrive
 # positions: [ahead]
 # actions: [wait, start]
 # types: [bus]

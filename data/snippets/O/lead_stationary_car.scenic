@@ -3,6 +3,8 @@
 # paraphrases:
 #   - broken-down vehicle blocks the lane
 #   - motionless target on the path
+#   - a dead car in the middle of my way
+#   - a stopped vehicle that does not move at all
 # positions: [ahead]
 # actions: [stationary]
 # types: [car]

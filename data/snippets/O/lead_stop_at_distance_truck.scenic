@@ -2,6 +2,7 @@
 # description: A truck ahead stops dead as soon as ego is nearer than 20 metres.
 # paraphrases:
 #   - lorry halts in front of the host
+#   - a heavy goods vehicle abruptly halts right in front of me
 # positions: [ahead]
 # actions: [stop]
 # types: [truck]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - the car in front comes to a complete halt
 #   - leader brakes until it no longer moves
+#   - the car in front stops completely
 # positions: [ahead]
 # actions: [stop]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: The car ahead of ego turns left at the junction and slows down for it.
 # paraphrases:
 #   - leader turns off to the left
+#   - the car in front turns left
 # positions: [ahead]
 # actions: [turn_left]
 # types: [car]

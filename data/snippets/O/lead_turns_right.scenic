@@ -3,6 +3,7 @@
 # paraphrases:
 #   - leader leaves into the side road
 #   - vehicle in front slows for a right turn
+#   - the car in front turns right
 # positions: [ahead]
 # actions: [turn_right]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - leader drives onto the verge
 #   - vehicle in front parks at the side
+#   - the car in front goes off the road and stops there
 # positions: [ahead]
 # actions: [leave_road]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: A car approaches fast in the left lane from 40 metres behind ego.
 # paraphrases:
 #   - rapidly closing traffic in the target lane of a lane change
+#   - a much faster car comes up from behind in the next lane
 # positions: [left_lane]
 # actions: [keep_lane]
 # types: [car]

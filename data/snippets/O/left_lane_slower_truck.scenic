@@ -2,6 +2,7 @@
 # description: A truck drives in the left lane, 20 metres ahead of ego.
 # paraphrases:
 #   - lorry occupies the passing lane
+#   - a truck in the lane to my left
 # positions: [left_lane]
 # actions: [keep_lane]
 # types: [truck]

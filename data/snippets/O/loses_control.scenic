@@ -3,6 +3,8 @@
 # paraphrases:
 #   - skidding leader
 #   - vehicle in front breaks away on ice
+#   - the car in front slides on a slippery road
+#   - aquaplaning, a skid
 # positions: [ahead]
 # actions: [lose_control]
 # types: [car]

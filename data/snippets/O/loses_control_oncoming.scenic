@@ -2,6 +2,7 @@
 # description: An oncoming car slips towards the centre line and catches itself.
 # paraphrases:
 #   - opposing vehicle skids on a wet road
+#   - a car from the other direction slides on a slippery road
 # positions: [oncoming_lane]
 # actions: [lose_control]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - crate fallen off a lorry
 #   - parcel on the roadway
+#   - something that fell off a truck lies on the road
 # positions: [ahead]
 # actions: [stationary]
 # types: [box, obstacle]

@@ -2,6 +2,7 @@
 # description: A motorcycle filters between the lanes and passes ego closely on the left.
 # paraphrases:
 #   - lane-splitting biker
+#   - a motorbike squeezes past between the cars
 # positions: [behind]
 # actions: [overtake]
 # types: [motorcycle]

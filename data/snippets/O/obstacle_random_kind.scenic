@@ -2,6 +2,7 @@
 # description: An obstacle of a random kind (barrel, box or creased box) lies ahead.
 # paraphrases:
 #   - some unidentified object in the way
+#   - an object in my way
 # positions: [ahead]
 # actions: [stationary]
 # types: [obstacle, barrel, trash]

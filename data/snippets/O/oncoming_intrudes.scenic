@@ -3,6 +3,8 @@
 # paraphrases:
 #   - wrong-side driver approaches in the host's lane
 #   - opposing vehicle encroaches
+#   - somebody comes at me on my side of the road
+#   - a driver from the other direction in my lane
 # positions: [oncoming_lane]
 # actions: [oncoming]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - opposing traffic passes by
 #   - vehicle from the other direction
+#   - a car passes in the opposite direction
 # positions: [oncoming_lane]
 # actions: [keep_lane]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: A truck drives towards ego on the opposite lane group.
 # paraphrases:
 #   - heavy oncoming vehicle on the other side of the road
+#   - a truck passes in the opposite direction
 # positions: [oncoming_lane]
 # actions: [keep_lane]
 # types: [truck]

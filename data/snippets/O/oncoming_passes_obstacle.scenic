@@ -3,6 +3,7 @@
 # paraphrases:
 #   - opposite driver swings out around a parked van
 #   - invading the host's lane to get round a blockage
+#   - a car from the other direction swings onto my side to pass something
 # positions: [oncoming_lane]
 # actions: [oncoming, overtake]
 # types: [car]

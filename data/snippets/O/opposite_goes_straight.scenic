@@ -3,6 +3,7 @@
 # paraphrases:
 #   - oncoming traffic at the junction
 #   - vehicle from the far side continues ahead
+#   - a car from the other side of the junction drives straight on
 # positions: [opposite_approach]
 # actions: [go_straight]
 # types: [car]

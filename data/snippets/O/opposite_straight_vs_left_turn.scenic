@@ -2,6 +2,7 @@
 # description: A motorcycle comes straight on from the opposite side while ego turns left across its path.
 # paraphrases:
 #   - left turn across path with an oncoming bike
+#   - a motorbike comes the other way while I turn left
 # positions: [opposite_approach]
 # actions: [go_straight]
 # types: [motorcycle]

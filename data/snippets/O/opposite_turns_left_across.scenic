@@ -3,6 +3,7 @@
 # paraphrases:
 #   - opposing driver cuts across in front of the host
 #   - LTAP with the other vehicle turning
+#   - a car from the other direction turns left right in front of me
 # positions: [opposite_approach]
 # actions: [turn_left]
 # types: [car]

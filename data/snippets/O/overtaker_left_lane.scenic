@@ -3,6 +3,8 @@
 # paraphrases:
 #   - being overtaken on the left
 #   - vehicle rushes by in the next lane
+#   - a speeding car passes me on the left
+#   - somebody races past
 # positions: [left_lane]
 # actions: [overtake]
 # types: [car]

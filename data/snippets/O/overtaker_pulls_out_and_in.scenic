@@ -3,6 +3,7 @@
 # paraphrases:
 #   - complete passing manoeuvre from the rear
 #   - follower gets past and slots back in
+#   - the car behind pulls out, passes and returns in front of me
 # positions: [behind]
 # actions: [overtake, lane_change]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: A van is parked somewhere on the shoulder beside ego's road.
 # paraphrases:
 #   - delivery van at the edge of the street
+#   - a van parked at the side
 # positions: [parked]
 # actions: [stationary]
 # types: [van]

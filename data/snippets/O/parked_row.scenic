@@ -3,6 +3,7 @@
 # paraphrases:
 #   - line of vehicles beside the road
 #   - kerb full of standing cars
+#   - cars parked along the street
 # positions: [parked]
 # actions: [stationary]
 # types: [car]

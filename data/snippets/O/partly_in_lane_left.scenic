@@ -2,6 +2,7 @@
 # description: A broken-down car stands askew at the left edge of ego's lane, partly in it.
 # paraphrases:
 #   - disabled vehicle at an angle across the marking
+#   - a car that broke down stands crooked, half in my way
 # positions: [partly_in_lane]
 # actions: [stationary]
 # types: [car]

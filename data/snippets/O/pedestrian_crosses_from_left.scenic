@@ -3,6 +3,7 @@
 # paraphrases:
 #   - walker comes from the far side of the road
 #   - person crosses from the opposite kerb
+#   - somebody on foot walks across from the other side
 # positions: [oncoming_lane]
 # actions: [cross_road]
 # types: [pedestrian]

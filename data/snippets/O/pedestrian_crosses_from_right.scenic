@@ -3,6 +3,7 @@
 # paraphrases:
 #   - walker steps onto the street from the near pavement
 #   - person on foot traverses the host's lane
+#   - somebody on foot walks across the street in front of me
 # positions: [sidewalk]
 # actions: [cross_road]
 # types: [pedestrian]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - obstructed view, somebody appears between standing vehicles
 #   - person emerges from behind a delivery van
+#   - somebody on foot appears whom I could not see behind a parked vehicle
 # positions: [hidden]
 # actions: [cross_road, enter_road]
 # types: [pedestrian, van]

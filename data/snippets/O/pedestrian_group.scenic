@@ -3,6 +3,7 @@
 # paraphrases:
 #   - a group of people traverses the street
 #   - several walkers at once
+#   - a bunch of people walks across
 # positions: [sidewalk]
 # actions: [cross_road]
 # types: [pedestrian]

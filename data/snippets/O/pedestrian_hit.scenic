@@ -3,6 +3,7 @@
 # paraphrases:
 #   - unavoidable pedestrian impact
 #   - steps out right in front of the bumper
+#   - somebody steps right in front of my bumper
 # positions: [sidewalk]
 # actions: [collide, cross_road]
 # types: [pedestrian]

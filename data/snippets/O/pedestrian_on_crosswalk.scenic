@@ -3,6 +3,7 @@
 # paraphrases:
 #   - somebody uses the zebra crossing
 #   - walker on the marked crossing
+#   - somebody on foot uses the zebra crossing
 # positions: [sidewalk]
 # actions: [cross_road]
 # types: [pedestrian]

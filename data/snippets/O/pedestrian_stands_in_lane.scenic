@@ -3,6 +3,7 @@
 # paraphrases:
 #   - person does not move on the roadway
 #   - static dummy target in the lane
+#   - somebody just stands on the road
 # positions: [ahead]
 # actions: [stationary]
 # types: [pedestrian]

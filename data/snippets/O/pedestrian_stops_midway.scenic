@@ -3,6 +3,7 @@
 # paraphrases:
 #   - person freezes on the roadway
 #   - hesitant walker halts in front of the car
+#   - somebody on foot stops half way across the road
 # positions: [sidewalk]
 # actions: [cross_road, stop]
 # types: [pedestrian]

@@ -2,6 +2,7 @@
 # description: A pedestrian steps onto the road, turns round and goes back.
 # paraphrases:
 #   - walker changes their mind half way
+#   - somebody on foot turns back half way
 # positions: [sidewalk]
 # actions: [cross_road]
 # types: [pedestrian]

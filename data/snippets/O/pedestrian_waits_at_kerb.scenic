@@ -2,6 +2,7 @@
 # description: A pedestrian waits at the kerb for five seconds and then crosses.
 # paraphrases:
 #   - person lets traffic pass before walking
+#   - somebody waits at the edge of the street before walking over
 # positions: [sidewalk]
 # actions: [wait]
 # types: [pedestrian]

@@ -2,6 +2,7 @@
 # description: A pedestrian walks along the edge of the road towards ego.
 # paraphrases:
 #   - person faces the traffic at the verge
+#   - somebody on foot comes towards me at the edge of the road
 # positions: [roadside]
 # actions: [move_along]
 # types: [pedestrian]

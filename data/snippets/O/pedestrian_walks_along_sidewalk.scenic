@@ -3,6 +3,7 @@
 # paraphrases:
 #   - person strolls on the pavement
 #   - walker stays off the carriageway
+#   - somebody walks on the pavement
 # positions: [sidewalk]
 # actions: [move_along]
 # types: [pedestrian]

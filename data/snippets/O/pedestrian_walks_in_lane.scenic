@@ -3,6 +3,7 @@
 # paraphrases:
 #   - person on foot on a road without pavement
 #   - walker in the carriageway, same direction
+#   - somebody jogs or walks on the road in front of me, seen from behind
 # positions: [ahead]
 # actions: [move_along]
 # types: [pedestrian]

@@ -2,6 +2,7 @@
 # description: A police car stands at the roadside on the right.
 # paraphrases:
 #   - patrol vehicle beside the carriageway
+#   - police officers wait at the side of the road
 # positions: [roadside]
 # actions: [stationary]
 # types: [police_car]

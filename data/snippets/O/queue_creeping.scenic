@@ -2,6 +2,7 @@
 # description: Two cars ahead creep along at walking pace and stop again and again.
 # paraphrases:
 #   - stop-and-go jam in front of the host
+#   - bumper-to-bumper congestion
 # positions: [ahead]
 # actions: [keep_lane, stop]
 # types: [car]

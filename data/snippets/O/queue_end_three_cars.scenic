@@ -3,6 +3,7 @@
 # paraphrases:
 #   - tail of a traffic jam
 #   - stationary queue of vehicles
+#   - a standing line of cars, nothing moves
 # positions: [ahead]
 # actions: [stationary]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: A truck drives on the ramp beside the motorway at a drawn distance before the merge point.
 # paraphrases:
 #   - heavy vehicle on the acceleration lane
+#   - a truck about to enter the highway
 # positions: [on_ramp]
 # actions: [keep_lane]
 # types: [truck]

@@ -3,6 +3,8 @@
 # paraphrases:
 #   - rear-end crash into the host
 #   - inattentive follower hits the back of the car
+#   - the car behind crashes into my rear
+#   - hit from behind by somebody who does not brake
 # positions: [behind]
 # actions: [collide]
 # types: [car]

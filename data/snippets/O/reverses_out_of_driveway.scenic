@@ -2,6 +2,7 @@
 # description: A car backs out of a driveway at the right, across ego's path.
 # paraphrases:
 #   - reversing from a private entrance onto the street
+#   - somebody backs out of a drive onto the road
 # positions: [roadside]
 # actions: [reverse, enter_road]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - vehicle in front rolls backwards
 #   - reversing leader
+#   - the car in front backs up towards me
 # positions: [ahead]
 # actions: [reverse]
 # types: [car]

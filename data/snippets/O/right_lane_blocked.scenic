@@ -2,6 +2,7 @@
 # description: A car stands in the lane to the right of ego, so that ego cannot move over.
 # paraphrases:
 #   - blocked neighbouring lane on the outer side
+#   - no way to move over to the right
 # positions: [right_lane]
 # actions: [stationary]
 # types: [car]

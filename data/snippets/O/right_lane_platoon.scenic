@@ -2,6 +2,7 @@
 # description: Two trucks follow each other in the right lane.
 # paraphrases:
 #   - convoy of lorries on the nearside
+#   - a convoy of trucks in the right lane
 # positions: [right_lane]
 # actions: [keep_lane]
 # types: [truck]

@@ -2,6 +2,7 @@
 # description: A slower car drives in the right lane, ahead of ego.
 # paraphrases:
 #   - traffic in the slow lane that ego will pass
+#   - a slow car in the lane to my right
 # positions: [right_lane]
 # actions: [keep_lane]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: A car circulates in the roundabout and comes from the left as ego arrives.
 # paraphrases:
 #   - traffic already in the rotary has priority
+#   - a car is already in the roundabout
 # positions: [crossing_left]
 # actions: [keep_lane]
 # types: [car]

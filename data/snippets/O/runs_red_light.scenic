@@ -3,6 +3,7 @@
 # paraphrases:
 #   - red-light violation by cross traffic
 #   - vehicle ignores the signal
+#   - another driver goes through a red traffic light
 # positions: [crossing_left]
 # actions: [run_red, go_straight]
 # types: [car]

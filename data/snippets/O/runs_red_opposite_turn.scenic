@@ -2,6 +2,7 @@
 # description: A car on the opposite approach turns left against its red light.
 # paraphrases:
 #   - signal violation while turning across the host
+#   - another driver turns although the traffic light is red
 # positions: [opposite_approach]
 # actions: [run_red, turn_left]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: A van rolls through the stop line and turns without stopping.
 # paraphrases:
 #   - rolling stop at the side road
+#   - another driver hardly slows at the stop sign
 # positions: [crossing_left]
 # actions: [run_stop, turn_right]
 # types: [van]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - stop-sign violation at a crossroads
 #   - does not halt before entering the junction
+#   - another driver does not stop at the stop sign
 # positions: [crossing_right]
 # actions: [run_stop, go_straight]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: A car from a side road turns left into the intersection ahead of ego.
 # paraphrases:
 #   - vehicle turns out of the side street to its left
+#   - a car turns out of the side road to the left
 # positions: [crossing_right]
 # actions: [turn_left]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - merges from the side road in the same direction
 #   - pulls out of a side street ahead of the host
+#   - a car turns out of the side road into my road
 # positions: [crossing_right]
 # actions: [turn_right]
 # types: [car]

@@ -3,6 +3,8 @@
 # paraphrases:
 #   - slow bike in front of the car
 #   - pedal cyclist on the carriageway
+#   - somebody on a bicycle in front of me
+#   - stuck behind a cyclist
 # positions: [ahead]
 # actions: [move_along]
 # types: [bicycle]

@@ -2,6 +2,7 @@
 # description: A lorry stands in the lane with its handbrake on.
 # paraphrases:
 #   - stopped heavy vehicle ahead
+#   - an immobile truck in my way
 # positions: [ahead]
 # actions: [stationary]
 # types: [truck]

@@ -2,6 +2,7 @@
 # description: The lead car swerves round a box that lies in the lane, then returns to its lane.
 # paraphrases:
 #   - driver in front dodges lost cargo
+#   - the car in front dodges an object on the road
 # positions: [ahead]
 # actions: [swerve]
 # types: [car]

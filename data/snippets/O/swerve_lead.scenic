@@ -3,6 +3,7 @@
 # paraphrases:
 #   - leader weaves sideways
 #   - unsteady vehicle in front
+#   - a drunk driver in front wobbles from side to side
 # positions: [ahead]
 # actions: [swerve]
 # types: [car]

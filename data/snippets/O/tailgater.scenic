@@ -3,6 +3,7 @@
 # paraphrases:
 #   - pushy driver right on the rear bumper
 #   - dangerously short following distance
+#   - the driver behind is far too close to my bumper
 # positions: [behind]
 # actions: [follow]
 # types: [van]

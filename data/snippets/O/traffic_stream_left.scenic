@@ -2,6 +2,7 @@
 # description: A stream of three cars passes in the left lane, so that no gap is left to change into.
 # paraphrases:
 #   - dense traffic in the target lane
+#   - a continuous flow of cars next to me, no gap
 # positions: [left_lane]
 # actions: [keep_lane]
 # types: [car]

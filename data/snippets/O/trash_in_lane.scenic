@@ -2,6 +2,7 @@
 # description: Rubbish lies in the lane, thrown there at a random place.
 # paraphrases:
 #   - garbage on the driving lane
+#   - litter on the road
 # positions: [ahead]
 # actions: [stationary]
 # types: [trash]

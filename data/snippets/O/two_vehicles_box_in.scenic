@@ -2,6 +2,7 @@
 # description: One car drives ahead of ego and another beside it, so that ego is boxed in.
 # paraphrases:
 #   - surrounded on two sides
+#   - hemmed in by cars in front and at the side
 # positions: [ahead, beside]
 # actions: [keep_lane]
 # types: [car]

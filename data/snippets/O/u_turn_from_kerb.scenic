@@ -2,6 +2,7 @@
 # description: A car standing at the right edge ahead turns round across both lanes as ego comes near.
 # paraphrases:
 #   - makes an about-turn from the side of the road
+#   - a car at the side turns around across the road
 # positions: [parked]
 # actions: [u_turn, enter_road]
 # types: [car]

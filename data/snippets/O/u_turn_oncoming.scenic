@@ -2,6 +2,7 @@
 # description: An oncoming car makes a U-turn in front of ego.
 # paraphrases:
 #   - opposing driver turns round across the host's lane
+#   - a car from the other direction turns around right in front of me
 # positions: [oncoming_lane]
 # actions: [u_turn]
 # types: [car]

@@ -2,6 +2,7 @@
 # description: A road worker stands at the edge of the road beside cones.
 # paraphrases:
 #   - construction worker next to the lane
+#   - a workman at the roadworks
 # positions: [roadside]
 # actions: [stationary]
 # types: [pedestrian]

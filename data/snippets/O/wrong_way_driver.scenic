@@ -3,6 +3,7 @@
 # paraphrases:
 #   - ghost driver
 #   - vehicle travelling against the direction of traffic
+#   - a car comes towards me on the wrong side of the road
 # positions: [ahead]
 # actions: [oncoming]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - zebra crossing on ego's way
 #   - the car drives up to where walkers cross the street
+#   - zebra crossing in front
 # places: [crosswalk]
 # ---
 bothSides = [g for g in network.laneGroups if g._sidewalk and g._opposite and g._opposite._sidewalk and g.lanes[0].centerline.length > 200]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - winding road, whichever way it bends
 #   - a lane that is not straight
+#   - a bendy road
 # places: [curve]
 # ---
 def sinuous(lane):

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - curved country road with opposing traffic
 #   - blind bend, vehicles may come round it
+#   - a bendy road out in the country
 # places: [curve]
 # ---
 def sinuous(lane):

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - crossroads with traffic lights
 #   - drive up to a junction controlled by signals
+#   - a junction with traffic lights
 # places: [intersection]
 # ---
 signalised = filter(lambda i: i.isSignalized and i.is4Way, network.intersections)

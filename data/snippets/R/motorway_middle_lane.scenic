@@ -3,6 +3,7 @@
 # paraphrases:
 #   - three-lane highway, start in the centre
 #   - freeway with neighbours on both sides
+#   - highway with a lane on either side
 # places: [motorway]
 # ---
 motorways = [r for r in network.roads if r.is1Way and len(r.lanes) >= 3 and not r.sidewalks]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - leave the freeway at the next exit
 #   - highway exit lane
+#   - slip road that leads off the highway
 # places: [off_ramp]
 # ---
 diverges = [m for i in network.intersections for m in i.maneuvers if m.startLane.road.is1Way and len(m.startLane.road.lanes) >= 2]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - ramp that leads up to the freeway
 #   - slip road, about to merge
+#   - slip road that leads onto the highway
 # places: [on_ramp]
 # ---
 rampLanes = [l for l in network.lanes if l.road.is1Way and len(l.road.lanes) == 1 and l.centerline.length > 200 and l.maneuvers and len(l.maneuvers[0].endLane.road.lanes) >= 3]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - join the motorway from the slip road
 #   - highway entry by an acceleration lane
+#   - slip road that leads onto the highway
 # places: [on_ramp]
 # ---
 merges = [m for i in network.intersections for m in i.maneuvers if m.startLane.road.is1Way and len(m.startLane.road.lanes) == 1]

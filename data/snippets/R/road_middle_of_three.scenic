@@ -2,6 +2,7 @@
 # description: A road on which ego has a lane of its own direction on both sides.
 # paraphrases:
 #   - neighbours left and right, both driving the same way
+#   - a lane to the left and another to the right
 # places: [road]
 # ---
 between = [s for s in network.laneSections if s._laneToLeft and s._laneToRight and s._laneToLeft.isForward == s.isForward and s._laneToRight.isForward == s.isForward]

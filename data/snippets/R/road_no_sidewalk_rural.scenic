@@ -3,6 +3,7 @@
 # paraphrases:
 #   - rural road outside town
 #   - open countryside, a narrow two-lane road
+#   - out in the country
 # places: [road]
 # ---
 rural = [r for r in network.roads if not r.is1Way and not r.sidewalks and len(r.lanes) == 2]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - undivided road with opposing traffic right next to ego
 #   - no median between the directions of travel
+#   - traffic comes the other way right next to us
 # places: [road]
 # ---
 undivided = [s for s in network.laneSections if s._laneToLeft and s._laneToLeft.isForward != s.isForward]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - a street lined with parking bays on the near side
 #   - there is room to park right of the driving lane
+#   - room for parked cars at the side
 # places: [road]
 # ---
 kerbside = filter(lambda g: g._shoulder is not None and g.lanes[0].centerline.length > 180, network.laneGroups)

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - circular intersection, drive in from outside
 #   - ego heads for a roundabout
+#   - drive into a roundabout
 # places: [roundabout]
 # ---
 ringRoads = filter(lambda r: r.is1Way and len(r.lanes) == 1 and r.lanes[0].centerline.length < 60, network.roads)

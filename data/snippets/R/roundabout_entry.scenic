@@ -3,6 +3,7 @@
 # paraphrases:
 #   - enter the traffic circle
 #   - rotary with circulating traffic
+#   - drive into a roundabout
 # places: [roundabout]
 # ---
 ringEntries = [m for i in network.intersections for m in i.maneuvers if m.endLane.road.is1Way and len(m.endLane.road.lanes) == 1 and not m.startLane.road.is1Way]

@@ -2,6 +2,7 @@
 # description: A roundabout entry whose ring lane has an exit ahead, so that ego can circulate and leave.
 # paraphrases:
 #   - go into the rotary and take the next way out
+#   - through the roundabout
 # places: [roundabout]
 # ---
 entries = [m for i in network.intersections for m in i.maneuvers if m.endLane.road.is1Way and not m.startLane.road.is1Way]

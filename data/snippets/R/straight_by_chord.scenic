@@ -3,6 +3,7 @@
 # paraphrases:
 #   - lane with no curvature from start to end
 #   - road segment that does not bend
+#   - a road as straight as a ruler
 # places: [straight]
 # ---
 def isStraight(lane):

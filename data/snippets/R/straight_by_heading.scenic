@@ -3,6 +3,7 @@
 # paraphrases:
 #   - dead straight stretch without bends
 #   - level straight test track
+#   - no bend at all in front
 # places: [straight]
 # ---
 candidates = filter(lambda lane: lane.centerline.length > 300, network.lanes)

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - stop the simulation after a quarter of a minute
 #   - fixed duration
+#   - time limit
 # conditions: [time]
 # ---
 terminate after 15 seconds

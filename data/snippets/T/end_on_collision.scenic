@@ -3,6 +3,7 @@
 # paraphrases:
 #   - finish at the crash
 #   - stop on contact
+#   - over when there is a crash
 # conditions: [collision]
 # hosts: [O/lead_ahead_of_specifier]
 # ---

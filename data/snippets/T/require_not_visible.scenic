@@ -3,6 +3,7 @@
 # paraphrases:
 #   - outside the field of view
 #   - hidden from the host initially
+#   - out of sight at the beginning
 # conditions: [not_visible]
 # hosts: [O/follower_behind]
 # ---

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - target in the field of view
 #   - line of sight is free
+#   - in sight at the beginning
 # conditions: [visible]
 # hosts: [O/lead_ahead_of_specifier]
 # ---

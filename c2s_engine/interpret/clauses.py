@@ -59,7 +59,7 @@ def _irregular() -> dict[str, str]:
         "overtakes": "overtake", "rear-ends": "rear-end", "rear-ended": "rear-end", "yields": "yield", "parked": "park", "pulls": "pull", "u-turns": "turn", "cutting": "cut",
         "swerves": "swerve", "travelling": "travel", "travelled": "travel", "merges": "merge", "drifts": "drift", "skids": "skid", "accelerates": "accelerate", "decelerates": "decelerate",
         "slammed": "slam", "slams": "slam", "drove": "drive", "driven": "drive", "drives": "drive", "fell": "fall", "led": "lead", "sped": "speed", "crept": "creep", "swept": "sweep", "shot": "shoot",
-        "oncoming": "oncome", "t-boned": "t-bone", "sideswiped": "sideswipe", "stationary": "stand",
+        "decel": "decelerate", "accel": "accelerate", "oncoming": "oncome", "t-boned": "t-bone", "sideswiped": "sideswipe", "stationary": "stand",
     }  # fmt: skip
 
 
@@ -499,6 +499,9 @@ class Clauses:
 
     def _was_off_road(self, actor: Entity) -> bool:
         if "parked" in actor.roles:
+            return True
+        near = " ".join(w.norm for m in actor.mentions for w in self.words[m.word : m.word + 8])
+        if re.search(r"parked|parking|lay-?by|driveway|bus stop", near):
             return True
         return any(e.agent is actor and re.search(r"park|kerb|curb|driveway|shoulder|bay|lay-by|side of the road", e.whole) for e in self.events)
 

@@ -82,6 +82,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             phases.append(Phase(action="keep_lane"))
     if any(p.action == "follow" for p in phases):
         phases = [p for p in phases if p.action not in ("start", "accelerate")]
+    if place.manoeuvre in ("left", "right") and not any(p.action.startswith("turn_") for p in phases):
+        phases.append(Phase(action=f"turn_{place.manoeuvre}"))  # type: ignore[arg-type]
     struck = next((e for e in scene.clauses.events if e.act == "collide" and e.done and not e.agent.ego and e.patient is ego), None)
     phases = _tidy(phases, place, reaction)
     if scene.road.signal and not any(p.action in ("run_red", "stop", "wait", "stationary") for p in phases) and _faces_red(scene) and any(p.action in ("turn_right", "turn_left", "go_straight") for p in phases) and not any(e.act in (*RESPONSES, "stationary", "yield") for e in events):

@@ -7,6 +7,7 @@ from typing import Any
 
 from c2s_engine.interpret import compose, language, scan, scene
 from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.spelling import Mended
 from c2s_engine.structure.components import Structure, Unmet
 
 READ_AT_MOST = 12_000
@@ -38,7 +39,8 @@ class EmbeddedInterpreter:
         del structure
         if not text.strip():
             raise InterpretError("The text is empty: describe a driving scene, for example “a car cuts in ahead of ego”.")
-        head = text[:READ_AT_MOST]
+        mended = Mended(text[:READ_AT_MOST])
+        head = mended.text
         meant = typology(head)
         understood = scene.understand(f"{head} {meant}" if meant and _adds(head) else meant or head)
         if not _has_scene(understood):
@@ -46,9 +48,31 @@ class EmbeddedInterpreter:
                 "Nothing in the text tells of a driving scene: name the vehicles or people, where they are and what they do."
             )
         result = compose.compose(understood)
-        missed = _missed(understood, text)
+        missed = _missed(understood, text, mended)
+        result = _on_original(result, mended)
         result = result.model_copy(update={"text": text, "not_understood": tuple(missed)})
-        return Interpretation(result, tuple(missed), _stages(understood), understood.settings.confidences())
+        return Interpretation(result, tuple(missed), _spans_back(_stages(understood), mended), understood.settings.confidences())
+
+
+def _on_original(structure: Structure, mended: Mended) -> Structure:
+    """The structure with its links on the user's own text."""
+    for component in structure.components:
+        links = []
+        for link in component.links:
+            if link.span is not None and link.kind == "text":
+                start, end = mended.back(link.span[0]), mended.back(link.span[1])
+                if start >= end or start >= len(mended.original):
+                    continue
+                link = link.model_copy(update={"span": (start, end), "label": mended.original[start:end]})
+            links.append(link)
+        structure = structure.with_component(component.model_copy(update={"links": tuple(links)}))
+    return structure
+
+
+def _spans_back(value: Any, mended: Mended) -> Any:
+    if isinstance(value, dict):
+        return {k: (mended.back(v[0]), mended.back(v[1])) if k == "span" and v else _spans_back(v, mended) for k, v in value.items()}
+    return [_spans_back(v, mended) for v in value] if isinstance(value, list) else value
 
 
 def typology(text: str) -> str | None:
@@ -75,7 +99,7 @@ def _has_scene(found: Scene) -> bool:
     return bool(found.cast.ego.mentions or found.actors or found.clauses.events or found.road.kind or found.settings.weather)
 
 
-def _missed(found: Scene, text: str) -> list[Unmet]:
+def _missed(found: Scene, text: str, mended: Mended) -> list[Unmet]:
     """Sentences that no component took up."""
     taken: list[tuple[int, int]] = [(m.start, m.end) for e in [found.cast.ego, *found.actors] for m in e.mentions]
     taken += [(found.words[e.word].start, found.words[e.word].end) for e in found.clauses.events]
@@ -85,7 +109,9 @@ def _missed(found: Scene, text: str) -> list[Unmet]:
     missed = []
     for start, end in found.sentences:
         if not any(start <= s and e <= end for s, e in taken):
-            missed.append(Unmet(text=text[start:end], reason="nothing of it belongs to a driving scene that the specs can say", span=(start, end)))
+            first, last = mended.back(start), mended.back(end)
+            if first < last:
+                missed.append(Unmet(text=text[first:last], reason="nothing of it belongs to a driving scene that the specs can say", span=(first, last)))
     if len(text) > READ_AT_MOST:
         missed.append(Unmet(text=text[READ_AT_MOST : READ_AT_MOST + 200], reason=f"only the first {READ_AT_MOST} characters are read", span=(READ_AT_MOST, len(text))))
     return missed

@@ -117,6 +117,9 @@ class Cast:
         assert span is not None
         if span.kind == "ego":
             self._ego_type(word)
+            named = self._copula(word)
+            if named is not None and not named.ego and named.mover and len(named.mentions) <= 2:
+                self._become_ego(named)
             return self.ego
         if span.kind == "label":
             return self._labelled(word)
@@ -183,7 +186,7 @@ class Cast:
         head = self.words[word.head]
         if word.dep == "attr" and head.lemma == "be":
             for child in head.children:
-                if self.words[child].dep == "nsubj" and child in self.of and child < word.i:
+                if self.words[child].dep == "nsubj" and child in self.of and child < word.i and self.words[child].norm not in ("it", "they"):
                     return self.of[child]
                 if self.words[child].dep == "nsubj" and child < word.i:
                     return None
@@ -211,9 +214,13 @@ class Cast:
             return None
         if "no" in before or previous in ("no", "without", "any"):
             return None
+        if kind == "pedestrian" and self._rides(word):
+            return None
         if self._is_modifier(word) or noun == "traffic" and not roles or self._proper(word):
             return None
         count = self._count(word, before, data)
+        if re.search(r"(queue|line|row|jam|tailback|column|string) of( \w+)?$", " ".join(self._near(word)[-3:])) and re.search(r"stationary|standing|stopped|waiting|queue|jam|tailback", " ".join(w.norm for w in self.words[max(0, word.i - 5) : word.i])):
+            roles.add("stationary")
         known = language.roles()
         roles |= {known[b] for b in before if b in known}
         after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
@@ -221,6 +228,8 @@ class Cast:
         if host is not None and (host.type == "vehicle" or kind in ("vehicle", host.type) or host.ego or host.label) and (host.mover or not MOVERS & {kind}):
             return self._retyped(host, kind, roles, noun)
         host = self._apposed(word)
+        if host is None and word.dep == "appos" and word.head in self.of and self.of[word.head].type in ("vehicle", kind) and {"a", "an"} & set(before):
+            host = self.of[word.head]
         bracket = word.i and any(w.norm in ("(", "--", "-", ":") for w in self.words[max(0, word.i - 4) : word.i])
         if host is not None and (word.dep in ("appos", "attr") or bracket) and self.words[word.i - 1].norm not in ("and", "or") and (
             fits(host, kind) or host.type == "vehicle" or (host.ego and not self.ego.typed and kind in MOTOR)
@@ -268,6 +277,18 @@ class Cast:
 
     def _near(self, word: Word) -> list[str]:
         return [w.norm for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]
+
+    def _rides(self, word: Word) -> bool:
+        """Whether a person is only the one inside a vehicle ("a man in a white van"), who stands for it."""
+        following = [w for w in self.words[word.i + 1 : word.i + 6] if w.sentence == word.sentence]
+        if not following or following[0].norm not in ("in", "on", "driving", "riding"):
+            return False
+        for other in following[1:]:
+            if other.span is not None:
+                return other.span.kind == "actor" and other.span.data["type"] in VEHICLES
+            if other.tag in ("NN", "NNS", "IN") or other.verb:
+                return False
+        return False
 
     def _proper(self, word: Word) -> bool:
         """Whether the noun is part of a name ("Van Ness", "Ford")."""
@@ -568,6 +589,19 @@ class Cast:
                                 return found
             if word.lemma in ("driver", "operator", "system", "passenger", "feature") or word.norm == "brakes":
                 return self.ego if word.lemma != "passenger" else None
+        if word.tag.startswith("NN") and word.span is None:
+            for child in word.children:
+                other = self.words[child]
+                if other.dep == "prep" and other.norm in ("in", "on") or other.norm in ("driving", "riding") and other.dep == "acl":
+                    for target in other.children:
+                        if target in self.of and self.of[target].type in VEHICLES and self.words[target].tag != "PRP":
+                            return self.of[target]
+            for child in word.children:
+                other = self.words[child]
+                if other.dep == "prep" and other.norm == "of":
+                    for target in other.children:
+                        if target in self.of and self.of[target].count > 1:
+                            return self.of[target]
         if word.lemma in ("feature", "function", "motorist", "dcas", "alks", "aebs", "aeb", "system", "driver", "operator", "acc"):
             return self.ego
         return None

@@ -75,6 +75,11 @@ def _placement(scene: Scene, entity: Entity, ids: dict[Entity, str], place: Plac
         if speed and not any(scene.where(e).gap for e in scene.actors):
             closing = max(1.0, speed[0] - (own[0] if own else 0.0))
             gap = (closing * ttc_start * 1.02, closing * ttc_start * 1.2)
+    if gap is None and values["position"] in ("ahead", "behind") and not any(scene.where(e).gap for e in scene.actors):
+        for span in scene.spans:
+            if span.kind == "quantity" and span.data["dimension"] == "distance" and re.search(r"(gap|distance|headway|separation|spacing)( of| is| was|:|=)? ?(about |at least |roughly )?$", scene.plain[max(0, span.start - 30) : span.start]):
+                gap = (span.data["low"], span.data["high"])
+                break
     if gap is not None:
         low, high = sorted(gap)
         values["gap"] = round(low, 1) if high - low < 0.5 else (round(low, 1), round(high, 1))
@@ -93,10 +98,12 @@ def _start_ttc(scene: Scene) -> float | None:
 
 
 def _person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:
+    if "overtake" in acts and where.lane is None and not where.rel:
+        return {"position": "behind", "said": True}
     crosses = "cross_road" in acts or "enter_road" in acts or "cut_in" in acts and entity.person
     along = "move_along" in acts and not crosses
     text = " ".join(e.whole for e in scene.events(entity)) + " " + " ".join(t for _, t in where.phrases)
-    edge = where.side or side_of_text(re.sub(r"@\w+ (turn|travel)\w* (left|right)", "", " ".join(t for _, t in where.phrases)))
+    edge = where.side or side_of_text(re.sub(r"@\w+ (turn|travel)\w* (left|right)", "", " ".join(t for _, t in where.phrases))) or _sentence_side(scene, entity)
     if entity.type == "bicycle":
         if where.lane == "crossing" and not re.search(r"\b(cross|crosses) (the|a) (road|street|crosswalk|zebra)|crosswalk|sidewalk", text):
             return {"position": f"crossing_{where.side or 'right'}", "said": True}
@@ -137,6 +144,14 @@ def _person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     if where.lane in ("sidewalk", "roadside", "parked"):
         return {"position": "sidewalk" if where.lane == "sidewalk" else "roadside", "side": edge or "right", "said": True}
     return {"position": "ahead", "said": where.rel == "ahead" or where.lane == "same"}
+
+
+def _sentence_side(scene: Scene, entity: Entity) -> str | None:
+    """The side that the sentence of a person's first mention names for it."""
+    first = entity.mentions[0]
+    sentence = " ".join(w.norm for w in scene.words if w.sentence == scene.words[first.word].sentence)
+    match = re.search(r"(left|right) side|(?:from|on) (?:the |its )?(left|right)\b(?! lane|-hand lane)", sentence)
+    return (match[1] or match[2]) if match else None
 
 
 def _facing(text: str) -> str | None:

@@ -61,6 +61,8 @@ def phases_of(scene: Scene, entity: Entity, ids: dict[Entity, str], placement: P
         found += _phases(scene, event, entity, who, ego_key, placement, place, crossing, found)
     if "stationary" in entity.roles and not any(p.action not in ("stationary", "wait") for p in found):
         found = [Phase(action="stationary")]
+    if entity.person and not found and not entity.roles and placement.position in ("sidewalk", "roadside"):
+        found = [Phase(action="stationary")]
     if "parked" in entity.roles and not found:
         found = [Phase(action="stationary")]
     found = _merged(found)

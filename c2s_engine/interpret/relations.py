@@ -208,6 +208,10 @@ class Places:
         """What is said of ego (or of another) towards an entity says where that entity is, too."""
         turned = {"ahead": "behind", "behind": "ahead", "beside": "beside"}
         for event in self.clauses.events:
+            if event.agent.ego and event.mode == "fact" and re.search(r"#dist (behind|back)(?! (the |a )?@)", event.whole) and event.act in STATES:
+                ahead = [e for e in self.cast.entities if self.of[e].rel in (None, "ahead") and self.of[e].lane in (None, "same") and e.mover]
+                if ahead and self.of[ahead[0]].gap is None:
+                    self._gap(event.words, self.of[ahead[0]])
             if not event.agent.ego or event.mode == "hypothetical" or event.act not in STATES | {"keep_lane", "follow"}:
                 continue
             for match in re.finditer(r"(?P<rel>behind|ahead of|in front of|alongside|beside|next to|to the rear of) (the |an? |another )?(\w+ )?@(?P<who>a\d+)", event.whole):
@@ -259,12 +263,12 @@ class Places:
             for mention in entity.mentions:
                 sentence = [w.i for w in self.words if w.sentence == self.words[mention.word].sentence]
                 text = self.clauses.render(sentence)
-                match = re.search(rf"@(?P<by>a\d+) (conceal|hide|obscure|block|mask)\w* be (the |a |an )?@{entity.key}\b", text) or re.search(rf"@{entity.key}\b.*?(from behind|from between|out from behind|hidden (by|behind)|concealed (by|behind)|obscured (by|behind)|occluded (by|behind)|masked (by|behind)|screened by|blocked by|behind|in front of|between) (the |a |an |two |some |row of |line of )*(\w+ ){{0,2}}@(?P<by>a\d+)", text)
+                match = re.search(rf"(?:hidden|hide|concealed|conceal|obscured|obscure|occluded|occlude|masked|mask|blocked) by (the |a |an )?(\w+ )?@(?P<by>a\d+)[^.;]{{0,40}}, (the |a |an )?(\w+ )?@{entity.key}\b", text) or re.search(rf"(?:not|unable to|n't|cannot|hardly) (?:\w+ )?(?:see|notice|spot|detect)[^.;]*@{entity.key}\b[^.;]*(?:because of|due to|behind|as|for) (the |a |an )?(\w+ )?@(?P<by>a\d+)", text) or re.search(rf"@(?P<by>a\d+) (conceal|hide|obscure|block|mask)\w* be (the |a |an )?@{entity.key}\b", text) or re.search(rf"@{entity.key}\b.*?(from behind|from between|out from behind|hidden (by|behind)|concealed (by|behind)|obscured (by|behind)|occluded (by|behind)|masked (by|behind)|screened by|blocked by|behind|in front of|between) (the |a |an |two |some |row of |line of )*(\w+ ){{0,2}}@(?P<by>a\d+)", text)
                 if match is None:
                     match = re.search(rf"@(?P<by>a\d+)[^.;]*?(hide|hides|hid|conceal\w*|obscure\w*|block\w*|occlude\w*|mask\w*|obstruct\w*|screen\w*|shield\w*)( the view (of|to|on))?( @ego ''?s)?( view (of|to))? (the |a |an |any )?(\w+ )?@{entity.key}\b", text)
                     if match is None:
                         continue
-                elif match.re.groups > 2 and match[1] in ("behind", "in front of", "between"):
+                elif match.re.groups > 2 and (match[1] or "") in ("behind", "in front of", "between"):
                     if not entity.person or match[1] == "behind" and not re.search(r"parked|stand|stop|stationary|emerge|step|appear|run|dart", text) or match[1] == "in front of" and not re.search(r"(parked|stopped|stationary)", text):
                         continue
                 blocker = next((e for e in self.cast.entities if e.key == match["by"]), None)

@@ -21,10 +21,15 @@ def compose_place(scene: Scene) -> PlaceSpec:
     if kind == "intersection" and road.no_intersection and not at_junction and road.control is None:
         kind = None
     manoeuvre = None
+    if kind is None and road.signal:
+        kind = "intersection"
     if kind == "intersection":
         if turn is not None:
             sides = [side(e) for e in scene.events(ego) if e.act == "turn"]
             manoeuvre = "u_turn" if turn.act == "u_turn" else next((s for s in sides if s), "left")
+        named = re.search(r"(?:un)?protected (left|right)|\b(left|right) turn\b(?! lane)|\bego,?( [^.;]{0,25})?, (left|right)\b(?! lane)", scene.plain)
+        if manoeuvre is None and named and straight is None:
+            manoeuvre = next(g for g in (named[1], named[2], named[4]) if g)
         if manoeuvre is None and _ends_before(scene):
             manoeuvre = "straight"
         manoeuvre = manoeuvre or "straight"
@@ -92,6 +97,8 @@ def _at_junction(scene: Scene) -> bool:
             if re.search(r"driveway|parking|lane", event.text) and not re.search(r"intersection|junction|street|road", event.whole):
                 continue
             return side(event) is not None and not scene.road.no_intersection
+    if re.search(r"unprotected (left|right)|protected left", scene.plain):
+        return True
     crossing = [e for e in scene.actors if scene.where(e).lane == "crossing" and not e.person and e.type != "bicycle"]
     return bool(crossing) and not scene.road.no_intersection and any(e.act in ("cross_path", "go_straight", "collide", "yield", "run_stop") for e in scene.clauses.events)
 

@@ -45,6 +45,21 @@ def _quantity() -> re.Pattern[str]:
     )
 
 
+@cache
+def _bare() -> re.Pattern[str]:
+    return re.compile(r"\b(?:ego|lead|target|sv|vut|v[12]|lead vehicle|lead car|truck|car|bus|van|cyclist|bike|motorcycle|straight|left|right)(?: at| drives| doing|:)? (?P<low>\d{2,3})(?=\s*(?:[,.;)]|$|straight|and\b))")
+
+
+def bare_speeds(text: str) -> list[Span]:
+    """Numbers without a unit right after a road user, in the shorthand of tests: "ego 60, lead 40" is km/h."""
+    found = []
+    for match in _bare().finditer(text):
+        value = float(match["low"])
+        if 10 <= value <= 200:
+            found.append(Span("quantity", match.start("low"), match.end("low"), {"dimension": "speed", "low": value / 3.6, "high": value / 3.6, "bare": True}))
+    return found
+
+
 def _value(text: str) -> float:
     text = " ".join(text.split()).lstrip("+")
     words = language.table("units")["numbers"]
@@ -139,6 +154,7 @@ def names(text: str) -> list[Span]:
                 "roles": [known[w] for w in _role_words(match["roles"])] + _nominal(noun), "words": words,
             })
         )  # fmt: skip
+    found += _letters(text, found)
     found.sort(key=lambda s: (s.start, -s.end))
     kept: list[Span] = []
     for span in found:
@@ -148,6 +164,19 @@ def names(text: str) -> list[Span]:
             continue
         kept.append(span)
     return kept
+
+
+def _letters(text: str, found: list[Span]) -> list[Span]:
+    """Bare letters that stand for vehicles called by them elsewhere: "car A follows car B; B brakes"."""
+    named = {s.data["label"]: s for s in found if s.kind == "label" and re.search(r"[a-e]$", text[s.start : s.end])}
+    letters = {LABEL_LETTERS[n]: n for n in named}
+    spans = []
+    for letter, number in letters.items():
+        verb = r"(?=\s+(?!car\b|truck\b|bus\b|van\b)\w+(?:s|ed)\b|\s+(?:is|was|has|cannot|must|then)\b)" if letter == "a" else r"(?![\w'-]*\.\w)"
+        for match in re.finditer(rf"(?<![\w-]){letter}(?![\w-]){verb}", text):
+            if not any(s.start <= match.start() < s.end for s in found):
+                spans.append(Span("label", match.start(), match.end(), {"label": number, "word": "letter"}))
+    return spans
 
 
 def _noun(noun: str) -> tuple[str, bool, bool]:
@@ -180,6 +209,7 @@ def _role_words(text: str) -> list[str]:
     return found
 
 
+LABEL_LETTERS = dict(zip("12345", "abcde", strict=True))
 ABBREVIATION = re.compile(r"(?:\b(?:e\.g|i\.e|approx|ca|vs|no|st|ave|rd|dr|mr|mrs|min|max|fig|sec|incl|etc|resp|veh)|\b[a-z])\.$")
 
 

@@ -51,6 +51,8 @@ def understand(text: str) -> Scene:
     plain = scan.normalised(text)
     sentences = scan.sentences(text)
     quantities = scan.quantities(plain)
+    quantities += [b for b in scan.bare_speeds(plain) if not any(q.start < b.end and b.start < q.end for q in quantities)]
+    quantities.sort(key=lambda s: s.start)
     names = scan.names(plain)
     taken = [(q.start, q.end) for q in quantities]
     names = [n for n in names if not any(s < n.end and n.start < e for s, e in taken)]
@@ -94,7 +96,11 @@ def _choose_ego(cast: Cast, clauses: Clauses) -> None:
             continue
         if acts and not EGO_LIKE & set(acts):
             continue
-        if "cut_in" in acts or (acts and all(a == "stationary" for a in acts)):
+        if {"cut_in", "enter_road"} & set(acts) or (acts and all(a == "stationary" for a in acts)) or any(v.act == "reverse" and re.search(r"driveway|parking|garage", v.whole) for v in acting[entity]):
+            continue
+        if any(v.passive and v.patient is not None for v in clauses.events if v.agent is entity and v.act == "stationary") or cast.words[entity.mentions[0].word - 1 if entity.mentions[0].word else 0].norm == "by":
+            continue
+        if cast.words[entity.mentions[0].word].dep == "pobj" and cast.words[cast.words[entity.mentions[0].word].head].dep == "agent" and not acts:
             continue
         candidates.append(entity)
     if not candidates:
@@ -134,7 +140,12 @@ def _actors(scene: Scene) -> list[Entity]:
             continue
         if not own and not passive and not entity.roles and where.rel is None and where.lane is None and not _mentioned_alone(scene, entity):
             continue
+        if entity.noun == "traffic" and any(e is not entity and (e.roles & entity.roles or scene.where(e).lane == where.lane is not None) for e in scene.cast.entities):
+            continue
         if not own and entity.type in ("vehicle", "pedestrian") and entity.count > 1 and where.rel is None and where.lane is None:
+            continue
+        if entity.label and len(scene.cast.entities) <= 6 or entity.person and _seen(scene, entity):
+            kept.append(entity)
             continue
         only_denied = [e for e in scene.clauses.events if e.agent is entity or e.patient is entity]
         if only_denied and not own and not passive and where.rel is None and where.lane is None and not entity.roles and entity.type not in ZONES:
@@ -161,6 +172,11 @@ def _pass_on(scene: Scene, generic: Entity, members: list[Entity]) -> None:
             own.lane, own.rel = where.lane, where.rel or "ahead"
         if number == 0 and own.gap is None and where.gap is not None:
             own.gap = where.gap
+
+
+def _seen(scene: Scene, entity: Entity) -> bool:
+    """Whether a person is the object of seeing ("did not see the child")."""
+    return any(scene.words[scene.words[m.word].head].lemma in ("see", "notice", "detect", "spot", "observe", "recognize", "recognise", "overlook", "perceive", "identify") for m in entity.mentions)
 
 
 def _mentioned_alone(scene: Scene, entity: Entity) -> bool:
@@ -230,6 +246,8 @@ def _rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 event.act, event.mode = "run_stop", "fact"
             elif re.search(r"red (light|signal)|traffic (light|signal)", event.whole + " " + sentence) and re.search(r"(fail|not|never|without).{0,30}stop.{0,30}(red|light|signal)", sentence):
                 event.act, event.mode = "run_red", "fact"
+        if event.act == "yield" and event.mode == "negated" and not event.agent.ego:
+            event.act, event.mode = "cross_path", "fact"
         if event.act == "pass_by":
             junction = road.kind == "intersection" and not re.search(r"lane|left|right|behind", event.whole)
             event.act = "travel" if junction else "overtake"

@@ -110,7 +110,7 @@ NOUN_LIKE = frozenset(
 MOTION = frozenset(
     "slam brake decelerate accelerate merge emerge appear swing veer drift slide skid crawl creep trundle pedal pull cut cruise come go travel drive step dart dash jump speed slow weave "
     "approach turn reverse back stop stall halt start wait yield overtake run walk jog cycle cross enter leave exit switch change filter close arrive proceed continue head lurch spin hydroplane "
-    "wander stray roll coast park stand sit lie intrude encroach invade return".split()
+    "wander stray roll coast park stand sit lie intrude encroach invade return tailgate back".split()
 )
 TRANSITIVE = frozenset("trails leads lets".split())
 VERBAL_LEFT = regex.compile(r"left\s+(?:the|its|his|their|a|that|this)\s+(?!side|lane of)")
@@ -134,6 +134,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         if follows:
             return "goes"
     elif follows and text in NOUN_LIKE and text.endswith("s") and regex.search(r"(?:in front|ahead|behind|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly)\s*$", plain[max(0, start - 9) : start]):
+        return "goes"
+    elif before is not None and before.kind != "quantity" and text in ("decel", "accel", "decelerating", "accelerating") and text[-2:] != "ng":
         return "goes"
     elif follows and text in BASE and (before is not None and before.kind != "quantity" or regex.search(r"\blanes\b|\bthey\s*$", plain[max(0, start - 28) : start])):
         return "go"

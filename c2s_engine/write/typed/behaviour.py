@@ -10,6 +10,11 @@ from c2s_engine.write.typed.plan import LANE_NAME, Plan
 from c2s_engine.write.typed.tables import is_static
 
 LANE_WIDTH = 3.5
+FORCED = {"brake", "stop", "swerve", "lane_change"}
+DELAYED = {
+    "brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road", "accelerate", "oncoming",
+}  # fmt: skip
+IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
 
 
 @dataclass
@@ -120,7 +125,7 @@ class _Script:
     def _trigger(self, phase: Phase, index: int) -> str:
         t = phase.trigger
         if t is None:
-            return self._implicit(phase) if index == 0 or self.a.is_ego else ""
+            return self._implicit(phase, index == 0)
         other = self.a.ref(t.of)
         value = middle(t.value) if t.value is not None else None
         if t.kind == "time":
@@ -159,40 +164,46 @@ class _Script:
             return f"({other}._lane is egoLane)" if t.action == "cut_in" else f"({other}._lane is not egoLane)"
         return f"(distance from self to {other}) < 20"
 
-    def _implicit(self, phase: Phase) -> str:
-        """The trigger of a phase that names none: ego brakes or gives way when it has to, a cut-in waits for its gap."""
+    def _implicit(self, phase: Phase, first: bool = True) -> str:
+        """The trigger of a phase that names none: what ego is forced to waits for the need, a cut-in for its gap."""
         a = self.a
         if phase.trigger is not None:
             return ""
         if phase.action in ("lane_change", "cut_in") and self._on_ramp():
             return "until self._lane is accelerationLane"
-        if a.is_ego and a.others and phase.action in ("brake", "stop", "swerve", "lane_change"):
+        if a.is_ego and phase.action in FORCED and self._confronted(phase):
             other = a.ref(phase.target or getattr(a.spec, "react_to", None))
             hard = a.spec.hard or (phase.rate is not None and middle(phase.rate) >= 4)
-            limit = {"swerve": 1.2, "lane_change": 1.2}.get(phase.action, 4 if hard else 2)
+            limit = 1.2 if phase.action in ("swerve", "lane_change") else 4 if hard else 2
             return f"until need(self, {other}) > {limit}"
         if phase.action == "cut_in":
             return f"until 5 < lead_on(self, {a.ref(phase.target)}) - self.length < {scope.number(self._cut_in_gap())}"
         if phase.action == "overtake" and self.k is not None and self._same_lane(phase):
             return f"until (distance from self to {a.ref(phase.target)}) < 12 + 0.8 * self.speed"
-        if (
-            phase.action
-            in (
-                "brake",
-                "stop",
-                "swerve",
-                "lane_change",
-                "cut_out",
-                "drift",
-                "lose_control",
-                "leave_road",
-                "accelerate",
-                "oncoming",
-            )
-            and a.value > 0
-        ):
-            return "for 3 seconds"
-        return ""
+        if not first or phase.action not in DELAYED or a.value <= 0:
+            return ""
+        if self._oncoming():
+            return f"until (distance from self to ego) < {scope.number(2.8 * (a.value + a.plan.ego_speed))}"
+        return "for 3 seconds"
+
+    def _oncoming(self) -> bool:
+        placement = getattr(self.a.spec, "placement", None)
+        return bool(placement and placement.position in ("oncoming_lane", "opposite_approach"))
+
+    def _confronted(self, phase: Phase) -> bool:
+        """Whether the one that ego reacts to is, or comes, in its way."""
+        a = self.a
+        cid = phase.target or getattr(a.spec, "react_to", None)
+        if cid is None:
+            return bool(a.others)
+        if cid == "ego" or cid not in a.structure:
+            return False
+        spec = a.structure[cid].spec
+        if not isinstance(spec, ObjectSpec):
+            return False
+        if spec.placement.position == "behind" or spec.placement.along == "behind":
+            return any(p.action in ("cut_in", "overtake") for p in spec.phases) and phase.action in ("brake", "stop")
+        return spec.placement.position in IN_WAY or not is_static(spec)
 
     def _on_ramp(self) -> bool:
         """Whether it comes up the ramp and has not yet changed onto the motorway."""
@@ -237,7 +248,19 @@ class _Script:
         goal = self._set(self._to(p, self.value))
         return [([self._drive(goal, middle(p.rate) if p.rate else None)], self._ending(p, ""))]
 
-    _do_go_straight = _do_turn_left = _do_turn_right = _do_run_red = _do_run_stop = _do_keep_lane
+    _do_run_red = _do_run_stop = _do_keep_lane
+
+    def _do_turn_left(self, p: Phase) -> list[tuple[list[str], str]]:
+        """The line already turns; the phase is over when the junction is behind."""
+        goal = self._set(self._to(p, self.value))
+        if not (self.a.plan.junction and (self.a.is_ego or self.a.approach or self.k is not None)):
+            return [([self._drive(goal)], self._ending(p, ""))]
+        return [
+            ([self._drive(goal)], "until self._intersection"),
+            ([self._drive(goal)], "until not self._intersection"),
+        ]
+
+    _do_turn_right = _do_go_straight = _do_turn_left
 
     def _do_stationary(self, p: Phase) -> list[tuple[list[str], str]]:
         return [([self._drive("0", 4)], self._ending(p, ""))]
@@ -459,8 +482,7 @@ def threatening(structure: Structure) -> list[str]:
         spec = c.spec
         if not isinstance(spec, ObjectSpec):
             continue
-        in_way = spec.placement.position in ("ahead", "partly_in_lane", "intersection_exit")
-        if in_way or not is_static(spec):
+        if spec.placement.position in IN_WAY or not is_static(spec):
             name = scope.variables(structure)[c.id]
             many = spec.count > 1 or spec.type in ("construction_zone", "lane_closure")
             found.append(f"*{name}" if many else name)

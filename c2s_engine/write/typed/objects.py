@@ -2,7 +2,7 @@
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
-from c2s_engine.structure.specs import ObjectSpec, Phase
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import behaviour, scope
 from c2s_engine.write.typed.placement import Spot, place_object
 from c2s_engine.write.typed.plan import Plan, speed_of
@@ -13,6 +13,9 @@ def write_object(structure: Structure, cid: str, plan: Plan) -> str:
     """The fragment of one object."""
     spec = structure[cid].spec
     assert isinstance(spec, ObjectSpec)
+    if spec.type in ("construction_zone", "lane_closure"):
+        spec = spec.model_copy(update={"count": 1})
+        structure = structure.with_component(structure[cid].model_copy(update={"spec": spec}))
     spot = place_object(structure, cid, plan)
     name = scope.variables(structure)[cid]
     if spec.type in ("construction_zone", "lane_closure"):
@@ -47,11 +50,11 @@ def _statement(spec: ObjectSpec, spot: Spot, name: str, moving: bool) -> list[st
         "regionContainedIn" in s for s in spot.specifiers
     ):
         extras.append("with regionContainedIn everywhere")
-    if not (is_vehicle(spec.type) or is_walker(spec.type)) and not any(s.startswith("facing") for s in spot.specifiers):
+    if not is_vehicle(spec.type) and not any(s.startswith(("facing", "ahead of", "behind")) for s in spot.specifiers):
         extras.append("facing roadDirection")
     if moving:
         extras.append(f"with behavior {scope.camel(name)}Behavior()")
-    specifiers = [*spot.specifiers, *extras]
+    specifiers = list(dict.fromkeys([*spot.specifiers, *extras]))
     head = f"new {CLASS[spec.type]} {specifiers[0]}"
     if spec.count > 1:
         rest = ", ".join(specifiers[1:])
@@ -118,16 +121,26 @@ def _driver(
     statements = behaviour.body(actor)
     own = {"collide", "yield", "stop", "run_stop", "wait"} & {p.action for p in spec.phases}
     if spot.approach and plan.junction and not own and not standing:
-        statements = [_synchronised(s, prefix) for s in statements]
+        statements = [_synchronised(s, prefix, _sooner(structure)) for s in statements]
         statements.insert(1, "spot = meeting(line, way(egoLane, egoTurn))")
     if any(p.action == "run_red" for p in spec.phases):
         statements.insert(1, "take SetTrafficLightAction('red', distance=150)")
     return statements
 
 
-def _synchronised(statement: str, prefix: str) -> str:
-    """On a crossing way it arrives when ego does."""
-    return statement.replace(f"do Drive(line, {prefix}_SPEED)", f"do Drive(line, lambda: meet(self, ego, spot, {prefix}_SPEED))")
+def _synchronised(statement: str, prefix: str, sooner: float) -> str:
+    """On a crossing way it arrives when ego does, or a little sooner."""
+    early = f", {scope.number(sooner)}" if sooner else ""
+    met = f"do Drive(line, lambda: meet(self, ego, spot, {prefix}_SPEED{early}))"
+    return statement.replace(f"do Drive(line, {prefix}_SPEED)", met)
+
+
+def _sooner(structure: Structure) -> float:
+    """Where ego does not give way, the other passes a moment before it (a near miss): only `collide` means contact."""
+    ego = structure.ego.spec
+    assert isinstance(ego, EgoSpec)
+    gives_way = ego.reaction in ("brake", "yield") or {"yield", "brake", "stop"} & {p.action for p in ego.phases}
+    return 0 if gives_way else 1.8
 
 
 def _start_condition(
@@ -194,4 +207,3 @@ def _rider_across(
         f"take SetSpeedAction({own})",
         f"do Drive(line, {own})",
     ]
-

@@ -12,6 +12,8 @@ def write_place(plan: Plan, code: PlaceCode, parts: frozenset[str]) -> str:
         parts = parts | {"approach"}
     if code.yields == "spots":
         parts = parts | {"along"}
+    if plan.place.kind == "curve":
+        parts = parts | {"bend_start"}
     lines = ["import math", "", *kernel.text(parts).splitlines(), ""] if parts else []
     if code.comment:
         lines.append(f"# {code.comment}")
@@ -23,21 +25,33 @@ def write_place(plan: Plan, code: PlaceCode, parts: frozenset[str]) -> str:
 
 def candidates(plan: Plan, code: PlaceCode) -> str:
     """The list of places from which one is drawn: what counts how many there are (with the kernel's `approach`)."""
-    if code.yields != "maneuvers":
+    if code.yields == "spots":
         return code.expression
+    if code.yields == "lanes":
+        bend = ", bend_start(lane)" if plan.place.kind == "curve" else ""
+        if plan.oncoming:
+            innermost = "for o in lane.group.opposite.lanes if o.sections[0]._fasterLane is None"
+            return f"[(lane{bend}, o) for lane in {code.expression} {innermost}]"
+        return f"[(lane{bend}) for lane in {code.expression}]".replace("(lane)", "lane") if bend else code.expression
     if plan.ramp or plan.place.kind == "on_ramp":
         merging = "o.endLane is m.endLane.sections[0]._fasterLane.lane"
         return f"[(m, o) for m in {code.expression} for o in m.intersection.maneuvers if {merging}]"
+    innermost = " for o in m.startLane.group.opposite.lanes if o.sections[0]._fasterLane is None"
     if not plan.approaches:
-        return code.expression
+        return f"[(m, o) for m in {code.expression}{innermost}]" if plan.oncoming else code.expression
     roles = ", ".join(f"approach(m, {APPROACH_ANGLE[p]}, ManeuverType.{t})" for p, t in plan.approaches)
+    if plan.oncoming:
+        return f"[j for j in [(m, {roles}, o) for m in {code.expression}{innermost}] if all(j)]"
     return f"[j for j in [(m, {roles}) for m in {code.expression}] if all(j)]"
 
 
 def _choice(plan: Plan, code: PlaceCode) -> list[str]:
     places = _wrapped(candidates(plan, code))
     if code.yields == "lanes":
-        return [f"egoLane = Uniform(*{places})"]
+        if not plan.oncoming and plan.place.kind != "curve":
+            return [f"egoLane = Uniform(*{places})"]
+        lines = [f"stretch = Uniform(*{places})", "egoLane = stretch[0]"]
+        return lines + (["oncomingLane = stretch[-1]"] if plan.oncoming else [])
     if code.yields == "spots":
         return [
             f"spots = {places}",
@@ -66,12 +80,12 @@ def _choice(plan: Plan, code: PlaceCode) -> list[str]:
             "rightLane = egoTurn.startLane",
             "egoLane = rightLane.sections[0]._fasterLane.lane",
         ]
-    if not plan.approaches:
+    if not plan.approaches and not plan.oncoming:
         return [f"egoTurn = Uniform(*{places})", "egoLane = egoTurn.startLane"]
     lines = [f"junction = Uniform(*{places})", "egoTurn = junction[0]", "egoLane = egoTurn.startLane"]
     for i, (position, turn) in enumerate(plan.approaches, start=1):
         lines.append(f"{approach_name(plan, position, turn)} = junction[{i}]")
-    return lines
+    return lines + (["oncomingLane = junction[-1]"] if plan.oncoming else [])
 
 
 def approach_name(plan: Plan, position: str, turn: str) -> str:
@@ -96,8 +110,6 @@ def _lanes(plan: Plan) -> list[str]:
         section = "egoLane.sections[-1]" if plan.junction else "egoLane.sections[0]"
         step = "._fasterLane" if k > 0 else "._slowerLane"
         lines.append(f"{LANE_NAME[k]} = {section}{step * abs(k)}.lane")
-    if plan.oncoming:
-        lines.append("oncomingLane = egoLane.group.opposite.lanes[-1]")
     if plan.exit_lane:
         lines.append("exitLane = egoTurn.endLane")
     return lines
@@ -105,10 +117,13 @@ def _lanes(plan: Plan) -> list[str]:
 
 def _start(plan: Plan, code: PlaceCode) -> list[str]:
     lines = []
-    if plan.distance is None:
-        spread = 0 if plan.place.kind == "curve" else 20
-        start = f"Range({number(plan.before)}, {number(plan.before + spread)})" if spread else number(plan.before)
-        lines.append(f"EGO_AT = {start}  # m along its lane")
+    if plan.place.kind == "curve":
+        lines += [
+            "EGO_TO_BEND = 40  # m",
+            f"EGO_AT = max({number(plan.before)}, stretch[1] - EGO_TO_BEND)  # m along its lane",
+        ]
+    elif plan.distance is None:
+        lines.append(f"EGO_AT = Range({number(plan.before)}, {number(plan.before + 20)})  # m along its lane")
     elif code.yields == "spots":
         lines += [f"EGO_TO_CROSSWALK = {quantity(plan.distance)}  # m", "EGO_AT = crossing[1] - EGO_TO_CROSSWALK"]
     else:

@@ -70,7 +70,12 @@ def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) 
         way = f"way({lane})" if place == "on_ramp" else f"way({lane}, ManeuverType.{own})"
         line = f"{name} = {base}{_TO_END[place]} {op} {gap} {op} {half}  # m"
         at = f"min(-1, -({_member(spec, name)}))"
-        return Spot((line,), (f"at {lane}.centerline.pointAlongBy({at})", *loose), way, approach=None if place == "on_ramp" else lane)
+        return Spot(
+            (line,),
+            (f"at {lane}.centerline.pointAlongBy({at})", *loose),
+            way,
+            approach=None if place == "on_ramp" else lane,
+        )
     name = position_constant(structure, cid)
     if place in ("oncoming_lane", "intersection_exit"):
         forward = behind if place == "oncoming_lane" else not behind
@@ -94,7 +99,7 @@ def position_constant(structure: Structure, cid: str) -> str:
 
 
 def _gap(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
-    return spec.placement.gap if spec.placement.gap is not None else default_gap(spec, plan.ego_speed)
+    return spec.placement.gap if spec.placement.gap is not None else default_gap(spec, plan.ego_speed, plan.place)
 
 
 def _of_length(structure: Structure, of: str) -> float:
@@ -137,6 +142,8 @@ def _along(spec: ObjectSpec) -> int:
 
 def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
     k = plan.lane_of[cid] or 0
+    if k not in plan.offsets:  # at a ramp the only neighbour is on the left
+        k = 1
     lane = LANE_NAME[k]
     sign = _along(spec)
     at = position_constant(structure, cid)
@@ -209,7 +216,10 @@ def _oncoming(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> S
 def _on_ramp(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
     name = f"{scope.constant(structure, cid)}_TO_MERGE"
     own, ego = middle(speed_of(spec, plan.place)), max(plan.ego_speed, 4)
-    value = scope.number(max(10.0, min(own * middle(plan.distance or 80) / ego, 150)))
+    lead = 0.0
+    if any(p.action == "cut_in" for p in spec.phases):  # it comes out in front
+        lead = 6 + (middle(spec.placement.gap) if spec.placement.gap is not None else 14)
+    value = scope.number(max(10.0, min((own * (middle(plan.distance or 80) + 100) / ego) - 100 - lead, 250)))
     loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
     at = f"-({_member(spec, name)})" if spec.count > 1 else f"-{name}"
     return Spot(
@@ -293,4 +303,3 @@ def _hidden(structure: Structure, spec: ObjectSpec) -> Spot:
         "straight_on(self)",
         off_road=True,
     )
-

@@ -99,6 +99,8 @@ def make_plan(structure: Structure) -> Plan:
     restrictions = structure.restrictions.spec
     objects = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
     place = _place_kind(place, ego, objects)
+    if place.kind == "on_ramp":  # beside a ramp there is the motorway, on the left
+        objects = {c: _on_the_left(o) for c, o in objects.items()}
     lane_of = {cid: _lane_offset(cid, objects) for cid in objects}
     ramp = any(o.placement.position == "on_ramp" for o in objects.values())
     if ramp and place.kind not in ("motorway", "on_ramp"):
@@ -140,7 +142,7 @@ def make_plan(structure: Structure) -> Plan:
         place=place,
         duration=duration,
         ego_speed=speed,
-        before=_before(ego, objects),
+        before=_before(ego, objects, speed),
         after=_after(place, speed, duration, ego, objects),
         distance=_distance(place.model_copy(update={"kind": "on_ramp"}) if ramp else place, speed, objects, ego),
         offsets=offsets,
@@ -151,6 +153,12 @@ def make_plan(structure: Structure) -> Plan:
         exit_lane=any(o.placement.position == "intersection_exit" for o in objects.values()),
         lane_of=lane_of,
     )
+
+
+def _on_the_left(o: ObjectSpec) -> ObjectSpec:
+    if o.placement.position not in ("right_lane", "beside"):
+        return o
+    return o.model_copy(update={"placement": o.placement.model_copy(update={"position": "left_lane"})})
 
 
 def _all_phases(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> list[Phase]:
@@ -260,16 +268,21 @@ def _ramp_lanes(place: PlaceSpec, offsets: frozenset[int], ramp: bool) -> tuple[
     return place.model_copy(update={"ego_lane": None, "lanes": None}), 0, offsets
 
 
-def _before(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> float:
-    reach = 25.0
-    for o in objects.values():
-        behind = o.placement.position == "behind" or o.placement.along == "behind"
-        if behind:
-            gap = high(o.placement.gap) if o.placement.gap is not None else 25
-            reach = max(reach, gap + 15 + (o.count - 1) * 15)
-    if any(p.action == "reverse" for p in ego.phases):
-        reach += 20
-    return reach
+def _before(ego: EgoSpec, objects: dict[str, ObjectSpec], speed: float) -> float:
+    """How much lane there must be behind ego's start, m."""
+
+    def back(o: ObjectSpec, depth: int = 0) -> float:
+        """How far behind ego an object reaches."""
+        gap = high(o.placement.gap) if o.placement.gap is not None else default_gap(o, speed)
+        step = LENGTH[o.type] + (high(o.spacing) if o.spacing is not None else 3.0)
+        behind = o.placement.along == "behind" or (o.placement.position == "behind" and o.placement.along is None)
+        own = (gap + LENGTH[o.type] + 10 + (o.count - 1) * step) * (1 if behind else -1)
+        parent = objects.get(o.placement.of)
+        return max(own, 0) + (back(parent, depth + 1) if parent and depth < 8 else 0)
+
+    reach = max((back(o) for o in objects.values()), default=0)
+    backing = 20 if any(p.action == "reverse" for p in ego.phases) else 0
+    return math.ceil(max(25.0, reach) + backing)
 
 
 def _furthest(objects: dict[str, ObjectSpec]) -> float:
@@ -294,8 +307,9 @@ def _after(place: PlaceSpec, speed: float, duration: float, ego: EgoSpec, object
         if phase.speed is not None:
             fastest = max(fastest, high(phase.speed))
     far = _furthest(objects)
-    if any(o.placement.position == "oncoming_lane" for o in objects.values()):
-        far = max(far, 150)
+    far = max(
+        [far, *(_oncoming_gap(o, speed, place) for o in objects.values() if o.placement.position == "oncoming_lane")]
+    )
     limit = {"curve": 450.0, "crosswalk": 150.0}.get(place.kind, 1050.0)
     wanted = max(fastest * min(duration, 20) + far * 0.5, far + 60, 150)
     return min(math.ceil(wanted / 50) * 50.0, limit)
@@ -338,13 +352,18 @@ def _junction_side(o: ObjectSpec, ego_speed: float) -> float:
     return gap + LENGTH[o.type] + 5 + (o.count - 1) * step
 
 
-def default_gap(o: ObjectSpec, ego_speed: float) -> float:
+def _oncoming_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
+    return high(o.placement.gap) if o.placement.gap is not None else default_gap(o, ego_speed, place)
+
+
+def default_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None = None) -> float:
     """The gap (m) where the text gives none: about two seconds to a moving object, more to a standing one."""
     position = o.placement.position
     if position in ("beside",) or o.placement.along == "abreast":
         return 0.0
     if position == "oncoming_lane":
-        return 120.0
+        own = middle(speed_of(o, place)) if place else ego_speed
+        return max(60.0, min(5.5 * (ego_speed + own), 260.0))
     if position == "intersection_exit":
         return 14.0
     if is_static(o) or not is_vehicle(o.type) or position in MOVES_OFF_ROAD:

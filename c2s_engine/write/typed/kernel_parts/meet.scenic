@@ -2,10 +2,10 @@ def meeting(points, others):
     """The spot of `points` that lies nearest to `others`: where both ways meet."""
     return min(points[::3], key=lambda p: min((p.x - q.x) ** 2 + (p.y - q.y) ** 2 for q in others[::3]))
 
-def meet(car, other, spot, speed):
-    """The speed (m/s), about `speed`, at which `car` comes to the spot when `other` does."""
+def meet(car, other, spot, speed, sooner=0):
+    """The speed (m/s), about `speed`, at which `car` comes to the spot `sooner` s before `other` does."""
     own = (spot - car.position).rotatedBy(-car.heading).y
     far = (spot - other.position).rotatedBy(-other.heading).y
     if own < 8 or far < 12 or other.speed < 2:
         return speed
-    return max(0.6 * speed, min(1.5 * speed, own * other.speed / far))
+    return max(0.6 * speed, min(1.5 * speed, own / max(far / other.speed - sooner, 0.5)))

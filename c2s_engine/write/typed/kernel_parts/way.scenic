@@ -1,8 +1,8 @@
-def way(lane, turn=ManeuverType.STRAIGHT, metres=900):
-    """Points 2 m apart along a lane and on through the junctions ahead: by `turn` (a manoeuvre
-    or its type) at the first, then straight on."""
+def way(lane, turn=ManeuverType.STRAIGHT):
+    """Points 2 m apart along a lane and on over the next junctions: by `turn` (a manoeuvre or its type) at the
+    first, then straight on."""
     points = []
-    while len(points) < metres / 2:
+    for _ in range(3):
         points += lane.centerline.pointsSeparatedBy(2)
         onward = [m for m in lane.maneuvers if turn in (m, m.type)] or list(lane.maneuvers)
         if not onward:

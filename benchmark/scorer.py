@@ -72,7 +72,7 @@ def score(record: Record, facts: Sequence[RunFacts], runs: int) -> RecordScore:
     loose = {name for m in matchings for name in m.unaccounted}
     for name in sorted(loose):
         share = 1 - sum(name in m.unaccounted for m in matchings) / runs
-        if share < 0.5:
+        if share <= 0.5:  # it is accounted for in no more than half of them
             atoms.append(AtomScore(record.id, "DO", f"{name} moves, and nothing expects it", "stray", share, False))
     layers = {layer: _layer_score([a for a in atoms if a.layer == layer], ran) for layer in LAYERS}
     counted = [value for value in layers.values() if value is not None]

@@ -1,6 +1,7 @@
 """`c2s edit` and `c2s sessions`: a session's turns without the app, and sessions as a whole."""
 
 import asyncio
+import contextlib
 import json
 from collections.abc import AsyncIterator
 from datetime import datetime
@@ -70,7 +71,7 @@ def list_sessions(as_json: Annotated[bool, typer.Option("--json", help="Print on
             return
         for s in found:
             when = datetime.fromtimestamp(s.updated).strftime("%Y-%m-%d %H:%M")
-            out.print(Text(f"{s.name:<30} {s.turns:>4} turns  {when}  {s.last[:60]}"))
+            out.print(Text(f"{s.name:<30} {s.turns:>4} turns  {when}  {s.last[:60]}"), soft_wrap=True)
 
 
 @app.command()
@@ -150,7 +151,10 @@ async def _work(
 
     undo, redo, resume = steps
     done: Finished | None = None
-    async with Engine(load_settings()) as engine:
+    engine = Engine(load_settings())
+    async with contextlib.AsyncExitStack() as stack:
+        if say or edits or resume:  # looking, undoing and redoing need no check server
+            await stack.enter_async_context(engine)
         session = _sessions().open(name, engine)
         try:
             if session.pending and not resume:
@@ -194,7 +198,7 @@ def _as_dict(session: Any, done: Finished | None) -> dict[str, Any]:
 
 def _print(session: Any) -> None:
     for turn in session.history[-5:]:
-        out.print(Text(f"{turn.index + 1:>3}  {turn.text[:70]}  ({turn.summary})", style="dim"))
+        out.print(Text(f"{turn.index + 1:>3}  {turn.text[:70]}  ({turn.summary})", style="dim"), soft_wrap=True)
     show.structure(session.structure)
     show.stages(session.stages)
     show.diagnostics([d for s in session.stages for d in s.diagnostics])

@@ -50,9 +50,14 @@ def serve(control: socket.socket, handle: Handler) -> None:
             _become_child(control, wake_read, wake_write, fds[0], handle)
         children.add(pid)
         os.close(fds[0])
+    _finish(children)
+
+
+def _finish(children: set[int]) -> None:
+    """Let the children that are at work come to their end: the server watches and kills them itself."""
     for pid in children:
-        with contextlib.suppress(ProcessLookupError):
-            os.kill(pid, signal.SIGKILL)
+        with contextlib.suppress(ChildProcessError):
+            os.waitpid(pid, 0)
 
 
 def _become_child(control: socket.socket, wake_read: int, wake_write: int, fd: int, handle: Handler) -> None:

@@ -1,4 +1,4 @@
-"""A runner for tests: it runs the behaviours on a standing world, so that what is tested is the check, not the physics."""
+"""A runner for tests: it runs the behaviours in a world that stands still, so that the check is tested, not physics."""
 
 from typing import Any
 

@@ -119,12 +119,21 @@ async def test_cancelling_kills_and_others_go_on() -> None:
 
 
 async def _settled(client: CheckClient) -> int:
-    """How many processes still spin, once the server has taken in the cancellation."""
-    await client.check(request(upto="parse"))
-    listing = subprocess.run(["ps", "-eo", "pid,ppid,stat,cmd"], capture_output=True, text=True).stdout
+    """How many processes of the server still spin, once it has taken in the cancellation."""
+    spinning = -1
+    for _ in range(50):
+        await client.check(request(upto="parse"))
+        spinning = _spinning(client)
+        if spinning == 0:
+            break
+    return spinning
+
+
+def _spinning(client: CheckClient) -> int:
+    listing = subprocess.run(["ps", "-eo", "pid,ppid,stat"], capture_output=True, text=True).stdout
     assert client._process is not None
     family = {str(client._process.pid)}
-    rows = [line.split(None, 3) for line in listing.splitlines()[1:]]
+    rows = [line.split() for line in listing.splitlines()[1:]]
     for _ in rows:
         family |= {r[0] for r in rows if r[1] in family}
     return sum(1 for r in rows if r[0] in family and r[2].startswith("R"))

@@ -23,7 +23,11 @@ class VehicleClass:
     rolling: float = 0.15
     steering: float = 0.7
     handbrake: float = 5.0
+    engine_brake: float = 0.6
 
+
+COAST = 0.01
+"""Throttle below which the engine brakes."""
 
 CLASSES = {
     "car": VehicleClass(6.0, 100.0, 8.5, 0.00026),
@@ -31,7 +35,7 @@ CLASSES = {
     "truck": VehicleClass(3.0, 32.0, 7.0, 0.0003),
     "bus": VehicleClass(2.5, 28.0, 6.5, 0.0003, steering=0.75),
     "motorcycle": VehicleClass(6.5, 110.0, 8.0, 0.0006, rolling=0.1, steering=0.55),
-    "bicycle": VehicleClass(2.5, 14.0, 5.0, 0.003, rolling=0.08, steering=0.6),
+    "bicycle": VehicleClass(2.5, 14.0, 5.0, 0.003, rolling=0.08, steering=0.6, engine_brake=0.0),
 }
 
 
@@ -114,7 +118,7 @@ class Body:
                 push = -0.6 * push
             slow = brake * kind.braking + kind.drag * v * v + (kind.handbrake if self.handbrake else 0.0)
             if v or not push:
-                slow += kind.rolling
+                slow += kind.rolling + (kind.engine_brake if self.throttle < COAST else 0.0)
         v += push * dt
         loss = slow * dt
         if v > loss:

@@ -15,7 +15,7 @@ DEFAULT_SPEED = 30 / 3.6
 MARGIN = 0.7
 """CARLA's traffic drives 30 % below the limit unless told otherwise."""
 COMFORT = 3.0
-AHEAD = 40.0
+AHEAD = 60.0
 
 
 @dataclass

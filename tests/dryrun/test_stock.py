@@ -1,0 +1,246 @@
+"""Every action and behaviour of the stock CARLA model shows its effect in the dry run."""
+
+import numpy as np
+import pytest
+
+pytestmark = pytest.mark.full
+
+PLACE = """
+lane = [l for r in network.roads if int(r.id)=={road} for l in r.forwardLanes.lanes][{lane}]
+ego = new {kind} following lane.orientation from lane.centerline[{end}] for {at}, with behavior B(){more}
+"""
+
+
+def program(
+    behavior, kind="Car", road=43, lane=0, at=200, end=0, more=", with blueprint 'vehicle.lincoln.mkz_2017'", extra=""
+):
+    body = "\n".join("    " + line for line in behavior.strip().splitlines())
+    return f"behavior B():\n{body}\n" + PLACE.format(kind=kind, road=road, lane=lane, at=at, end=end, more=more) + extra
+
+
+def ways(run, *args, seconds=6.0, seed=0, **more):
+    done = run(program(*args, **more), seconds=seconds, seed=seed)
+    assert done.ended_by in ("time", "terminated"), done.reason
+    return done.recording.paths[0]
+
+
+def moved(path):
+    return float(np.hypot(path.x[-1] - path.x[0], path.y[-1] - path.y[0]))
+
+
+def turned(path):
+    return float(np.unwrap(path.heading)[-1] - path.heading[0])
+
+
+def test_throttle_brake_and_handbrake(run):
+    path = ways(run, "take SetThrottleAction(1)")
+    assert path.speed[-1] > 15, "the setting stays"
+    path = ways(run, "take SetSpeedAction(20)\ntake SetBrakeAction(1)")
+    fall = -np.diff(path.speed).min() / 0.1
+    assert 8.0 < fall < 9.5 and path.speed[-1] == 0
+    path = ways(run, "take SetSpeedAction(10)\ntake SetHandBrakeAction(True)")
+    assert path.speed[-1] == 0
+    free = ways(run, "take SetSpeedAction(10)")
+    assert 7 < free.speed[-1] < 10, "it rolls on with drag"
+
+
+def test_speed_and_velocity_are_taken_on_at_once(run):
+    assert ways(run, "take SetSpeedAction(30)", seconds=1).speed[1] == pytest.approx(30, abs=0.1)
+    path = ways(run, "while True:\n    take SetVelocityAction(3, 4)", seconds=2)
+    assert moved(path) == pytest.approx(10, rel=0.1)
+
+
+def test_steering_and_its_sign(run):
+    assert turned(ways(run, "take SetSpeedAction(8), SetSteerAction(0.3)", seconds=2)) < -0.3, "positive is right"
+    assert turned(ways(run, "take SetSpeedAction(8), SetSteerAction(-0.3)", seconds=2)) > 0.3
+
+
+def test_reverse_and_gears(run):
+    assert ways(run, "take SetReverseAction(True), SetThrottleAction(0.5)").forward[-1] < -3
+    assert (
+        ways(run, "take SetManualGearShiftAction(True)\ntake SetGearAction(-1)\ntake SetThrottleAction(0.5)").forward[
+            -1
+        ]
+        < -2
+    )
+    assert ways(run, "take SetManualFirstGearShiftAction()\ntake SetThrottleAction(0.5)").forward[-1] > 5
+
+
+def test_regulated_control(run):
+    assert ways(run, "while True:\n    take RegulatedControlAction(1, 0, 0)").speed[-1] > 8
+    path = ways(run, "take SetSpeedAction(20)\nwhile True:\n    take RegulatedControlAction(-1, 0, 0)", seconds=3)
+    assert 0.5 < -np.diff(path.speed).min() / 0.1 < 1.2, "it never brakes: Scenic zeroes the signal before it uses it"
+
+
+def test_positions(run):
+    path = ways(run, "take SetPositionAction(self.position + Vector(5, 0))", seconds=1)
+    assert moved(path) == pytest.approx(5)
+    path = ways(run, "take SetLocationAction(self.position + Vector(0, 5))", seconds=1)
+    assert moved(path) == pytest.approx(5)
+    path = ways(run, "take OffsetAction(Vector(0, 3))", seconds=1)
+    assert moved(path) == pytest.approx(3)
+
+
+@pytest.mark.parametrize("action", ["SetTransformAction(self.position, 0)", "SetAngularVelocityAction(1)"])
+def test_actions_that_are_broken_in_scenic_itself_are_reported_as_in_carla(run, action):
+    done = run(program(f"take {action}"), seconds=1)
+    assert done.ended_by == "error"
+    assert "at 0.0 s, in B of" in done.reason and "Error" in done.reason
+
+
+def test_vehicle_lights_and_jump(run):
+    done = run(program("take SetVehicleLightStateAction(2)\nwait"), seconds=1)
+    assert done.ended_by == "time"
+    walker = program("take SetJumpAction(True)\nwait", kind="Pedestrian", more=", with regionContainedIn everywhere")
+    assert run(walker, seconds=1).ended_by == "time"
+
+
+def test_walking(run):
+    more = ", with regionContainedIn everywhere"
+    path = ways(
+        run,
+        "take SetWalkingDirectionAction(self.heading + 90 deg), SetWalkingSpeedAction(2)",
+        kind="Pedestrian",
+        more=more,
+    )
+    assert moved(path) == pytest.approx(12, abs=0.5) and turned(path) == pytest.approx(np.pi / 2, abs=0.01)
+    path = ways(run, "do WalkForwardBehavior(1.5)", kind="Pedestrian", more=more)
+    assert moved(path) == pytest.approx(9, abs=0.5)
+    text = """
+behavior B():
+    do WalkBehavior(1.2)
+ego = new Pedestrian with behavior B()
+"""
+    done = run(text)
+    assert 3 < moved(done.recording.paths[0]) < 7.5
+
+
+def test_crossing_behavior_crosses_in_front(run):
+    extra = """
+behavior C():
+    do CrossingBehavior(ego, 1.5, 30)
+spot = new OrientedPoint following lane.orientation from ego for 60
+ped = new Pedestrian at spot offset by (6, 0), facing 90 deg relative to spot, with behavior C(), with regionContainedIn everywhere
+"""
+    done = run(program("take SetSpeedAction(8)\ndo FollowLaneBehavior(8)", road=8, extra=extra), seconds=10)
+    ped = done.recording.paths[1]
+    assert moved(ped) > 3 and ped.speed[:20].max() == 0
+
+
+def test_following_changing_and_avoiding(run):
+    path = ways(run, "take SetSpeedAction(36)\ndo FollowLaneBehavior(36)", road=44, seconds=10)
+    assert path.speed[1:].min() > 35
+    text = "take SetSpeedAction(33)\ndo LaneChangeBehavior(self.laneSection.laneToLeft, target_speed=33)\ndo FollowLaneBehavior(33)"
+    path = ways(run, text, seconds=8)
+    assert abs(abs(path.y[-1] - path.y[0]) - 3.75) < 0.15, "in the middle of the next lane"
+    assert np.abs(np.diff(path.heading)).max() < 0.02, "without a jerk"
+    path = ways(run, "do ConstantThrottleBehavior(0.5)")
+    assert path.speed[-1] > 5
+    path = ways(run, "do AccelerateForwardBehavior()")
+    assert path.speed[-1] > 5
+    extra = "blocked = new Car following lane.orientation from ego for 40"
+    path = ways(run, "do DriveAvoidingCollisions(10, 18)", extra=extra, seconds=10)
+    assert path.speed.max() > 5 and path.speed[-1] < 0.5
+
+
+def test_turning_stays_on_the_road(run, network):
+    text = """
+behavior B(ways):
+    take SetSpeedAction(8)
+    do FollowTrajectoryBehavior(8, trajectory=ways)
+    do FollowLaneBehavior(8)
+crossing = [i for i in network.intersections if int(i.id) == 102][0]
+m = [m for m in crossing.maneuvers if m.type == ManeuverType.{kind}][0]
+ego = new Car following m.startLane.orientation from m.startLane.centerline[-1] for -30, with behavior B([m.startLane, m.connectingLane, m.endLane])
+"""
+    for kind, sign in (("LEFT_TURN", 1), ("RIGHT_TURN", -1)):
+        path = run(text.format(kind=kind), seconds=10).recording.paths[0]
+        assert turned(path) == pytest.approx(sign * np.pi / 2, abs=0.15)
+        assert all(network.drivableRegion.containsPoint((x, y, 0)) for x, y in zip(path.x, path.y, strict=True))
+
+
+def test_waypoints_are_tracked(run):
+    text = "pts = [(self.position.x + 5*i, self.position.y) for i in range(40)]\nwhile True:\n    take TrackWaypointsAction(pts, 8)"
+    path = ways(run, text, seconds=8)
+    assert path.x[-1] - path.x[0] > 35 and abs(path.y[-1] - path.y[0]) < 1.0
+
+
+def test_autopilot_drives_and_keeps_its_distance(run):
+    assert moved(ways(run, "do AutopilotBehavior()", road=8, at=50, seconds=10)) > 40
+    assert ways(run, "take SetAutopilotAction(True, speed=12)\nwait", seconds=10).speed[-1] == pytest.approx(
+        12, abs=0.5
+    )
+    extra = "blocked = new Car following lane.orientation from ego for 60"
+    path = ways(run, "do AutopilotBehavior()", road=4, extra=extra, seconds=15)
+    assert path.speed.max() > 8 and path.speed[-1] < 0.2
+
+
+LIGHT = """
+behavior B():
+    take SetSpeedAction(8)
+    while True:
+        {first}
+        do FollowLaneBehavior(8) for 0.1 seconds
+monitor Watch():
+    {watch}
+    while True:
+        wait
+require monitor Watch()
+lane = [c.lanes[0] for r in network.roads if int(r.id) == 2 for c in [r.backwardLanes, r.forwardLanes] if c][0]
+ego = new Car following lane.orientation from lane.centerline[-1] for -60, with behavior B()
+"""
+
+
+def shown(done):
+    return [state for _, junction, road, state in done.recording.lights if road == "2" and junction in ("101", "102")]
+
+
+@pytest.mark.parametrize("colour", ["red", "yellow", "green"])
+def test_lights_are_set_by_actions(run, colour):
+    done = run(LIGHT.format(first=f"take SetTrafficLightAction({colour!r}, 100)", watch="wait"), seconds=2)
+    assert colour in shown(done)[-2:], done.reason
+
+
+def test_lights_are_set_and_read_by_functions(run):
+    watch = "freezeTrafficLights()\n    setClosestTrafficLightStatus(ego, 'red')"
+    first = "if getClosestTrafficLightStatus(self) == 'red' and withinDistanceToRedYellowTrafficLight(self, 100):\n            terminate"
+    done = run(LIGHT.format(first=first, watch=watch), seconds=3)
+    assert done.ended_by == "terminated" and done.duration < 1.0
+
+
+def test_lights_go_through_their_phases_and_agree(run):
+    done = run("ego = new Car", seconds=40)
+    states = {}
+    greens = set()
+    for time, junction, road, state in done.recording.lights:
+        states[junction, road] = state
+        if time and junction == "102":
+            greens.add(frozenset(r for (j, r), s in states.items() if j == "102" and s == "green"))
+    assert {frozenset(), frozenset({"2", "3"})} <= greens, "opposite approaches together, crossing ones in turn"
+    assert not any("2" in g and "7" in g for g in greens)
+
+
+def test_collisions_end_the_run_a_second_later(run):
+    extra = "blocked = new Car following lane.orientation from ego for 20"
+    done = run(program("take SetSpeedAction(15)", extra=extra), seconds=10)
+    assert done.ended_by == "collision"
+    assert done.duration == pytest.approx(done.recording.contacts[0][0] + 1.0, abs=0.15)
+    low = "thing = new Prop following lane.orientation from ego for 20, with blueprint 'static.prop.dirtdebris01'"
+    assert run(program("take SetSpeedAction(15)", extra=low), seconds=3).ended_by == "time", "driven over"
+    tall = "thing = new Prop following lane.orientation from ego for 20, with blueprint 'static.prop.streetbarrier'"
+    assert run(program("take SetSpeedAction(15)", extra=tall), seconds=3).ended_by == "collision"
+
+
+def test_reasons_of_runs_that_fail(run):
+    done = run(program("wait\nwait\ntake undefined_thing"), seconds=2)
+    assert done.ended_by == "error" and "at 0.2 s, in B of" in done.reason and "undefined_thing" in done.reason
+    done = run(program("wait\ntake SetSpeedAction(9)") + "require always ego.speed < 5\n", seconds=2)
+    assert done.ended_by == "rejected" and done.reason
+    done = run(program("take SetSpeedAction(9)\nwhile True:\n    x = 1"), seconds=2)
+    assert done.ended_by == "error" and "without taking an action" in done.reason
+
+
+def test_a_seed_gives_the_same_run(run):
+    text = program("take SetSpeedAction(Range(5, 20))\ndo AutopilotBehavior()", road=8)
+    one, two, three = (run(text, seconds=5, seed=s).recording.paths[0].x for s in (1, 1, 2))
+    assert (one == two).all() and not (one == three).all()

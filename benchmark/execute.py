@@ -11,6 +11,8 @@ from c2s_bench.tasks import Setup, tasks_for
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
+EVERY = 20  # records after which a log that is no terminal gets a line
+
 
 def execute(
     records: Sequence[Record],
@@ -38,6 +40,8 @@ def execute(
         for outcome in outcomes:
             results[outcome.id] = result_of(by_id[outcome.id], outcome, setup.runs)
             bar.advance(shown)
+            if not console.is_terminal and len(results) % EVERY == 0:
+                console.print(f"{setup.name}: {len(results)} of {len(records)}", highlight=False)
     broken = [r.error for r in results.values() if r.error]
     if broken and len(broken) == len(results):
         raise BenchmarkError(f"no record could be run with {setup.name}: {broken[0]}")

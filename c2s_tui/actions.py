@@ -8,6 +8,7 @@ from textual import work
 from c2s_engine.structure.edits import SetCode
 from c2s_tui.choices import Choices
 from c2s_tui.commands import commands
+from c2s_tui.desk import checked
 from c2s_tui.files import Files
 from c2s_tui.start import Start
 
@@ -60,9 +61,26 @@ class Actions(Start, Files, Choices):
     async def do_run(self: Any, _: str) -> None:
         """Apply hand edits; without any, check and run what stands."""
         if not self.code.commit() and await self._may_begin():
-            self._waiting_edits = ()
-            options = self.options()
-            self.turn(lambda: self.session.apply((), **options), "checking")
+            self.run_again()
+
+    @work(group="turn", exclusive=True, exit_on_error=False)
+    async def run_again(self: Any, then: str = "") -> None:
+        """Check and run the program as it stands; S and history stay. `then` names a command to run after it."""
+        async with self._turn_lock:
+            self.working = "running"
+            self.show_status()
+            program = self.desk.program
+            try:
+                report = await self.backend.check(program.text, spans=program.spans, upto="run", trajectories=True)
+                self.desk = checked(self.desk, report)
+            except Exception as error:
+                await self.chat.note(self._sentence(error), "error")
+            finally:
+                self.working = ""
+                self.show()
+        await self._summarise()
+        if then and self.picture.available:
+            await self.run_command(then)
 
     async def do_regenerate(self: Any, argument: str) -> None:
         if not await self._may_begin():
@@ -194,12 +212,14 @@ class Actions(Start, Files, Choices):
             self.picture.stop()
             self.picture.remove_class("-on")
             self.go_to("sheet")
-        elif not self.picture.available:
-            self.app.notify("There is no run to show: F5 runs the program.", markup=False)
-        else:
+        elif self.picture.available:
             self.picture.add_class("-on")
             self.go_to("picture")
             self.call_after_refresh(self.picture.show, self.desk)
+        elif self.desk.program.text and await self._may_begin():
+            self.run_again("picture")
+        elif not self.desk.program.text:
+            self.app.notify("There is no program yet: describe a scenario first.", markup=False)
 
     def choose(self: Any, **values: Any) -> None:
         """Change what the next turn uses, and remember it."""

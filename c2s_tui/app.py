@@ -69,6 +69,13 @@ class C2SApp(App[None]):
         self.workbench = module.Workbench(self.backend, self.session_name, self.file)
         await self.push_screen(self.workbench)
 
+    async def action_quit(self) -> None:
+        """Leave; the workbench asks first where work would be lost. A second time it is meant."""
+        if self.workbench is None or type(self.screen).__name__ == "Confirm":
+            self.exit()
+        else:
+            await self.workbench.run_command("quit")
+
     def _dropped(self) -> None:
         """The line was dropped (SIGHUP) or the process is told to end: save and go."""
         if self.workbench is not None:

@@ -1,5 +1,6 @@
 """How the app comes to the engine and its sessions: everything of theirs runs in the engine's thread."""
 
+import re
 from collections.abc import AsyncIterator, Callable
 from pathlib import Path
 from typing import Any
@@ -107,6 +108,22 @@ class Backend:
         from c2s_engine.models.client import OllamaClient
 
         return OllamaClient()
+
+    def folder(self, program: str) -> str | None:
+        """The folder in which the map that a program names lies; None where it names none that is known."""
+        found = re.search(r"localPath\(['\"]([^'\"]+)\.xodr['\"]\)", program)
+        library = getattr(self.engine, "library", None)
+        if not found or library is None:
+            return None
+        try:
+            return str(library.working_copy(library.find(found[1])).parent)
+        except (LookupError, ValueError, OSError):
+            return None
+
+    async def check(self, program: str, **options: Any) -> Any:
+        """Check a program where its map is found."""
+        folder = await self.thread.do(lambda: self.folder(program))
+        return await self.ask("check", program, folder=folder, **options)
 
     def save(self, program: Any, folder: str | None, target: Path) -> list[Path]:
         """Write a program, its map beside it; raises OSError."""

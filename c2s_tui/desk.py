@@ -1,6 +1,7 @@
 """What lies on the desk: everything the panes draw, as a pure fold over the engine's events."""
 
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
@@ -35,6 +36,7 @@ class Desk:
     prompt_tokens: int = 0
     answer_tokens: int = 0
     seconds: float = 0.0
+    stale: bool = False  # a turn has begun and not yet measured anything: the verdicts are those before it
     folder: str | None = None  # where the program's map lies
 
     @property
@@ -56,11 +58,16 @@ class Desk:
 
 
 def begun(desk: Desk) -> Desk:
-    """A turn begins: what the last one measured is put aside."""
+    """A turn begins: what the last one measured stays until this one measures anew."""
     return replace(
-        desk, before=desk.program.text, rewritten=(), stages=(), running=None, facts=(), trajectories=(),
-        prompt_tokens=0, answer_tokens=0, seconds=0.0, states={},
+        desk, before=desk.program.text, rewritten=(), running=None, stale=True, prompt_tokens=0, answer_tokens=0,
+        seconds=0.0, states={},
     )  # fmt: skip
+
+
+def _fresh(desk: Desk) -> Desk:
+    """Without the verdicts of the turn before."""
+    return replace(desk, stages=(), facts=(), trajectories=(), stale=False) if desk.stale else desk
 
 
 def opened(structure: Structure, program: Program) -> Desk:
@@ -76,8 +83,9 @@ def broken_off(desk: Desk, structure: Structure, program: Program) -> Desk:
 def step(desk: Desk, event: Progress) -> Desk:
     """The desk after one event."""
     if isinstance(event, StageStarted):
-        return replace(desk, running=event.stage)
+        return replace(_fresh(desk), running=event.stage)
     if isinstance(event, StageDone):
+        desk = _fresh(desk)
         others = tuple(s for s in desk.stages if s.name != event.result.name)
         return replace(desk, stages=(*others, event.result), running=None)
     if isinstance(event, ComponentState):
@@ -88,7 +96,11 @@ def step(desk: Desk, event: Progress) -> Desk:
     if isinstance(event, StructureChanged):
         return replace(desk, structure=event.structure)
     if isinstance(event, ProgramChanged):
-        return replace(desk, program=event.program, rewritten=event.rewritten)
+        same = event.program.text == desk.program.text
+        return replace(
+            desk, program=event.program, rewritten=event.rewritten, facts=desk.facts if same else (),
+            trajectories=desk.trajectories if same else (),
+        )  # fmt: skip
     if isinstance(event, Usage):
         return replace(
             desk,
@@ -116,3 +128,11 @@ def expected(desk: Desk, structure: Structure) -> Desk:
 def restored(desk: Desk, stages: tuple[StageResult, ...], facts: tuple[RunFacts, ...]) -> Desk:
     """With the verdicts that a session kept."""
     return replace(desk, stages=tuple(stages), facts=tuple(facts))
+
+
+def checked(desk: Desk, report: Any) -> Desk:
+    """With what a check of the program as it stands has found."""
+    return replace(
+        desk, stages=report.stages, facts=report.facts, trajectories=report.trajectories, stale=False, running=None,
+        seconds=sum(s.seconds for s in report.stages),
+    )  # fmt: skip

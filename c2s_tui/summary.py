@@ -6,7 +6,7 @@ from c2s_tui.seen import marks, score
 
 def summary(desk: Desk) -> tuple[str, str]:
     """What was rewritten, how far it came, what was seen; and whether that is a note, a warning or an error."""
-    if not desk.stages and not desk.rewritten:
+    if desk.stale and not desk.rewritten:
         return "", "note"
     parts = [f"{', '.join(desk.rewritten)} written" if desk.rewritten else "nothing rewritten"]
     failed = next((s for s in desk.stages if not s.ok), None)

@@ -1,6 +1,7 @@
 """The workbench: three panes kept in step, one state beneath them, one turn at a time."""
 
 import asyncio
+import re
 from contextlib import aclosing
 from pathlib import Path
 from typing import Any
@@ -29,6 +30,7 @@ from c2s_tui.sheet.pane import SheetPane
 from c2s_tui.status import Choice, StatusBar
 
 DRAFT_SECONDS = 1.0
+_BACK = re.compile(r"(?:please )?(undo|redo)(?: (?:it|that|this|the last (?:change|edit|turn)))?[.!]?")
 LIVE_SECONDS = 0.4
 """How long typing in the code must rest before the text is checked."""
 
@@ -195,6 +197,9 @@ class Workbench(Actions, Screen):
 
     async def say(self, text: str) -> None:
         """A turn of the chat."""
+        if wish := _BACK.fullmatch(text.strip().lower()):
+            await self.run_command(wish[1])
+            return
         if not await self._may_begin():
             self.chat.entry.put(text)
             return
@@ -272,7 +277,7 @@ class Workbench(Actions, Screen):
             return
         text, spans = self.code.area.text, self.code.gutter.spans
         try:
-            report = await self.backend.ask("check", text, spans=spans, upto="compile")
+            report = await self.backend.check(text, spans=spans, upto="compile")
         except (ValueError, OSError, RuntimeError):
             return
         if text == self.code.area.text and not self.busy:

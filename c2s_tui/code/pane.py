@@ -77,7 +77,8 @@ class CodePane(Vertical):
 
     def _draw(self) -> None:
         self.area.show_problems(self.diagnostics)
-        changed = changed_lines(self.desk.before, self.area.text) if self.desk.before or self.edited else frozenset()
+        before = self.base.text if self.edited else self.desk.before
+        changed = changed_lines(before, self.area.text) if before else frozenset()
         self.gutter.show(
             top=round(self.area.scroll_y), spans=moved_spans(self.base, self.area.text), changed=changed,
             problems=dict(self.area.problems),

@@ -3,8 +3,11 @@
 from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.containers import Horizontal, Vertical, VerticalScroll
+from textual.content import Content
 from textual.screen import ModalScreen
 from textual.widgets import Static
+
+from c2s_tui.code.fragments import changed_lines
 
 
 class Conflict(ModalScreen[str | None]):
@@ -28,7 +31,7 @@ class Conflict(ModalScreen[str | None]):
             )
             with Horizontal(id="conflict-sides"):
                 for title, text in (("by hand (m keeps it)", self.mine), ("from the fields (t takes it)", self.theirs)):
-                    side = VerticalScroll(Static(text, markup=False))
+                    side = VerticalScroll(Static(_marked(text, self.theirs if text is self.mine else self.mine)))
                     side.border_title = title
                     yield side
             yield Static(
@@ -41,3 +44,12 @@ class Conflict(ModalScreen[str | None]):
 
     def action_take(self, which: str) -> None:
         self.dismiss(which or None)
+
+
+def _marked(text: str, other: str) -> Content:
+    """A side with the lines marked in which it differs from the other."""
+    differs = changed_lines(other, text)
+    lines = text.split("\n")
+    return Content("\n").join(
+        Content.styled(line, "bold $text-warning" if i in differs else "") for i, line in enumerate(lines, 1)
+    )

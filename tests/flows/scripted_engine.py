@@ -206,8 +206,8 @@ class ScriptedEngine:
             yield StageDone(result=stage)
         facts: tuple[RunFacts, ...] = ()
         if report.ok:
-            facts = (run_facts(done, self.seen),)
-            yield RunDone(facts=facts[0], trajectories=trajectories(done))
+            facts = report.facts
+            yield RunDone(facts=facts[0], trajectories=report.trajectories[0])
         yield Finished(
             ok=report.ok, structure=done, program=program, stages=(StageResult(name="write", ok=True), *report.stages),
             facts=facts, seconds=0.42, details={},
@@ -230,9 +230,10 @@ class ScriptedEngine:
         stages.append(StageResult(name="compile", ok=True, seconds=0.05))
         if upto in ("sample", "run"):
             stages.append(StageResult(name="sample", ok=True, seconds=0.08))
-        if upto == "run":
-            stages.append(StageResult(name="run", ok=True, seconds=0.2))
-        return CheckReport(stages=tuple(stages))
+        if upto != "run":
+            return CheckReport(stages=tuple(stages))
+        stages.append(StageResult(name="run", ok=True, seconds=0.2))
+        return CheckReport(stages=tuple(stages), facts=(run_facts(self.seen),), trajectories=(trajectories(),))
 
     def reach(self, structure: Structure, edit: Any) -> list[str]:
         return reach(structure, edit, Writer())
@@ -284,7 +285,7 @@ class ScriptedModels:
         yield "success", 100, 100
 
 
-def run_facts(structure: Structure, seen: bool) -> RunFacts:
+def run_facts(seen: bool) -> RunFacts:
     """A run in which the van cut in (or did not)."""
     events = (EventFact(event="cut_in", time=4.2, other="ego"),) if seen else ()
     return RunFacts(
@@ -297,7 +298,7 @@ def run_facts(structure: Structure, seen: bool) -> RunFacts:
     )  # fmt: skip
 
 
-def trajectories(structure: Structure) -> Trajectories:
+def trajectories() -> Trajectories:
     """Two cars northwards, one changing lanes."""
     steps = range(101)
     ego = Track(
@@ -309,7 +310,8 @@ def trajectories(structure: Structure) -> Trajectories:
         y=tuple(20 + 1.1 * i for i in steps), heading=tuple(-0.1 if 30 < i < 50 else 0.0 for i in steps),
         speed=tuple(11.0 for _ in steps), length=5.4, width=2.0, kind="van",
     )  # fmt: skip
-    return Trajectories(step=0.1, tracks=(ego, van))
+    left, right = (((x, -30.0), (x + 3.4, -30.0), (x + 3.4, 200.0), (x, 200.0)) for x in (-5.2, -1.7))
+    return Trajectories(step=0.1, tracks=(ego, van), outline={"lane": (left, right)})
 
 
 def describing() -> dict[str, Script]:

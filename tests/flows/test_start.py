@@ -1,0 +1,191 @@
+"""Beginning, choosing, helping, looks, leaving."""
+
+from pathlib import Path
+
+from scripted_engine import CUT_IN
+
+from c2s_engine.session.errors import SessionError
+from c2s_tui.prefs import Prefs, load
+
+
+def test_first_run_opens_and_explains_the_example(stage, compare):
+    async def flow(pilot):
+        assert stage.bench.session.name == "example"
+        assert stage.bench.desk.program.text and "O1" in stage.bench.desk.structure
+        assert [line for line in stage.said if line.startswith("This is an example")]
+        assert load().welcomed  # the next start opens what was open last
+
+    assert compare(flow, session=None, prefs=Prefs())
+
+
+def test_first_run_80x24(stage, compare):
+    async def flow(pilot):
+        assert stage.bench.session.name == "example"
+
+    assert compare(flow, size=(80, 24), session=None, prefs=Prefs())
+
+
+def test_model_missing(stage, compare):
+    stage.engine.model_list = SessionError("No Ollama answers at http://127.0.0.1:11434. Start it with `ollama serve`.")
+
+    async def flow(pilot):
+        await stage.say(pilot, "/model", wait=False)
+        await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Reading")
+        assert "ollama serve" in str(stage.app.screen.body)
+
+    assert compare(flow)
+
+
+async def test_a_model_is_chosen_and_one_that_is_missing_is_pulled(stage):
+    stage.engine.model_list = [{"name": "qwen3:8b", "size": 5_200_000_000, "parameters": "8B", "quantization": "Q4_K_M"}]
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        for typed, expected in (("qwen3", "qwen3:8b"), ("llama3", "llama3")):
+            await stage.say(pilot, "/model", wait=False)
+            await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Chooser")
+            await pilot.press(*typed)
+            await pilot.press("enter")
+            await stage.until(pilot, lambda expected=expected: stage.bench.choice.model == expected)
+            assert stage.engine.settings.model == expected and load().model == expected
+
+
+def test_settings(stage, compare):
+    async def flow(pilot):
+        await pilot.press("f10")
+        await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Chooser")
+        assert [e.value for e in stage.app.screen.entries][:4] == ["method", "model", "map", "theme"]
+
+    assert compare(flow)
+
+
+async def test_method_and_map_are_chosen_by_name(stage):
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, "/method C7", wait=False)
+        await stage.until(pilot, lambda: stage.bench.choice.method == "chat2scenic:C7")
+        await stage.say(pilot, "/map Town05", wait=False)
+        await stage.until(pilot, lambda: stage.bench.choice.map == "Town05")
+        await stage.say(pilot, "/map Atlantis", wait=False)
+        await stage.until(pilot, lambda: any("There is no map Atlantis" in line for line in stage.said))
+        assert stage.bench.options()["map"] == "Town05"
+
+
+def test_help_of_the_structure_pane(stage, compare):
+    async def flow(pilot):
+        await pilot.press("f3")
+        await stage.until(pilot, lambda: stage.bench.sheet.has_focus)
+        await pilot.press("f1")
+        await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Reading")
+        assert "Why is this here" in str(stage.app.screen.body)
+
+    assert compare(flow)
+
+
+def test_help_80x24(stage, compare):
+    async def flow(pilot):
+        await pilot.press("f1")
+        await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Reading")
+
+    assert compare(flow, size=(80, 24))
+
+
+def test_light_theme(stage, compare):
+    async def flow(pilot):
+        await stage.say(pilot, CUT_IN)
+        await stage.say(pilot, "/theme c2s-light", wait=False)
+        await stage.until(pilot, lambda: stage.app.theme == "c2s-light")
+
+    assert compare(flow)
+
+
+def test_no_colour(stage, compare, monkeypatch):
+    monkeypatch.setenv("NO_COLOR", "1")
+
+    async def flow(pilot):
+        await stage.say(pilot, CUT_IN)
+        assert stage.app.no_color and stage.app.theme == "c2s-mono"
+
+    assert compare(flow)
+
+
+def test_sixteen_colours(stage, compare):
+    async def flow(pilot):
+        await stage.say(pilot, CUT_IN)
+        assert stage.app.theme == "c2s-ansi"
+
+    assert compare(flow, prefs=Prefs(welcomed=True, theme="c2s-ansi"))
+
+
+def test_why_is_this_here(stage, compare):
+    async def flow(pilot):
+        await stage.say(pilot, CUT_IN)
+        await stage.to_row(pilot, "O1")
+        await pilot.press("w")
+        await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Reading")
+        assert "A van in the left lane cuts in 15 m ahead" in str(stage.app.screen.body)
+
+    assert compare(flow)
+
+
+async def test_leaving_with_unapplied_edits_asks_once(stage):
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, CUT_IN)
+        stage.bench.code.area.text += "# more\n"
+        await pilot.press("ctrl+q")
+        await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Confirm")
+        await pilot.press("b")
+        await stage.until(pilot, lambda: stage.app.screen is stage.bench)
+        await pilot.press("ctrl+q")
+        await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Confirm")
+        await pilot.press("q")
+    assert stage.bench.session.draft("code").endswith("# more\n")
+
+
+async def test_what_was_typed_comes_back(stage):
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, CUT_IN)
+        stage.bench.chat.entry.put("half a thought")
+        await pilot.pause()
+        stage.bench.save_drafts(now=True)
+        program = stage.bench.desk.program.text
+        await stage.backends[-1].thread.do(stage.bench.session.close)
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        assert stage.bench.chat.entry.text == "half a thought"
+        assert stage.bench.desk.program.text == program
+        assert CUT_IN in stage.said
+
+
+async def test_keys_can_be_remapped(stage):
+    async with stage.make(prefs=Prefs(welcomed=True, keys={"app.settings": "f12"})).run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await pilot.press("f12")
+        await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Chooser")
+
+
+async def test_files_are_saved_and_changes_outside_noticed(stage, tmp_path: Path):
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, CUT_IN)
+        target = tmp_path / "cut.scenic"
+        await stage.say(pilot, f"/save {target}", wait=False)
+        await stage.until(pilot, lambda: target.exists() and any("Saved" in line for line in stage.said))
+        assert target.read_text() == stage.bench.desk.program.text
+        target.write_text("ego = new Car\n")
+        stage.bench.file_seen -= 1  # as if the clock had gone on
+        await pilot.press("ctrl+s")
+        await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Confirm")
+        await pilot.press("r")
+        await stage.until(pilot, lambda: stage.bench.desk.program.text == "ego = new Car\n" and not stage.bench.busy)
+
+
+async def test_a_resize_never_breaks(stage):
+    async with stage.make().run_test(size=(200, 60)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, CUT_IN)
+        for size in ((80, 24), (40, 10), (20, 5), (140, 45), (99, 30), (100, 30)):
+            await pilot.resize_terminal(*size)
+            await pilot.pause()
+        assert stage.bench.code.region.width and not stage.bench.has_class("-narrow")

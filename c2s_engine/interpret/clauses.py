@@ -59,6 +59,8 @@ def _irregular() -> dict[str, str]:
         "overtakes": "overtake", "rear-ends": "rear-end", "rear-ended": "rear-end", "yields": "yield", "parked": "park", "pulls": "pull", "u-turns": "turn", "cutting": "cut",
         "swerves": "swerve", "travelling": "travel", "travelled": "travel", "merges": "merge", "drifts": "drift", "skids": "skid", "accelerates": "accelerate", "decelerates": "decelerate",
         "slammed": "slam", "slams": "slam", "drove": "drive", "driven": "drive", "drives": "drive", "fell": "fall", "led": "lead", "sped": "speed", "crept": "creep", "swept": "sweep", "shot": "shoot",
+        "overtaken": "overtake", "overtook": "overtake", "ridden": "ride", "rode": "ride", "went": "go", "gone": "go", "came": "come", "stuck": "stick", "threw": "throw", "shown": "show",
+        "swerved": "swerve", "lost": "lose", "left": "leave", "kept": "keep", "held": "hold", "met": "meet", "made": "make", "took": "take", "taken": "take", "began": "begin", "begun": "begin", "hid": "hide", "hidden": "hide",
         "decel": "decelerate", "accel": "accelerate", "oncoming": "oncome", "t-boned": "t-bone", "sideswiped": "sideswipe", "stationary": "stand",
     }  # fmt: skip
 
@@ -334,13 +336,17 @@ class Clauses:
             text = f"{text} {self.render(self.own(self.words[complements[0]]))}"
         if lemma == "wait" and (later := [c for c in word.children if self.words[c].dep == "advcl" and self._mark(self.words[c]) in ("until", "till")]):
             text = f"wait until {self.render(self.own(self.words[later[0]]))}"
+        if lemma == "be":
+            complements = [c for c in complements if self.words[c].dep == "xcomp"]
         if complements and lemma in (*shades["light"], *shades["intended"], *shades["failed"]) and not re.search(r"^(stop|start|be|see|observe|detect|ensure|decide|remain) .*@", text):
             if lemma not in ("let", "allow", "permit", "wait"):
                 self.light.add(word.i)
                 return
         agent, at, passive = self._subject(word)
         if agent is None and word.dep == "conj" and word.head in self.by_word and not any(self.words[c].dep in ("nsubj", "nsubjpass") for c in word.children):
-            agent = self.by_word[word.head].agent
+            head = self.words[word.head]
+            above = self._governor(head) if head.tag == "VB" and head.dep in ("ccomp", "xcomp") and word.tag in ("VBZ", "VBD") else None
+            agent = self.by_word[above.i].agent if above is not None and above.i in self.by_word else self.by_word[word.head].agent
         if agent is None:
             agent = self._nearest(word, at)
         patient = self._patient(word, own, agent, passive)
@@ -540,6 +546,9 @@ class Clauses:
                 agent = self.cast.ego
             moment = re.search(r"(until|at|before|on|upon) (the )?(moment|point|time|instant)? ?(of )?(the )?impact", near)
             mode = self._mode(verb) if verb is not None and not moment and verb.lemma not in ("prevent", "avoid") else "fact"
+            before = " ".join(w.norm for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence)
+            if re.search(r"(suppress\w*|prevent\w*|abort\w*|refrain\w*|inhibit\w*|prohibit\w*|instead) (of |from )?(\w+ |[\w-]+ ){0,3}$", before + " "):
+                mode = "negated"
             if any(self.words[c].norm in ("no", "not", "without") for c in word.children) or self.words[word.head].norm in ("without", "of") and "avoid" in near:
                 mode = "negated"
             if word.dep == "conj" and any(self.words[c].norm == "or" for c in self.words[word.head].children):

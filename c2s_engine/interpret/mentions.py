@@ -118,7 +118,9 @@ class Cast:
         if span.kind == "ego":
             self._ego_type(word)
             named = self._copula(word)
-            if named is not None and not named.ego and named.mover and len(named.mentions) <= 2:
+            after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
+            near = named is not None and any(0 < word.i - m.word <= 6 for m in named.mentions)
+            if named is not None and near and not named.ego and named.mover and len(named.mentions) <= 2 and after not in ("'s", "'"):
                 self._become_ego(named)
             return self.ego
         if span.kind == "label":
@@ -285,7 +287,7 @@ class Cast:
             return False
         for other in following[1:]:
             if other.span is not None:
-                return other.span.kind == "actor" and other.span.data["type"] in VEHICLES
+                return other.span.kind == "actor" and other.span.data["type"] in VEHICLES - {"vehicle", "bicycle", "motorcycle"}
             if other.tag in ("NN", "NNS", "IN") or other.verb:
                 return False
         return False
@@ -386,6 +388,8 @@ class Cast:
             score += 1 if entity.type == kind and not entity.ego else 0
             score -= 0.5 if entity.count > 1 else 0
             scored.append((score, id(entity), entity))
+        if not scored and kind == self.ego.type and self.ego.typed:
+            return self.ego
         return max(scored)[2] if scored else None
 
     def _ego_by(self, noun: str) -> bool:
@@ -485,6 +489,11 @@ class Cast:
         clash = None
         if word.dep in ("dobj", "pobj") and word.norm not in ("its", "itself"):
             clash = self._subject_of(verb)
+        above = self.words[word.head]
+        holder = self.of.get(above.head) if word.dep == "pobj" and above.head != above.i else None
+        if holder is not None and holder is not clash and above.head < word.i:
+            inner, accept_all = holder, accept
+            accept = lambda e: accept_all(e) and e is not inner  # noqa: E731
         same = [(i, e) for i, e in self.subjects if i < word.i and accept(e) and e is not clash]
         last = [i for i in sorted(self.of) if i < word.i and accept(self.of[i]) and self.of[i] is not clash]
         if not last:

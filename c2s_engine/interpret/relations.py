@@ -110,8 +110,15 @@ class Places:
     def __init__(self, cast: Cast, clauses: Clauses) -> None:
         self.cast, self.clauses, self.words = cast, clauses, clauses.words
         self.of: dict[Entity, Where] = {}
+        self.ego_lane: str | None = None
         for entity in cast.entities:
             self.of[entity] = self._where(entity)
+        for where in self.of.values():
+            text = " ; ".join(t for _, t in where.phrases)
+            match = re.search(r"(?:directly|immediately|just|right) (?:in front of|ahead of|behind) (?:the )?@ego in the (left|right)", text)
+            if match and where.rel in ("ahead", "behind"):
+                where.lane, where.side = "same", None
+                self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
         self._referred()
         self._mutual()
         self._hidden()
@@ -165,7 +172,8 @@ class Places:
         if known and text.strip():
             read(text, where, entity, self.cast, "noun")
             self._gap(indices, where)
-        if word.span is not None and not indices and word.dep in ("pobj", "conj", "dobj", "attr", "ROOT", "dep", "appos", "nsubj") or word.norm == "another":
+        counted = i + 1 < len(self.words) and self.words[i + 1].tag == "CD" and self.words[i + 1].sentence == word.sentence
+        if word.span is not None and (not indices and word.dep in ("pobj", "conj", "dobj", "attr", "ROOT", "dep", "appos", "nsubj") or counted) or word.norm == "another":
             after: list[int] = []
             for other in self.words[i + 1 : i + 14]:
                 if other.sentence != word.sentence or other.norm in (",", ".", ";", "and", "(", ":", "-", "but", "while", "when") or (other.verb and other.tag != "VBN") or other.norm in ("that", "which", "who"):

@@ -144,6 +144,8 @@ def _neighbours(scene: Scene) -> tuple[bool, bool, bool]:
 
 def _ego_lane(scene: Scene) -> str | None:
     """The lane that ego starts in, where a clause about ego names it."""
+    if scene.places.ego_lane is not None:
+        return scene.places.ego_lane
     patterns = language.table("places")["ego_lane"]
     ego = scene.cast.ego
     texts = [e.whole for e in scene.events(ego) if e.act in ("travel", "keep_lane", "follow", "approach", "stationary", "go_straight", "brake") and e.agent is ego]

@@ -138,14 +138,14 @@ def _actors(scene: Scene) -> list[Entity]:
         passive = [e for e in scene.clauses.events if e.patient is entity and e.done]
         if "group" in entity.roles:
             continue
+        if entity.label and len(scene.cast.entities) <= 6 or entity.person and entity.noun not in ("somebody", "someone", "people") and _seen(scene, entity):
+            kept.append(entity)
+            continue
         if not own and not passive and not entity.roles and where.rel is None and where.lane is None and not _mentioned_alone(scene, entity):
             continue
         if entity.noun == "traffic" and any(e is not entity and (e.roles & entity.roles or scene.where(e).lane == where.lane is not None) for e in scene.cast.entities):
             continue
         if not own and entity.type in ("vehicle", "pedestrian") and entity.count > 1 and where.rel is None and where.lane is None:
-            continue
-        if entity.label and len(scene.cast.entities) <= 6 or entity.person and _seen(scene, entity):
-            kept.append(entity)
             continue
         only_denied = [e for e in scene.clauses.events if e.agent is entity or e.patient is entity]
         if only_denied and not own and not passive and where.rel is None and where.lane is None and not entity.roles and entity.type not in ZONES:
@@ -202,7 +202,7 @@ def _speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         near = scene.plain[max(0, span.start - 40) : span.start]
         both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20]))
         like = re.search(r"like (it|the \w+|ego)[^.;,]*$", near)
-        if re.search(r"(both lanes|all lanes|traffic|jam|queue)\b[^.;,]*(creep|crawl|mov|flow|travel|driv|runs?|progress)[^.;,]*$", near) and (owner is None or scene.plain[max(0, span.start - 40) : span.start].find(owner.noun or "@@") < 0):
+        if re.search(r"(both lanes|all lanes|traffic|jam|queue)\b[^.;,]*(creep|crawl|mov|flow|travel|driv|runs?|progress)[^.;,]*$", near) and (owner is None or not re.search(rf"\b{re.escape(owner.noun or '@@')}\b", near)):
             for other in (cast.ego, *scene.actors):
                 if other.ego or other.type in VEHICLES and other.type not in ("motorcycle", "bicycle"):
                     scene.speeds.setdefault(other, value)

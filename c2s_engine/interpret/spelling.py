@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from functools import cache
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.clauses import _irregular
 
 WORD = re.compile(r"[A-Za-z]{4,}")
 
@@ -65,6 +66,7 @@ def vocabulary() -> frozenset[str]:
     for rule in language.table("motions")["verbs"]:
         for verb in rule["verbs"]:
             words |= {verb, f"{verb}s", f"{verb}ed", f"{verb}ing", f"{verb.rstrip('e')}ing", f"{verb.rstrip('e')}ed", f"{verb}{verb[-1]}ing", f"{verb}{verb[-1]}ed"}
+    words |= {w for form in _irregular() for w in re.findall(r"[a-z]+", form)}
     for name in ("environment", "places"):
         words |= set(re.findall(r"(?<![\\\w])[a-z]{5,}(?![\w?*+\[(|]*\\)", str(language.table(name))))
     return frozenset(w for w in words if len(w) >= 4 and w.isalpha())
@@ -72,7 +74,7 @@ def vocabulary() -> frozenset[str]:
 
 def known(word: str) -> bool:
     """Whether a word is English or one of the tables'."""
-    if word in vocabulary():
+    if word in vocabulary() or word.endswith("s") and word[:-1] in vocabulary() or f"{word}s" in vocabulary():
         return True
     from c2s_engine.interpret.syntax import parser
 
@@ -83,15 +85,20 @@ def known(word: str) -> bool:
 @cache
 def nearest(word: str) -> str | None:
     """The one word of the vocabulary that differs by a slip or two; None where there is none or it is not clear."""
-    allowed = 1 if len(word) < 7 else 2
+    allowed = 1 if len(word) < 10 else 2
     best: list[tuple[int, str]] = []
     for other in vocabulary():
         if abs(len(other) - len(word)) > allowed or other[0] != word[0] and other[1:2] != word[:1]:
+            continue
+        if len(word) < 8 and len(other) == len(word) and sorted(other) != sorted(word):
             continue
         distance = slips(word, other, allowed)
         if distance <= allowed:
             best.append((distance, other))
     best.sort()
+    common = [other for distance, other in best if distance == best[0][0] and other in language.table("spelling")["extra"]]
+    if len(common) == 1:
+        return common[0]
     if not best or len(best) > 1 and best[0][0] == best[1][0] and best[0][1].rstrip("sed") != best[1][1].rstrip("sed"):
         return None
     return best[0][1]

@@ -13,7 +13,7 @@ import regex
 
 from c2s_engine.interpret.scan import Span
 
-WORD = regex.compile(r"\p{L}[\p{L}\p{M}\p{N}]*(?:[-/]\p{L}[\p{L}\p{M}\p{N}]*)*|'s\b|'(?=\s)|\d+(?:[.,]\d+)*|[^\s\w]|\S")
+WORD = regex.compile(r"\p{L}+(?=n't\b)|n't\b|'(?:m|re|ve|ll|d)\b|\p{L}[\p{L}\p{M}\p{N}]*(?:[-/]\p{L}[\p{L}\p{M}\p{N}]*)*|'s\b|'(?=\s)|\d+(?:[.,]\d+)*|[^\s\w]|\S")
 PROXY = {
     "bicycle": "bike", "pedestrian": "man", "child": "boy", "animal": "dog", "truck": "truck", "bus": "bus", "van": "van",
     "motorcycle": "bike", "debris": "stone", "construction_zone": "building", "rider": "man",

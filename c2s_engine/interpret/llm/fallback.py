@@ -9,7 +9,7 @@ from c2s_engine.interpret.llm import words
 from c2s_engine.interpret.llm.components import ObjectSentence, Sentences
 from c2s_engine.structure.components import Component, Structure, Unmet
 from c2s_engine.structure.edits import _REFERENCE_FIELDS
-from c2s_engine.structure.specs import SPEC_OF, AnySpec, ObjectSpec
+from c2s_engine.structure.specs import AnySpec, ObjectSpec
 
 
 class Embedded:
@@ -48,7 +48,7 @@ class Embedded:
 
     def spec_among(self, cid: str, structure: Structure) -> AnySpec:
         """The spec that stands in for a component of an S."""
-        objects = tuple(ObjectSentence(type=o.spec.type, sentence=o.description) for o in structure.objects)
+        objects = tuple(ObjectSentence(type=object_spec(o).type, sentence=o.description) for o in structure.objects)
         ids = {o.id: f"O{i + 1}" for i, o in enumerate(structure.objects)}
         found = self.spec(ids.get(cid, cid), Sentences(objects=objects))
         return renumbered(found, {"ego": "ego", **{mine: theirs for theirs, mine in ids.items()}})
@@ -74,12 +74,12 @@ class Embedded:
         wanted = sentences.objects[int(cid[1:]) - 1]
         objects = self._read(wanted.sentence).objects
         if objects:
-            return objects[0].spec
-        return ObjectSpec(type=wanted.type, name=wanted.type)
+            return object_spec(objects[0])
+        return ObjectSpec.model_validate({"type": wanted.type, "name": wanted.type})
 
 
 def _likeness(kind: str, sentence: str, other: Component) -> float:
-    spec = other.spec
+    spec = object_spec(other)
     same = 2.0 if spec.type == kind else 1.0 if _family(spec.type) == _family(kind) else 0.0
     mine, theirs = (set(re.findall(r"[a-z]{4,}", s.lower())) for s in (sentence, other.description))
     return same + len(mine & theirs) / (1 + len(mine | theirs)) if same else 0.0
@@ -102,7 +102,7 @@ def renumbered(spec: AnySpec, ids: dict[str, str]) -> AnySpec:
             return ids.get(value, _GONE)
         return value
 
-    return SPEC_OF[spec.component].model_validate(walk(spec.model_dump(exclude_none=True)))
+    return type(spec).model_validate(walk(spec.model_dump(exclude_none=True)))
 
 
 def without_references(spec: AnySpec) -> AnySpec:
@@ -110,31 +110,42 @@ def without_references(spec: AnySpec) -> AnySpec:
     return renumbered(spec, {"ego": "ego"})
 
 
+def object_spec(component: Component) -> ObjectSpec:
+    """The spec of an object's component."""
+    assert isinstance(component.spec, ObjectSpec)
+    return component.spec
+
+
 def distinct_names(structure: Structure) -> Structure:
     """The objects' names in the program made distinct: a model may call two of them `car`."""
     taken = {"ego"}
     for component in structure.objects:
-        name, number = component.spec.name, 2
+        name, number = object_spec(component).name, 2
         while name in taken or keyword.iskeyword(name):
-            name, number = f"{component.spec.name}{number}", number + 1
+            name, number = f"{object_spec(component).name}{number}", number + 1
         taken.add(name)
-        if name != component.spec.name:
-            spec = component.spec.model_copy(update={"name": name})
+        if name != object_spec(component).name:
+            spec = object_spec(component).model_copy(update={"name": name})
             structure = structure.with_component(component.model_copy(update={"spec": spec}))
     return structure
 
 
 def in_order(structure: Structure) -> Structure:
     """The objects so that each follows those that place or hide it; where no order does, hiding gives way."""
-    left, done = list(structure.objects), []
+    left = list(structure.objects)
+    done: list[Component] = []
     while left:
         placed = {"ego", *(o.id for o in done)}
         free = next((o for o in left if _rests_on(o) <= placed | {o.id}), None)
         if free is None:
-            free = next((o for o in left if o.spec.placement.of in placed), left[0])
+            free = next((o for o in left if object_spec(o).placement.of in placed), left[0])
             hidden = Unmet(text=free.description, reason="objects hide each other in a circle")
-            update = {"hidden_by": None} if free.spec.placement.of in placed else {"hidden_by": None, "of": "ego"}
-            spec = free.spec.model_copy(update={"placement": free.spec.placement.model_copy(update=update)})
+            update = (
+                {"hidden_by": None} if object_spec(free).placement.of in placed else {"hidden_by": None, "of": "ego"}
+            )
+            spec = object_spec(free).model_copy(
+                update={"placement": object_spec(free).placement.model_copy(update=update)}
+            )
             left[left.index(free)] = free = free.model_copy(update={"spec": spec, "unmet": (*free.unmet, hidden)})
         left.remove(free)
         done.append(free)
@@ -142,8 +153,8 @@ def in_order(structure: Structure) -> Structure:
 
 
 def _rests_on(component: Component) -> set[str]:
-    placement = component.spec.placement
-    return {placement.of, placement.hidden_by} - {None}
+    placement = object_spec(component).placement
+    return {placement.of, *([placement.hidden_by] if placement.hidden_by else [])}
 
 
 _GONE = object()

@@ -29,10 +29,15 @@ def limits() -> dict[str, Any]:
 
 def spec_schema(kind: str, ids: Iterable[str], *, allowed: dict[str, list[str]] | None = None) -> dict[str, Any]:
     """The schema of one spec. `ids`: what may be referred to; `allowed`: narrower choices for a field's words."""
-    schema = compact(SPEC_OF[kind], tuple(ids), allowed or {})
+    schema = compact(spec_class(kind), tuple(ids), allowed or {})
     schema["required"] = [n for n in ASKED[kind] if n in schema["properties"]] or schema.get("required", [])
     schema["properties"]["unmet"] = {"type": "string", "maxLength": limits()["lengths"]["unmet"]}
     return schema
+
+
+def spec_class(kind: str) -> type[BaseModel]:
+    """The class of a kind's specs."""
+    return SPEC_OF[kind]  # type: ignore[return-value]
 
 
 def compact(model: type[BaseModel], ids: tuple[str, ...] = (), allowed: dict[str, list[str]] | None = None) -> dict:
@@ -96,8 +101,8 @@ def accepts(schema: dict[str, Any], value: Any, at: str = "") -> str:
     """What is wrong with a value by such a schema, in a phrase; empty where nothing is."""
     where = at or "the answer"
     if "anyOf" in schema:
-        wrong = [accepts(choice, value, at) for choice in schema["anyOf"]]
-        return "" if "" in wrong else wrong[-1 if isinstance(value, list) else 0]
+        tried = [accepts(choice, value, at) for choice in schema["anyOf"]]
+        return "" if "" in tried else tried[-1 if isinstance(value, list) else 0]
     if "enum" in schema and value not in schema["enum"]:
         return f"{where} must be one of {', '.join(map(str, schema['enum']))}, not {value!r}"
     kind = schema.get("type")

@@ -6,14 +6,14 @@ counted in `fallbacks`, said in `notes`. Whatever the model answers, the result 
 
 import re
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any, Protocol, get_args
 
 from pydantic import BaseModel, ConfigDict
 
 from c2s_engine.interpret.llm import fallback, words
 from c2s_engine.interpret.llm.asking import Asker, OnEvent, prompt
 from c2s_engine.interpret.llm.components import Sentences, link, read_components
-from c2s_engine.interpret.llm.schema import spec_schema
+from c2s_engine.interpret.llm.schema import spec_class, spec_schema
 from c2s_engine.interpret.llm.settings import BLUEPRINT, Detected, detect
 from c2s_engine.interpret.llm.units import annotate
 from c2s_engine.models.client import OllamaClient
@@ -21,7 +21,7 @@ from c2s_engine.models.errors import ModelError
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Assumption, Component, Structure, Unmet
 from c2s_engine.structure.progress import Say
-from c2s_engine.structure.specs import SPEC_OF, AnySpec, ObjectSpec, RestrictionsSpec, SettingsSpec
+from c2s_engine.structure.specs import SPEC_OF, AnySpec, EgoSpec, SettingsSpec
 
 _KINDS = {"G": "settings", "R": "place", "E": "ego", "T": "restrictions"}
 
@@ -83,7 +83,7 @@ class TypedReader:
             detected = await self._settings(text, sentences)
         except ModelError as error:
             fallbacks["G"] = str(error)
-            detected = Detected(spec=stand_in.structure.settings.spec)
+            detected = Detected.model_validate({"spec": stand_in.structure.settings.spec})
         components["G"] = self._component(
             "G", sentences, text, detected.spec, detected.assumed, detected.unmet, fallbacks.get("G")
         )
@@ -96,8 +96,9 @@ class TypedReader:
                 spec = stand_in.spec(cid, sentences)
                 components[cid] = self._component(cid, sentences, text, spec, (), (), str(error))
         ego = components["E"]
-        if detected.ego_model and not ego.spec.model:
-            components["E"] = ego.model_copy(update={"spec": ego.spec.model_copy(update={"model": detected.ego_model})})
+        if detected.ego_model and isinstance(ego.spec, EgoSpec) and not ego.spec.model:
+            spec = ego.spec.model_copy(update={"model": detected.ego_model})
+            components["E"] = ego.model_copy(update={"spec": spec})
         objects = tuple(components[c] for c in sentences.ids if c.startswith("O"))
         structure = Structure(
             text=text, settings=components["G"], place=components["R"], ego=components["E"], objects=objects,
@@ -123,8 +124,9 @@ class TypedReader:
         return Reading(structure=structure, fallbacks=dict.fromkeys(structure.ids, reason), notes=notes)
 
     def _say(self, notes: tuple[str, ...]) -> None:
-        for note in notes if self.on_event else ():
-            self.on_event(Say(text=note, severity="warning"))
+        for note in notes:
+            if self.on_event:
+                self.on_event(Say(text=note, severity="warning"))
 
     def _component(
         self, cid: str, sentences: Sentences, text: str, spec: AnySpec, assumed: tuple[Assumption, ...],
@@ -171,7 +173,7 @@ def form_of(cid: str, text: str, sentences: Sentences) -> tuple[str, dict[str, A
     if cid == "E":
         allowed = words.actions_for("vehicle")
         system = prompt(
-            "ego", types=", ".join(v.VehicleType.__args__), reactions=words.lines("reactions"),
+            "ego", types=", ".join(get_args(v.VehicleType)), reactions=words.lines("reactions"),
             ids=", ".join(others) or "nobody is there", actions=words.lines("actions", allowed), triggers=triggers,
         )  # fmt: skip
         schema = spec_schema("E", others, allowed={"action": words.all_actions(), **named})
@@ -186,9 +188,9 @@ def form_of(cid: str, text: str, sentences: Sentences) -> tuple[str, dict[str, A
 
 
 def _object_form(kind: str, ids: list[str], named: dict[str, list[str]]) -> tuple[str, dict[str, Any]]:
-    types = [t for t in v.ObjectType.__args__ if words.is_thing(t) == words.is_thing(kind)]
+    types = [t for t in get_args(v.ObjectType) if words.is_thing(t) == words.is_thing(kind)]
     if words.is_thing(kind):
-        where = [p for p in v.Position.__args__ if p in _THINGS_STAND]
+        where = [p for p in get_args(v.Position) if p in _THINGS_STAND]
         schema = spec_schema("O", ids, allowed={"type": types, "position": where})
         for name in ("phases", "speed"):
             del schema["properties"][name]
@@ -198,7 +200,7 @@ def _object_form(kind: str, ids: list[str], named: dict[str, list[str]]) -> tupl
         return prompt("thing", types=", ".join(types), ids=", ".join(ids), positions=positions), schema
     person = kind in words.PERSONS
     types = [t for t in types if (t in words.PERSONS) == person]
-    where = [p for p in v.Position.__args__ if not person or p not in _NO_PERSONS]
+    where = [p for p in get_args(v.Position) if not person or p not in _NO_PERSONS]
     allowed = words.actions_for(kind)
     schema = spec_schema("O", ids, allowed={"type": types, "position": where, **named})
     del schema["properties"]["limit"]
@@ -219,7 +221,7 @@ def _builder(cid: str) -> Callable[[dict[str, Any]], tuple[AnySpec, tuple[Unmet,
             if name in value:
                 value[name] = [c for c in value[name] if _says_something(c)]
         unmet = (Unmet(text=left, reason="the form has no field for it"),) if left.strip() else ()
-        return SPEC_OF[cid[0]].model_validate(value), unmet
+        return spec_class(cid[0]).model_validate(value), unmet  # type: ignore[return-value]
 
     return build
 
@@ -256,4 +258,3 @@ _SETTINGS_WORDS = re.compile(
     r"sun|night|dark|dusk|dawn|day|morning|noon|evening|twilight|light|red|green|yellow|amber|vehicle\.)",
     re.I,
 )
-__all__ = ["Embedded", "ObjectSpec", "Reading", "RestrictionsSpec", "TypedReader", "form_of", "interpret"]

@@ -1,6 +1,7 @@
 """Quantities of a text with their SI values beside them: small models fill fields well and convert units badly."""
 
 import re
+from functools import partial
 
 _NUMBER = r"(?<![\w.])(\d+(?:[.,]\d+)?)(?:\s*(?:-|–|to|and)\s*(\d+(?:[.,]\d+)?))?\s*"
 _UNITS = (
@@ -15,8 +16,12 @@ _UNITS = (
 def annotate(text: str) -> str:
     """The text, with `[= 13.9 m/s]` after each quantity that is not in SI units."""
     for unit, factor, name in _UNITS:
-        text = re.sub(_NUMBER + unit, lambda m, f=factor, n=name: f"{m[0]} [= {_value(m, f)} {n}]", text, flags=re.I)
+        text = re.sub(_NUMBER + unit, partial(_with_value, factor, name), text, flags=re.I)
     return text
+
+
+def _with_value(factor: float, name: str, match: re.Match[str]) -> str:
+    return f"{match[0]} [= {_value(match, factor)} {name}]"
 
 
 def _value(match: re.Match[str], factor: float) -> str:

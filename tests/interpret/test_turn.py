@@ -1,0 +1,83 @@
+"""Turns upon S: what they are taken for, and that edits touch only what was meant."""
+
+import pytest
+from c2s_engine.interpret.turn import Turn, route
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import apply
+
+
+@pytest.fixture(scope="module")
+def scene(request) -> Structure:
+    read = request.getfixturevalue("read")
+    return read("In rain, the lead car brakes hard 30 m ahead of ego on a straight road, and a pedestrian crosses from the right.")
+
+
+def after(turn: Turn, structure: Structure) -> Structure:
+    for edit in turn.edits:
+        structure = apply(structure, edit)
+    return structure
+
+
+def changed(before: Structure, now: Structure) -> set[str]:
+    both = [c.id for c in now.components if c.id in before]
+    return {c for c in both if before[c].spec != now[c].spec} | (set(before.ids) ^ set(now.ids))
+
+
+@pytest.mark.parametrize(
+    ("text", "component", "path", "value"),
+    [
+        ("make the lead a truck", "O1", "type", "truck"), ("remove the rain", "G", "weather", ()), ("two cyclists instead", "O2", "count", 2), ("20 m further away", "O1", "placement.gap", 50.0),
+        ("start from the left", "O2", "placement.side", "left"), ("on a motorway", "R", "kind", "motorway"), ("at night", "G", "time", "night"), ("ego at 50 km/h", "E", "speed", 13.89),
+        ("replace the pedestrian with a child", "O2", "type", "child"), ("use Town03", "G", "map", "Town03"), ("the lead drives 20 km/h", "O1", "speed", 5.56), ("ego should not brake", "E", "reaction", "none"),
+        ("run for 30 s", "T", "duration", 30.0), ("Can you make the lead a van?", "O1", "type", "van"), ("set the gap to 40 m", "O1", "placement.gap", 40.0), ("with three lanes", "R", "lanes", 3),
+    ],
+)  # fmt: skip
+def test_a_change_touches_only_what_was_meant(scene: Structure, text: str, component: str, path: str, value: object) -> None:
+    turn = route(text, scene)
+    assert turn.kind == "edit" and turn.reply
+    now = after(turn, scene)
+    assert changed(scene, now) == {component}
+    found: object = now[component].spec
+    for name in path.split("."):
+        found = getattr(found, name)
+    assert found == value
+
+
+def test_removing_one_who_is_referred_to_frees_the_others(read) -> None:
+    s = read("Ego follows a van. A child runs out from behind a truck parked on the right.")
+    turn = route("remove the truck", s)
+    now = after(turn, s)
+    assert len(now.objects) == len(s.objects) - 1
+    assert all(c.spec.placement.hidden_by is None for c in now.objects)
+
+
+def test_adding(scene: Structure) -> None:
+    now = after(route("add a parked van on the right, 20 m ahead", scene), scene)
+    assert changed(scene, now) == {"O3"} and now["O3"].spec.type == "van" and now["O3"].spec.placement.position == "parked"
+
+
+def test_two_demands_in_one_turn(scene: Structure) -> None:
+    now = after(route("make it night and remove the pedestrian", scene), scene)
+    assert changed(scene, now) == {"G", "O2"}
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("undo", "undo"), ("Undo that.", "undo"), ("redo", "redo"), ("what does O1 do?", "question"), ("Why does the lead brake?", "question"), ("explain the reaction of ego", "question"),
+        ("A car cuts in from the left in front of the ego vehicle on a three-lane motorway at dusk.", "scenario"), ("blah blub", "edit"), ("", "edit"),
+        ("V1 was eastbound. V2 was northbound, ran the red light and struck V1 in the intersection.", "scenario"),
+    ],
+)  # fmt: skip
+def test_what_a_turn_is_taken_for(scene: Structure, text: str, kind: str) -> None:
+    assert route(text, scene).kind == kind
+
+
+def test_what_is_not_understood_says_what_would_do(scene: Structure) -> None:
+    turn = route("make it somehow nicer", scene)
+    assert turn.kind == "edit" and not turn.edits and "such as" in turn.reply
+
+
+def test_without_a_scene_everything_told_is_one() -> None:
+    assert route("a pedestrian crosses", None).kind == "scenario"
+    assert route("what is a typology?", None).kind == "question"

@@ -22,13 +22,15 @@ from c2s_engine.models.errors import (
     NotRecorded,
 )
 from c2s_engine.models.ledger import Ledger, Row
-from c2s_engine.models.messages import Piece, Question, Reply
+from c2s_engine.models.messages import Piece, Question, Reply, approximate_tokens
 from c2s_engine.models.recording import Recording
 from c2s_engine.models.repetition import repeats
 from c2s_engine.models.settings import ModelSettings
 from c2s_engine.structure.progress import Token, Usage
 
 OnEvent = Callable[[Token | Usage], None]
+REPEATS = "repeats"
+"""The reason of an answer's end where the client stopped a model that went round in circles."""
 SURELY_TOO_LONG = 1.5
 """A prompt estimated at over so many times `num_ctx` is not sent at all."""
 
@@ -125,6 +127,7 @@ class OllamaClient:
             if reply is None:
                 raise NotRecorded(question.purpose, str(self.recording.folder))
             self._enter(question, reply, 1)
+            self._examine(question, reply)
             yield Piece(text=reply.text, reply=reply)
             return
         if not self.settings.model:
@@ -140,8 +143,6 @@ class OllamaClient:
                 async for piece in self._once(question):
                     if piece.reply:
                         self._enter(question, piece.reply, attempt + 1)
-                        if self.recording:
-                            self.recording.put(digest, self.settings.model, question.purpose, piece.reply)
                     yield piece
                 return
             except ModelError as error:
@@ -191,30 +192,36 @@ class OllamaClient:
                     if len(text) + len(thinking) - watched >= 256:
                         watched = len(text) + len(thinking)
                         if repeats(text or thinking):
-                            raise AnswerRepeats(settings.model)
+                            break
             finally:
                 with suppress(RuntimeError):
                     await stream.aclose()
-        if last is None or not last.done:
+        endless = repeats(text or thinking)
+        if last is None or not (last.done or endless):
             raise ModelCutOff(settings.model)
         reply = Reply(
             text=text,
             thinking=thinking,
-            prompt_tokens=last.prompt_eval_count or 0,
-            answer_tokens=last.eval_count or 0,
+            prompt_tokens=last.prompt_eval_count or (question.tokens if endless else 0),
+            answer_tokens=last.eval_count or (approximate_tokens(text + thinking) if endless else 0),
             seconds=time.monotonic() - began,
-            done_reason=last.done_reason or "stop",
+            done_reason=REPEATS if endless else last.done_reason or "stop",
         )
+        if self.recording:
+            digest = question.digest(settings.model, self.options(question))
+            self.recording.put(digest, settings.model, question.purpose, reply)
         self._examine(question, reply)
         yield Piece(reply=reply)
 
     def _examine(self, question: Question, reply: Reply) -> None:
-        """Raise where the prompt was cut to the context, or the answer was cut at its end."""
+        """Raise where the prompt was cut to the context, or the answer came to no end. (A replay raises the same.)"""
         num_ctx = self.settings.num_ctx
         if reply.prompt_tokens >= num_ctx - 1 or (
             question.tokens > num_ctx and 0 < reply.prompt_tokens < 0.8 * question.tokens
         ):
             raise ContextOverflow(max(question.tokens, reply.prompt_tokens), num_ctx)
+        if reply.done_reason == REPEATS:
+            raise AnswerRepeats(self.settings.model)
         if reply.done_reason == "length":
             raise AnswerTruncated(self.settings.model, reply.answer_tokens)
 

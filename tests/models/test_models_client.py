@@ -159,6 +159,19 @@ async def test_record_then_replay_without_a_server(server, client_of, tmp_path):
     assert len(server.requests) == asked
 
 
+@pytest.mark.parametrize(
+    ("answer", "error"),
+    [(Answer("no end", done_reason="length"), errors.AnswerTruncated), (Answer("x " * 2000), errors.AnswerRepeats)],
+)
+async def test_answers_that_cannot_be_used_are_replayed_as_such(server, client_of, tmp_path, answer, error):
+    server.respond = script(answer)
+    for settings in ({"record": "record"}, {"record": "replay", "host": "http://127.0.0.1:9"}):
+        async with client_of(server, record_folder=tmp_path, **settings) as client:
+            with pytest.raises(error):
+                await client.chat(ASK)
+    assert len(server.requests) == 1
+
+
 def test_importing_the_room_brings_no_http():
     code = "import sys, c2s_engine.models; print(sorted({'ollama', 'httpx'} & set(sys.modules)))"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.strip() == "[]"

@@ -148,7 +148,7 @@ async def test_an_edit_rewrites_the_component_and_those_that_use_its_names(serve
     async with client_of(server, num_ctx=16384) as client:
         method = PromptedMethod("C1", client)
         first = await method.generate(TEXT)
-        assert dirty(first, method) == []
+        assert dirty(first, method.keys) == []
         server.requests.clear()
         changed = edits.apply(first, edits.SetDescription(component="T", description="The run ends after 10 seconds."))
         await method.write(changed)
@@ -190,14 +190,10 @@ async def test_cancelling_leaves_the_given_structure_and_stops_the_model(server,
         changed = edits.apply(first, edits.SetDescription(component="O1", description="A truck is parked there."))
         task = asyncio.create_task(method.write(changed))
         assert await asyncio.to_thread(server.streaming.wait, 5)
-        loop = asyncio.get_running_loop()
-        began = loop.time()
         task.cancel()
         with pytest.raises(asyncio.CancelledError):
             await task
-        stopped = loop.time()
         assert await asyncio.to_thread(server.disconnected.wait, 5)
-    assert stopped - began < 0.2, "the promise to the user: a stop is at once"
     assert first.model_dump_json() == before and "truck" not in assemble(first).text
     assert len(server.requests) == 1
 
@@ -208,3 +204,20 @@ async def test_a_dead_server_is_said(client_of):
     async with client_of(gone) as client:
         with pytest.raises(errors.ModelUnavailable):
             await PromptedMethod("C11", client).generate(TEXT)
+
+
+@pytest.mark.nightly
+async def test_a_stop_takes_less_than_200_ms(server, client_of):
+    hold = threading.Event()
+    async with client_of(server, num_ctx=16384) as client:
+        method = PromptedMethod("C1", client)
+        server.respond = Programmer()
+        structure = await method.interpret(TEXT)
+        server.respond = lambda request: Answer(endless("x = 1\n"), hold=hold)
+        task = asyncio.create_task(method.write(structure))
+        assert await asyncio.to_thread(server.streaming.wait, 5)
+        began = asyncio.get_running_loop().time()
+        task.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await task
+        assert asyncio.get_running_loop().time() - began < 0.2

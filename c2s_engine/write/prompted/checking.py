@@ -62,18 +62,16 @@ def body(code: str) -> str:
 async def verdict(structure: Structure, cid: ComponentId, code: str, check: Check, fix: Fix | None = None) -> Verdict:
     """Check a fragment on its prefix; corrections that a diagnostic carries are made, as long as they help."""
     fixed = 0
-    for _ in range(ROUNDS):
+    while True:
         program = prefix(structure, cid, code)
         report = await check(program.text, program.spans, upto(cid))
         found = first_error(report)
         if found is None:
             return Verdict(code, len(STAGES), None, fixed)
         corrected = corrections(program, cid, report, fix)
-        if corrected is None or corrected == code:
-            break
+        if corrected is None or corrected == code or fixed == ROUNDS:
+            return Verdict(code, stage_of(found), local(found, program.span_of(cid)), fixed)
         code, fixed = corrected, fixed + 1
-    span = program.span_of(cid)
-    return Verdict(code, stage_of(found), local(found, span), fixed)
 
 
 def first_error(report: CheckReport) -> Diagnostic | None:

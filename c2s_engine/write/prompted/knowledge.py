@@ -36,7 +36,7 @@ def version() -> str:
 @cache
 def road_elements() -> dict[str, list[str]]:
     """Each class of the road network with what it offers: public fields and properties, without those inherited."""
-    found = {}
+    found: dict[str, list[str]] = {}
     for name, node in _classes(f"{_DRIVING}/roads.py").items():
         if name.startswith("_") or name in ("Signal",):
             continue
@@ -105,7 +105,7 @@ def behaviours() -> list[str]:
 
 def actions() -> list[str]:
     """The actions that an agent can take, with their arguments."""
-    found = {}
+    found: dict[str, str] = {}
     for path in (f"{_CARLA}/actions.py", f"{_DRIVING}/actions.py"):
         for name, node in _classes(path).items():
             if not name.endswith("Action") or name in _BASE_ACTIONS:
@@ -125,7 +125,7 @@ _BASE_ACTIONS = {
 
 def functions() -> list[str]:
     """The model's functions, with their arguments."""
-    found = []
+    found: list[str] = []
     for path in (f"{_DRIVING}/model.scenic", f"{_CARLA}/model.scenic"):
         for name, arguments in re.findall(r"^def (\w+)\(([^)]*)\):", _source(path), re.M):
             if not name.startswith("_") and name != "is2DMode":

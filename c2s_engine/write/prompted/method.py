@@ -27,6 +27,29 @@ from c2s_engine.write.prompted.texts import fill
 OnEvent = Callable[[Progress], None]
 
 
+class Keys:
+    """The method as the regeneration sees it (structure.regenerate): whose names a fragment uses, when it is stale."""
+
+    def __init__(self, name: str, model: str, ground: Ground) -> None:
+        self.name, self.model, self.ground = name, model, ground
+
+    def config(self) -> dict[str, Any]:
+        ground = [self.ground.map_file, self.ground.carla_map]
+        return {"writer": self.name, "version": 1, "model": self.model, "reads_descriptions": True, "ground": ground}
+
+    def inputs(self, structure: Structure, cid: ComponentId) -> Any:
+        """The header rests on the settings as the HeaderGenerator is told them; the rest is in words and names."""
+        return settings_text(structure, self.ground) if cid == "G" else []
+
+    def reads(self, structure: Structure, cid: ComponentId) -> frozenset[ComponentId]:
+        """A component's dependents are those whose code uses its names."""
+        return code_references(structure, cid)
+
+    def write(self, structure: Structure, cid: ComponentId) -> Component:
+        """A model's fragments are written by PromptedMethod.write, which can be waited for and cancelled."""
+        raise TypeError(f"{cid} is written by a model: use PromptedMethod.write")
+
+
 class PromptedMethod:
     """Generator_R, _E, _O, _T and the HeaderGenerator under one of the twelve configurations.
 
@@ -57,20 +80,7 @@ class PromptedMethod:
         if checker is not None:
             self.name += "+repair"
             self.repairer = Repairer(self._ask, checker, fix, retriever, self.configuration)
-
-    # As the regeneration sees it (structure.regenerate): whose names a fragment uses, and when it is out of date.
-
-    def config(self) -> dict[str, Any]:
-        return {"writer": self.name, "version": 1, "model": self.client.settings.model, "reads_descriptions": True,
-                "ground": [self.ground.map_file, self.ground.carla_map]}  # fmt: skip
-
-    def inputs(self, structure: Structure, cid: ComponentId) -> Any:
-        """The header rests on the settings as the HeaderGenerator is told them; the rest is in words and names."""
-        return settings_text(structure, self.ground) if cid == "G" else []
-
-    def reads(self, structure: Structure, cid: ComponentId) -> frozenset[ComponentId]:
-        """A component's dependents are those whose code uses its names."""
-        return code_references(structure, cid)
+        self.keys = Keys(self.name, client.settings.model, self.ground)
 
     # The method
 
@@ -101,7 +111,7 @@ class PromptedMethod:
         """Every component that is out of date, in Algorithm 1's order; the given S stays as it was."""
         self._on_event = on_event
         written: set[ComponentId] = set()
-        while todo := [c for c in order(structure, dirty(structure, self), self) if c not in written]:
+        while todo := [c for c in order(structure, dirty(structure, self.keys), self.keys) if c not in written]:
             structure = await self.write_component(structure, todo[0], on_event)
             written.add(todo[0])
         return structure
@@ -133,7 +143,7 @@ class PromptedMethod:
                 self._emit(Say(text=f"{cid} does not pass: {found.diagnostic.message}", severity="warning"))
         component = with_code(structure[cid], code) if code else structure[cid].model_copy(update={"code": ""})
         structure = structure.with_component(component)
-        component = component.model_copy(update={"key": key_of(structure, cid, self)})
+        component = component.model_copy(update={"key": key_of(structure, cid, self.keys)})
         component = component.model_copy(update={"links": (*component.links, *_sources(passages))})
         failed = bool(self.repairer and not self.verdicts.get(cid, Verdict("", 0)).ok) or not code
         self._emit(ComponentState(component=component, state="failed" if failed else "clean"))

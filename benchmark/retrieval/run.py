@@ -1,6 +1,6 @@
 """`make bench-retrieval`: quality of embedding, BM25 and both fused; abstention; latency and memory.
 
-    python -m c2s_bench.retrieval.run [--large] [--out FILE]
+python -m c2s_bench.retrieval.run [--large] [--out FILE]
 """
 
 import argparse
@@ -13,9 +13,9 @@ from pathlib import Path
 from statistics import mean, median
 
 import numpy as np
-
 from c2s_bench.retrieval import metrics
 from c2s_bench.retrieval.queries import Query, load, names
+
 from c2s_engine.retrieve.library import Library, default_threads
 from c2s_engine.retrieve.retriever import Found, Method, retrieve
 from c2s_engine.retrieve.rows import Kind
@@ -29,8 +29,14 @@ def quality(library: Library, queries: Iterable[Query]) -> list[Row]:
     rows: list[Row] = []
     asked = [q for q in queries if q.relevant]
     for kind in ("snippet", "doc"):
-        for wording in ("all", "plain", "reworded"):
-            chosen = [q for q in asked if q.kind == kind and (wording == "all" or q.reworded == (wording == "reworded"))]
+        of_kind = [q for q in asked if q.kind == kind]
+        parts = {
+            "all": of_kind,
+            "plain": [q for q in of_kind if not q.reworded],
+            "reworded": [q for q in of_kind if q.reworded],
+            "reported half": [q for q in of_kind if q.reported],
+        }
+        for wording, chosen in parts.items():
             for method in METHODS:
                 scores = [_scores(library, q, method) for q in chosen]
                 rows.append({"kind": kind, "queries": f"{wording} ({len(chosen)})", "retriever": method,

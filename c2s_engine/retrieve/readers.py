@@ -73,7 +73,7 @@ def decode(data: bytes, name: str) -> str:
     if b"\0" in data[:65536]:
         raise BadDocument(f"{name} is a binary file, not text: add a PDF, HTML, Markdown or text file.")
     try:
-        return data.decode("utf-8-sig")
+        text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = data.decode("cp1252", errors="replace")
     strange = sum(1 for c in text[:20000] if c == "\ufffd" or (ord(c) < 32 and c not in "\t\r\n\f"))
@@ -116,9 +116,13 @@ def read_pdf(data: bytes, name: str) -> Document:
     return Document(title if len(title) > 3 else Path(name).stem, blocks)
 
 
+_PAGE_NUMBER = re.compile(r"\W*(?:page|p\.|seite)?\W*\d+(?:\s*(?:of|/|von)\s*\d+)?\W*", re.I)
+
+
 def _plain(line: str) -> str:
-    """A line without its numbers: page numbers differ, running heads do not."""
-    return re.sub(r"\d+", "#", line).strip()
+    """A line to compare over pages: page numbers count as the same, all else as it stands."""
+    line = line.strip()
+    return "#" if line and _PAGE_NUMBER.fullmatch(line) else line
 
 
 def _furniture(pages: list[str]) -> set[str]:

@@ -1,5 +1,6 @@
 """The dual retriever over one shelf: embedding alone, BM25 alone, or both fused."""
 
+import re
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -13,7 +14,8 @@ from c2s_engine.retrieve.tokens import tokenise
 
 Method = Literal["embedding", "bm25", "fused"]
 DEPTH = 50  # items of each list that are fused
-WEIGHTS = {"embedding": 1.0, "bm25": 1.0}
+WEIGHTS = {"clause": 2.0}
+CLAUSE = re.compile(r"(?<![\w.])\d{1,2}(?:\.\d{1,3}){1,6}(?![\w])")
 
 
 @dataclass
@@ -61,9 +63,13 @@ def retrieve(
         for rank, row in enumerate(rows, 1):
             ranks.setdefault(shelf.items[row], {})[name] = rank
             standing.setdefault(shelf.items[row], row)
+    for rank, row in enumerate(_by_clause(shelf, query), 1):
+        ranks.setdefault(shelf.items[row], {})["clause"] = rank
+        standing.setdefault(shelf.items[row], row)
     number = {item: i for i, item in enumerate(standing)}
     lists = {name: [number[shelf.items[r]] for r in rows] for name, rows in rankings.items()}
-    used = lists if method == "fused" else {method: lists[method]}
+    named = sorted((i for i in ranks if "clause" in ranks[i]), key=lambda i: ranks[i]["clause"])
+    used = {**lists, "clause": [number[i] for i in named]} if method == "fused" else {method: lists[method]}
     items = list(standing)
     hits = []
     for index, score in fuse(used, WEIGHTS)[:limit]:

@@ -71,7 +71,16 @@ def rows(snippets: Iterable[Snippet], source_id: str, source: str) -> list[Row]:
     """One row a phrase; the code is read by BM25 with the first of them only."""
     found = []
     for snippet in snippets:
-        tags = " ".join((*snippet.places, *snippet.positions, *snippet.actions, *snippet.types, *snippet.conditions, *snippet.reactions)).replace("_", " ")
+        tags = " ".join(
+            (
+                *snippet.places,
+                *snippet.positions,
+                *snippet.actions,
+                *snippet.types,
+                *snippet.conditions,
+                *snippet.reactions,
+            )
+        ).replace("_", " ")
         for i, phrase in enumerate(dict.fromkeys([*snippet.phrases, snippet.keywords] if tags else snippet.phrases)):
             found.append(
                 Row(item=snippet.id, source_id=source_id, title=snippet.description, text=snippet.code, embedded=phrase,
@@ -104,5 +113,59 @@ def skeleton(tree: ast.AST) -> str:
 
 
 _NAMES_THAT_MATTER = frozenset(
-    ["ego", "egoLane", "egoSpot", "network", "Car", "Truck", "Van", "Bus", "Motorcycle", "Bicycle", "Pedestrian", "FollowLaneBehavior", "FollowTrajectoryBehavior", "LaneChangeBehavior", "TurnBehavior", "SetBrakeAction", "SetThrottleAction", "SetSteerAction", "SetSpeedAction", "SetReverseAction", "SetHandBrakeAction", "SetVelocityAction", "SetWalkingSpeedAction", "SetWalkingDirectionAction", "Range", "Uniform", "DiscreteRange", "Normal", "Options", "TruncatedNormal", "filter", "len", "ManeuverType", "intersections", "lanes", "laneSections", "roads", "maneuvers", "reverseManeuvers", "centerline", "sidewalk", "shoulder", "curb", "road", "_laneToLeft", "_laneToRight", "laneToLeft", "laneToRight", "speed", "lane", "opposite", "crossings", "group"]
+    [
+        "ego",
+        "egoLane",
+        "egoSpot",
+        "network",
+        "Car",
+        "Truck",
+        "Van",
+        "Bus",
+        "Motorcycle",
+        "Bicycle",
+        "Pedestrian",
+        "FollowLaneBehavior",
+        "FollowTrajectoryBehavior",
+        "LaneChangeBehavior",
+        "TurnBehavior",
+        "SetBrakeAction",
+        "SetThrottleAction",
+        "SetSteerAction",
+        "SetSpeedAction",
+        "SetReverseAction",
+        "SetHandBrakeAction",
+        "SetVelocityAction",
+        "SetWalkingSpeedAction",
+        "SetWalkingDirectionAction",
+        "Range",
+        "Uniform",
+        "DiscreteRange",
+        "Normal",
+        "Options",
+        "TruncatedNormal",
+        "filter",
+        "len",
+        "ManeuverType",
+        "intersections",
+        "lanes",
+        "laneSections",
+        "roads",
+        "maneuvers",
+        "reverseManeuvers",
+        "centerline",
+        "sidewalk",
+        "shoulder",
+        "curb",
+        "road",
+        "_laneToLeft",
+        "_laneToRight",
+        "laneToLeft",
+        "laneToRight",
+        "speed",
+        "lane",
+        "opposite",
+        "crossings",
+        "group",
+    ]
 )

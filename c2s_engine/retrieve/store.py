@@ -59,6 +59,7 @@ class Shelf:
         self.vectors = vectors.values.to_numpy(zero_copy_only=False).reshape(-1, width)
         self.items = table.column("item").to_pylist()
         self.lexical_rows = np.flatnonzero(pc.not_equal(table.column("lexical"), "").to_numpy())
+        self.clauses = table.column("clause").to_pylist()
         self.components = np.asarray(table.column("component").to_pylist(), dtype=object)
         if len(self.lexical_rows) != postings.size:
             raise ValueError("the postings do not fit the table")

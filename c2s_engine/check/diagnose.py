@@ -1,10 +1,12 @@
 """From an exception to a diagnostic: which line of the user's program, which component, why, and what to do."""
 
+import re
 import traceback
 from typing import Any
 
-from c2s_engine.check import errors, fixes
+from c2s_engine.check import catalogue, errors, fixes
 from c2s_engine.structure.diagnostics import Diagnostic, StageName
+from c2s_engine.structure.facts import RunFacts
 from c2s_engine.structure.program import FragmentSpan
 
 
@@ -55,6 +57,39 @@ def diagnose(error: BaseException, stage: StageName, program: Program) -> Diagno
         edit=found.edit,
     )
     return program.locate(diagnostic)
+
+
+AT_ONCE = 0.25  # s
+
+
+def ending(facts: RunFacts, program: Program) -> list[Diagnostic]:
+    """What the end of a run says: that it failed (who, when, on which line), or that it was over at once."""
+    reason = facts.reason or f"the run was {facts.ended_by}"
+    if facts.ended_by not in ("rejected", "error"):
+        if facts.ended_by != "terminated" or facts.duration > AT_ONCE:
+            return []
+        found = re.search(r"line (\d+)", reason)
+        return [program.locate(catalogue.finding("ends_at_once", int(found[1]) if found else None, None))]
+    said = re.fullmatch(r"(?:(?P<when>at .*?), )?line (?P<line>\d+): (?P<text>.*)", reason, re.S)
+    line = int(said["line"]) if said else None
+    text = said["text"] if said else reason
+    kind, _, words = text.partition(": ")
+    hit = catalogue.find([kind], words, program.line(line)) if words else None
+    if hit is None:
+        hit = catalogue.entries()["run_" + facts.ended_by], {}
+        message = reason
+    else:
+        message = catalogue.fill(hit[0].message, hit[1]) + (f" ({said['when']})" if said and said["when"] else "")
+    entry, values = hit
+    diagnostic = Diagnostic(
+        stage="run",
+        code=entry.code,
+        message=message,
+        line=line,
+        fix=catalogue.fill(entry.fix, values),
+        edit=fixes.propose(entry, values, program.lines, line),
+    )
+    return [program.locate(diagnostic)]
 
 
 def position(error: BaseException, program: Program) -> tuple[int | None, int | None]:

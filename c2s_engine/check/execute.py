@@ -220,9 +220,7 @@ class _Check:
         self._send({"facts": facts.model_dump(mode="json")})
         if tracks is not None:
             self._send({"trajectories": tracks.model_dump(mode="json")})
-        if facts.ended_by in ("rejected", "error"):
-            return [Diagnostic(stage="run", message=facts.reason or f"the run was {facts.ended_by}", code="run")]
-        return []
+        return diagnose.ending(facts, self.program)
 
 
 with contextlib.suppress(ImportError):

@@ -27,9 +27,20 @@ def request(row: dict, program: str) -> CheckRequest:
     )
 
 
-@pytest.mark.parametrize("name", TABLE["rows"])
+@pytest.mark.parametrize("name", [n for n, row in TABLE["rows"].items() if "runner" not in row])
 def test_row(server: SyncCheckClient, name: str) -> None:
-    row = TABLE["rows"][name]
+    provoke(server, TABLE["rows"][name])
+
+
+@pytest.mark.full
+def test_rows_of_the_dry_run() -> None:
+    with SyncCheckClient(runner="c2s_engine.dryrun.runner:run_scene") as server:
+        for row in TABLE["rows"].values():
+            if "runner" in row:
+                provoke(server, row)
+
+
+def provoke(server: SyncCheckClient, row: dict) -> None:
     head = "" if row.get("bare") else TABLE["head"]
     program = head + row["code"]
     report = server.check(request(row, program))

@@ -180,11 +180,30 @@ class _Script:
             return f"until 5 < lead_on(self, {a.ref(phase.target)}) - self.length < {scope.number(self._cut_in_gap())}"
         if phase.action == "overtake" and self.k is not None and self._same_lane(phase):
             return f"until (distance from self to {a.ref(phase.target)}) < 12 + 0.8 * self.speed"
+        if obstacle := self._obstacle() if phase.action in ("swerve", "cut_out", "lane_change") else "":
+            return f"until (distance from self to {obstacle}) < 12 + 1.3 * self.speed"
         if not first or phase.action not in DELAYED or a.value <= 0:
             return ""
         if self._oncoming():
             return f"until (distance from self to ego) < {scope.number(2.8 * (a.value + a.plan.ego_speed))}"
         return "for 3 seconds"
+
+    def _obstacle(self) -> str:
+        """What stands in its lane ahead of it, if anything does: another's evasion waits for that."""
+        a = self.a
+        if a.is_ego or self.k is None:
+            return ""
+        for c in a.structure.objects:
+            spec = c.spec
+            if c.id == a.cid or not isinstance(spec, ObjectSpec) or not is_static(spec):
+                continue
+            if (
+                a.plan.lane_of.get(c.id) == self.k
+                and spec.placement.position == "ahead"
+                and spec.placement.of in (a.cid, "ego")
+            ):
+                return a.ref(c.id)
+        return ""
 
     def _oncoming(self) -> bool:
         placement = getattr(self.a.spec, "placement", None)
@@ -333,12 +352,17 @@ class _Script:
     def _do_cut_in(self, p: Phase) -> list[tuple[list[str], str]]:
         target = p.target
         self.k = 0 if target in (None, "ego") else self.a.plan.lane_of.get(target) or 0
-        return [
-            (
-                [f"line = way({self._lane(self.k)})", self._drive(self._set(self._to(p, self.value)))],
-                self._ending(p, "for 4 seconds"),
-            )
-        ]
+        change = [f"line = way({self._lane(self.k)})", self._drive(self._set(self._to(p, self.value)))]
+        steps = [(change, self._ending(p, "for 4 seconds"))]
+        ego = self.a.structure.ego.spec
+        if (
+            getattr(ego, "reaction", "") == "brake"
+            and self.value > self.a.plan.ego_speed - 1
+            and p == self.a.spec.phases[-1]
+        ):
+            slower = self._drive(scope.number(0.75 * min(self.value, self.a.plan.ego_speed)), 3)
+            steps = [(change, "for 2.5 seconds"), ([slower], "for 3 seconds"), ([self._drive()], "")]
+        return steps
 
     def _do_enter_road(self, p: Phase) -> list[tuple[list[str], str]]:
         self.k = 0
@@ -416,6 +440,14 @@ class _Script:
         go = ([self._drive(self._set(self._to(p, self.a.value or 8)), 2)], "for 4 seconds")
         if lane is None:
             return [([self._drive("0", 4)], f"until passed({other}, self) or passed({other}, self, 0)"), go]
+        if self._same_lane(p):  # it is ahead: behind it up to the junction
+            go = (go[0], "")
+            behind = f"do Drive(line, lambda: pace(self, {other}, {self.speed}), rate=4)"
+            clear = f"passed({other}, self, 14)"
+            if lane:  # it has gone on over the junction, and we are there
+                end = f"{lane}.centerline[-1]"
+                clear = f"(distance from {other} to {end}) > 14 and (distance from self to {end}) < 14"
+            return [([behind], f"until {clear}"), go]
         near = f"until (distance from self to {lane}.centerline[-1]) < 5 + self.speed ** 2 / 6"
         return [([self._drive()], near), ([self._drive("0", 3)], f"until passed({other}, self)"), go]
 

@@ -5,7 +5,7 @@ from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import behaviour, scope
 from c2s_engine.write.typed.placement import Spot, place_object
-from c2s_engine.write.typed.plan import Plan, speed_of
+from c2s_engine.write.typed.plan import Plan, speed_of, turn_of
 from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS, ROLE, is_static, is_vehicle, is_walker
 
 
@@ -30,7 +30,7 @@ def write_object(structure: Structure, cid: str, plan: Plan) -> str:
     if moving:
         lines += ["", f"behavior {scope.camel(name)}Behavior():"]
         statements = (
-            _walker(structure, spec, plan, spot, prefix, speed)
+            _walker(structure, cid, spec, plan, spot, prefix, speed)
             if is_walker(spec.type)
             else _driver(structure, cid, spec, plan, spot, prefix, speed)
         )
@@ -121,7 +121,7 @@ def _driver(
     statements = behaviour.body(actor)
     own = {"collide", "yield", "stop", "run_stop", "wait"} & {p.action for p in spec.phases}
     if spot.approach and plan.junction and not own and not standing:
-        statements = [_synchronised(s, prefix, _sooner(structure)) for s in statements]
+        statements = [_synchronised(s, prefix, _sooner(structure, spec, plan)) for s in statements]
         statements.insert(1, "spot = meeting(line, way(egoLane, egoTurn))")
     if any(p.action == "run_red" for p in spec.phases):
         statements.insert(1, "take SetTrafficLightAction('red', distance=150)")
@@ -135,12 +135,26 @@ def _synchronised(statement: str, prefix: str, sooner: float) -> str:
     return statement.replace(f"do Drive(line, {prefix}_SPEED)", met)
 
 
-def _sooner(structure: Structure) -> float:
-    """Where ego does not give way, the other passes a moment before it (a near miss): only `collide` means contact."""
+def _sooner(structure: Structure, spec: ObjectSpec, plan: Plan) -> float:
+    """How long (s) before ego the other passes: a near miss where ego does not give way; only `collide` is contact.
+
+    Opposite ways run side by side for long, so that one who turns across needs a moment more.
+    """
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
-    gives_way = ego.reaction in ("brake", "yield") or {"yield", "brake", "stop"} & {p.action for p in ego.phases}
-    return 0 if gives_way else 1.8
+    turning = plan.place.manoeuvre != "straight" or turn_of(spec.phases) != "STRAIGHT"
+    if ego.reaction in ("brake", "yield") or {"yield", "brake", "stop"} & {p.action for p in ego.phases}:
+        return 1.2 if turning and spec.placement.position == "opposite_approach" else 0
+    if plan.place.manoeuvre != "straight":
+        return -2.2
+    return 3.0 if turning else 1.8
+
+
+def _reach(spec: ObjectSpec, plan: Plan) -> float:
+    """From where somebody stands beside the road to the middle of ego's lane, m."""
+    own = 3.2 if spec.placement.hidden_by else 4.75 if spec.placement.position == "sidewalk" else 3.25
+    two_way = plan.oncoming or plan.place.kind not in ("motorway", "on_ramp", "off_ramp")
+    return own + (3.5 if spec.placement.side == "left" and two_way and not spec.placement.hidden_by else 0)
 
 
 def _start_condition(
@@ -157,23 +171,37 @@ def _start_condition(
         return f"(distance from self to {other}) < {scope.number(middle(t.value))}"
     if t and t.kind == "action":
         return f"{other}.speed < 0.5" if t.action in ("stop", "stationary") else f"(distance from self to {other}) < 25"
-    return f"(distance from self to ego) < {scope.number(reach / max(walk, 0.3) + 0.8)} * ego.speed + 5"
+    return f"(distance from self to ego) < {scope.number(reach / max(walk, 0.3))} * ego.speed + 4"
+
+
+def _is_struck(structure: Structure, cid: str, spec: ObjectSpec) -> bool:
+    """Whether ego is to hit it (or it ego): then it is still in the lane when ego comes."""
+    ego = structure.ego.spec
+    by_ego = any(p.action == "collide" and p.target in (cid, None) for p in getattr(ego, "phases", ()))
+    return by_ego or any(p.action == "collide" for p in spec.phases)
 
 
 def _walker(
-    structure: Structure, spec: ObjectSpec, plan: Plan, spot: Spot, prefix: str, speed: float | tuple[float, float]
+    structure: Structure,
+    cid: str,
+    spec: ObjectSpec,
+    plan: Plan,
+    spot: Spot,
+    prefix: str,
+    speed: float | tuple[float, float],
 ) -> list[str]:
     """The behaviour of somebody on foot."""
     lines: list[str] = []
     pace = f"{prefix}_SPEED" if high(speed) > 0 else scope.number(2.2 if spec.type == "child" else 1.4)
     value = middle(speed) or 1.4
     phases = spec.phases or (Phase(action="move_along"),)
+    struck = _is_struck(structure, cid, spec)
     for i, phase in enumerate(phases):
         last = i == len(phases) - 1
         own = scope.quantity(phase.speed) if phase.speed is not None and i > 0 else pace
         if phase.action in ("cross_road", "enter_road", "collide"):
             if i == 0 and low(speed) == 0 or phase.trigger or i == 0:
-                reach = 7.0 if spec.placement.side == "left" else 4.0
+                reach = _reach(spec, plan)
                 lines += [f"while not ({_start_condition(structure, spec, phase, plan, value, reach)}):", "    wait"]
             step = f"do Walk(self.heading, {own})"
         elif phase.action in ("stop", "stationary", "wait"):
@@ -181,6 +209,12 @@ def _walker(
         else:
             step = f"do Walk(self.heading, {own})"
         ending = f" for {scope.quantity(phase.duration)} seconds" if phase.duration is not None else ""
+        if last and struck and phase.action in ("cross_road", "enter_road", "collide"):
+            lines += [
+                f"{step} for {scope.number(_reach(spec, plan) / max(value, 0.3))} seconds",
+                "do Walk(self.heading, 0)",
+            ]
+            break
         if not ending and not last:
             following = phases[i + 1]
             if following.trigger and following.trigger.kind == "distance" and following.trigger.value is not None:
@@ -199,7 +233,7 @@ def _rider_across(
     value = middle(speed) or 4.0
     phase = next(p for p in spec.phases if p.action in ("cross_road", "enter_road"))
     own = f"{prefix}_SPEED" if high(speed) > 0 else scope.number(value)
-    reach = 7.0 if spec.placement.side == "left" else 4.0
+    reach = _reach(spec, plan)
     return [
         f"while not ({_start_condition(structure, spec, phase, plan, value, reach)}):",
         "    wait",

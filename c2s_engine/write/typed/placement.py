@@ -29,7 +29,7 @@ def place_object(structure: Structure, cid: str, plan: Plan) -> Spot:
     spec = structure[cid].spec
     assert isinstance(spec, ObjectSpec)
     position = spec.placement.position
-    if spec.placement.hidden_by and not is_vehicle(spec.type):
+    if spec.placement.hidden_by and position in ("roadside", "sidewalk", "parked") and not is_vehicle(spec.type):
         return _hidden(structure, spec)
     of = spec.placement.of
     if of not in ("ego", "E") and plan.lane_of[of] is None and position not in _OWN_PLACE:

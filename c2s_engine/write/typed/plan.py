@@ -117,7 +117,7 @@ def make_plan(structure: Structure) -> Plan:
     if ramp or place.kind in RAMP:
         place, base, offsets = _ramp_lanes(place, offsets, ramp)
     else:
-        place, base, offsets = _lanes(place, offsets, oncoming)
+        place, base, offsets = _lanes(place, offsets, _beside(objects))
     if oncoming and place.kind in {"motorway", *RAMP}:
         raise ResolveError(
             "a motorway's carriageway has no oncoming lane: choose the kind 'straight', or leave the oncoming lane out",
@@ -232,7 +232,13 @@ def _offsets(
     return frozenset(used)
 
 
-def _lanes(place: PlaceSpec, offsets: frozenset[int], oncoming: bool) -> tuple[PlaceSpec, int, frozenset[int]]:
+def _beside(objects: dict[str, ObjectSpec]) -> str | None:
+    """The side of the road on which somebody waits to cross or stands: ego drives next to it."""
+    sides = [o.placement.side or "right" for o in objects.values() if o.placement.position in MOVES_OFF_ROAD]
+    return sides[0] if sides else None
+
+
+def _lanes(place: PlaceSpec, offsets: frozenset[int], beside: str | None) -> tuple[PlaceSpec, int, frozenset[int]]:
     """Ego's lane and the number of lanes, so that every offset exists."""
     left, right = max(offsets), -min(offsets)
     needed = 1 + left + right
@@ -243,6 +249,8 @@ def _lanes(place: PlaceSpec, offsets: frozenset[int], oncoming: bool) -> tuple[P
     wish = place.ego_lane
     if wish is None and (left or right):
         wish = "middle" if left and right else "rightmost" if left else "leftmost"
+    if wish is None and beside:
+        wish = "rightmost" if beside == "right" else "leftmost"
     if wish == "rightmost" and right or wish == "leftmost" and left or wish == "middle" and max(left, right) > 1:
         side = "right" if wish == "rightmost" else "left"
         raise ResolveError(

@@ -9,6 +9,7 @@ from c2s_engine.maps.extras import MapExtras
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.quantity import high
 from c2s_engine.structure.regenerate import spec_references
+from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed import behaviour, kernel, scope
 from c2s_engine.write.typed.ego import write_ego
 from c2s_engine.write.typed.objects import write_object
@@ -16,6 +17,7 @@ from c2s_engine.write.typed.place import candidates, write_place
 from c2s_engine.write.typed.plan import Plan, make_plan
 from c2s_engine.write.typed.restrictions import write_restrictions
 from c2s_engine.write.typed.settings import write_settings
+from c2s_engine.write.typed.tables import is_static
 
 
 @dataclass(frozen=True)
@@ -56,8 +58,11 @@ class TypedWriter:
             return [self._place_facts(plan), sorted(self._kernel(structure, plan))]
         facts: list[Any] = [
             plan.place.kind, plan.place.control, plan.place.manoeuvre, plan.place.oncoming, round(plan.ego_speed, 2),
-            plan.distance, sorted(plan.offsets), [a for a in plan.approaches if cid != "E"], self._named(structure, cid),
+            plan.distance, structure.ego.spec.model_dump(include={"reaction", "phases"}), sorted(plan.offsets), [a for a in plan.approaches if cid != "E"], self._named(structure, cid),
         ]  # fmt: skip
+        still = [[c.id, c.spec.model_dump(mode="json", include={"type", "placement"})] for c in structure.objects if
+                 isinstance(c.spec, ObjectSpec) and is_static(c.spec)]  # fmt: skip
+        facts.append([s for s in still if s[0] != cid])
         if cid == "E":
             return [*facts, behaviour.threatening(structure), structure.settings.spec.model_dump().get("light")]
         return facts

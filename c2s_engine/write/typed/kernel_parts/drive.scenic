@@ -17,13 +17,13 @@ behavior Drive(points, speed, rate=3, offset=0, shift=1.5):
     `offset` m to their left, moving there at `shift` m/s. Pure pursuit, slower in bends."""
     i, last, beside = nearest(self, points), len(points) - 1, 0
     while True:
-        while i < last and (distance from self to points[i + 1]) < (distance from self to points[i]):
+        while i < last and (distance from self to points[i + 1]) <= (distance from self to points[i]):
             i += 1
         goal = min(speed() if callable(speed) else speed, bend_speed(points, i))
         if i > last - 3:
             goal = 0
         beside += max(-shift, min(shift, 10 * (offset - beside))) * simulation().timestep
-        ahead = min(i + 2 + int(0.45 * self.speed), last)
+        ahead = min(i + 2 + int(0.35 * self.speed), last)
         along = (points[ahead] - points[max(ahead - 1, 0)]).normalized()
         target = (points[ahead] + along.rotatedBy(90 deg) * beside - self.position).rotatedBy(-self.heading)
         steer = math.atan(1.2 * self.length * target.x / max(target.x ** 2 + target.y ** 2, 1)) / 1.2

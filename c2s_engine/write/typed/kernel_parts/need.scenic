@@ -16,4 +16,6 @@ def need(car, other):
     gone = place.x + motion.x * (max(gap, 0) + car.length + other.width) / closing
     if min(there, gone) > reach or max(there, gone) < -reach:
         return 0
+    if gap < 2 + 0.7 * motion.y:
+        return 9
     return closing ** 2 / (2 * max(gap - 2 - 0.5 * max(motion.y, 0), 0.3))

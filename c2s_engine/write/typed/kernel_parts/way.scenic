@@ -4,7 +4,8 @@ def way(lane, turn=ManeuverType.STRAIGHT):
     points = []
     for _ in range(3):
         points += lane.centerline.pointsSeparatedBy(2)
-        onward = [m for m in lane.maneuvers if turn in (m, m.type)] or list(lane.maneuvers)
+        onward = [m for m in lane.maneuvers if turn in (m, m.type)]
+        onward = onward or [m for l in lane.group.lanes for m in l.maneuvers if m.type is turn] or list(lane.maneuvers)
         if not onward:
             break
         if onward[0].connectingLane:

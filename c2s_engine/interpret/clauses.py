@@ -360,6 +360,11 @@ class Clauses:
         event.words, event.mode, event.passive = own, self._mode(word), passive
         if event.act == "stop" and passive and event.agent is agent and not re.search(r"\bby @", whole):
             event.act = "stationary"
+        into = re.search(r"into (the |a |an )?(side|rear|back|front|rear end|path)? ?(of )?(the |a |an )?@(\w+)(?! 's (lane|path|way|view))\b", text) if event.act in ("run_red", "run_stop", "lose_control", "oncoming", "swerve", "drift", "leave_road") else None
+        if into and into[2] != "path":
+            struck = next((e for e in (self.cast.ego, *self.cast.entities) if e.key == into[5]), None)
+            if struck is not None and struck is not event.agent and not re.search(rf"into (the )?(lane|path) of (the )?@{into[5]}|@{into[5]} 's", text):
+                self.events.append(Event("collide", event.agent, word.i, text, whole, struck, order=word.i + 0.2, mode=event.mode, words=[word.i], start=word.start, end=word.end))
         event.start, event.end = self.words[own[0]].start, self.words[own[-1]].end
         event.quantities = self._quantities(own)
         if word.dep in ("advcl", "relcl", "pcomp", "ccomp") or word.dep == "conj":

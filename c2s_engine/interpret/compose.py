@@ -26,7 +26,7 @@ def compose(scene: Scene) -> Structure:
     ego, ego_assumed = compose_ego(scene, ids, place)
     for entity in ordered:
         drafts.append(objects.compose_object(scene, entity, ids, place, ego))
-    ego = objects.settle(scene, ego, drafts, ids)
+    ego = objects.settle(scene, ego, place, drafts, ids)
     drafts += objects.signs(scene, place, len(drafts))
     place_assumed = _place_assumed(scene, place)
     components = [Component(id=f"O{n}", spec=d.spec, assumed=tuple(d.assumed), unmet=tuple(d.unmet), links=_links(scene, d.entity)) for n, d in enumerate(drafts, 1)]

@@ -381,7 +381,8 @@ class Cast:
                 return many[-1]
             return None
         scored = []
-        for entity in [*candidates, *([self.ego] if self.ego_named and (kind == "vehicle" or kind == self.ego.type and self._ego_by(noun)) else [])]:
+        never = noun in ("target", "adversary", "opponent", "challenger", "npc", "pov", "principal other vehicle", "challenging vehicle", "target vehicle", "vehicle target", "traffic")
+        for entity in [*candidates, *([self.ego] if self.ego_named and not never and (kind == "vehicle" or kind == self.ego.type and self._ego_by(noun)) else [])]:
             score = entity.mentions[-1].word / 1000 if entity.mentions else 0
             score += 2 if entity.noun == noun else 0
             score += 1.5 if entity.ego and self._ego_by(noun) else 0

@@ -215,14 +215,19 @@ def _vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place:
         same = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
         if same == lane and rel in ("behind", "ahead") and re.search(rf"{lane}(-hand|most)? lane", text) and where.of is None:
             return {"position": rel, "said": True}
-        return {"position": f"{lane}_lane", "along": _along(rel or ("behind" if "overtake" in acts or _gains(scene, entity) else None)), "said": True}
+        return {"position": f"{lane}_lane", "along": _along(rel or ("behind" if _passes_ego(scene, entity) or _gains(scene, entity) else None)), "said": True}
     if junction and place.manoeuvre in ("left", "right") and (acts == ["stationary"] or "stationary" in roles) and re.search(r"(enter|past the corner|after the (turn|corner)|around the corner|behind the (corner|turn)|has just|exit|beyond the)", scene.plain):
         return {"position": "intersection_exit", "said": True}
     if lane == "adjacent" or "adjacent" in roles:
         edge = edge or _cut_side(scene, entity) or "left"
         return {"position": f"{edge}_lane", "along": _along(rel or ("behind" if "overtake" in acts else None)), "said": True}
+    towards = next((side(e) for e in scene.events(scene.cast.ego) if e.act == "lane_change" and side(e)), None)
     if rel == "beside":
-        return {"position": "beside", "side": edge or "left", "said": True}
+        return {"position": "beside", "side": edge or towards or "left", "said": True}
+    wipes = scene.does(entity, "collide")
+    shift = scene.does(entity, "lane_change", "cut_in", "drift")
+    if rel is None and lane is None and wipes is not None and shift is not None and side(shift) and not junction and not wipes.agent.ego:
+        return {"position": "beside", "side": OPPOSITE[side(shift) or "left"], "said": True}
     if "cut_in" in acts or "cut_in" in roles:
         event = scene.does(entity, "cut_in")
         start = _cut_side(scene, entity) or "left"
@@ -342,6 +347,10 @@ def _cut_side(scene: Scene, entity: Entity) -> str | None:
     return None
 
 
+def _passes_ego(scene: Scene, entity: Entity) -> bool:
+    return any(e.act == "overtake" and (e.patient is None or e.patient.ego) for e in scene.events(entity))
+
+
 def _gains(scene: Scene, entity: Entity) -> bool:
     return any(e.act == "approach" and re.search(r"behind|rear|back", e.whole) for e in scene.events(entity)) or any(e.act == "approach" and e.text.startswith("close") for e in scene.events(entity))
 
@@ -393,8 +402,16 @@ def _speed(scene: Scene, entity: Entity, kind: str, phases: list, ego: EgoSpec, 
     return speed
 
 
-def settle(scene: Scene, ego: EgoSpec, drafts: list[Draft], ids: dict[Entity, str]) -> EgoSpec:
-    """Ego's spec once all objects are known (nobody is referred to who is not there)."""
+def settle(scene: Scene, ego: EgoSpec, place: PlaceSpec, drafts: list[Draft], ids: dict[Entity, str]) -> EgoSpec:
+    """Ego's spec once all objects are known (nobody is referred to who is not there); no object beyond the outer lanes."""
+    outer = {"leftmost": ("left_lane", "right_lane", "left", "right"), "rightmost": ("right_lane", "left_lane", "right", "left")}
+    lane = place.ego_lane if place.ego_lane in outer else None
+    for draft in drafts if lane else ():
+        wrong, right, side_wrong, side_right = outer[lane]  # type: ignore[index]
+        at = draft.spec.placement
+        if at.of == "ego" and (at.position == wrong or at.position == "beside" and at.side == side_wrong):
+            moved = at.model_copy(update={"position": right if at.position == wrong else "beside", "side": at.side if at.position == wrong else side_right})
+            draft.spec = draft.spec.model_copy(update={"placement": moved, "phases": tuple(p.model_copy(update={"side": side_wrong}) if p.action == "cut_in" else p for p in draft.spec.phases)})
     known = {"ego", *(f"O{n}" for n in range(1, len(drafts) + 1))}
     react = ego.react_to if ego.react_to in known else None
     return ego.model_copy(update={"react_to": react})

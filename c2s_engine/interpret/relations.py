@@ -120,6 +120,9 @@ class Places:
                 where.lane, where.side = "same", None
                 self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
         self._referred()
+        self._shared()
+        self._numbered()
+        self._overtaken()
         self._mutual()
         self._hidden()
         self._revealed()
@@ -179,6 +182,8 @@ class Places:
                 if other.sentence != word.sentence or other.norm in (",", ".", ";", "and", "(", ":", "-", "but", "while", "when") or (other.verb and other.tag != "VBN") or other.norm in ("that", "which", "who"):
                     break
                 after.append(other.i)
+            if after and word.dep == "dobj" and re.match(r"in the (rear|side|back|front)", self.clauses.render(after)):
+                after = []
             if after and self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO"):
                 read(self.clauses.render(after), where, entity, self.cast, "noun")
                 self._gap(after, where)
@@ -196,7 +201,7 @@ class Places:
             before = " ".join(w.norm for w in self.words[max(0, quantity["word"] - 5) : quantity["word"]])
             after = " ".join(w.norm for w in self.words[quantity["word"] + 1 : quantity["word"] + 8])
             if quantity["dimension"] == "distance":
-                if re.search(r"visib|wide|radius|sideways|lateral|by (more|less)|long|off the|width|height|past the (intersection|junction)|within (a|an)?", before + " " + after) and not re.search(r"ahead|in front|behind|back|away", after):
+                if re.search(r"^(high|tall|wide|long|deep|thick)", after) or re.search(r"visib|wide|radius|sideways|lateral|by (more|less)|long|off the|width|height|past the (intersection|junction)|within (a|an)?", before + " " + after) and not re.search(r"ahead|in front|behind|back|away", after):
                     continue
                 if re.search(r"ahead|in front|behind|away|back|distance|apart|gap|from|at|further|beyond|short|before|#dist (to|of)|least|along|on\b|down", before + " " + after + " " + text) and not (only_ahead and re.search(r"(drive|travel)s? (for )?#dist", text)):
                     if re.search(r"(after|for|every) (about |around )?$", before + " ") or re.search(r"(turn|when|once|until)\b", before):
@@ -235,6 +240,56 @@ class Places:
                 if where.gap is None:
                     self._gap(event.words, where)
 
+    def _shared(self) -> None:
+        """ "Two cars and a truck standing across the lane": what is said of the last holds for those before it."""
+        for entity in self.cast.entities:
+            where = self.of[entity]
+            if where.rel or where.lane or any(e.agent is entity or entity in e.also for e in self.clauses.events):
+                continue
+            for mention in entity.mentions:
+                for child in self.words[mention.word].children:
+                    other = self.cast.of.get(child)
+                    if self.words[child].dep == "conj" and other is not None and other is not entity and not other.ego:
+                        where.rel, where.lane, where.side = self.of[other].rel, self.of[other].lane, self.of[other].side
+                        if any(e.agent is other and e.act == "stationary" for e in self.clauses.events) or "stationary" in other.roles:
+                            entity.roles.add("stationary")
+
+    def _numbered(self) -> None:
+        """Lanes by number, counted from the left: "the number two lane", "lane 3"."""
+        numbers: dict[Entity, int] = {}
+        words = {"one": 1, "two": 2, "three": 3, "four": 4, "1": 1, "2": 2, "3": 3, "4": 4, "first": 1, "second": 2, "third": 3}
+        pattern = re.compile(r"(?:number|lane number|lane|no\.?|#) (one|two|three|four|[1-4])(?: lane)?\b")
+        for entity in (self.cast.ego, *self.cast.entities):
+            texts = [e.whole for e in self.clauses.events if e.agent is entity and e.act in STATES | {"lane_change", "keep_lane"}]
+            texts += [t for _, t in self.of[entity].phrases] if entity in self.of else []
+            for mention in entity.mentions:
+                texts.append(" ".join(w.norm for w in self.words[mention.word + 1 : mention.word + 11] if w.sentence == self.words[mention.word].sentence))
+            for text in texts:
+                match = pattern.search(text)
+                if match and "lane" in match[0] and entity not in numbers:
+                    numbers[entity] = words[match[1]]
+        own = numbers.get(self.cast.ego)
+        if own is None:
+            return
+        for entity, number in numbers.items():
+            if not entity.ego and abs(number - own) <= 1:
+                self.of[entity].lane = "same" if number == own else "right" if number > own else "left"
+                self.of[entity].rel = self.of[entity].rel or ("ahead" if number == own else "beside")
+        if self.ego_lane is None:
+            self.ego_lane = "leftmost" if own == 1 else "middle" if own == 2 else "rightmost"
+
+    def _overtaken(self) -> None:
+        """One whom another (not ego) overtakes drives ahead of that other."""
+        for event in self.clauses.events:
+            other = event.patient
+            if event.act != "overtake" or other is None or other.ego or event.agent.ego or other not in self.of or event.agent not in self.of:
+                continue
+            where, whose = self.of[other], self.of[event.agent]
+            if where.rel is None and where.lane is None:
+                where.lane, where.rel, where.side = whose.lane, "ahead", whose.side
+                if whose.lane in (None, "same", "left", "right"):
+                    where.of, where.lane = event.agent, "same"
+
     def _referred(self) -> None:
         """ "In that lane", "there", "where", "the same queue": the lane that was spoken of last."""
         for entity in self.cast.entities:
@@ -261,7 +316,7 @@ class Places:
     def _last_lane(self, before: int) -> str | None:
         plain = " ".join(w.norm for w in self.words if w.start < before)
         found = None
-        for match in re.finditer(r"\b(left|right)(?:-hand|most)?(?: hand)? lane|lane (?:immediately |directly )?(?:to|on) (?:the|its|their) (left|right)|lane on the (left|right)|second lane[^.;]*(left|right)", plain):
+        for match in re.finditer(r"(?:mov\w+|merg\w+|chang\w+|shift\w*|steer\w*|pull\w*)(?: over| out)?(?: to the| to)? (left|right)\b|\b(left|right)(?:-hand|most)?(?: hand)? lane|lane (?:immediately |directly )?(?:to|on) (?:the|its|their) (left|right)|lane on the (left|right)|second lane[^.;]*(left|right)", plain):
             found = next(g for g in match.groups() if g)
         return found
 

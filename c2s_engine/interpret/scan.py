@@ -79,7 +79,8 @@ def quantities(text: str) -> list[Span]:
             continue
         if match["unit"] == "m" and not match["low"][-1:].isdigit():
             continue
-        low = _value(match["low"]) * factor
+        low = _value(match["low"]) * (language.units()[" ".join(match["lowunit"].split())][1] if match["lowunit"] else factor)
+        first = low
         joined = re.search(r"(-|to|and|\.\.|or)\s*$", text[match.end("low") : match.start("high")]) if match["high"] else None
         high = _value(match["high"]) * factor if match["high"] else low
         before = text[max(0, match.start() - 30) : match.start()]
@@ -88,6 +89,9 @@ def quantities(text: str) -> list[Span]:
         if high < low:
             low, high = high, low
         found.append(Span("quantity", match.start(), match.end(), {"dimension": dimension, "low": low, "high": high}))
+        if joined and joined[1] == "to" and re.search(r"from\s*$", before):
+            second = _value(match["high"]) * factor
+            found[-1].data.update({"first": first, "second": second})
     return found
 
 

@@ -210,6 +210,15 @@ def _speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         if owner is None:
             continue
         event = _event_of(scene, unit.i)
+        changing = [e for e in clauses.events if e.agent is owner and e.act in ("brake", "brake_stop", "accelerate") and e.word < unit.i and scene.words[e.word].sentence == word.sentence]
+        if "second" in span.data and changing:
+            changing[-1].quantities = [*changing[-1].quantities, {"dimension": "speed", "low": span.data["second"], "high": span.data["second"], "role": "target", "start": span.start}]
+            scene.speeds.setdefault(owner, (span.data["first"], span.data["first"], span.start, span.end))
+            continue
+        if changing and (event is None or event.act not in ("brake", "brake_stop", "accelerate") or changing[-1].word > event.word):
+            event = changing[-1]
+            if re.search(r"(to|down to)\s*(about |around |roughly )?$", near[-16:]) and not any(q["start"] == span.start for q in event.quantities):
+                event.quantities = [*event.quantities, {**span.data, "start": span.start, "role": "target"}]
         if event is not None and event.agent is owner and event.act in ("brake", "brake_stop", "accelerate") and re.search(r"(to|down to|from)\s*(about |around |roughly )?$", near[-16:]) is not None and "from" not in near[-16:]:
             event.quantities = [{**q, "role": "target"} if q["start"] == span.start else q for q in event.quantities]
             continue

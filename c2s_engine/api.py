@@ -29,6 +29,7 @@ class Engine:
         self.check_client = CheckClient(runner=RUNNER)
         self.tools = Tools(self.settings, self.library, self.check_client)
         self._retrieval: Any = None
+        self.tools.extra["retrieval"] = self.retrieval
         self._graph: Any = None
 
     async def __aenter__(self) -> "Engine":
@@ -180,6 +181,12 @@ class Engine:
                 limits=limits or Limits(),
             )
         )
+
+    async def import_program(self, text: str, filename: str = "program.scenic") -> Structure:
+        """S of any Scenic driving program; raises CheckError where it cannot be parsed."""
+        found = await self.check_client.import_program(text, filename)
+        assert found.structure is not None
+        return found.structure
 
     def reach(self, structure: Structure, edit: Edit) -> list[ComponentId]:
         """What an edit will make dirty, before it is made (with the typed writer)."""

@@ -19,13 +19,15 @@ app = typer.Typer(
 
 def _mount(wanted: str | None) -> None:
     """Mount the commands; the heavier ones only when they are asked for or help is shown."""
-    from c2s_engine.commands import checking, generate, places, sessions
+    from c2s_engine.commands import checking, generate, places, sessions, texts
 
     app.command()(generate.generate)
     app.command()(checking.check)
     app.command()(checking.run)
     app.command()(places.maps)
     app.command()(places.doctor)
+    app.command()(texts.interpret)
+    app.command("import")(texts.import_)
     app.command()(sessions.edit)
     app.add_typer(sessions.app, name="sessions")
     everything = wanted is None

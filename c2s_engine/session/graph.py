@@ -77,7 +77,8 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         structure = before
         for edit in edits:
             structure = steps.apply(structure, edit)
-        structure, found, result = await steps.configure(structure, tools, emit, given=state.get("map"))
+        needed = getattr(method_of(state), "needs_place", True)
+        structure, found, result = await steps.configure(structure, tools, emit, given=state.get("map"), needed=needed)
         emit(StructureChanged(structure=structure))
         update: State = {
             "structure": structure.model_dump(mode="json"),
@@ -105,6 +106,10 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
             "structure": structure.model_dump(mode="json"),
             "program": program.model_dump(mode="json"),
             "rewritten": written,
+            "details": {
+                **state.get("details", {}),
+                "tokens": state.get("details", {}).get("tokens", 0) + getattr(method, "tokens", 0),
+            },
             "stages": with_stage(state, result),
             "stop": not result.ok,
         }

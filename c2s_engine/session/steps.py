@@ -8,14 +8,15 @@ from typing import Any
 from c2s_engine.check.client import CheckClient, CheckError
 from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits, Upto
 from c2s_engine.config import Settings
-from c2s_engine.maps.library import MapLibrary
-from c2s_engine.session.places import Resolution, resolve
+from c2s_engine.maps.library import SHIPPED, MapLibrary
+from c2s_engine.session.places import Resolution, map_choice, resolve
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.edits import Edit, EditError, apply
 from c2s_engine.structure.program import Program, assemble
 from c2s_engine.structure.progress import ComponentState, ProgramChanged, Progress, RunDone, StageDone, StageStarted
 from c2s_engine.structure.regenerate import FragmentWriter, dirty, regenerate
+from c2s_engine.write.typed import TypedWriter
 
 Emit = Callable[[Progress], None]
 
@@ -36,15 +37,20 @@ def timed(name: Any, started: float, diagnostics: tuple[Diagnostic, ...] = ()) -
 
 
 async def configure(
-    structure: Structure, tools: Tools, emit: Emit, *, given: str | None
+    structure: Structure, tools: Tools, emit: Emit, *, given: str | None, needed: bool = True
 ) -> tuple[Structure, Resolution, StageResult]:
-    """Choose the map and resolve the place on it; what was chosen for want of words goes to G's `assumed`."""
+    """Choose the map and resolve the place on it; what was chosen for want of words goes to G's `assumed`.
+
+    Methods that do not render specs need no place (`needed`): for them a map is enough.
+    """
     emit(StageStarted(stage="resolve"))
     started = time.perf_counter()
     try:
         found = await resolve(structure, tools.library, tools.check, given=given, default=tools.settings.map)
     except CheckError as error:
         found = Resolution(None, diagnostic=Diagnostic(stage="resolve", message=str(error), code="check-server"))
+    if found.writer is None and not needed:
+        found = Resolution(TypedWriter(map_choice(tools.library, tools.library.find(given or SHIPPED))))
     result = timed("resolve", started, (found.diagnostic,) if found.diagnostic else ())
     emit(StageDone(result=result))
     settings = structure.settings

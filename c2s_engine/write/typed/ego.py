@@ -39,6 +39,7 @@ def write_ego(structure: Structure, plan: Plan) -> str:
         "",
         f"ego = new {CLASS[spec.type]} at egoLane.centerline.pointAlongBy(EGO_AT),",
         f"    with blueprint '{model}',",
+        *(["    with regionContainedIn everywhere,"] if spec.type == "bus" else []),
         "    with behavior EgoBehavior()",
     ]
     return "\n".join(lines)

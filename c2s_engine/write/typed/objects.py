@@ -52,6 +52,8 @@ def _statement(spec: ObjectSpec, spot: Spot, name: str, moving: bool) -> list[st
         extras.append("with regionContainedIn everywhere")
     if not is_vehicle(spec.type) and not any(s.startswith(("facing", "ahead of", "behind")) for s in spot.specifiers):
         extras.append("facing roadDirection")
+    if spec.type == "bus":  # wider than most lanes
+        extras.append("with regionContainedIn everywhere")
     if moving:
         extras.append(f"with behavior {scope.camel(name)}Behavior()")
     specifiers = list(dict.fromkeys([*spot.specifiers, *extras]))

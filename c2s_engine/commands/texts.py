@@ -1,0 +1,77 @@
+"""`c2s interpret` and `c2s import`: texts and programs to S."""
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from rich.table import Table
+from rich.text import Text
+
+from c2s_engine.commands import show
+from c2s_engine.commands.console import OK, dump, err, out, sentences, work
+from c2s_engine.commands.reading import read_program, read_text
+
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON object.")]
+
+
+def interpret(
+    text: Annotated[str | None, typer.Argument(help="The description, or - for standard input.")] = None,
+    file: Annotated[Path | None, typer.Option("--file", "-f", help="Read it from a .txt, .md or .pdf file.")] = None,
+    explain: Annotated[bool, typer.Option("--explain", help="Show each stage's result with its spans.")] = False,
+    as_json: Json = False,
+) -> None:
+    """Interpret a description without a model: what S it gives, and why."""
+    with sentences(as_json):
+        from c2s_engine.interpret import EmbeddedInterpreter
+
+        found = EmbeddedInterpreter().interpret(read_text(text, file))
+    if as_json:
+        dump({"structure": found.structure.model_dump(mode="json"), "stages": found.stages})
+        raise typer.Exit(OK)
+    if explain:
+        for stage, results in found.stages.items():
+            out.print(Text(stage, style="bold"))
+            table = Table(show_header=False, box=None, pad_edge=False)
+            for entry in results:
+                table.add_row("  ", Text(", ".join(f"{k}: {v}" for k, v in entry.items())))
+            out.print(table)
+    show.structure(found.structure)
+    for c in found.structure.components:
+        out.print(Text(f"{c.id} {c.spec.model_dump_json(exclude_defaults=True)}", style="dim"))
+
+
+def import_(
+    file: Annotated[Path, typer.Argument(help="A Scenic driving program.")],
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the assembled program there.")] = None,
+    as_json: Json = False,
+) -> None:
+    """Decompose any Scenic driving program into G, R, E, O1..N, T; assembled again it is the same, byte for byte."""
+    with sentences(as_json):
+        text = read_program(file)
+    found: Any = work(_import(text, file.name), as_json)
+    with sentences(as_json):
+        from c2s_engine.structure.program import assemble
+
+        program = assemble(found.structure)
+        if output is not None:
+            output.write_text(program.text, encoding="utf-8")
+    if as_json:
+        dump({
+            "structure": found.structure.model_dump(mode="json"),
+            "source_map": [s.model_dump(mode="json") for s in program.spans],
+            "upgraded": found.upgraded is not None,
+            "diff": found.diff,
+        })  # fmt: skip
+        raise typer.Exit(OK)
+    if found.diff:
+        err.print(Text("upgraded from Scenic 2:", style="yellow"))
+        err.print(Text(found.diff))
+    show.structure(found.structure)
+
+
+async def _import(text: str, name: str) -> Any:
+    from c2s_engine.api import Engine
+    from c2s_engine.config import load_settings
+
+    async with Engine(load_settings()) as engine:
+        return await engine.check_client.import_program(text, name)

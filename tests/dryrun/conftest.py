@@ -72,7 +72,7 @@ class Town:
         return Way(name, kind, blueprint, role, *size, x, y, heading, vx, vy)
 
     def walk(self, name, lane, s, start, speed, steps=201, role="", kind="walker"):
-        """Somebody who walks across a lane at `s`: from `start` m left of its middle, to the right (m/s, one a step)."""
+        """Somebody who walks across a lane at `s`: from `start` m left of its middle to the right (m/s)."""
         speed = np.broadcast_to(np.asarray(speed, float), steps)
         info = self.index.lanes[lane]
         x, y = info.point_at(s)
@@ -81,11 +81,10 @@ class Town:
         size = (1.8, 0.6, 1.6) if kind == "bicycle" else (0.5, 0.5, 1.8)
         return self.way(name, x - np.cos(h) * d, y - np.sin(h) * d, h - np.pi / 2, kind, size, role)
 
-    def prop(self, name, lane, s, aside=0.0, role="", blueprint="static.prop.box01", size=(0.7, 0.7, 0.7), heading=None, steps=201):  # fmt: skip
+    def prop(self, name, lane, s, aside=0.0, role="", blueprint="static.prop.box01", heading=None, steps=201):
         """A thing beside or on a lane."""
-        return self.ride(
-            name, lane, s, 0.0, aside, "prop", steps, size=size, heading=heading, role=role, blueprint=blueprint
-        )
+        more = {"size": (0.7, 0.7, 0.7), "heading": heading, "role": role, "blueprint": blueprint}
+        return self.ride(name, lane, s, 0.0, aside, "prop", steps, **more)
 
     def facts(self, *ways, contacts=(), lights=(), **params):
         """What hand-made ways show."""

@@ -103,8 +103,8 @@ CASES = {
     "cross_path": (meets(-60.0), lambda t: meets(-150.0)(t)),
     "passes_first": (meets(-15.0), meets(-60.0)),
     "yield": (
-        lambda t: list(reversed([w for w in slow_ego(wait_then_go)(t)])),
-        lambda t: list(reversed([w for w in slow_ego(8.0, start=10.0)(t)])),
+        lambda t: slow_ego(wait_then_go)(t)[::-1],
+        lambda t: slow_ego(8.0, start=10.0)(t)[::-1],
     ),
     "cross_road": (walks(), walks(speed=np.where(np.arange(STEPS) < 20, 1.5, 0.0))),
     "walk_along": (

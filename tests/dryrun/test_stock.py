@@ -120,7 +120,8 @@ def test_crossing_behavior_crosses_in_front(run):
 behavior C():
     do CrossingBehavior(ego, 1.5, 30)
 spot = new OrientedPoint following lane.orientation from ego for 60
-ped = new Pedestrian at spot offset by (6, 0), facing 90 deg relative to spot, with behavior C(), with regionContainedIn everywhere
+ped = new Pedestrian at spot offset by (6, 0), facing 90 deg relative to spot, with regionContainedIn everywhere, \
+    with behavior C()
 """
     done = run(program("take SetSpeedAction(8)\ndo FollowLaneBehavior(8)", road=8, extra=extra), seconds=10)
     ped = done.recording.paths[1]
@@ -130,7 +131,8 @@ ped = new Pedestrian at spot offset by (6, 0), facing 90 deg relative to spot, w
 def test_following_changing_and_avoiding(run):
     path = ways(run, "take SetSpeedAction(36)\ndo FollowLaneBehavior(36)", road=44, seconds=10)
     assert path.speed[1:].min() > 35
-    text = "take SetSpeedAction(33)\ndo LaneChangeBehavior(self.laneSection.laneToLeft, target_speed=33)\ndo FollowLaneBehavior(33)"
+    change = "do LaneChangeBehavior(self.laneSection.laneToLeft, target_speed=33)"
+    text = f"take SetSpeedAction(33)\n{change}\ndo FollowLaneBehavior(33)"
     path = ways(run, text, seconds=8)
     assert abs(abs(path.y[-1] - path.y[0]) - 3.75) < 0.15, "in the middle of the next lane"
     assert np.abs(np.diff(path.heading)).max() < 0.02, "without a jerk"
@@ -151,16 +153,19 @@ behavior B(ways):
     do FollowLaneBehavior(8)
 crossing = [i for i in network.intersections if int(i.id) == 102][0]
 m = [m for m in crossing.maneuvers if m.type == ManeuverType.{kind}][0]
-ego = new Car following m.startLane.orientation from m.startLane.centerline[-1] for -30, with behavior B([m.startLane, m.connectingLane, m.endLane])
+first = m.startLane
+ego = new Car following first.orientation from first.centerline[-1] for -30,
+    with behavior B([first, m.connectingLane, m.endLane])
 """
     for kind, sign in (("LEFT_TURN", 1), ("RIGHT_TURN", -1)):
-        path = run(text.format(kind=kind), seconds=10).recording.paths[0]
+        path = run(text.format(kind=kind), seconds=14).recording.paths[0]
         assert turned(path) == pytest.approx(sign * np.pi / 2, abs=0.15)
         assert all(network.drivableRegion.containsPoint((x, y, 0)) for x, y in zip(path.x, path.y, strict=True))
 
 
 def test_waypoints_are_tracked(run):
-    text = "pts = [(self.position.x + 5*i, self.position.y) for i in range(40)]\nwhile True:\n    take TrackWaypointsAction(pts, 8)"
+    points = "pts = [(self.position.x + 5*i, self.position.y) for i in range(40)]"
+    text = f"{points}\nwhile True:\n    take TrackWaypointsAction(pts, 8)"
     path = ways(run, text, seconds=8)
     assert path.x[-1] - path.x[0] > 35 and abs(path.y[-1] - path.y[0]) < 1.0
 
@@ -203,7 +208,8 @@ def test_lights_are_set_by_actions(run, colour):
 
 def test_lights_are_set_and_read_by_functions(run):
     watch = "freezeTrafficLights()\n    setClosestTrafficLightStatus(ego, 'red')"
-    first = "if getClosestTrafficLightStatus(self) == 'red' and withinDistanceToRedYellowTrafficLight(self, 100):\n            terminate"
+    seen = "getClosestTrafficLightStatus(self) == 'red' and withinDistanceToRedYellowTrafficLight(self, 100)"
+    first = f"if {seen}:\n            terminate"
     done = run(LIGHT.format(first=first, watch=watch), seconds=3)
     assert done.ended_by == "terminated" and done.duration < 1.0
 

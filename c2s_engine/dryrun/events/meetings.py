@@ -24,16 +24,19 @@ class Meeting:
     """m that are missing to the point at the end."""
 
 
+RESTART = 15.0
+"""m: who stood so shortly before the end still has ahead what it stood for."""
 BEHIND = -2
 AHEAD = -1
 """Instead of a step: points that lie behind where it started, and ahead of where it stands at the end."""
 
 
 def line_of(seen: Seen, situation: Situation) -> tuple[np.ndarray, np.ndarray]:
-    """(points, step of each) of its path, with the lane behind its start, and before who stands the lane ahead."""
+    """(points, step of each) of its path, the lane behind it, and before who stands (or just did) the lane ahead."""
     moved = np.concatenate([[True], np.diff(seen.travelled) > 1e-3])
     points, steps = seen.xy[moved], np.flatnonzero(moved)
-    if seen.speed[-1] < definitions()["yield"].standing or not seen.moves:
+    recent = seen.travelled > seen.travelled[-1] - RESTART
+    if (seen.speed[recent] < definitions()["yield"].standing).any() or not seen.moves:
         ahead = _ahead(seen, situation, definitions()["cross_path"].extend)
         points = np.concatenate([points, ahead])
         steps = np.concatenate([steps, np.full(len(ahead), AHEAD)])

@@ -1,6 +1,7 @@
 """Where the fragments lie in a program that is being edited by hand: pure text work, fast enough for each key."""
 
 from difflib import SequenceMatcher
+from functools import lru_cache
 
 from c2s_engine.structure.program import FragmentSpan, Program
 
@@ -51,6 +52,7 @@ def changed_fragments(program: Program, text: str) -> dict[str, str]:
     return changed
 
 
+@lru_cache(maxsize=8)
 def changed_lines(before: str, after: str) -> frozenset[int]:
     """The lines (1-based) of `after` that are new or other than in `before`."""
     if before == after:

@@ -60,6 +60,10 @@ class CodePane(Vertical):
     def show(self, desk: Desk) -> None:
         """Draw the desk. Text that is being edited by hand is not overwritten."""
         hand = self.edited
+        same = desk.program == self.desk.program and desk.before == self.desk.before
+        if same and not hand and desk.diagnostics == self.desk.diagnostics and self._live is None:
+            self.desk = desk
+            return
         self.desk, self._live = desk, None
         if not hand or desk.program.text == self.area.text:
             self.base = desk.program

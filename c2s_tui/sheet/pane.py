@@ -52,6 +52,7 @@ class SheetPane(VerticalScroll):
         self.unfolded: set[str] = set()
         self.reached: frozenset[str] = frozenset()
         self.cursor = 0
+        self.views: list[RowView] = []  # one a row, reused from drawing to drawing
 
     # What it shows.
 
@@ -81,28 +82,29 @@ class SheetPane(VerticalScroll):
     def _lay(self) -> None:
         at = self.here.key if self.here else None
         lines = rows(self.desk, self.unfolded, self.reached)
-        views = list(self.query(RowView))
-        same = [row.key for row in self.rows] == [row.key for row in lines] and len(views) == len(lines)
+        views = self.views
         self.rows = lines
-        if same:
-            for view, row in zip(views, lines, strict=True):
-                view.show(row)
-        else:
-            with self.app.batch_update():
-                self.remove_children(RowView)
-                self.mount_all([RowView(row) for row in lines], before=self.editor if self.editor else None)
+        for view, row in zip(views, lines, strict=False):
+            view.show(row)
+        if len(views) < len(lines):
+            new = [RowView(row) for row in lines[len(views) :]]
+            self.mount_all(new, after=views[-1] if views else None)
+            views += new
+        for view in views[len(lines) :]:
+            view.remove()
+        del views[len(lines) :]
         self.cursor = next((i for i, row in enumerate(lines) if row.key == at), min(self.cursor, len(lines) - 1))
         self._mark()
 
     def _mark(self) -> None:
-        for i, view in enumerate(self.query(RowView)):
+        for i, view in enumerate(self.views):
             view.set_class(i == self.cursor, "-cursor")
             view.set_class(self.here is not None and view.row.cid == self.here.cid != "", "-here")
 
     def _go(self, index: int, tell: bool = True) -> None:
         self.cursor = max(0, min(index, len(self.rows) - 1))
         self._mark()
-        views = list(self.query(RowView))
+        views = self.views
         if self.cursor < len(views):
             self.scroll_to_widget(views[self.cursor], animate=False)
         if tell and self.here and self.here.cid:
@@ -125,7 +127,7 @@ class SheetPane(VerticalScroll):
     async def on_click(self, event: Click) -> None:
         view = event.widget
         if isinstance(view, RowView):
-            index = list(self.query(RowView)).index(view)
+            index = self.views.index(view)
             again = index == self.cursor and self.has_focus
             self.focus()
             self._go(index)
@@ -157,7 +159,7 @@ class SheetPane(VerticalScroll):
     def _edit(self, row: Row) -> None:
         if self.editor:
             return
-        views = list(self.query(RowView))
+        views = self.views
         self.mount(FieldEditor(row, self.desk.structure[row.cid].spec), after=views[self.cursor])
         views[self.cursor].add_class("-edited")
 

@@ -37,7 +37,9 @@ def test_model_missing(stage, compare):
 
 
 async def test_a_model_is_chosen_and_one_that_is_missing_is_pulled(stage):
-    stage.engine.model_list = [{"name": "qwen3:8b", "size": 5_200_000_000, "parameters": "8B", "quantization": "Q4_K_M"}]
+    stage.engine.model_list = [
+        {"name": "qwen3:8b", "size": 5_200_000_000, "parameters": "8B", "quantization": "Q4_K_M"}
+    ]
     async with stage.make().run_test(size=(140, 45)) as pilot:
         await stage.ready(pilot)
         for typed, expected in (("qwen3", "qwen3:8b"), ("llama3", "llama3")):

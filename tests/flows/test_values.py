@@ -1,0 +1,151 @@
+"""The pure parts: typed values, fragments under edit, marks, clipboard, preferences, commands."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scripted_engine import Writer, cut_in, run_facts
+from textual.widgets import Input, TextArea
+
+from c2s_engine.structure.edits import EditError, SetField, apply
+from c2s_engine.structure.program import assemble
+from c2s_engine.structure.regenerate import regenerate
+from c2s_engine.structure.specs import SPEC_OF
+from c2s_tui import prefs
+from c2s_tui.clipboard import osc52
+from c2s_tui.code.fragments import changed_fragments, changed_lines, moved_spans
+from c2s_tui.code.highlight import highlights, lexer
+from c2s_tui.commands import bindings, commands, split
+from c2s_tui.look.kinds import mentions
+from c2s_tui.seen import marks, score
+from c2s_tui.sheet.values import fields, parse, show
+
+PROGRAM = assemble(regenerate(cut_in(), (), Writer())[0])
+
+
+def by_path(cid: str) -> dict:
+    return {f.path: f for f in fields(cut_in()[cid].spec)}
+
+
+@pytest.mark.parametrize(
+    ("cid", "path", "typed", "value"),
+    [
+        ("E", "speed", "50", 13.8889), ("E", "speed", "50 km/h", 13.8889), ("E", "speed", "10 m/s", 10.0),
+        ("E", "speed", "30 mph", 13.4112),
+        ("O1", "speed", "35-40", [9.7222, 11.1111]),
+        ("O1", "placement.gap", "5 to 8 m", [5.0, 8.0]),
+        ("O1", "type", "motor", "motorcycle"), ("O1", "count", "3", 3), ("G", "weather", "fog, wind", ["fog", "wind"]),
+        ("R", "oncoming", "yes", True), ("R", "lanes", "", None), ("E", "hard", "no", False),
+    ],
+)  # fmt: skip
+def test_typed_text_becomes_a_value(cid, path, typed, value):
+    field = by_path(cid)[path]
+    assert parse(field, typed) == value
+    if value is not None:
+        apply(cut_in(), SetField(component=cid, path=path, value=value))  # and the spec takes it
+
+
+@pytest.mark.parametrize(
+    ("cid", "path", "typed"), [("O1", "type", "submarine"), ("E", "speed", "fast"), ("E", "speed", "5 kg")]
+)
+def test_what_cannot_stand_there_is_refused_with_what_could(cid, path, typed):
+    with pytest.raises(EditError) as refused:
+        parse(by_path(cid)[path], typed)
+    assert len(str(refused.value)) > 20
+
+
+def test_what_is_shown_can_be_typed_back():
+    for component in cut_in().components:
+        for field in fields(component.spec):
+            if field.leaf and field.set and not isinstance(field.value, dict):
+                assert parse(field, show(field)) == pytest.approx(field.value, rel=1e-3) if field.unit else True
+
+
+def test_every_spec_can_be_shown():
+    for spec in SPEC_OF.values():
+        assert {f.path.split(".")[0] for f in fields(spec())} == set(spec.model_fields) - {"component"}
+
+
+@given(st.data())
+def test_fragments_keep_their_borders_under_any_edit_inside_one(data):
+    span = data.draw(st.sampled_from(PROGRAM.spans))
+    lines = PROGRAM.text.split("\n")
+    first = data.draw(st.integers(span.first, span.last - 1))
+    last = data.draw(st.integers(first, span.last - 1))
+    new = data.draw(st.lists(st.text("abc =()#", max_size=12), max_size=5))
+    text = "\n".join(lines[:first] + new + lines[last:])
+    moved = moved_spans(PROGRAM, text)
+    assert [s.component for s in moved] == [s.component for s in PROGRAM.spans]
+    assert all(a.last + 1 == b.first for a, b in zip(moved, moved[1:], strict=False))
+    assert set(changed_fragments(PROGRAM, text)) <= {span.component}
+
+
+def test_changed_lines():
+    assert changed_lines("a\nb\nc", "a\nx\nc\nd") == {2, 4}
+    assert changed_lines("a", "a") == frozenset()
+
+
+def test_said_and_seen():
+    assert score(marks(cut_in(), (run_facts(True),))) == (1, 1)
+    assert score(marks(cut_in(), (run_facts(False),))) == (0, 1)
+    assert score(marks(cut_in(), ())) == (0, 0)
+    assert [m.path for m in marks(cut_in(), ())] == ["phases.0"]
+
+
+def test_highlighting_is_scenics_own_and_imports_no_scenic():
+    import subprocess
+    import sys
+
+    assert type(lexer()).__name__ == "ScenicLexer"
+    row = highlights("ego = new Car at 3 @ 4\n")[0]
+    assert (6, 9, "Keyword") in row or (6, 9, "Operator.Word") in row
+    code = "import sys; from c2s_tui.code.highlight import lexer; lexer(); import c2s_tui.workbench; " \
+           "print([m for m in ('scenic', 'torch', 'lancedb', 'langgraph') if m in sys.modules])"  # fmt: skip
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.strip() == "[]"
+
+
+@given(st.text("ab'\"#:\n é", max_size=60))
+def test_highlights_lie_within_their_lines(text):
+    lines = text.split("\n")
+    for row, spans in highlights(text).items():
+        assert all(0 <= a < b <= len(lines[row].encode()) for a, b, _ in spans)
+
+
+def test_the_hook_of_the_text_area_is_there():
+    assert "_build_highlight_map" in TextArea.__dict__ and "_line_cache" in vars(TextArea("x"))
+
+
+def test_no_key_of_the_app_is_taken_by_a_text_area_or_an_input():
+    taken = {key for w in (TextArea, Input) for b in w.BINDINGS for key in b.key.split(",")}
+    ours = {key for b in bindings() for key in b.key.split(",")}
+    assert not ours & taken
+    assert not ours & {"ctrl+a", "ctrl+b", "ctrl+i", "ctrl+m", "ctrl+h"}
+
+
+def test_commands_have_a_method_and_unambiguous_beginnings_will_do():
+    from c2s_tui.actions import Actions
+
+    assert all(hasattr(Actions, f"do_{name}") for name in commands())
+    assert split("/the c2s-light") == ("theme", "c2s-light")
+    assert split("/m") == ("m", "") and split("hello") is None
+
+
+def test_copying_is_wrapped_for_the_multiplexer():
+    assert osc52("é", {}) == "\x1b]52;c;w6k=\x07"
+    assert osc52("é", {"TMUX": "x"}).startswith("\x1bPtmux;\x1b\x1b]52;c;w6k=")
+    assert osc52("x" * 1000, {"TERM": "screen"}).count("\x1bP") > 4
+
+
+def test_preferences_come_back_and_a_broken_file_is_reported(tmp_path):
+    file = tmp_path / "app.toml"
+    prefs.save(prefs.Prefs(theme="c2s-light", keys={"app.run": "f6"}), file)
+    assert prefs.load(file) == prefs.Prefs(theme="c2s-light", keys={"app.run": "f6"})
+    file.write_text("theme = 3\n[")
+    assert "Mend or remove" in prefs.load(file).trouble
+    file.write_text("theme = 3\n")
+    assert "theme" in prefs.load(file).trouble
+
+
+def test_mentions_are_coloured_and_nothing_is_markup():
+    content = mentions("[red]O1[/red] cuts in; E brakes at a T-junction")
+    assert content.plain == "[red]O1[/red] cuts in; E brakes at a T-junction"
+    assert [(s.start, s.end) for s in content.spans] == [(5, 7), (23, 24)]

@@ -80,6 +80,15 @@ def retrieve(
     return Found(hits, bool(hits) and answerable(kind, cosine, covered), cosine, covered)
 
 
+def _by_clause(shelf: Shelf, query: str) -> list[int]:
+    """The rows of the very clause that a query names: nobody who writes 5.2.5.2 means its neighbours."""
+    wanted = set(CLAUSE.findall(query))
+    if not wanted:
+        return []
+    rows = [row for row in shelf.lexical_rows if wanted & set(CLAUSE.findall(shelf.clauses[row]))]
+    return [int(row) for row in rows[:10]]
+
+
 def _best(
     shelf: Shelf, scores: np.ndarray, rows: np.ndarray, mask: np.ndarray | None, depth: int
 ) -> list[tuple[int, float]]:

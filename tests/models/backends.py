@@ -6,6 +6,8 @@ import string
 from collections.abc import Callable
 from typing import Any
 
+import pytest
+
 from tests.models.fake_ollama import Answer, Respond, endless
 
 
@@ -80,3 +82,7 @@ BAD: dict[str, Callable[[int], Respond]] = {
     "busy": lambda seed: lambda request: Answer(status=503),
     "refused": lambda seed: lambda request: Answer(status=400, error="invalid format"),
 }
+
+FAST = ("garbage", "endless", "refused")
+BAD_NAMES = [name if name in FAST else pytest.param(name, marks=pytest.mark.full) for name in BAD]
+"""The bad characters as parameters: three in every run, the others in the full one."""

@@ -17,7 +17,7 @@ from c2s_engine.structure.edits import references
 from c2s_engine.structure.progress import Say, Usage
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Placement
 from tests.models.answers import FORMS, TEXT, asked_of, sensible
-from tests.models.backends import BAD, random_json, wordy
+from tests.models.backends import BAD, BAD_NAMES, random_json, wordy
 from tests.models.fake_ollama import Answer, FakeOllama, endless, said
 
 
@@ -99,7 +99,7 @@ async def test_what_cannot_be_used_is_the_embedded_answer_marked_and_counted(ser
     assert [e.severity for e in events if isinstance(e, Say)] == ["warning"]
 
 
-@pytest.mark.parametrize("name", BAD)
+@pytest.mark.parametrize("name", BAD_NAMES)
 async def test_bad_models_leave_the_embedded_reading(server, client_of, name):
     server.respond = BAD[name](0)
     async with client_of(server, answer_tokens=200) as client:

@@ -185,7 +185,14 @@ async def test_mixed_writes_what_is_unmet_and_keeps_the_rest(server, client_of, 
 
 
 @pytest.mark.parametrize(
-    "answer", ["no idea", "```scenic\nx = 1\n```", "```scenic\nvan = new Nothing\n```", Answer(status=503)]
+    "answer",
+    [
+        "```scenic\nx = 1\n```",
+        *(
+            pytest.param(a, marks=pytest.mark.full)
+            for a in ("no", "```scenic\nvan = new Nothing\n```", Answer(status=503))
+        ),
+    ],
 )
 async def test_mixed_keeps_what_was_rendered_where_the_model_fails(server, client_of, checker, answer):
     rendered, structure, _, notes = await mixed(server, client_of, checker, lambda code: answer)

@@ -13,7 +13,7 @@ from c2s_engine.structure.progress import ComponentState, Passage, Token, Usage
 from c2s_engine.structure.regenerate import dirty
 from c2s_engine.write.prompted import PromptedMethod
 from c2s_engine.write.prompted.configuration import configuration, names
-from tests.models.backends import BAD
+from tests.models.backends import BAD, BAD_NAMES
 from tests.models.fake_ollama import Answer, FakeOllama, endless, said
 from tests.write_prompted.programmer import EXAMPLE, TEXT, Library, Programmer, asked_for
 
@@ -32,8 +32,9 @@ async def test_each_configuration_writes_a_program_that_samples(server, client_o
         method = PromptedMethod(name, client, library)
         structure = await method.generate(TEXT)
     assert code(structure) == {f.id: f.code for f in EXAMPLE.fragments}
-    program = assemble(structure)
-    assert (await checker(program.text, program.spans)).ok
+    if name in ("C1", "C12"):  # the others write the same program
+        program = assemble(structure)
+        assert (await checker(program.text, program.spans)).ok
     assert [c.origin for c in structure.components] == ["generated"] * 6
     asked = [asked_for(r) for r in server.requests]
     assert asked == ["", "", *IDS], "interpreter, settings detector, header generator, R, E, O1..N, T"
@@ -94,7 +95,7 @@ SLIPS = {
 }
 
 
-@pytest.mark.parametrize("slip", SLIPS)
+@pytest.mark.parametrize("slip", ["name", *(pytest.param(s, marks=pytest.mark.full) for s in ("parse", "sample"))])
 async def test_a_fragment_that_fails_goes_back_with_its_finding(server, client_of, checker, slip):
     cid, wrong = SLIPS[slip]
     server.respond = Programmer(slips={cid: wrong})
@@ -163,7 +164,7 @@ async def test_an_edit_rewrites_the_component_and_those_that_use_its_names(serve
         assert [asked_for(r) for r in server.requests] == ["O1", "O2"], "O2 uses vanSpot, whose interface changed"
 
 
-@pytest.mark.parametrize("name", BAD)
+@pytest.mark.parametrize("name", BAD_NAMES)
 async def test_bad_models_end_in_a_model_error_or_an_incomplete_program(server, client_of, name):
     bad = BAD[name](0)
     good = Programmer()

@@ -136,6 +136,11 @@ def _where(node: Any) -> str:
 
 
 def _text(node: Any) -> str:
+    """A short expression in words: its source, or the name that it starts from."""
+    parts = list(ast.walk(node))
+    if any(type(part).__module__.startswith("scenic") for part in parts):
+        name = next((part.id for part in parts if isinstance(part, ast.Name)), "")
+        return f"a place near {name}" if name else "a place"
     try:
         text = ast.unparse(node)
     except (AttributeError, ValueError, RecursionError):

@@ -164,6 +164,7 @@ def spread(found: list[Unit], makers: dict[str, int]) -> None:
         for name in unit.uses:
             if name in makers and makers[name] != i:
                 users[makers[name]].add(i)
+    on_map = _on_map(found, makers)
     for _ in found:
         changed = False
         for i in range(len(found) - 1, -1, -1):
@@ -173,13 +174,23 @@ def spread(found: list[Unit], makers: dict[str, int]) -> None:
             owners = {found[j].component for j in users[i]}
             if not owners or "" in owners:
                 continue
-            unit.component = _common(owners, unit.kind)
+            shared = "R" if i in on_map and len(owners) > 1 and unit.kind == "constant" else ""
+            unit.component = shared or _common(owners, unit.kind)
             changed = True
         if not changed:
             break
     for unit in found:
         if not unit.component and unit.kind == "definition":
             unit.component = "T" if _is_monitor(unit) else "G"
+
+
+def _on_map(found: list[Unit], makers: dict[str, int]) -> set[int]:
+    """The statements whose values rest on places of the road network, directly or through others."""
+    resting = {i for i, unit in enumerate(found) if unit.kind == "place"}
+    for i, unit in enumerate(found):
+        if any(makers.get(name) in resting for name in unit.uses):
+            resting.add(i)
+    return resting
 
 
 def _common(owners: set[str], kind: str) -> str:

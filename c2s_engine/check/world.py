@@ -160,7 +160,15 @@ def blueprints() -> frozenset[str]:
     """The CARLA blueprints that the installed Scenic knows."""
     from scenic.simulators.carla import blueprints as b
 
-    return frozenset(v for values in b.ids.values() for v in values) | frozenset(b.oldBlueprintNames)
+    return (
+        frozenset(v for values in b.ids.values() for v in values)
+        | frozenset(b.oldBlueprintNames)
+        | _legacy(b.oldBlueprintNames)
+    )
+
+
+def _legacy(renamed: dict[str, tuple[str, ...]]) -> frozenset[str]:
+    return frozenset(old for names in renamed.values() for old in names)
 
 
 @functools.cache

@@ -17,16 +17,16 @@ from scenic.syntax.translator import scenarioFromFile  # noqa: E402
 
 SEED = 3
 for name in sys.argv[2:]:
-    tree, _ = compileScenicAST(parse_string(Path(name).read_text(), "exec", filename=name), filename=name)
-    digest = hashlib.blake2b(ast.dump(tree).encode(), digest_size=4).hexdigest()
     random.seed(SEED)
     numpy.random.seed(SEED)
-    result = {"name": Path(name).stem, "hash": digest}
+    result = {"name": Path(name).stem}
     try:
+        tree, _ = compileScenicAST(parse_string(Path(name).read_text(), "exec", filename=name), filename=name)
+        result["hash"] = hashlib.blake2b(ast.dump(tree).encode(), digest_size=4).hexdigest()
         scenario = scenarioFromFile(name, mode2D=True)
         random.seed(SEED)
         numpy.random.seed(SEED)
-        scene, iterations = scenario.generate(maxIterations=2000)
+        scene, iterations = scenario.generate(maxIterations=300)
         result["scene"] = [(o.position.x, o.position.y, o.heading) for o in scene.objects]
         result["iterations"] = iterations
     except Exception as error:

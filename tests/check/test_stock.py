@@ -1,12 +1,9 @@
 """What is compiled piece by piece in a forked process is what Scenic compiles, and the same scenes come of it."""
 
-import json
-import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from tests_of_stock import stock
 
 from c2s_engine import paths
 from c2s_engine.check.client import SyncCheckClient
@@ -14,15 +11,6 @@ from c2s_engine.check.protocol import CheckRequest
 
 HERE = Path(__file__).parent
 PROGRAMS = sorted((HERE / "programs").glob("*.scenic"))
-
-
-def stock(folder: Path, programs: list[Path]) -> dict[str, dict]:
-    """Scenic's own results, from copies beside a copy of the map (it writes a cache there)."""
-    shutil.copy(paths.shipped("maps", "town.xodr"), folder)
-    copies = [str(shutil.copy(p, folder)) for p in programs]
-    command = [sys.executable, str(HERE / "stock.py"), str(paths.shipped("standins")), *copies]
-    out = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-    return {r["name"]: r for r in map(json.loads, out.splitlines())}
 
 
 def compare(server: SyncCheckClient, folder: Path, programs: list[Path]) -> None:

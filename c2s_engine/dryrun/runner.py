@@ -29,7 +29,7 @@ OURS = (str(Path(scenic.__file__).parent), str(Path(__file__).parent))
 def run_scene(scene: Any, *, names: dict[int, str], components: dict[str, str], seed: int, seconds: float,
               trajectories: bool, map_path: str) -> tuple[RunFacts, Trajectories | None]:  # fmt: skip
     """Run the scene for `seconds` s. A run that fails is told by `ended_by` and `reason`; nothing is raised for it."""
-    from c2s_engine.dryrun.events import derive
+    from c2s_engine.dryrun.events.derivation import derive
 
     run = simulate(scene, names=names, seed=seed, seconds=seconds, map_path=map_path)
     if run.recording is None or not run.recording.paths or run.ended_by in ("rejected", "error"):

@@ -21,7 +21,7 @@ from scenic.syntax import translator  # noqa: E402
 
 from c2s_engine.check import warm  # noqa: E402
 from c2s_engine.dryrun import runner  # noqa: E402
-from c2s_engine.dryrun.events import derive  # noqa: E402
+from c2s_engine.dryrun.events.derivation import derive  # noqa: E402
 from c2s_engine.dryrun.recording import Path as Way  # noqa: E402
 from c2s_engine.dryrun.recording import Recording  # noqa: E402
 from c2s_engine.dryrun.roads import index_of  # noqa: E402

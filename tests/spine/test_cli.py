@@ -1,0 +1,105 @@
+"""The command line as a user meets it: the main job, its JSON, and one clear sentence for each bad input."""
+
+import json
+import os
+import stat
+import subprocess
+import sys
+
+import pytest
+
+TEXT = "The ego follows a truck at 40 km/h on a straight road. The truck brakes hard and the ego brakes."
+
+
+def c2s(*arguments, stdin=None, **environment):
+    return subprocess.run(
+        [sys.executable, "-m", "c2s_engine.cli", *arguments],
+        input=stdin,
+        capture_output=True,
+        timeout=280,
+        env=os.environ | {"OLLAMA_HOST": "http://127.0.0.1:9"} | environment,
+    )
+
+
+def test_generate_gives_a_program_that_runs(tmp_path):
+    out = tmp_path / "scenario.scenic"
+    done = c2s("generate", TEXT, "-o", str(out), "--json")
+    assert done.returncode == 0, done.stderr
+    result = json.loads(done.stdout)
+    assert {"structure", "program", "source_map", "stages", "events", "seconds"} <= result.keys()
+    assert [s["name"] for s in result["stages"] if not s["ok"]] == []
+    assert [s["name"] for s in result["stages"]][-1] == "run"
+    assert {"description", "spec", "assumed", "unmet"} <= result["structure"][0].keys()
+    assert any(e["event"] == "brake" for e in result["events"])
+    assert out.read_text() == result["program"]
+    assert (tmp_path / "town.xodr").exists(), "the map lies beside the program"
+    again = c2s("check", str(out))
+    assert again.returncode == 0, again.stdout
+
+
+def one_sentence(done, code):
+    assert done.returncode == code, (done.returncode, done.stderr)
+    message = done.stderr.decode()
+    assert "Traceback" not in message + done.stdout.decode()
+    assert 1 <= len(message.strip().splitlines()) <= 6, message
+    return " ".join(message.split())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "stdin", "says"),
+    [
+        (["generate", ""], None, "description is empty"),
+        (["generate"], None, "Give a description"),
+        (["generate", "-"], b"\x00\x01\x02\x7fELF", "binary"),
+        (["generate", "-"], b"the car stops. " * 70_000, "at most"),
+        (["generate", "--file", "/nonexistent/a.txt"], None, "no file"),
+        (["generate", "-f", "."], None, "folder"),
+        (["generate", TEXT, "-o", "/nonexistent/dir/a.scenic"], None, "no folder"),
+        (["check", "/nonexistent.scenic"], None, "no file"),
+        (["run", "."], None, "folder"),
+    ],
+)
+def test_bad_input_gets_one_sentence(arguments, stdin, says):
+    assert says in one_sentence(c2s(*arguments, stdin=stdin), 2)
+
+
+def test_an_unknown_map_names_those_there_are():
+    done = c2s("generate", TEXT, "--map", "Atlantis")
+    assert done.returncode == 1
+    assert "town" in done.stdout.decode()
+
+
+def test_a_broken_program_says_where(tmp_path):
+    file = tmp_path / "broken.scenic"
+    file.write_text("param map = localPath('town.xodr')\nmodel scenic.simulators.carla.model\nego = new Car at (\n")
+    done = c2s("check", str(file))
+    assert done.returncode == 1
+    assert "line 3" in done.stdout.decode()
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
+def test_no_permission(tmp_path):
+    tmp_path.chmod(stat.S_IRUSR | stat.S_IXUSR)
+    done = c2s("generate", TEXT, "--no-run", "-o", str(tmp_path / "a.scenic"))
+    assert "permission" in one_sentence(done, 3)
+
+
+def test_a_full_disk_loses_nothing():
+    if not os.path.exists("/dev/full"):
+        pytest.skip("no /dev/full here")
+    from pathlib import Path
+
+    from c2s_engine.api import save
+    from c2s_engine.structure.program import Program
+
+    with pytest.raises(OSError):
+        save(Program(text="x = 1\n"), None, Path("/dev/full/a.scenic"))
+
+
+def test_the_front_imports_no_heavy_package():
+    code = (
+        "import sys, c2s_engine.api, c2s_engine.cli, c2s_engine.session.graph, c2s_engine.session.steps;"
+        "heavy = {'torch', 'lancedb', 'scenic', 'sentence_transformers', 'textual'} & set(sys.modules);"
+        "assert not heavy, heavy"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=60)

@@ -1,0 +1,58 @@
+"""Edits of S: what they change, what they refuse, and that they touch nothing else."""
+
+import pytest
+
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.edits import AddObject, EditError, MoveObject, RemoveObject, SetCode, SetField, SetSpec, apply
+from c2s_engine.structure.program import assemble
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement
+
+
+@pytest.fixture
+def structure() -> Structure:
+    lead = Component(id="O1", spec=ObjectSpec(name="lead"))
+    follower = Component(id="O2", spec=ObjectSpec(name="follower", placement=Placement(position="behind", of="O1")))
+    return Structure(objects=(lead, follower))
+
+
+def test_a_field_deep_in_a_spec(structure):
+    after = apply(structure, SetField(component="O2", path="placement.gap", value=[10, 20]))
+    assert after["O2"].spec.placement.gap == (10, 20)
+    assert after["O1"] == structure["O1"]
+
+
+def test_a_phase_can_be_appended_and_removed(structure):
+    after = apply(structure, SetField(component="O1", path="phases.0", value={"action": "stop"}))
+    assert after["O1"].spec.phases == (Phase(action="stop"),)
+    assert apply(after, SetField(component="O1", path="phases.0", value=None))["O1"].spec.phases == ()
+
+
+@pytest.mark.parametrize(
+    ("edit", "says"),
+    [
+        (SetField(component="O9", path="speed", value=3), "no component O9"),
+        (SetField(component="O1", path="colour", value="red"), "no field colour"),
+        (SetField(component="O1", path="speed", value=[9, 3]), "above its upper end"),
+        (SetField(component="O1", path="type", value="unicorn"), "type"),
+        (RemoveObject(component="O1"), "referred to by O2"),
+        (RemoveObject(component="R"), "no object"),
+        (SetSpec(component="O1", spec=EgoSpec()), "does not fit"),
+    ],
+)
+def test_an_impossible_edit_says_why(structure, edit, says):
+    with pytest.raises(EditError, match=says):
+        apply(structure, edit)
+
+
+def test_ids_are_stable(structure):
+    after = apply(apply(structure, RemoveObject(component="O2")), AddObject(spec=ObjectSpec(name="new")))
+    assert after.ids == ("G", "R", "E", "O1", "O2", "T")
+    moved = apply(structure, MoveObject(component="O2", index=0))
+    assert [o.id for o in moved.objects] == ["O2", "O1"]
+
+
+def test_code_by_hand_is_kept_as_it_is(structure):
+    after = apply(structure, SetCode(component="O1", code="lead = new Car\n"))
+    assert after["O1"].origin == "by_hand"
+    assert assemble(after).text == "lead = new Car\n"
+    assert apply(after, SetCode(component="O1", code=None))["O1"].origin == "rendered"

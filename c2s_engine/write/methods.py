@@ -15,7 +15,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.progress import Progress
 from c2s_engine.structure.regenerate import regenerate
 from c2s_engine.write.baselines import ChatScene, NL2Scenic
-from c2s_engine.write.baselines.nl2scenic import Embed
+from c2s_engine.write.baselines.nl2scenic import VARIANTS, Embed, Variant
 from c2s_engine.write.mixed import MixedMethod
 from c2s_engine.write.prompted import PromptedMethod
 from c2s_engine.write.prompted.checking import Check, Fix
@@ -123,7 +123,8 @@ def method(name: str, tools: MethodTools) -> Method:
     if kind == "typed":
         return TypedMethod(client, tools.embedded, tools.resolve, tools.writer, tools.check)
     if kind == "nl2scenic":
-        return _Plainly(NL2Scenic(client, tools.embed, rest or "few", tools.ground), name)
+        variant: Variant = next((v for v in VARIANTS if v == rest), "few")
+        return _Plainly(NL2Scenic(client, tools.embed, variant, tools.ground), name)
     repaired = kind in ("prompted", "mixed") or extra == "repair"
     prompted = PromptedMethod(
         config or default(), client, tools.search, tools.check if repaired else None,

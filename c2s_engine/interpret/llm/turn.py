@@ -14,7 +14,7 @@ from c2s_engine.interpret.llm.schema import limits
 from c2s_engine.interpret.llm.settings import detect
 from c2s_engine.interpret.llm.typed import TypedReader
 from c2s_engine.interpret.llm.units import annotate
-from c2s_engine.interpret.turn import Turn
+from c2s_engine.interpret.turn import Turn, TurnKind
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.errors import ModelError
 from c2s_engine.structure import vocabulary as v
@@ -23,7 +23,7 @@ from c2s_engine.structure.edits import AddObject, Edit, EditError, RemoveObject,
 from c2s_engine.structure.progress import Say
 from c2s_engine.structure.specs import SPEC_OF, ObjectSpec
 
-KINDS = {"question": "question", "new": "scenario", "undo": "undo", "redo": "redo", "edit": "edit"}
+KINDS: dict[str, TurnKind] = {"question": "question", "new": "scenario", "undo": "undo", "redo": "redo", "edit": "edit"}
 
 
 async def route(
@@ -169,7 +169,10 @@ def numbered(structure: Structure, cid: str, sentence: str) -> tuple[Sentences, 
     def said(component: Component) -> str:
         return sentence if component.id == cid else component.description
 
-    objects = tuple(ObjectSentence(type=o.spec.type, sentence=said(o) or o.spec.type) for o in structure.objects)
+    kinds = [fallback.object_spec(o).type for o in structure.objects]
+    objects = tuple(
+        ObjectSentence(type=kind, sentence=said(o) or kind) for kind, o in zip(kinds, structure.objects, strict=True)
+    )
     plain = {"settings": structure.settings, "place": structure.place, "ego": structure.ego,
              "restrictions": structure.restrictions}  # fmt: skip
     return Sentences(objects=objects, **{name: said(c) for name, c in plain.items()}), ids

@@ -95,7 +95,7 @@ def _one_adversary(structure: Structure) -> Structure:
     """Only the first object that moves (else the first): the method knows one adversary."""
     objects = structure.objects
     chosen = next((o for o in objects if getattr(o.spec, "phases", ())), objects[0] if objects else None)
-    kept = ()
+    kept: tuple[Component, ...] = ()
     if chosen is not None:
         spec = fallback.without_references(chosen.spec)
         kept = (chosen.model_copy(update={"id": "O1", "spec": spec}),)

@@ -17,6 +17,7 @@ from c2s_engine.write.prompted.texts import fill
 
 Variant = Literal["zero", "few", "cot"]
 Embed = Callable[[Sequence[str]], Awaitable[list[list[float]]]]
+VARIANTS: tuple[Variant, ...] = ("zero", "few", "cot")
 SHOTS = 3
 
 

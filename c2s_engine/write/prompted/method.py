@@ -13,9 +13,10 @@ from c2s_engine.interpret.llm.settings import detect
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.errors import AnswerTruncated, AnswerUnusable, ModelError
 from c2s_engine.models.messages import Message, Question
-from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.components import Component, ComponentId, Link, Structure
 from c2s_engine.structure.progress import ComponentState, Passage, Progress, Say
 from c2s_engine.structure.regenerate import code_references, dirty, key_of, order
+from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.prompted.checking import Check, Fix, Verdict, with_code
 from c2s_engine.write.prompted.configuration import configuration, default
 from c2s_engine.write.prompted.header import Ground, settings_text
@@ -189,7 +190,7 @@ def _structure(text: str, sentences: Sentences, embedded: Any) -> Structure:
         if stand_in is not None:
             spec = stand_in.spec(cid, sentences)
         elif cid.startswith("O"):
-            spec = fallback.ObjectSpec(type=sentences.objects[int(cid[1:]) - 1].type)
+            spec = ObjectSpec.model_validate({"type": sentences.objects[int(cid[1:]) - 1].type})
         else:
             spec = empty[cid].spec
         sentence = sentences.of(cid)
@@ -203,11 +204,9 @@ def _structure(text: str, sentences: Sentences, embedded: Any) -> Structure:
     return fallback.distinct_names(structure)
 
 
-def _sources(passages: tuple[list[Passage], list[Passage]]) -> list[Any]:
-    from c2s_engine.structure.components import Link
-
-    kinds = {"snippet": "snippet", "doc": "chunk"}
-    return [Link(kind=kinds[p.kind], label=p.title) for found in passages for p in found]
+def _sources(passages: tuple[list[Passage], list[Passage]]) -> list[Link]:
+    """What a fragment was written from."""
+    return [Link(kind="snippet" if p.kind == "snippet" else "chunk", label=p.title) for f in passages for p in f]
 
 
 __all__ = ["PromptedMethod"]

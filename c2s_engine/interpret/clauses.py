@@ -177,7 +177,15 @@ class Clauses:
 
     def _inherited(self, word: Word, depth: int) -> tuple[Entity | None, int | None, bool]:
         head = self.words[word.head]
-        if depth > 6 or head.i == word.i:
+        if head.i == word.i and depth <= 6:
+            inverted = self._inverted(word)
+            if inverted[0] is not None:
+                return inverted
+            for child in word.children:
+                if child < word.i and self.words[child].dep == "ccomp" and self._is_verb(self.words[child]) and any(self.words[c].dep == "nsubj" for c in self.words[child].children):
+                    return self._subject(self.words[child], depth + 1)
+            return None, None, False
+        if depth > 6:
             return self._inverted(word)
         if word.dep in ("acl", "relcl"):
             found = self.cast.referent(head.i)
@@ -365,6 +373,8 @@ class Clauses:
             struck = next((e for e in (self.cast.ego, *self.cast.entities) if e.key == into[5]), None)
             if struck is not None and struck is not event.agent and not re.search(rf"into (the )?(lane|path) of (the )?@{into[5]}|@{into[5]} 's", text):
                 self.events.append(Event("collide", event.agent, word.i, text, whole, struck, order=word.i + 0.2, mode=event.mode, words=[word.i], start=word.start, end=word.end))
+        if event.act == "collide" and lemma in ("reverse", "back"):
+            self.events.append(Event("reverse", event.agent, word.i, text, whole, order=word.i - 0.1, mode=event.mode, words=[word.i], start=word.start, end=word.end))
         event.start, event.end = self.words[own[0]].start, self.words[own[-1]].end
         event.quantities = self._quantities(own)
         if word.dep in ("advcl", "relcl", "pcomp", "ccomp") or word.dep == "conj":

@@ -49,6 +49,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                 reaction, said_reaction = "evade", True
             elif act != "evade":
                 phases.append(Phase(action="lane_change", side=towards or _free_side(place), trigger=trigger))
+        elif act == "overtake" and event.patient is not None and scene.where(event.patient).lane in ("parked", "roadside", "sidewalk"):
+            continue
         elif act == "overtake":
             phases.append(Phase(action="overtake", target=who or _passed(scene, ids), side=towards, trigger=trigger))
             if phases[-1].target is None:
@@ -85,6 +87,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     if place.manoeuvre in ("left", "right") and not any(p.action.startswith("turn_") for p in phases):
         phases.append(Phase(action=f"turn_{place.manoeuvre}"))  # type: ignore[arg-type]
     struck = next((e for e in scene.clauses.events if e.act == "collide" and e.done and not e.agent.ego and e.patient is ego), None)
+    if reaction == "yield":
+        phases = [p for p in phases if p.action != "wait"]
     phases = _tidy(phases, place, reaction)
     if scene.road.signal and not any(p.action in ("run_red", "stop", "wait", "stationary") for p in phases) and _faces_red(scene) and any(p.action in ("turn_right", "turn_left", "go_straight") for p in phases) and not any(e.act in (*RESPONSES, "stationary", "yield") for e in events):
         phases.insert(0, Phase(action="run_red"))
@@ -199,6 +203,8 @@ def _for_sign(scene: Scene, event: Event, place: PlaceSpec) -> bool:
     near = event.whole
     sentence = " ".join(w.norm for w in scene.words if w.sentence == scene.words[event.word].sentence)
     if re.search(r"stop sign|stop line|red light|traffic (light|signal)|at (the|a) (red|sign|line|intersection|junction)|where the cross street", near):
+        return True
+    if event.adverbial == "after" and place.kind == "intersection" and place.control in ("signal", "stop"):
         return True
     return scene.road.stop_sign and "stop sign" in sentence or event.act == "stop" and place.kind == "intersection" and bool(re.search(r"full stop|complete stop", near)) and any(e.act in ("start", "go_straight", "turn") and e.order > event.order for e in scene.events(scene.cast.ego))
 

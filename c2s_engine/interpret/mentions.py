@@ -117,7 +117,7 @@ class Cast:
         assert span is not None
         if span.kind == "ego":
             self._ego_type(word)
-            named = self._copula(word)
+            named = self._copula(word) or self._which_is(word)
             after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
             near = named is not None and any(0 < word.i - m.word <= 6 for m in named.mentions)
             if named is not None and near and not named.ego and named.mover and len(named.mentions) <= 2 and after not in ("'s", "'"):
@@ -192,6 +192,14 @@ class Cast:
                     return self.of[child]
                 if self.words[child].dep == "nsubj" and child < word.i:
                     return None
+        return None
+
+    def _which_is(self, word: Word) -> Entity | None:
+        """The one of whom it is said "which is our ego"."""
+        back = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
+        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
+        if re.search(r"@ ?,? (which|that|who) (is|was) (our |the |my )?$", text + " "):
+            return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
         return None
 
     def _modifiers(self, word: Word) -> list[str]:
@@ -287,7 +295,7 @@ class Cast:
             return False
         for other in following[1:]:
             if other.span is not None:
-                return other.span.kind == "actor" and other.span.data["type"] in VEHICLES - {"vehicle", "bicycle", "motorcycle"}
+                return other.span.kind == "actor" and other.span.data["type"] in VEHICLES - {"vehicle"} and not other.span.data.get("person")
             if other.tag in ("NN", "NNS", "IN") or other.verb:
                 return False
         return False
@@ -336,6 +344,9 @@ class Cast:
         return host
 
     def _type_of_definite(self, word: Word, before: list[str], kind: str) -> Entity | None:
+        for child in word.children:
+            if self.words[child].tag == "PRP$" and child in self.of and self.of[child].ego and kind in VEHICLES and word.span is not None and not word.span.data.get("words"):
+                return self.ego
         if before and before[0] in ("our", "my"):
             return self.ego if kind in VEHICLES else None
         return None
@@ -488,6 +499,8 @@ class Cast:
     def _salient(self, word: Word, accept) -> Entity | None:  # noqa: ANN001
         verb = self._governor(word)
         clash = None
+        if word.dep == "nsubj" and verb.dep in ("ccomp", "xcomp") and self.words[verb.head].lemma in ("let", "lets", "allow", "make", "force", "cause", "see", "help", "wait", "follows", "permit", "enable"):
+            clash = self._subject_of(self.words[verb.head])
         if word.dep in ("dobj", "pobj") and word.norm not in ("its", "itself"):
             clash = self._subject_of(verb)
         above = self.words[word.head]
@@ -581,6 +594,13 @@ class Cast:
         word = self.words[i]
         if depth > 3:
             return None
+        if word.span is not None and word.span.kind == "actor" and word.span.data["type"] in PERSONS:
+            for child in word.children:
+                other = self.words[child]
+                if other.norm in ("in", "on", "driving", "riding"):
+                    for target in other.children:
+                        if target in self.of and self.of[target].type in VEHICLES:
+                            return self.of[target]
         parts = language.table("actors")["parts"]
         if word.lemma in parts or word.norm in parts or word.lemma in ("side", "one", "group", "pair", "couple", "line", "row", "queue", "pile", "number", "first", "last", "two", "three", "none", "both", "each", "neither"):
             for child in word.children:

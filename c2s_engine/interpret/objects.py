@@ -314,7 +314,7 @@ def _compass(scene: Scene, entity: Entity) -> str | None:
                 if found is not None:
                     return found
         for mention in who.mentions:
-            words = [w.norm for w in scene.words[max(0, mention.word - 3) : mention.word + 8] if w.sentence == scene.words[mention.word].sentence]
+            words = [w.norm for w in scene.words[max(0, mention.word - 1) : mention.word + 8] if w.sentence == scene.words[mention.word].sentence]
             found = _heading(" ".join(words))
             if found is not None:
                 return found

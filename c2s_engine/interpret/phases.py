@@ -141,6 +141,8 @@ def _phases(scene: Scene, event: Event, entity: Entity, who: str | None, ego: st
             return [Phase(action="cut_out", side=towards, target=ego, trigger=trigger)]
         return [Phase(action="lane_change", side=towards or "left", trigger=trigger)]
     if act == "overtake":
+        if (who or ego) == "ego" and (placement.position in ("oncoming_lane", "opposite_approach") or crossing):
+            return []
         if entity.person or any(p.action in ("cut_out", "swerve") for p in before):
             return []
         return [Phase(action="overtake", target=who or ego, side=towards, trigger=trigger)]

@@ -28,7 +28,8 @@ def compose_place(scene: Scene) -> PlaceSpec:
             sides = [side(e) for e in scene.events(ego) if e.act == "turn"]
             manoeuvre = "u_turn" if turn.act == "u_turn" else next((s for s in sides if s), "left")
         named = re.search(r"(?:un)?protected (left|right)|\b(left|right) turn\b(?! lane)|\bego,?( [^.;]{0,25})?, (left|right)\b(?! lane)", scene.plain)
-        if manoeuvre is None and named and straight is None:
+        others_turn = any(e.act == "turn" and not e.agent.ego and e.done for e in scene.clauses.events)
+        if manoeuvre is None and named and straight is None and not (named[2] and others_turn):
             manoeuvre = next(g for g in (named[1], named[2], named[4]) if g)
         if manoeuvre is None and _ends_before(scene):
             manoeuvre = "straight"

@@ -151,6 +151,12 @@ def _actors(scene: Scene) -> list[Entity]:
         if only_denied and not own and not passive and where.rel is None and where.lane is None and not entity.roles and entity.type not in ZONES:
             continue
         kept.append(entity)
+    for entity in list(kept):
+        blocker = scene.where(entity).hidden_by
+        if blocker is not None and blocker not in kept:
+            if not scene.events(blocker):
+                blocker.roles.add("stationary")
+            kept.append(blocker)
     generic = [e for e in kept if e.noun in ("obstacle", "obstruction", "hazard", "object", "obstacles", "objects", "hazards", "road user", "blockage", "stationary object", "vehicle", "vehicles", "road users", "actor", "obstacle vehicle")]
     for entity in generic:
         specific = [e for e in kept if e is not entity and (e.type != "vehicle" or entity.noun != "vehicle") and e not in generic]
@@ -259,7 +265,7 @@ def _rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             event.act, event.mode = "cross_path", "fact"
         if event.act == "pass_by":
             junction = road.kind == "intersection" and not re.search(r"lane|left|right|behind", event.whole)
-            event.act = "travel" if junction else "overtake"
+            event.act = "travel" if junction or event.agent.ego and event.patient is None and event.adverbial in ("as", "when", "while") else "overtake"
         elif event.act == "overtake" and event.patient is None and road.kind == "intersection" and event.text.startswith("pass"):
             event.act = "travel"
         passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")
@@ -270,6 +276,11 @@ def _rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             gone = re.search(r"pass|clear|gone|go(es)? (by|past)|cross|through", event.text + " " + word.norm + " " + " ".join(w.norm for w in cast.words[event.word : event.word + 4]))
             if waits and gone and not any(e.act == "yield" and e.agent.ego for e in clauses.events):
                 clauses.events.append(Event("yield", cast.ego, event.word, event.text, event.whole, event.agent, order=event.order - 0.1, words=[event.word], start=event.start, end=event.end))
+    for event in clauses.events:
+        if event.agent.ego and event.mode == "intended" and event.act in ("lane_change", "overtake", "turn", "cut_in"):
+            later = " ".join(w.norm for w in cast.words if w.i > event.word and w.sentence - cast.words[event.word].sentence <= 1)
+            if re.search(r"\b(abort|abandon|cancel|gives? up|gave up|stays? in (its|the) (own )?lane|remains? in (its|the) lane|refrain|not possible|impossible)", later):
+                event.mode = "hypothetical"
     _echoes(cast, clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:

@@ -72,18 +72,49 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
     from spacy.tokens import Doc
 
     pieces = [_pieces(plain, start, end, spans) for start, end in sentences]
-    docs = [Doc(nlp.vocab, words=[p[0] for p in piece]) for piece in pieces]
+    parts: list[tuple[int, list[int]]] = []  # (sentence, indices of its pieces): the main part, then each bracket
+    for number, piece in enumerate(pieces):
+        parts += [(number, part) for part in _brackets(piece)]
+    docs = [Doc(nlp.vocab, words=[pieces[number][i][0] for i in part]) for number, part in parts]
+    parsed: dict[int, list[tuple[list[int], Any]]] = {number: [] for number in range(len(pieces))}
+    for (number, part), doc in zip(parts, nlp.pipe(docs), strict=True):
+        parsed[number].append((part, doc))
     words: list[Word] = []
-    for number, (piece, doc) in enumerate(zip(pieces, nlp.pipe(docs), strict=True)):
+    for number, piece in enumerate(pieces):
         base = len(words)
-        for token, (proxy, start, end, span) in zip(doc, piece, strict=True):
-            norm = plain[start:end]
-            lemma = norm if proxy != norm else token.lemma_.lower()
-            words.append(Word(base + token.i, text[start:end], norm, lemma, token.tag_, token.dep_, base + token.head.i, start, end, number, span))
+        found: dict[int, Word] = {}
+        for part, doc in parsed[number]:
+            outer = part[0] - 1
+            for token, i in zip(doc, part, strict=True):
+                proxy, start, end, span = piece[i]
+                norm = plain[start:end]
+                lemma = norm if proxy != norm else token.lemma_.lower()
+                head, dep = part[token.head.i], token.dep_
+                if part[0] > 0 and proxy == "(" and i == part[0] or dep == "ROOT" and part[0] > 0 and piece[part[0]][0] == "(":
+                    head, dep = outer, "punct" if proxy == "(" else "acl" if token.tag_.startswith("VB") else "appos" if span is not None and span.kind != "quantity" else "nmod"
+                found[i] = Word(base + i, text[start:end], norm, lemma, token.tag_, dep, base + head, start, end, number, span)
+        words += [found[i] for i in range(len(piece))]
     for word in words:
         if word.head != word.i:
             words[word.head].children.append(word.i)
     return words
+
+
+def _brackets(piece: list[tuple[str, int, int, Span | None]]) -> list[list[int]]:
+    """The main part of a sentence, then each short bracket after a word: they are parsed apart."""
+    main: list[int] = []
+    inner: list[list[int]] = []
+    i = 0
+    while i < len(piece):
+        if piece[i][0] == "(" and i > 0:
+            close = next((j for j in range(i, min(len(piece), i + 16)) if piece[j][0] == ")"), None)
+            if close is not None and close > i + 1:
+                inner.append(list(range(i, close + 1)))
+                i = close + 1
+                continue
+        main.append(i)
+        i += 1
+    return [main, *inner] if main else [list(range(len(piece)))]
 
 
 def _pieces(plain: str, start: int, end: int, spans: list[Span]) -> list[tuple[str, int, int, Span | None]]:
@@ -110,7 +141,7 @@ NOUN_LIKE = frozenset(
 MOTION = frozenset(
     "slam brake decelerate accelerate merge emerge appear swing veer drift slide skid crawl creep trundle pedal pull cut cruise come go travel drive step dart dash jump speed slow weave "
     "approach turn reverse back stop stall halt start wait yield overtake run walk jog cycle cross enter leave exit switch change filter close arrive proceed continue head lurch spin hydroplane "
-    "wander stray roll coast park stand sit lie intrude encroach invade return tailgate back".split()
+    "wander stray roll coast park stand sit lie intrude encroach invade return tailgate back signal wait indicate".split()
 )
 TRANSITIVE = frozenset("trails leads lets".split())
 VERBAL_LEFT = regex.compile(r"left\s+(?:the|its|his|their|a|that|this)\s+(?!side|lane of)")
@@ -118,7 +149,7 @@ VERBAL_LEFT = regex.compile(r"left\s+(?:the|its|his|their|a|that|this)\s+(?!side
 
 FOLLOWS = regex.compile(
     r"\s*(?:[.,;:!?)]|$|(?:at|in|into|onto|on|off|out|over|across|along|towards?|from|to|through|behind|past|with|without|for|and|then|while|when|as|because|due|hard|sharply|"
-    r"suddenly|abruptly|heavily|slowly|left|right|straight|away|up|down|back|ahead|around|again|gradually|before|after|but|so|too|immediately|quickly|by|under|between|beside|just|directly|unexpectedly|strongly)\b)"
+    r"suddenly|abruptly|heavily|slowly|left|right|straight|away|up|down|back|ahead|around|again|gradually|before|after|but|so|too|immediately|quickly|by|under|until|because|between|beside|just|directly|unexpectedly|strongly)\b)"
 )
 BASE = frozenset("travel drive approach brake stop turn crawl creep cruise head move ride walk".split())
 
@@ -133,7 +164,7 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
             return "follows" if text != "lets" else text
         if follows:
             return "goes"
-    elif follows and text in NOUN_LIKE and text.endswith("s") and regex.search(r"(?:in front|ahead|behind|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly)\s*$", plain[max(0, start - 9) : start]):
+    elif follows and text.endswith("s") and (text in NOUN_LIKE or text in ("waits", "signals", "stops")) and regex.search(r"(?:in front|ahead|behind|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly)\s*$", plain[max(0, start - 9) : start]):
         return "goes"
     elif before is not None and before.kind != "quantity" and text in ("decel", "accel", "decelerating", "accelerating") and text[-2:] != "ng":
         return "goes"

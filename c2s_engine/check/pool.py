@@ -13,6 +13,7 @@ from c2s_engine.check.processes import Child, Zygote
 MAPS = 4
 PREAMBLES = 8
 READ_SECONDS = 10.0
+GROW_SECONDS = 300.0  # a large map is parsed for minutes the first time
 
 
 class TooSlow(Exception):
@@ -115,7 +116,7 @@ def _drop(task: asyncio.Task[Zygote | None]) -> None:
 async def _grow(parent: Zygote, job: dict[str, Any], blob: bytes) -> Zygote | None:
     child = await parent.spawn(job, blob)
     try:
-        header, _ = await asyncio.wait_for(wire.read(child.reader), 120)
+        header, _ = await asyncio.wait_for(wire.read(child.reader), GROW_SECONDS)
     except (TimeoutError, wire.Closed):
         child.kill()
         return None

@@ -10,7 +10,7 @@ from collections import OrderedDict
 from dataclasses import dataclass, field
 from typing import Any
 
-from c2s_engine.check import diagnose, lint, pieces, safety, wire
+from c2s_engine.check import catalogue, diagnose, lint, pieces, safety, wire
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 
 KEEP = 4000  # pieces
@@ -48,6 +48,10 @@ class Reader:
         where = diagnose.Program(text, filename, request["spans"])
         stages: list[StageResult] = []
         started = time.perf_counter()
+        if "\0" in text:
+            before = text[: text.index("\0")].count("\n") + 1
+            found = where.locate(catalogue.finding("null_character", before, None))
+            return {"stages": _dump([_stage("parse", started, (found,))])}, b""
         try:
             parts = self._compile(where)
         except Exception as error:

@@ -18,7 +18,9 @@ def shelf_of(source: Shelf, count: int, seed: int = 0) -> Shelf:
     vectors = np.random.default_rng(seed).standard_normal((count, source.vectors.shape[1])).astype(np.float32)
     vectors /= np.linalg.norm(vectors, axis=1, keepdims=True)
     empty = pa.array([""] * count, pa.large_string())
-    columns: dict[str, pa.Array] = dict.fromkeys(("source_id", "title", "embedded", "source", "clause", "component", "key"), empty)
+    columns: dict[str, pa.Array] = dict.fromkeys(
+        ("source_id", "title", "embedded", "source", "clause", "component", "key"), empty
+    )
     columns |= {
         "item": pa.array([f"generated/{i}" for i in range(count)], pa.large_string()),
         "text": pa.array(texts, pa.large_string()),

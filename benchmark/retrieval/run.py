@@ -1,6 +1,6 @@
 """`make bench-retrieval`: quality of embedding, BM25 and both fused; abstention; latency and memory.
 
-python -m c2s_bench.retrieval.run [--large] [--out FILE]
+python -m c2s_bench.retrieval [--small] [--out FILE]
 """
 
 import argparse
@@ -101,7 +101,7 @@ def latency(library: Library, queries: list[Query]) -> Row:
 
 
 def large(library: Library, queries: list[Query], count: int = 100_000) -> Row:
-    """The same over a generated shelf of 100,000 chunks: texts drawn from the index's own words, random unit vectors."""
+    """The same over 100,000 generated chunks: texts of the index's own words, random unit vectors."""
     from c2s_bench.retrieval.generated import shelf_of
 
     shelf = shelf_of(library.opened().shelves["doc"], count)
@@ -126,7 +126,7 @@ def table(rows: list[Row]) -> str:
 def main() -> None:
     """Build an index in a folder of its own and measure on it."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--large", action="store_true", help="also 100,000 generated chunks")
+    parser.add_argument("--small", action="store_true", help="leave out the 100,000 generated chunks")
     parser.add_argument("--index", type=Path, help="use (and keep) an index in this folder")
     parser.add_argument("--out", type=Path, help="write the figures as JSON, too")
     options = parser.parse_args()
@@ -144,10 +144,11 @@ def main() -> None:
             "abstention": abstention(library, queries),
             "latency": [latency(library, queries)],
             "build": [{"model load s": round(loaded - start, 1), "build s": round(done - loaded, 1),
-                       "new vectors": built["embedded"], **built["counts"], "MB on disk": round(library.store.size() / 1e6, 1)}],
+                       "new vectors": built["embedded"], **built["counts"],
+                       "MB on disk": round(library.store.size() / 1e6, 1)}],
         }  # fmt: skip
         steps: list[tuple[str, Callable[[], list[Row]]]] = []
-        if options.large:
+        if not options.small:
             steps.append(("large", lambda: [large(library, queries)]))
         for name, step in steps:
             figures[name] = step()

@@ -41,7 +41,7 @@ class _Request:
 
 @dataclass
 class RetrievalClient:
-    """`folder`: of the index (default: in the user's data folder). `model`: another embedding model's folder or name."""
+    """`folder`: of the index (default: in the user's data folder). `model`: another model's folder or name."""
 
     folder: Path | None = None
     model: str | None = None
@@ -57,7 +57,7 @@ class RetrievalClient:
                      progress: Progress | None = None) -> list[Passage]:  # fmt: skip
         """The passages for a query, best first; an empty list means that nothing fits.
 
-        `abstain=False` gives the nearest, however far. `method`: embedding, bm25 or fused (default: fused for documents,
+        `abstain=False` gives the nearest, however far. `method`: embedding, bm25, fused (default: fused for documents,
         embedding for snippets, as in the paper). The index is built first where there is none."""
         params = {
             "query": query,

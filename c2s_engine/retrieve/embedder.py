@@ -15,7 +15,7 @@ BATCH = 64
 
 
 class Embedder:
-    """Texts to unit vectors (float32). `model`: a folder or name of a sentence-transformers model; none: the shipped one.
+    """Texts to unit vectors (float32). `model`: a sentence-transformers folder or name; none: the shipped one.
 
     A name is looked up in the Hugging Face cache (and fetched, where HF_HUB_OFFLINE=0 allows it)."""
 
@@ -54,7 +54,8 @@ class Embedder:
                 except (OSError, ValueError, KeyError) as error:
                     reason = str(error).splitlines()[0]
                     raise RetrievalError(
-                        f"The embedding model {self.source} could not be loaded: name a folder of a sentence-transformers model ({reason})."
+                        f"The embedding model {self.source} could not be loaded ({reason}): "
+                        "name a folder of a sentence-transformers model."
                     ) from None
             return self._model
 

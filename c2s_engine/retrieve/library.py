@@ -59,7 +59,8 @@ class Library:
             manifest = self.store.manifest()
             if manifest and manifest.model != self.embedder.name:
                 raise RetrievalError(
-                    f"The index was made with {manifest.model}, the model is now {self.embedder.name}: run `c2s index build`."
+                    f"The index was made with {manifest.model}, the model is now {self.embedder.name}: "
+                    "run `c2s index build`."
                 )
             if self._opened is None or self._opened.name != self.store.current_name():
                 self._opened = self.store.open()
@@ -84,7 +85,7 @@ class Library:
         self._queries.update(zip(queries, self.embedder.embed([plain(q) for q in queries]), strict=True))
 
     def find(self, query: str, kind: Kind, component: str | None, limit: int, method: Method | None) -> Found:
-        """The hits of a query. Snippets are ranked by cosine, documents by both lists fused, unless `method` says so."""
+        """The hits of a query. Snippets are ranked by cosine, documents by fusion, unless `method` says so."""
         generation = self.opened()
         chosen = method or ("embedding" if kind == "snippet" else "fused")
         return retrieve(generation.shelves[kind], kind, query, self.vector(query), chosen, limit, component)

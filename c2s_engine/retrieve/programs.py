@@ -11,7 +11,7 @@ async def component_snippets(
     decompose: Callable[[str], Awaitable[Structure]],
     describe: Callable[[str, str], Awaitable[str]] | None = None,
 ) -> list[dict[str, Any]]:
-    """The components R, E, O and T of a program with code, each with a sentence: {"component", "description", "code"}."""
+    """The components R, E, O and T of a program with code, described: {"component", "description", "code"}."""
     structure = await decompose(program)
     found = []
     for component in structure.components:

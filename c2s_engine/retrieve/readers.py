@@ -48,7 +48,7 @@ def read_bytes(data: bytes, name: str, suffix: str) -> Document:
     kind = "html" if suffix in HTML else "text"
     if len(data) > LIMITS[kind] * MEGABYTE:
         raise BadDocument(
-            f"{name} has {len(data) // MEGABYTE} MB; {'HTML' if kind == 'html' else 'text'} is read up to {LIMITS[kind]} MB: "
+            f"{name} has {len(data) // MEGABYTE} MB; such a file is read up to {LIMITS[kind]} MB: "
             "split it, or add the part that matters."
         )
     text = decode(data, name)

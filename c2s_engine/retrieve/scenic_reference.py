@@ -17,7 +17,8 @@ MODULES = (
     "syntax/veneer.py", "core/distributions.py", "core/regions.py", "core/vectors.py", "core/object_types.py",
     "core/workspaces.py", "core/dynamics/behaviors.py", "core/dynamics/scenarios.py", "core/dynamics/guards.py",
     "core/dynamics/actions.py", "core/simulators.py", "core/scenarios.py", "core/errors.py", "core/external_params.py",
-    "core/shapes.py", "core/sensors.py", "domains/driving/roads.py", "domains/driving/actions.py", "domains/driving/controllers.py",
+    "core/shapes.py", "core/sensors.py", "domains/driving/roads.py", "domains/driving/actions.py",
+    "domains/driving/controllers.py",
     "domains/driving/workspace.py", "domains/driving/simulators.py", "domains/driving/behaviors.scenic",
     "domains/driving/model.scenic", "domains/driving/__init__.py", "simulators/carla/__init__.py",
     "simulators/carla/model.scenic", "simulators/carla/behaviors.scenic", "simulators/carla/actions.py",
@@ -65,8 +66,8 @@ def reference() -> list[Chunk]:
             if len(body) < 15 and not signature:
                 continue
             head = [Block("code", signature)] if signature else []
-            for chunk in chunks([*head, *_paragraphs(body)], title):
-                found.append(Chunk((title, module, *names), chunk.text))
+            pieces = chunks([*head, *_paragraphs(body)], title)
+            found += [Chunk((title, module, *names), piece.text) for piece in pieces]
     return found
 
 
@@ -89,9 +90,10 @@ def _python(source: str) -> Iterator[tuple[tuple[str, ...], str, str]]:
                     _fields(doc, source, node),
                 )
             for inner in node.body:
-                if isinstance(inner, ast.FunctionDef) and (text := ast.get_docstring(inner)):
-                    if not inner.name.startswith("_"):
-                        yield (node.name, inner.name), _signature(inner), text
+                if not isinstance(inner, ast.FunctionDef) or inner.name.startswith("_"):
+                    continue
+                if text := ast.get_docstring(inner):
+                    yield (node.name, inner.name), _signature(inner), text
 
 
 def _fields(doc: str, source: str, node: ast.ClassDef) -> str:
@@ -176,7 +178,7 @@ def _paragraphs(text: str) -> list[Block]:
 def _plain(text: str) -> str:
     """A docstring without the marks of its markup."""
     text = re.sub(r":[\w:+.-]+:`~?([^`<]*?)(?:\s*<[^`]*>)?`", r"`\1`", inspect.cleandoc(text))
-    text = re.sub(r"^\.\. (?:_[^\n]*|note::|code-block::[^\n]*|seealso::|warning::|versionadded::[^\n]*|versionchanged::[^\n]*|"
+    text = re.sub(r"^\.\. (?:_[^\n]*|note::|code-block::[^\n]*|seealso::|warning::|version\w+::[^\n]*|"
                   r"raw::[^\n]*|important::|math::|figure::[^\n]*)$", "", text, flags=re.M)  # fmt: skip
     text = re.sub(r"^:meta private:$", "", text, flags=re.M)
     return re.sub(r"\n{3,}", "\n\n", text).strip()

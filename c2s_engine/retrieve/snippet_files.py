@@ -81,10 +81,11 @@ def rows(snippets: Iterable[Snippet], source_id: str, source: str) -> list[Row]:
                 *snippet.reactions,
             )
         ).replace("_", " ")
+        full = f"{snippet.description}\n{tags}\n{snippet.code}"
         for i, phrase in enumerate(dict.fromkeys([*snippet.phrases, snippet.keywords] if tags else snippet.phrases)):
             found.append(
                 Row(item=snippet.id, source_id=source_id, title=snippet.description, text=snippet.code, embedded=phrase,
-                    lexical="" if phrase == snippet.keywords else f"{phrase}\n{tags}\n{snippet.code}" if i == 0 else phrase, source=source,
+                    lexical="" if phrase == snippet.keywords else full if i == 0 else phrase, source=source,
                     component=snippet.component)
             )  # fmt: skip
     return found

@@ -64,7 +64,8 @@ def document_rows(found: Iterable[Chunk], source: Source, sentences: bool = Fals
         title = " › ".join(chunk.path)
         below = " › ".join(chunk.path[1:]) or chunk.path[0]
         whole = Row(
-            item=f"{source.id}/{number}", source_id=source.id, title=title, text=chunk.text, embedded=f"{below}\n{chunk.text}",
+            item=f"{source.id}/{number}", source_id=source.id, title=title, text=chunk.text,
+            embedded=f"{below}\n{chunk.text}",
             lexical=f"{title}\n{chunk.clause}\n{chunk.text}", source=source.title, clause=chunk.clause, page=chunk.page,
         )  # fmt: skip
         rows.append(whole)

@@ -140,7 +140,7 @@ class Store:
             except Exception as error:  # LanceDB raises what its Rust core gives: all of it means "not readable"
                 if attempt and self.current_name() == name:
                     raise RetrievalError(
-                        f"The index in {self.folder} is damaged: run `c2s index build` ({str(error).splitlines()[0][:120]})."
+                        f"The index in {self.folder} is damaged: run `c2s index build` ({str(error)[:120]!r})."
                     ) from None
         return None
 

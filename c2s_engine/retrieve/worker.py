@@ -1,7 +1,8 @@
 """The retrieval worker: `python -m c2s_engine.retrieve.worker FOLDER [MODEL]`. JSON lines on stdin and stdout.
 
-A request is `{"id", "method", "params"}`; answers are `{"id", "begun"}`, `{"id", "progress": [stage, done, total]}` and, last,
-`{"id", "result"}` or `{"id", "error", "kind"}`. `{"cancel": id}` stops a writing request. The end of stdin ends the worker.
+A request is `{"id", "method", "params"}`; answers are `{"id", "begun"}`, `{"id", "progress": [stage, done, total]}`
+and, last, `{"id", "result"}` or `{"id", "error", "kind"}`. `{"cancel": id}` stops a writing request. The end of stdin
+ends the worker.
 """
 
 import json

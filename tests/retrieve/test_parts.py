@@ -149,9 +149,7 @@ def test_a_scanned_pdf_gets_a_sentence(tmp_path):
 
 def test_pdf_pages_and_clauses(tmp_path):
     path = tmp_path / "rule.pdf"
-    path.write_bytes(
-        pdf([f"Draft rule {n}\n5.{n}. Requirement {n}\nThe vehicle number {n} stops." for n in range(1, 9)])
-    )
+    path.write_bytes(pdf([f"Draft rule\n5.{n}. Requirement {n}\nThe vehicle number {n} stops." for n in range(1, 9)]))
     document = readers.read_file(path)
     found = blocks.chunks(document.blocks, document.title)
     third = next(c for c in found if "vehicle number 3" in c.text)
@@ -220,6 +218,7 @@ def test_a_skeleton_ignores_names_and_values():
 
 def test_the_client_imports_neither_torch_nor_lancedb():
     code = "import sys, c2s_engine.retrieve.client, c2s_engine.retrieve.commands\n"
-    code += "bad = [m for m in ('torch', 'lancedb', 'scenic', 'sentence_transformers') if m in sys.modules]\nsys.exit(str(bad) if bad else 0)"
+    code += "bad = [m for m in ('torch', 'lancedb', 'scenic', 'sentence_transformers') if m in sys.modules]\n"
+    code += "sys.exit(str(bad) if bad else 0)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr

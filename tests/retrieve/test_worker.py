@@ -157,7 +157,8 @@ def test_a_folder_without_permission_gets_a_sentence(tmp_path):
 
 
 def test_two_processes_build_one_after_the_other(own_index):
-    code = "import pathlib, sys\nfrom c2s_engine.retrieve.library import Library\nLibrary(pathlib.Path(sys.argv[1])).build()\n"
+    code = "import pathlib, sys\nfrom c2s_engine.retrieve.library import Library\n"
+    code += "Library(pathlib.Path(sys.argv[1])).build()\n"
     both = [subprocess.Popen([sys.executable, "-c", code, str(own_index)]) for _ in range(2)]
     assert [p.wait() for p in both] == [0, 0]
     assert Library(own_index).verify()["ok"]

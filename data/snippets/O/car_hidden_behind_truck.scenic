@@ -3,7 +3,7 @@
 # paraphrases:
 #   - obstructed sight of a standing vehicle
 #   - a standing car that I cannot see because of a truck
-# positions: [hidden]
+# positions: [ahead]
 # actions: [stationary]
 # types: [car, truck]
 # ---

@@ -5,7 +5,7 @@
 #   - small pedestrian suddenly appears at speed
 #   - a schoolchild dashes into the traffic between cars
 #   - a kid chases a ball
-# positions: [hidden]
+# positions: [roadside]
 # actions: [enter_road, cross_road]
 # types: [child]
 # hosts: [R/road_with_parking_lane]

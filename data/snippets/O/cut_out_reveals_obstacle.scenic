@@ -5,7 +5,7 @@
 #   - obstacle appears behind the vehicle that changes lanes
 #   - the one in front dodges at the last moment and a parked car becomes visible
 #   - a swerving car uncovers a standing car
-# positions: [ahead, hidden]
+# positions: [ahead]
 # actions: [cut_out, stationary]
 # types: [car]
 # hosts: [R/road_two_lanes_same_direction]

@@ -4,7 +4,7 @@
 #   - obstructed view, somebody appears between standing vehicles
 #   - person emerges from behind a delivery van
 #   - somebody on foot appears whom I could not see behind a parked vehicle
-# positions: [hidden]
+# positions: [roadside]
 # actions: [cross_road, enter_road]
 # types: [pedestrian, van]
 # hosts: [R/road_with_parking_lane]

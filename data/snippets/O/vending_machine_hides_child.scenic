@@ -3,7 +3,7 @@
 # paraphrases:
 #   - street furniture conceals a kid
 #   - occluded youngster enters the road
-# positions: [hidden, sidewalk]
+# positions: [sidewalk]
 # actions: [cross_road]
 # types: [vending_machine, child]
 # hosts: [R/road_with_sidewalk]

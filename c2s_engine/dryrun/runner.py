@@ -88,10 +88,10 @@ def simulate(scene: Any, *, names: dict[int, str], seed: int, seconds: float, ma
             run.reason = "" if run.ended_by == "time" else str(simulation.result.terminationReason)
         except (RejectSimulationException, RejectionException, GuardViolation) as error:
             run.ended_by = "rejected"
-            run.reason = _reason(error, made, step)
+            run.reason = _reason(error, made, step, names)
         except Exception as error:
             run.ended_by = "error"
-            run.reason = _reason(error, made, step)
+            run.reason = _reason(error, made, step, names)
     if made and made[0].recorder.samples:
         simulation = made[0]
         labels = [names.get(id(o)) or f"{type(o).__name__.lower()}_{i}" for i, o in enumerate(simulation.objects)]
@@ -108,7 +108,7 @@ def _ending(simulation: DryRunSimulation) -> str:
     return "time" if simulation.ended is TerminationType.timeLimit else "terminated"
 
 
-def _reason(error: BaseException, made: list[DryRunSimulation], step: float) -> str:
+def _reason(error: BaseException, made: list[DryRunSimulation], step: float, names: dict[int, str]) -> str:
     """One sentence: when, who, where in the program, what."""
     text = str(error) or type(error).__name__
     if isinstance(error, StuckBehaviorWarning):
@@ -123,7 +123,7 @@ def _reason(error: BaseException, made: list[DryRunSimulation], step: float) -> 
         if made[0].acting is not None:
             agent = made[0].acting
             doing = type(agent.behavior).__name__ if agent.behavior else ""
-            parts.append(f"in {doing or 'the behavior'} of {getattr(agent, 'name', None) or type(agent).__name__}")
+            parts.append(f"in {doing or 'the behavior'} of {names.get(id(agent)) or type(agent).__name__}")
     line = next(
         (f.lineno for f in reversed(traceback.extract_tb(error.__traceback__)) if _of_program(f.filename)), None
     )

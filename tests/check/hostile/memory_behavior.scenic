@@ -4,8 +4,6 @@ param map = localPath('town.xodr')
 param carla_map = None
 model scenic.simulators.carla.model
 behavior B():
-    x = [0]
-    while True:
-        x = x + x
-        wait
+    x = [0] * (10 ** 11)
+    wait
 ego = new Car on Uniform(*network.lanes).centerline, with behavior B()

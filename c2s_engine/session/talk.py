@@ -1,18 +1,18 @@
-"""A turn of the chat upon S: a question is answered with its sources, a change becomes edits, else it is a new scenario."""
+"""A turn of the chat upon S: a question is answered with its sources, a change becomes edits, the rest is a new scenario.
+
+`engine` is the facade (`c2s_engine.api.Engine`), which a room below it cannot import.
+"""
 
 from collections.abc import AsyncIterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Finished, Passage, Progress, Say
 
-if TYPE_CHECKING:
-    from c2s_engine.api import Engine
-
 
 async def say(
-    engine: "Engine", structure: Structure | None, text: str, *, method: str | None = None, **options: Any
+    engine: Any, structure: Structure | None, text: str, *, method: str | None = None, **options: Any
 ) -> AsyncIterator[Progress]:
     """The events of the turn; the last is Finished. Undo and redo belong to a session and are only said here."""
     from c2s_engine.interpret.turn import route
@@ -39,7 +39,7 @@ async def say(
     yield Finished(ok=True, structure=current, program=assemble(current), details={"turn": turn.kind})
 
 
-async def answer(engine: "Engine", question: str) -> AsyncIterator[Progress]:
+async def answer(engine: Any, question: str) -> AsyncIterator[Progress]:
     """The passages that answer a question, or that there is none."""
     from c2s_engine.retrieve.errors import RetrievalError
 

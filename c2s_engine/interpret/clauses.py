@@ -356,6 +356,8 @@ class Clauses:
             above = self._governor(head) if head.tag == "VB" and head.dep in ("ccomp", "xcomp") and word.tag in ("VBZ", "VBD") else None
             agent = self.by_word[above.i].agent if above is not None and above.i in self.by_word else self.by_word[word.head].agent
         if agent is None:
+            agent = self.topic(word)
+        if agent is None:
             agent = self._nearest(word, at)
         patient = self._patient(word, own, agent, passive)
         event = self._event(lemma, word, text, whole, agent, patient)
@@ -368,20 +370,32 @@ class Clauses:
         event.words, event.mode, event.passive = own, self._mode(word), passive
         if event.act == "stop" and passive and event.agent is agent and not re.search(r"\bby @", whole):
             event.act = "stationary"
+        late: Event | None = None
         into = re.search(r"into (the |a |an )?(side|rear|back|front|rear end|path)? ?(of )?(the |a |an )?@(\w+)(?! 's (lane|path|way|view))\b", text) if event.act in ("run_red", "run_stop", "lose_control", "oncoming", "swerve", "drift", "leave_road") else None
         if into and into[2] != "path":
             struck = next((e for e in (self.cast.ego, *self.cast.entities) if e.key == into[5]), None)
             if struck is not None and struck is not event.agent and not re.search(rf"into (the )?(lane|path) of (the )?@{into[5]}|@{into[5]} 's", text):
-                self.events.append(Event("collide", event.agent, word.i, text, whole, struck, order=word.i + 0.2, mode=event.mode, words=[word.i], start=word.start, end=word.end))
+                late = Event("collide", event.agent, word.i, text, whole, struck, order=word.i + 0.2, mode=event.mode, words=[word.i], start=word.start, end=word.end)
         if event.act == "collide" and lemma in ("reverse", "back"):
-            self.events.append(Event("reverse", event.agent, word.i, text, whole, order=word.i - 0.1, mode=event.mode, words=[word.i], start=word.start, end=word.end))
+            self.events.append(Event("reverse", event.agent, word.i, text, whole, order=word.i - 0.1, mode=event.mode, words=[word.i], start=word.start, end=word.end, adverbial=self._mark(word)))
         event.start, event.end = self.words[own[0]].start, self.words[own[-1]].end
         event.quantities = self._quantities(own)
         if word.dep in ("advcl", "relcl", "pcomp", "ccomp") or word.dep == "conj":
             event.adverbial = self._mark(word)
         event.also = self._also(at)
         self.events.append(event)
+        if late is not None:
+            late.adverbial = event.adverbial
+            self.events.append(late)
         self.by_word[word.i] = event
+
+    def topic(self, word: Word) -> Entity | None:
+        """The one that a sentence is headed with: "Challenger: left lane, 90 km/h, cuts in"."""
+        sentence = [w for w in self.words[max(0, word.i - 60) : word.i] if w.sentence == word.sentence]
+        for first, second in zip(sentence, sentence[1:], strict=False):
+            if second.norm == ":" and first.i in self.cast.of and first.span is not None:
+                return self.cast.of[first.i]
+        return None
 
     def _nearest(self, word: Word, at: int | None) -> Entity | None:
         """The nearest noun before the verb that no preposition governs, where the tree gives no agent."""
@@ -514,6 +528,8 @@ class Clauses:
             return None
         if not subjects and word.dep not in ("ROOT", "conj", "csubj", "xcomp", "advcl", "ccomp", "pcomp"):
             return None
+        if act == "follow" and word.tag == "VBN":
+            return None
         if act in ("brake", "stop", "brake_stop", "turn", "lane_change", "overtake", "yield", "keep_lane", "follow", "go_straight", "reverse", "u_turn", "swerve", "accelerate", "evade", "start"):
             return self.cast.ego
         return None
@@ -595,6 +611,12 @@ class Clauses:
                     patient = patient or self.cast.referent(target)
             if other.dep == "compound" and child in self.cast.of:
                 return self.cast.of[child], None
+        for i in range(word.i - 1, max(-1, word.i - 4), -1):
+            other = self.words[i]
+            if other.sentence != word.sentence or other.norm in (",", ";", ".", ":") or other.verb and other.dep != "amod":
+                break
+            if i in self.cast.of and other.span is not None and other.dep not in ("pobj",):
+                return self.cast.of[i], patient
         if verb is not None:
             agent, at, passive = self._subject(verb)
             if agent is not None and not passive and self._lemma(verb) in ("make", "perform", "execute", "do", "begin", "start", "initiate", "carry", "take", "undertake", "complete", "attempt", "apply", "have", "be", "need", "require", "respond", "react", "manage", "come", "go", "answer", "result", "end", "use"):

@@ -52,6 +52,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         elif act == "overtake" and event.patient is not None and scene.where(event.patient).lane in ("parked", "roadside", "sidewalk"):
             continue
         elif act == "overtake":
+            if event.patient is not None and (scene.where(event.patient).lane == "oncoming" or "oncoming" in event.patient.roles):
+                who = _passed(scene, ids) or who
             phases.append(Phase(action="overtake", target=who or _passed(scene, ids), side=towards, trigger=trigger))
             if phases[-1].target is None:
                 phases.pop()
@@ -86,6 +88,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         phases = [p for p in phases if p.action not in ("start", "accelerate")]
     if place.manoeuvre in ("left", "right") and not any(p.action.startswith("turn_") for p in phases):
         phases.append(Phase(action=f"turn_{place.manoeuvre}"))  # type: ignore[arg-type]
+    if place.kind == "on_ramp":
+        phases = [p.model_copy(update={"side": "left"}) if p.action == "lane_change" else p for p in phases]
     struck = next((e for e in scene.clauses.events if e.act == "collide" and e.done and not e.agent.ego and e.patient is ego), None)
     if reaction == "yield":
         phases = [p for p in phases if p.action != "wait"]

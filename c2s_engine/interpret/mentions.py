@@ -174,7 +174,7 @@ class Cast:
         gap = []
         for other in reversed(before):
             if other.i in self.of:
-                text = " ".join(reversed(gap))
+                text = re.sub(r"^(ahead|in front|behind|alongside|ahead of it|in front of it) ", "", " ".join(reversed(gap)))
                 if re.fullmatch(r"(\(|,|, which (is|was)|:|-+|, (driven|operated) by)?( ?(the|a|an|another|called|designated|labelled|labeled|as|known as|i\.e\.|ie|namely))?( [\w-]+){0,2}", text) and (gap and gap[-1] in ("(", ",", "-", "--", ":") or not gap):
                     if gap and gap[-1] == "," and not re.search(r"\b(a|an|the|called|as)\b", text) and word.dep != "appos":
                         return None
@@ -240,6 +240,10 @@ class Cast:
         host = self._apposed(word)
         if host is None and word.dep == "appos" and word.head in self.of and self.of[word.head].type in ("vehicle", kind) and {"a", "an"} & set(before):
             host = self.of[word.head]
+        if host is None and word.dep == "nsubj" and {"a", "an"} & set(before) and word.i + 1 < len(self.words) and self.words[word.i + 1].norm == ",":
+            twins = [c for c in self.words[word.head].children if c < word.i and self.words[c].dep == "nsubj" and c in self.of and not self.of[c].ego]
+            if twins and self.of[twins[-1]].type in ("vehicle", kind):
+                return self._retyped(self.of[twins[-1]], kind, roles, noun)
         bracket = word.i and any(w.norm in ("(", "--", "-", ":") for w in self.words[max(0, word.i - 4) : word.i])
         if host is not None and (word.dep in ("appos", "attr") or bracket) and self.words[word.i - 1].norm not in ("and", "or") and (
             fits(host, kind) or host.type == "vehicle" or (host.ego and not self.ego.typed and kind in MOTOR)
@@ -370,6 +374,8 @@ class Cast:
             plain = [e for e in candidates if e.noun != "vehicle" and not e.roles]
             if not generic and (len(candidates) != 1 or not plain):
                 return None
+        if bare and not roles and self._distinguished(word):
+            return None
         if bare and not roles:
             return next((e for e in reversed(candidates) if e.noun == noun), None)
         if other:

@@ -404,6 +404,12 @@ def _speed(scene: Scene, entity: Entity, kind: str, phases: list, ego: EgoSpec, 
 
 def settle(scene: Scene, ego: EgoSpec, place: PlaceSpec, drafts: list[Draft], ids: dict[Entity, str]) -> EgoSpec:
     """Ego's spec once all objects are known (nobody is referred to who is not there); no object beyond the outer lanes."""
+    if place.kind == "on_ramp":
+        for draft in drafts:
+            at = draft.spec.placement
+            if at.position in ("right_lane", "left_lane") or at.position == "beside":
+                moved = at.model_copy(update={"position": "left_lane" if at.position != "beside" else "beside", "side": "left" if at.position == "beside" else None})
+                draft.spec = draft.spec.model_copy(update={"placement": moved})
     outer = {"leftmost": ("left_lane", "right_lane", "left", "right"), "rightmost": ("right_lane", "left_lane", "right", "left")}
     lane = place.ego_lane if place.ego_lane in outer else None
     for draft in drafts if lane else ():

@@ -175,6 +175,16 @@ class Places:
         if known and text.strip():
             read(text, where, entity, self.cast, "noun")
             self._gap(indices, where)
+        if i + 1 < len(self.words) and self.words[i + 1].norm == ":" and self.words[i + 1].sentence == word.sentence and word.span is not None:
+            rest = []
+            for other in self.words[i + 2 :]:
+                if other.sentence != word.sentence or other.norm == ";":
+                    break
+                rest.append(other.i)
+            for clause in re.split(r" , ", self.clauses.render(rest)):
+                if not re.search(r"\b(turn|cut|change|merge|move|swerve|overtake)\w*\b", clause):
+                    read(clause, where, entity, self.cast, "noun")
+            self._gap(rest, where)
         counted = i + 1 < len(self.words) and self.words[i + 1].tag == "CD" and self.words[i + 1].sentence == word.sentence
         if word.span is not None and (not indices and word.dep in ("pobj", "conj", "dobj", "attr", "ROOT", "dep", "appos", "nsubj") or counted) or word.norm == "another":
             after: list[int] = []
@@ -182,7 +192,7 @@ class Places:
                 if other.sentence != word.sentence or other.norm in (",", ".", ";", "and", "(", ":", "-", "but", "while", "when") or (other.verb and other.tag != "VBN") or other.norm in ("that", "which", "who"):
                     break
                 after.append(other.i)
-            if after and word.dep == "dobj" and re.match(r"in the (rear|side|back|front)", self.clauses.render(after)):
+            if after and word.dep == "dobj" and re.match(r"(in|on) the (rear|side|back|front|left|right)", self.clauses.render(after)):
                 after = []
             if after and self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO"):
                 read(self.clauses.render(after), where, entity, self.cast, "noun")

@@ -73,6 +73,8 @@ def compose_place(scene: Scene) -> PlaceSpec:
     control = road.control if kind == "intersection" else None
     if kind == "intersection" and control is None and any(e.act == "run_red" for e in scene.clauses.events if e.done):
         control = "signal"
+    if kind == "on_ramp":
+        ego_lane = None
     return PlaceSpec(
         kind=kind,  # type: ignore[arg-type]
         arms=road.arms if kind == "intersection" else None,  # type: ignore[arg-type]

@@ -203,7 +203,7 @@ def _speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         if word is None:
             continue
         unit = word
-        owner = _before(scene, span) or _speed_owner(scene, unit.i)
+        owner = _before(scene, span) or _beside(scene, span) or _speed_owner(scene, unit.i)
         value = (span.data["low"], span.data["high"], span.start, span.end)
         near = scene.plain[max(0, span.start - 40) : span.start]
         both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20]))
@@ -249,6 +249,19 @@ def _before(scene: Scene, span: scan.Span) -> Entity | None:
     near = scene.plain[max(0, span.start - 60) : span.start]
     if re.search(r"set[- ]speed[^.;]*$|\b(system|alks|dcas|aebs|acc|cruise control)\b[^,.;]*$", near) and not re.search(r"whose", near[-20:]):
         return scene.cast.ego
+    return None
+
+
+def _beside(scene: Scene, span: scan.Span) -> Entity | None:
+    """The road user right before a speed: "in front of the ego at 100 km/h"."""
+    for i, entity in scene.cast.of.items():
+        word = scene.words[i]
+        if word.span is None or word.end > span.start or span.start - word.end > 24:
+            continue
+        if re.fullmatch(r"\s*(at|doing|going|travell?ing at|driving at|moving at)\s*(about |around |roughly |approximately |only |just )?", scene.plain[word.end : span.start]):
+            verb = scene.clauses._governor(word)
+            event = scene.clauses.by_word.get(verb.i) if verb is not None else None
+            return None if event is not None and event.act in ("collide", "overtake", "follow", "approach") and event.agent is not entity else entity
     return None
 
 

@@ -108,7 +108,7 @@ def _brackets(piece: list[tuple[str, int, int, Span | None]]) -> list[list[int]]
     while i < len(piece):
         if piece[i][0] == "(" and i > 0:
             close = next((j for j in range(i, min(len(piece), i + 16)) if piece[j][0] == ")"), None)
-            if close is not None and close > i + 1:
+            if close is not None and close > i + 2:
                 inner.append(list(range(i, close + 1)))
                 i = close + 1
                 continue
@@ -164,6 +164,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
             return "follows" if text != "lets" else text
         if follows:
             return "goes"
+    elif text == "closes" and regex.match(r"\s+(?:in|up|on)\b", plain[start + 6 : start + 12]):
+        return "goes"
     elif follows and text.endswith("s") and (text in NOUN_LIKE or text in ("waits", "signals", "stops")) and regex.search(r"(?:in front|ahead|behind|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly)\s*$", plain[max(0, start - 9) : start]):
         return "goes"
     elif before is not None and before.kind != "quantity" and text in ("decel", "accel", "decelerating", "accelerating") and text[-2:] != "ng":

@@ -216,7 +216,7 @@ def test_step_by_step_equals_all_anew():
 
 @pytest.mark.full
 def test_step_by_step_equals_all_anew_at_length():
-    _run(60, 25)
+    _run(40, 20)
 
 
 def test_the_weather_is_a_line_of_g_only():

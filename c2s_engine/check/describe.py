@@ -3,9 +3,10 @@
 import ast
 import re
 from pathlib import PurePath
-from typing import Any
+from typing import Any, get_args
 
 from c2s_engine.structure import specs
+from c2s_engine.structure.vocabulary import VehicleType
 
 
 class Context:
@@ -107,7 +108,7 @@ class Context:
         if not made:
             text = f"{subject} is set up by the program." if cid == "E" and units else ""
         if cid == "E":
-            vehicle = kind if kind in specs.EgoSpec.model_fields["type"].annotation.__args__ else "car"
+            vehicle = kind if kind in get_args(VehicleType) else "car"
             return specs.EgoSpec(type=vehicle, model=blueprint), text
         return specs.ObjectSpec(name=own or "actor", type=kind or "obstacle", model=blueprint), text
 

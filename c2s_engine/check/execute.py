@@ -140,7 +140,8 @@ class _Check:
     def _stage(self, name: Any, work: Any) -> Any:
         started = time.perf_counter()
         self._send({"begin": name})
-        result, found = None, ()
+        result: Any = None
+        found: tuple[Diagnostic, ...] = ()
         try:
             result = work()
         except BaseException as error:

@@ -1,6 +1,7 @@
 """The loop of the check server: requests in, processes started, watched, killed, reports out."""
 
 import asyncio
+import functools
 import json
 import os
 import socket
@@ -43,12 +44,16 @@ async def _serve(control: socket.socket, out: int, runner: str | None) -> None:
             continue
         task = asyncio.create_task(_answer(pool, message, out, runner))
         running[key] = task
-        task.add_done_callback(lambda _, key=key: running.pop(key, None))
+        task.add_done_callback(functools.partial(_forget, running, key))
     waiting.cancel()
     for task in list(running.values()):
         task.cancel()
     await asyncio.gather(*running.values(), return_exceptions=True)
     pool.close()
+
+
+def _forget(running: dict[Any, asyncio.Task], key: Any, _: asyncio.Task) -> None:
+    running.pop(key, None)
 
 
 async def _announce(pool: Pool, out: int) -> None:

@@ -73,6 +73,7 @@ def parse(text: str, filename: str, offset: int = 0) -> Any:
 
 def shifted(tree: Any, lines: int) -> Any:
     """The tree moved down by that many lines, in place."""
+    node: Any
     for node in ast.walk(tree):
         if getattr(node, "lineno", None) is not None:
             node.lineno += lines
@@ -97,7 +98,7 @@ def _reduce(node: Any) -> tuple:
 
 
 def _rebuild(kind: type, state: dict[str, Any]) -> Any:
-    node = ast.AST.__new__(kind)
+    node: Any = ast.AST.__new__(kind)
     node.__dict__.update(state)
     return node
 

@@ -50,8 +50,8 @@ class Reader:
         started = time.perf_counter()
         if "\0" in text:
             before = text[: text.index("\0")].count("\n") + 1
-            found = where.locate(catalogue.finding("null_character", before, None))
-            return {"stages": _dump([_stage("parse", started, (found,))])}, b""
+            null = where.locate(catalogue.finding("null_character", before, None))
+            return {"stages": _dump([_stage("parse", started, (null,))])}, b""
         try:
             parts = self._compile(where)
         except Exception as error:

@@ -7,7 +7,6 @@ Messages in: {"id", "kind": "check" | "places" | "import" | "cancel", "body"}; o
 import argparse
 import os
 import socket
-import sys
 import traceback
 from pathlib import Path
 
@@ -51,4 +50,4 @@ def _root(control: socket.socket, standins: str | None, runner: str | None) -> N
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -20,8 +20,9 @@ def upgraded(text: str, filename: str) -> str:
     try:
         if not _objects_without_new(pieces.parse(text, filename)):
             return text
-    except Exception as error:
-        first = error
+    except Exception as old:
+        first = old
+    error: Exception | None = first
     newer = _insert_new(text)
     for _ in range(ROUNDS):
         error = _error(newer, filename)
@@ -32,7 +33,7 @@ def upgraded(text: str, filename: str) -> str:
         if found.code not in CERTAIN or found.edit is None:
             break
         newer = fixes.apply_fixes(newer, [found])
-    raise first or error
+    raise first or error or ValueError("the program cannot be upgraded")
 
 
 def _error(text: str, filename: str) -> Exception | None:

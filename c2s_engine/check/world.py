@@ -176,11 +176,8 @@ def enumerations() -> dict[str, frozenset[str]]:
     """The members of the enumerations that programs name."""
     from scenic.domains.driving import roads
 
-    return {
-        name: frozenset(m.name for m in value)
-        for name, value in inspect.getmembers(roads, inspect.isclass)
-        if name in ("ManeuverType", "VehicleType")
-    }
+    found: dict[str, Any] = dict(inspect.getmembers(roads, inspect.isclass))
+    return {name: frozenset(m.name for m in found[name]) for name in ("ManeuverType", "VehicleType") if name in found}
 
 
 _HARMLESS = frozenset({"math", "random", "time", "numbers", "itertools", "Optional", "Union", "Any", "List", "Tuple"})

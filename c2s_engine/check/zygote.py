@@ -32,7 +32,8 @@ def serve(control: socket.socket, handle: Handler) -> None:
     children: set[int] = set()
     control.setblocking(True)
     while True:
-        ready, _, _ = select.select([control, wake_read], [], [])
+        waiting: list = [control, wake_read]
+        ready, _, _ = select.select(waiting, [], [])
         if wake_read in ready:
             with contextlib.suppress(BlockingIOError):
                 os.read(wake_read, 4096)

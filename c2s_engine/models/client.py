@@ -107,16 +107,19 @@ class OllamaClient:
     # Asking
 
     async def chat(self, question: Question, on_event: OnEvent | None = None) -> Reply:
-        """The whole answer to a question; raises ModelError. Its pieces go to `on_event` as they come."""
-        reply = None
-        async for piece in self.stream(question):
-            if on_event and piece.text:
-                on_event(Token(text=piece.text, component=question.component, thinking=piece.thinking))
-            reply = piece.reply or reply
+        """The whole answer to a question; raises ModelError. To `on_event` go its pieces, and each try's cost."""
+        reply, known = None, len(self.ledger.rows)
+        try:
+            async for piece in self.stream(question):
+                if on_event and piece.text:
+                    on_event(Token(text=piece.text, component=question.component, thinking=piece.thinking))
+                reply = piece.reply or reply
+        finally:
+            for row in self.ledger.rows[known:]:
+                if on_event:
+                    on_event(row.usage())
         if reply is None:
             raise ModelCutOff(self.settings.model)
-        if on_event:
-            on_event(self.ledger.rows[-1].usage())
         return reply
 
     async def stream(self, question: Question) -> AsyncIterator[Piece]:

@@ -76,8 +76,10 @@ async def test_each_fault_has_its_error_and_its_number_of_tries(server, client_o
 
 async def test_a_fault_that_passes_is_not_seen(server, client_of):
     server.respond = script(Answer("a long answer", chunk=2, fault="cut"), Answer(status=503), "whole")
+    events = []
     async with client_of(server) as client:
-        assert (await client.chat(ASK)).text == "whole"
+        assert (await client.chat(ASK, events.append)).text == "whole"
+    assert len([e for e in events if isinstance(e, Usage)]) == 3, "failed tries cost too"
     assert [r.tries for r in client.ledger.rows] == [1, 2, 3]
 
 

@@ -55,7 +55,8 @@ def main() -> None:
     except (KeyboardInterrupt, BrokenPipeError):
         sys.exit(130)
     except Exception as error:  # noqa: BLE001
-        err.print(f"c2s: an error that should not happen: {type(error).__name__}: {error}. Please report it.", markup=False, style="red")
+        what = f"{type(error).__name__}: {error}"
+        err.print(f"c2s: an error that should not happen: {what}. Please report it.", markup=False, style="red")
         sys.exit(BAD_INPUT)
 
 

@@ -13,7 +13,7 @@ def read_text(text: str | None, file: Path | None) -> str:
     """The description; raises InputError."""
     if text is None and file is None:
         raise InputError(
-            'Give a description: c2s generate "A car brakes hard in front of the ego.", `-` for standard input, or --file.'
+            'Give a description: c2s generate "A car brakes hard in front of ego.", `-` for standard input, or --file.'
         )
     if file is not None:
         found = _from_file(file)
@@ -28,7 +28,8 @@ def read_text(text: str | None, file: Path | None) -> str:
         )
     if len(found) > LONGEST:
         raise InputError(
-            f"The description has {len(found):,} characters, at most {LONGEST:,} can be read: give the part that tells the scenario."
+            f"The description has {len(found):,} characters, at most {LONGEST:,} can be read: "
+            "give the part that tells the scenario."
         )
     return found
 

@@ -1,4 +1,4 @@
-"""A turn of the chat upon S: a question is answered with its sources, a change becomes edits, the rest is a new scenario.
+"""A turn of the chat upon S: questions are answered with sources, changes become edits, the rest is a new scenario.
 
 `engine` is the facade (`c2s_engine.api.Engine`), which a room below it cannot import.
 """
@@ -35,7 +35,8 @@ async def say(
     elif turn.reply:
         yield Say(text=turn.reply)
     else:
-        yield Say(text="That was not understood as a change: name the component, the field and the value.", severity="warning")
+        sentence = "That was not understood as a change: name the component, the field and the value."
+        yield Say(text=sentence, severity="warning")
     yield Finished(ok=True, structure=current, program=assemble(current), details={"turn": turn.kind})
 
 

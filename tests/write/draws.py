@@ -1,5 +1,5 @@
-"""Random structures drawn from the specs' own fields: every Literal from its names, numbers from sane ranges, references
-to what is there. Used by the property tests of the writer and by `python tests/write/draws.py N` (the nightly figures).
+"""Random structures drawn from the specs' own fields: every Literal from its names, numbers from sane ranges,
+references to what is there. Used by the property tests of the writer.
 """
 
 import random

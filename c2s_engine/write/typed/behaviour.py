@@ -1,4 +1,4 @@
-"""Phases to a Scenic behaviour: each phase becomes one `do`, ended by the next phase's trigger or its own completion."""
+"""Phases to a Scenic behaviour: each becomes one `do`, ended by the next phase's trigger or its own completion."""
 
 from dataclasses import dataclass, field
 
@@ -12,7 +12,8 @@ from c2s_engine.write.typed.tables import is_static
 LANE_WIDTH = 3.5
 FORCED = {"brake", "stop", "swerve", "lane_change"}
 DELAYED = {
-    "brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road", "accelerate", "oncoming",
+    "brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road",
+    "accelerate", "oncoming",
 }  # fmt: skip
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
 
@@ -145,7 +146,9 @@ class _Script:
         room = value + 4
         if phase.action in ("stop", "yield", "wait", "brake") and value < 12:
             rate = middle(phase.rate) if phase.rate else 3
-            return f"until (distance from self to {lane}.centerline[-1]) < {scope.number(room)} + self.speed ** 2 / {scope.number(2 * rate)}"
+            end = f"{lane}.centerline[-1]"
+            braking = f"self.speed ** 2 / {scope.number(2 * rate)}"
+            return f"until (distance from self to {end}) < {scope.number(room)} + {braking}"
         return f"until (distance from self to {lane}.centerline[-1]) < {scope.number(room)}"
 
     def _observed(self, other: str, t: Trigger) -> str:

@@ -5,7 +5,8 @@ from functools import cache
 from importlib.resources import files
 
 ORDER = (
-    "way", "approach", "along", "bend_start", "straight_on", "need", "most_need", "passed", "ttc", "pace", "meet", "lead_on",
+    "way", "approach", "along", "bend_start", "straight_on",
+    "need", "most_need", "passed", "ttc", "pace", "meet", "lead_on",
     "drive", "turn_round", "backwards", "walk",
 )  # fmt: skip
 _NAMES = {"drive": "Drive", "turn_round": "TurnRound", "backwards": "Backwards", "walk": "Walk"}

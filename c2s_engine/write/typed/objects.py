@@ -77,7 +77,8 @@ def _works(spec: ObjectSpec, spot: Spot, name: str) -> str:
     origin = f"{name}_spot"
     oriented = at if at.startswith("(new OrientedPoint") else f"(new OrientedPoint at {at}, facing roadDirection)"
     lines = [*spot.constants, f"{origin} = {oriented}"]
-    cone = f"new Cone at {origin} offset by {{x}} @ {{y}}, with blueprint {_blueprint(spec)}, with regionContainedIn everywhere"
+    looks = f"with blueprint {_blueprint(spec)}, with regionContainedIn everywhere"
+    cone = f"new Cone at {origin} offset by {{x}} @ {{y}}, {looks}"
     rows = "((-1.4, -6), (-0.5, -4), (0.5, -2), (1.4, 0), (1.4, 4), (1.4, 8))"
     lines.append(f"{name} = [{cone.format(x='x', y='y')}")
     lines.append(f"    for x, y in {rows}]")
@@ -88,7 +89,8 @@ def _works(spec: ObjectSpec, spot: Spot, name: str) -> str:
     if spec.type == "construction_zone":
         lines.append(
             f"{name}_sign = new TrafficWarning at {origin} offset by 0.4 @ -9, facing {origin}.heading,"
-            " with blueprint 'static.prop.trafficwarning', with rolename 'warning_sign', with regionContainedIn everywhere"
+            " with blueprint 'static.prop.trafficwarning', with rolename 'warning_sign',"
+            " with regionContainedIn everywhere"
         )
     return "\n".join(lines)
 

@@ -13,7 +13,7 @@ from c2s_engine.write.typed.tables import LENGTH, is_vehicle, is_walker
 
 @dataclass(frozen=True)
 class Spot:
-    """`constants`: lines before the object; `at`: the specifier's text ({i} counts members); `line`: its way's points."""
+    """`constants`: lines before the object; `specifiers`: where (`i` counts members); `line`: its way's points."""
 
     constants: tuple[str, ...]
     specifiers: tuple[str, ...]

@@ -254,7 +254,8 @@ def _lanes(place: PlaceSpec, offsets: frozenset[int], beside: str | None) -> tup
     if wish == "rightmost" and right or wish == "leftmost" and left or wish == "middle" and max(left, right) > 1:
         side = "right" if wish == "rightmost" else "left"
         raise ResolveError(
-            f"ego is in the {wish} lane, but something refers to a lane on its {side}: change R.ego_lane or the placement",
+            f"ego is in the {wish} lane, but something refers to a lane on its {side}: "
+            "change R.ego_lane or the placement",
             ("R.ego_lane", "O.placement.position"),
         )
     lanes = max(place.lanes or 0, needed, 3 if wish == "middle" else 2 if wish and (left or right) else 0)

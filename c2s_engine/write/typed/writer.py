@@ -58,7 +58,8 @@ class TypedWriter:
             return [self._place_facts(plan), sorted(self._kernel(structure, plan))]
         facts: list[Any] = [
             plan.place.kind, plan.place.control, plan.place.manoeuvre, plan.place.oncoming, round(plan.ego_speed, 2),
-            plan.distance, structure.ego.spec.model_dump(include={"reaction", "phases"}), sorted(plan.offsets), [a for a in plan.approaches if cid != "E"], self._named(structure, cid),
+            plan.distance, structure.ego.spec.model_dump(include={"reaction", "phases"}), sorted(plan.offsets),
+            [a for a in plan.approaches if cid != "E"], self._named(structure, cid),
         ]  # fmt: skip
         still = [[c.id, c.spec.model_dump(mode="json", include={"type", "placement"})] for c in structure.objects if
                  isinstance(c.spec, ObjectSpec) and is_static(c.spec)]  # fmt: skip

@@ -222,3 +222,15 @@ async def test_a_stop_takes_less_than_200_ms(server, client_of):
         with pytest.raises(asyncio.CancelledError):
             await task
         assert asyncio.get_running_loop().time() - began < 0.2
+
+
+async def test_without_retrieval_the_program_is_written_and_that_is_said(server, client_of):
+    async def broken(query, **options):
+        raise RuntimeError("The index is damaged.")
+
+    server.respond = Programmer()
+    events = []
+    async with client_of(server, num_ctx=16384) as client:
+        structure = await PromptedMethod("C11", client, broken).generate(TEXT, on_event=events.append)
+    assert code(structure) == {f.id: f.code for f in EXAMPLE.fragments}
+    assert len([e for e in events if e.type == "say" and "The index is damaged" in e.text]) == 5

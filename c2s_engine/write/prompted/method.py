@@ -156,10 +156,13 @@ class PromptedMethod:
         if self.search is None or not query or cid == "G":
             return [], []
         snippets, chunks = [], []
-        if config.has("CodeICL"):
-            snippets = await self.search(query, kind="snippet", component=cid[0], limit=config.snippets)
-        if config.has("DocICL"):
-            chunks = await self.search(query, kind="doc", component=None, limit=config.chunks)
+        try:
+            if config.has("CodeICL"):
+                snippets = await self.search(query, kind="snippet", component=cid[0], limit=config.snippets)
+            if config.has("DocICL"):
+                chunks = await self.search(query, kind="doc", component=None, limit=config.chunks)
+        except Exception as error:  # whatever retrieval says: the component is written without it, and that is told
+            self._emit(Say(text=f"{cid} is written without retrieved passages. {error}", severity="warning"))
         for passage in (*snippets, *chunks):
             self._emit(passage)
         return snippets, chunks

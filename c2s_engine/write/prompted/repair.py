@@ -1,5 +1,6 @@
 """Repair beyond the paper: a fragment that fails goes back to the model with its finding, at most three times."""
 
+import asyncio
 from collections.abc import Awaitable, Callable
 
 from c2s_engine.models.errors import (
@@ -19,6 +20,8 @@ from c2s_engine.write.prompted.parsing import code_of
 from c2s_engine.write.prompted.prompt import code_so_far, repair_question
 
 ROUNDS = 3
+PATIENCE = 20.0
+"""Longest wait for the passage of a repair, s: the first search of all builds the index."""
 
 Ask = Callable[[Question], Awaitable[str]]
 Search = Callable[..., Awaitable[list[Passage]]]
@@ -67,7 +70,7 @@ class Repairer:
             return None
         query = f"{finding.message} {finding.text}".strip()[:300]
         try:
-            found = await self.search(query, kind="doc", component=None, limit=1)
+            found = await asyncio.wait_for(self.search(query, kind="doc", component=None, limit=1), PATIENCE)
         except ModelError:
             raise
         except Exception:

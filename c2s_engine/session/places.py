@@ -70,6 +70,9 @@ async def resolve(
         writers = {f"room {r}": TypedWriter(choice, room=r) for r in ROOMS}
         expressions = {name: w.candidates(plan) for name, w in writers.items()}
         report = await check.places(PlacesRequest(map=str(choice.path), expressions=expressions, prelude=PRELUDE))
+        if report.errors:
+            broken = next(iter(report.errors.values()))
+            return Resolution(None, diagnostic=_diagnostic(f"the place could not be looked up: {broken}", "lookup", ("R",)))
         for name, writer in writers.items():
             if report.counts.get(name):
                 if wanted not in (given, named):

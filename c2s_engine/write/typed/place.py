@@ -32,7 +32,7 @@ def candidates(plan: Plan, code: PlaceCode) -> str:
         if plan.oncoming:
             innermost = "for o in lane.group.opposite.lanes if o.sections[0]._fasterLane is None"
             return f"[(lane{bend}, o) for lane in {code.expression} {innermost}]"
-        return f"[(lane{bend}) for lane in {code.expression}]".replace("(lane)", "lane") if bend else code.expression
+        return f"[(lane{bend}) for lane in {code.expression}]" if bend else code.expression
     if plan.ramp or plan.place.kind == "on_ramp":
         merging = "o.endLane is m.endLane.sections[0]._fasterLane.lane"
         return f"[(m, o) for m in {code.expression} for o in m.intersection.maneuvers if {merging}]"

@@ -160,10 +160,11 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
     point = f"{lane}.centerline.pointAlongBy({reached})"
     specifiers: tuple[str, ...] = (f"at {point}",)
     if spec.placement.position == "partly_in_lane":
-        side = -1.7 if spec.placement.side == "left" else 1.7
+        side = -1.6 if spec.placement.side == "left" else 1.6
         specifiers = (
             f"at (new OrientedPoint at {point}, facing roadDirection) offset by {scope.number(side)} @ 0",
             "with regionContainedIn everywhere",
+            *([] if spec.placement.facing == "against" else [f"facing (roadDirection at {point})"]),
         )
     if is_walker(spec.type):
         specifiers += ("with regionContainedIn everywhere",)

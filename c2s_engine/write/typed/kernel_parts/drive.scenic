@@ -26,7 +26,7 @@ behavior Drive(points, speed, rate=3, offset=0, shift=1.5):
         ahead = min(i + 2 + int(0.35 * self.speed), last)
         along = (points[ahead] - points[max(ahead - 1, 0)]).normalized()
         target = (points[ahead] + along.rotatedBy(90 deg) * beside - self.position).rotatedBy(-self.heading)
-        steer = math.atan(1.2 * self.length * target.x / max(target.x ** 2 + target.y ** 2, 1)) / 1.2
+        steer = math.atan(1.2 * self.length * target.x / max(target.x ** 2 + target.y ** 2, 1)) / 0.8
         step = rate * simulation().timestep
         take (SetSpeedAction(max(0, self.speed + max(-step, min(step, goal - self.speed)))),
               SetSteerAction(max(-1, min(1, steer))))

@@ -1,4 +1,5 @@
 """What S says, in the vocabulary of the benchmark's records, so that it can be compared before anything runs."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 from collections.abc import Callable
 

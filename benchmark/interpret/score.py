@@ -1,4 +1,5 @@
 """Compares S with what a text says: one verdict per expectation, filed under the stage that answers for it."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 from dataclasses import dataclass
 from itertools import permutations
@@ -208,15 +209,8 @@ def _road(structure: Structure, place: Any, expect: dict[str, Any]) -> list[Verd
 
 def _environment(structure: Structure, expect: dict[str, Any]) -> list[Verdict]:
     spec: Any = structure.settings.spec
-    found = []
-    for weather in _list(expect.get("weather", [])):
-        found.append(
-            Verdict(
-                "environment",
-                weather in (spec.weather or ("clear",)) or weather == "clear" and not spec.weather,
-                f"weather {weather}",
-            )
-        )
+    sky = spec.weather or ("clear",)
+    found = [Verdict("environment", w in sky, f"weather {w}") for w in _list(expect.get("weather", []))]
     if "time" in expect:
         found.append(Verdict("environment", (spec.time or "day") == expect["time"], f"time {expect['time']}"))
     return found

@@ -1,4 +1,5 @@
 """Runs the suite and counts, stage by stage; failures of the counted half are never listed."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 from collections import Counter
 from dataclasses import dataclass, field
@@ -9,6 +10,7 @@ from typing import Any
 
 import yaml
 from c2s_bench.interpret.score import STAGES, Verdict, judge
+
 from c2s_engine.interpret import EmbeddedInterpreter, InterpretError
 
 HERE = Path(__file__).parent
@@ -67,12 +69,23 @@ def run(files: tuple[str, ...] = FILES) -> tuple[dict[str, dict[str, Half]], lis
 
 def table(results: dict[str, dict[str, Half]]) -> str:
     """The figures as a Markdown table."""
-    lines = ["| Stage | " + " | ".join(f"{n}, {h} %" for n in results for h in ("develop", "counted")) + " |", "| --- |" + " ---: |" * (2 * len(results))]
+    lines = [
+        "| Stage | " + " | ".join(f"{n}, {h} %" for n in results for h in ("develop", "counted")) + " |",
+        "| --- |" + " ---: |" * (2 * len(results)),
+    ]
     for stage in STAGES:
-        cells = [f"{r[h].share(stage):.1f}" if r[h].of[stage] else "-" for r in results.values() for h in ("develop", "counted")]
+        cells = [
+            f"{r[h].share(stage):.1f}" if r[h].of[stage] else "-"
+            for r in results.values()
+            for h in ("develop", "counted")
+        ]
         if any(c != "-" for c in cells):
             lines.append(f"| {stage} | " + " | ".join(cells) + " |")
-    lines.append("| **all** | " + " | ".join(f"{r[h].share():.1f}" for r in results.values() for h in ("develop", "counted")) + " |")
+    lines.append(
+        "| **all** | "
+        + " | ".join(f"{r[h].share():.1f}" for r in results.values() for h in ("develop", "counted"))
+        + " |"
+    )
     return "\n".join(lines)
 
 

@@ -1,4 +1,5 @@
 """The forms of change: each takes one clause and S, and gives edits with words for them, or None where it does not fit."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 from collections.abc import Callable
@@ -22,7 +23,10 @@ def _name(component: Component) -> str:
 
 
 def _quantity(clause: str, dimension: str) -> dict[str, Any] | None:
-    return next((s.data | {"at": s.start, "end": s.end} for s in scan.quantities(clause) if s.data["dimension"] == dimension), None)
+    return next(
+        (s.data | {"at": s.start, "end": s.end} for s in scan.quantities(clause) if s.data["dimension"] == dimension),
+        None,
+    )
 
 
 def _value(quantity: dict[str, Any]) -> Any:
@@ -67,9 +71,18 @@ def _release(component: Component, structure: Structure) -> list[Edit]:
             continue
         spec = other.spec
         phases = tuple(
-            p.model_copy(update={"target": None if p.target == component.id else p.target, "trigger": None if p.trigger and p.trigger.of == component.id else p.trigger})
+            p.model_copy(
+                update={
+                    "target": None if p.target == component.id else p.target,
+                    "trigger": None if p.trigger and p.trigger.of == component.id else p.trigger,
+                }
+            )
             for p in spec.phases
-            if not (p.target == component.id and p.action in ("follow", "overtake", "collide", "yield") and isinstance(spec, EgoSpec))
+            if not (
+                p.target == component.id
+                and p.action in ("follow", "overtake", "collide", "yield")
+                and isinstance(spec, EgoSpec)
+            )
         )
         update: dict[str, Any] = {"phases": phases}
         if isinstance(spec, EgoSpec):
@@ -77,7 +90,12 @@ def _release(component: Component, structure: Structure) -> list[Edit]:
                 update |= {"react_to": None}
         else:
             place = spec.placement
-            update["placement"] = place.model_copy(update={"of": "ego" if place.of == component.id else place.of, "hidden_by": None if place.hidden_by == component.id else place.hidden_by})
+            update["placement"] = place.model_copy(
+                update={
+                    "of": "ego" if place.of == component.id else place.of,
+                    "hidden_by": None if place.hidden_by == component.id else place.hidden_by,
+                }
+            )
         changed = spec.model_copy(update=update)
         if changed != spec:
             edits.append(SetSpec(component=other.id, spec=changed))
@@ -110,12 +128,18 @@ def retype(clause: str, structure: Structure) -> Found | None:
         if component.id == "E":
             if kind not in VEHICLES:
                 return None
-            return [SetField(component="E", path="type", value=kind), SetField(component="E", path="model", value=None)], f"ego is a {kind.replace('_', ' ')}"
+            return [
+                SetField(component="E", path="type", value=kind),
+                SetField(component="E", path="model", value=None),
+            ], f"ego is a {kind.replace('_', ' ')}"
         edits: list[Edit] = [SetSpec(component=component.id, spec=_typed(spec_of(component), kind))]
         count = _count(match["what"]) if plural else 1
         if count != spec_of(component).count:
             edits.append(SetField(component=component.id, path="count", value=count))
-        return edits, f"{component.id} is now {count if count > 1 else 'a'} {kind.replace('_', ' ')}{'s' if count > 1 else ''}"
+        return (
+            edits,
+            f"{component.id} is now {count if count > 1 else 'a'} {kind.replace('_', ' ')}{'s' if count > 1 else ''}",
+        )
     return None
 
 
@@ -140,14 +164,31 @@ def _typed(spec: ObjectSpec, kind: str) -> ObjectSpec:
     walks = kind in ("pedestrian", "child", "animal")
     walked = spec.type in ("pedestrian", "child", "animal")
     update: dict[str, Any] = {"type": kind, "model": None}
-    if spec.name == spec.type or spec.name in language.actor_nouns() or spec.name.replace("_", " ") in language.actor_nouns():
+    if (
+        spec.name == spec.type
+        or spec.name in language.actor_nouns()
+        or spec.name.replace("_", " ") in language.actor_nouns()
+    ):
         update["name"] = kind
     if kind not in (*VEHICLES, "pedestrian", "child", "animal"):
         update |= {"phases": (), "speed": None}
     elif walks != walked:
-        turned = {"cross_road": "enter_road", "move_along": "keep_lane"} if walked else {"enter_road": "cross_road", "keep_lane": "move_along", "cut_in": "cross_road", "go_straight": "cross_road"}
+        turned = (
+            {"cross_road": "enter_road", "move_along": "keep_lane"}
+            if walked
+            else {
+                "enter_road": "cross_road",
+                "keep_lane": "move_along",
+                "cut_in": "cross_road",
+                "go_straight": "cross_road",
+            }
+        )
         keep = {"stationary", "wait", "stop", "start", "collide"}
-        phases = tuple(p.model_copy(update={"action": turned.get(p.action, p.action)}) for p in spec.phases if p.action in turned or p.action in keep)
+        phases = tuple(
+            p.model_copy(update={"action": turned.get(p.action, p.action)})
+            for p in spec.phases
+            if p.action in turned or p.action in keep
+        )
         if kind == "bicycle":
             phases = spec.phases
         update["phases"] = phases
@@ -159,10 +200,14 @@ def _typed(spec: ObjectSpec, kind: str) -> ObjectSpec:
 def speed(clause: str, structure: Structure) -> Found | None:
     """ "Ego at 50 km/h", "the lead drives 20 km/h", "faster", "10 km/h slower", "twice as fast"."""
     quantity = _quantity(clause, "speed")
-    relative = re.search(r"\b(faster|slower|quicker|speed up|slow(er)? down|twice as fast|half as fast|double|halve)\b", clause)
+    relative = re.search(
+        r"\b(faster|slower|quicker|speed up|slow(er)? down|twice as fast|half as fast|double|halve)\b", clause
+    )
     if quantity is None and not relative or re.search(r"\blimit\b", clause):
         return None
-    component = refer(clause, structure, alone=True) or (structure.ego if not structure.objects or not re.search(r"\b(it|its)\b", clause) else None)
+    component = refer(clause, structure, alone=True) or (
+        structure.ego if not structure.objects or not re.search(r"\b(it|its)\b", clause) else None
+    )
     if component is None:
         return None
     spec: Any = component.spec
@@ -176,7 +221,15 @@ def speed(clause: str, structure: Structure) -> Found | None:
         if quantity is not None:
             value = base - quantity["low"] if down else base + quantity["low"]
         else:
-            value = base * (2 if word in ("twice as fast", "double") else 0.5 if word in ("half as fast", "halve") else 0.75 if down else 1.3)
+            value = base * (
+                2
+                if word in ("twice as fast", "double")
+                else 0.5
+                if word in ("half as fast", "halve")
+                else 0.75
+                if down
+                else 1.3
+            )
         value = round(max(0.5, value), 2)
     edits: list[Edit] = [SetField(component=component.id, path="speed", value=value)]
     shown = value if isinstance(value, float | int) else sum(value) / 2
@@ -186,8 +239,13 @@ def speed(clause: str, structure: Structure) -> Found | None:
 def distance(clause: str, structure: Structure) -> Found | None:
     """ "20 m further away", "10 m closer", "at 30 m", "set the gap to 40 m", "twice as far"."""
     quantity = _quantity(clause, "distance")
-    relative = re.search(r"\b(further|farther|more distant|closer|nearer|less|more|twice as far|double the (?:gap|distance)|half the (?:gap|distance))\b", clause)
-    if quantity is None and (relative is None or not re.search(r"away|closer|nearer|gap|distance|far|ahead|behind", clause)):
+    relative = re.search(
+        r"\b(further|farther|more distant|closer|nearer|less|more|twice as far|double the (?:gap|distance)|half the (?:gap|distance))\b",
+        clause,
+    )
+    if quantity is None and (
+        relative is None or not re.search(r"away|closer|nearer|gap|distance|far|ahead|behind", clause)
+    ):
         return None
     component = refer(clause, structure)
     if component is None or component.id == "E":
@@ -205,9 +263,19 @@ def distance(clause: str, structure: Structure) -> Found | None:
         if quantity is not None:
             value = base - quantity["low"] if nearer else base + quantity["low"]
         else:
-            value = base * (2 if word.startswith(("twice", "double")) else 0.5 if word.startswith("half") else 0.6 if nearer else 1.6)
+            value = base * (
+                2
+                if word.startswith(("twice", "double"))
+                else 0.5
+                if word.startswith("half")
+                else 0.6
+                if nearer
+                else 1.6
+            )
         value = round(max(2.0, value), 1)
-    return [SetField(component=component.id, path="placement.gap", value=value)], f"{_name(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
+    return [
+        SetField(component=component.id, path="placement.gap", value=value)
+    ], f"{_name(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
 
 
 def _only(structure: Structure) -> Component | None:
@@ -222,12 +290,18 @@ MIRROR = {
 
 def sides(clause: str, structure: Structure) -> Found | None:
     """ "Start from the left", "the pedestrian comes from the right", "on the other side"."""
-    match = re.search(r"\b(?:from|on|to|at|in)(?: the| its)? (left|right|other|opposite)(?:-hand)?(?: side| lane| hand)?\b", clause)
+    match = re.search(
+        r"\b(?:from|on|to|at|in)(?: the| its)? (left|right|other|opposite)(?:-hand)?(?: side| lane| hand)?\b", clause
+    )
     if not match or re.search(r"\bturn|\bchange", clause):
         return None
     component = refer(clause, structure)
     if component is None or component.id == "E":
-        sided = [c for c in structure.objects if spec_of(c).placement.side or spec_of(c).placement.position in (*MIRROR["left"], *MIRROR["right"])]
+        sided = [
+            c
+            for c in structure.objects
+            if spec_of(c).placement.side or spec_of(c).placement.position in (*MIRROR["left"], *MIRROR["right"])
+        ]
         component = sided[0] if sided else _only(structure)
     if component is None:
         return None
@@ -236,14 +310,27 @@ def sides(clause: str, structure: Structure) -> Found | None:
     now = place.side or ("left" if "left" in place.position else "right" if "right" in place.position else "right")
     side = match[1] if match[1] in ("left", "right") else ("left" if now == "right" else "right")
     update: dict[str, Any] = {"position": MIRROR[side].get(place.position, place.position)}
-    if place.side is not None or place.position in ("roadside", "sidewalk", "parked", "partly_in_lane", "beside", "intersection_exit"):
+    if place.side is not None or place.position in (
+        "roadside",
+        "sidewalk",
+        "parked",
+        "partly_in_lane",
+        "beside",
+        "intersection_exit",
+    ):
         update["side"] = side
     if update["position"] in ("ahead", "behind"):
-        update |= {"position": f"{side}_lane", "along": place.position} if spec.type in VEHICLES else {"position": "roadside", "side": side}
+        update |= (
+            {"position": f"{side}_lane", "along": place.position}
+            if spec.type in VEHICLES
+            else {"position": "roadside", "side": side}
+        )
     swapped = {"left": "right", "right": "left"}
     turned = side != now
     phases = tuple(p.model_copy(update={"side": swapped[p.side]}) if p.side and turned else p for p in spec.phases)
-    changed = spec.model_copy(update={"placement": Placement.model_validate(place.model_dump() | update), "phases": phases})
+    changed = spec.model_copy(
+        update={"placement": Placement.model_validate(place.model_dump() | update), "phases": phases}
+    )
     return [SetSpec(component=component.id, spec=changed)], f"{_name(component)} on the {side}"
 
 
@@ -259,10 +346,16 @@ def setting(clause: str, structure: Structure) -> Found | None:
     if "preset" in named:
         edits.append(SetField(component="G", path="preset", value=named["preset"].value))
         said.append(named["preset"].value)
-    sky, time, light = environment.weather(clause, whole), environment.time_of_day(clause, whole), environment.light(clause, whole)
+    sky, time, light = (
+        environment.weather(clause, whole),
+        environment.time_of_day(clause, whole),
+        environment.light(clause, whole),
+    )
     if re.search(r"\b(clear|sunny|dry|fine|nice)\b", clause) and not sky:
         sky = [environment.Found("clear", 0.9, (0, 1))]
-    if len(scan.names(clause)) > 1 or (scan.names(clause) and not light and not re.search(r"weather|rain|fog|night|day|snow", clause)):
+    if len(scan.names(clause)) > 1 or (
+        scan.names(clause) and not light and not re.search(r"weather|rain|fog|night|day|snow", clause)
+    ):
         sky, time = [], None
     if sky and "preset" not in named:
         values = [f.value for f in sky]
@@ -326,19 +419,26 @@ def road(clause: str, structure: Structure) -> Found | None:
     update = {k: v for k, v in update.items() if getattr(old, k) != v}
     if not update:
         return None
-    return [SetSpec(component="R", spec=PlaceSpec.model_validate(old.model_dump() | update))], "the place: " + ", ".join(f"{k} {v}" for k, v in update.items() if v is not None)
+    return [
+        SetSpec(component="R", spec=PlaceSpec.model_validate(old.model_dump() | update))
+    ], "the place: " + ", ".join(f"{k} {v}" for k, v in update.items() if v is not None)
 
 
 def more(clause: str, structure: Structure) -> Found | None:
     """ "Add a cyclist on the right", "another car behind ego": what the clause says is read like a scene."""
-    match = re.match(r"^(?:add|include|insert|introduce|bring in|put(?: in)?|place|there (?:is|are) also|also(?: add)?|plus|and|with|have)\s+(?=(?:an?|another|two|three|four|some|several|more|one more)\b)", clause)
+    match = re.match(
+        r"^(?:add|include|insert|introduce|bring in|put(?: in)?|place|there (?:is|are) also|also(?: add)?|plus|and|with|have)\s+(?=(?:an?|another|two|three|four|some|several|more|one more)\b)",
+        clause,
+    )
     if not match and not re.match(r"^(another|one more)\b", clause):
         return None
     from c2s_engine.interpret.embedded import EmbeddedInterpreter, InterpretError
 
     rest = re.sub(r"^(one more|more)\b", "another", clause[match.end() :] if match else clause)
     rest = re.sub(r"^another\b", "a", rest)
-    sentence = f"There is {rest}." if not re.search(r"\b(that|which|who|crosses|drives|stands|is)\b", rest) else f"{rest}."
+    sentence = (
+        f"There is {rest}." if not re.search(r"\b(that|which|who|crosses|drives|stands|is)\b", rest) else f"{rest}."
+    )
     try:
         read = EmbeddedInterpreter().interpret(f"Ego drives along. {sentence}").structure
     except InterpretError:
@@ -349,7 +449,18 @@ def more(clause: str, structure: Structure) -> Found | None:
         spec = spec_of(component)
         taken = {spec_of(c).name for c in structure.objects}
         name = spec.name if spec.name not in taken else f"{spec.name}_{number}"
-        edits.append(AddObject(spec=spec.model_copy(update={"name": name, "placement": spec.placement.model_copy(update={"of": "ego", "hidden_by": None})}), description=component.description, component=f"O{number}"))
+        edits.append(
+            AddObject(
+                spec=spec.model_copy(
+                    update={
+                        "name": name,
+                        "placement": spec.placement.model_copy(update={"of": "ego", "hidden_by": None}),
+                    }
+                ),
+                description=component.description,
+                component=f"O{number}",
+            )
+        )
         number += 1
     return (edits, ", ".join(f"{e.component} added" for e in edits if isinstance(e, AddObject))) if edits else None
 
@@ -365,38 +476,58 @@ def behaviour(clause: str, structure: Structure) -> Found | None:
         return None
     if component.id == "E":
         if re.search(r"(not|n't|never|without) (brak|react|stop)|no reaction|ignores", clause):
-            return [SetField(component="E", path="reaction", value="none"), SetField(component="E", path="hard", value=False)], "ego does not react"
+            return [
+                SetField(component="E", path="reaction", value="none"),
+                SetField(component="E", path="hard", value=False),
+            ], "ego does not react"
         if re.search(r"evade|swerve|steer|avoid|change lane|lane change", body):
             return [SetField(component="E", path="reaction", value="evade")], "ego evades"
         if re.search(r"\bbrak|\bstop", body):
             hard = bool(re.search(r"hard|emergency|sharply|suddenly|full", body))
-            return [SetField(component="E", path="reaction", value="brake"), SetField(component="E", path="hard", value=hard)], f"ego brakes{' hard' if hard else ''}"
+            return [
+                SetField(component="E", path="reaction", value="brake"),
+                SetField(component="E", path="hard", value=hard),
+            ], f"ego brakes{' hard' if hard else ''}"
         if re.search(r"\bfollow", body):
             return [SetField(component="E", path="reaction", value="follow")], "ego follows"
         if re.search(r"yield|give way|wait", body):
             return [SetField(component="E", path="reaction", value="yield")], "ego yields"
-        if (turn := re.search(r"\bturns? (left|right)|go(?:es)? (straight)", body)) and structure.place.spec.kind == "intersection":  # type: ignore[union-attr]
+        if (
+            turn := re.search(r"\bturns? (left|right)|go(?:es)? (straight)", body)
+        ) and structure.place.spec.kind == "intersection":  # type: ignore[union-attr]
             return [SetField(component="R", path="manoeuvre", value=turn[1] or turn[2])], f"ego: {turn[1] or turn[2]}"
         return None
     spec = spec_of(component)
     noun = spec.type.replace("_", " ")
-    action = re.sub(r"^(the |o\d+\b|it\b|that )?([\w-]+ ){0,2}?(?=\b(brak|stop|turn|cut|chang|swerv|drift|cross|run|walk|accelerat|overtak|revers|stand|stay|wait|go|driv|leav|enter|pull|yield|collid|hit|slow))", "", body)
+    action = re.sub(
+        r"^(the |o\d+\b|it\b|that )?([\w-]+ ){0,2}?(?=\b(brak|stop|turn|cut|chang|swerv|drift|cross|run|walk|accelerat|overtak|revers|stand|stay|wait|go|driv|leav|enter|pull|yield|collid|hit|slow))",
+        "",
+        body,
+    )
     setting_words = "at an intersection with traffic lights " if structure.place.spec.kind == "intersection" else ""  # type: ignore[union-attr]
     try:
-        read = EmbeddedInterpreter().interpret(f"Ego drives {setting_words}. The {noun} ahead of ego {action}.").structure
+        read = (
+            EmbeddedInterpreter().interpret(f"Ego drives {setting_words}. The {noun} ahead of ego {action}.").structure
+        )
     except InterpretError:
         return None
     same = [c for c in read.objects if spec_of(c).type == spec.type and spec_of(c).phases]
     if not same:
         return None
     phases = spec_of(same[0]).phases
-    return [SetSpec(component=component.id, spec=spec.model_copy(update={"phases": phases}))], f"{_name(component)}: {', then '.join(p.action.replace('_', ' ') for p in phases)}"
+    return [
+        SetSpec(component=component.id, spec=spec.model_copy(update={"phases": phases}))
+    ], f"{_name(component)}: {', then '.join(p.action.replace('_', ' ') for p in phases)}"
 
 
 def length(clause: str, structure: Structure) -> Found | None:
     """ "Run for 30 s", "stop after 20 seconds"."""
     quantity = _quantity(clause, "time")
-    if quantity is None or not re.search(r"\b(run|last|simulate|duration|end|terminate|stop|length|scenario)\b", clause) or scan.names(clause):
+    if (
+        quantity is None
+        or not re.search(r"\b(run|last|simulate|duration|end|terminate|stop|length|scenario)\b", clause)
+        or scan.names(clause)
+    ):
         return None
     value = min(120.0, max(1.0, quantity["high"]))
     return [SetField(component="T", path="duration", value=value)], f"the run lasts {value:g} s"

@@ -1,15 +1,16 @@
 """Sixth stage: the scene becomes S: places, positions, phases, reactions, with defaults named in `assumed`."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 
 from c2s_engine.interpret import describe, objects
 from c2s_engine.interpret.drivers import compose_ego
+from c2s_engine.interpret.environment import PRESET_TIME, PRESET_WEATHER
 from c2s_engine.interpret.mentions import ZONES, Entity
 from c2s_engine.interpret.objects import Draft
 from c2s_engine.interpret.roads import compose_place
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.settings import ACCEPTED, DEFAULTS, Settings
-from c2s_engine.interpret.environment import PRESET_TIME, PRESET_WEATHER
 from c2s_engine.structure.components import Assumption, Component, Link, Structure
 from c2s_engine.structure.specs import RestrictionsSpec, SettingsSpec
 
@@ -17,25 +18,40 @@ from c2s_engine.structure.specs import RestrictionsSpec, SettingsSpec
 def compose(scene: Scene) -> Structure:
     """S of a scene; every choice that the text does not make is an assumption of its component."""
     ids: dict[Entity, str] = {scene.cast.ego: "ego"}
-    drafts: list[Draft] = []
-    ordered = sorted(scene.actors, key=lambda e: (e.mentions[0].word if e.mentions else 0))
+    ordered = sorted(scene.actors, key=lambda e: e.mentions[0].word if e.mentions else 0)
     ordered = _blockers_first(scene, ordered)
     for number, entity in enumerate(ordered, 1):
         ids[entity] = f"O{number}"
     place = compose_place(scene)
     ego, ego_assumed = compose_ego(scene, ids, place)
-    for entity in ordered:
-        drafts.append(objects.compose_object(scene, entity, ids, place, ego))
+    drafts: list[Draft] = [objects.compose_object(scene, entity, ids, place, ego) for entity in ordered]
     ego = objects.settle(scene, ego, place, drafts, ids)
     drafts += objects.signs(scene, place, len(drafts))
     place_assumed = _place_assumed(scene, place)
-    components = [Component(id=f"O{n}", spec=d.spec, assumed=tuple(d.assumed), unmet=tuple(d.unmet), links=_links(scene, d.entity)) for n, d in enumerate(drafts, 1)]
+    components = [
+        Component(
+            id=f"O{n}", spec=d.spec, assumed=tuple(d.assumed), unmet=tuple(d.unmet), links=_links(scene, d.entity)
+        )
+        for n, d in enumerate(drafts, 1)
+    ]
     components = [c.model_copy(update={"description": describe.obj(c.spec)}) for c in components]
     settings, settings_assumed = compose_settings(scene.settings, scene)
     structure = Structure(
         text=scene.text,
-        settings=Component(id="G", spec=settings, assumed=tuple(settings_assumed), description=describe.settings(settings), links=_setting_links(scene)),
-        place=Component(id="R", spec=place, assumed=tuple(place_assumed), description=describe.place(place), links=_road_links(scene)),
+        settings=Component(
+            id="G",
+            spec=settings,
+            assumed=tuple(settings_assumed),
+            description=describe.settings(settings),
+            links=_setting_links(scene),
+        ),
+        place=Component(
+            id="R",
+            spec=place,
+            assumed=tuple(place_assumed),
+            description=describe.place(place),
+            links=_road_links(scene),
+        ),
         ego=Component(id="E", spec=ego, assumed=tuple(ego_assumed), links=_links(scene, scene.cast.ego)),
         objects=tuple(components),
         restrictions=Component(id="T", spec=RestrictionsSpec(), description="No restriction beyond the scene itself."),
@@ -82,7 +98,9 @@ def compose_settings(found: Settings, scene: Scene) -> tuple[SettingsSpec, list[
     if town is None:
         assumed.append(Assumption(field="map", value=DEFAULTS["map"], reason="the text names no map"))
     if not sky and time is None and preset is None:
-        assumed.append(Assumption(field="weather", value=DEFAULTS["weather"], reason="the text says nothing of weather or light"))
+        assumed.append(
+            Assumption(field="weather", value=DEFAULTS["weather"], reason="the text says nothing of weather or light")
+        )
     state = None
     if scene.light and scene.road.signal:
         state = _ego_light(scene)
@@ -111,7 +129,9 @@ def _clause_span(scene: Scene, event) -> tuple[int, int]:  # noqa: ANN001
 def _place_assumed(scene: Scene, place) -> list[Assumption]:  # noqa: ANN001
     assumed = []
     if scene.road.kind is None:
-        assumed.append(Assumption(field="kind", value=place.kind, reason="the text does not say what kind of road it is"))
+        assumed.append(
+            Assumption(field="kind", value=place.kind, reason="the text does not say what kind of road it is")
+        )
     if place.kind == "intersection" and place.arms is None:
         assumed.append(Assumption(field="arms", value="3 or 4", reason="the text does not say how many roads meet"))
     return assumed

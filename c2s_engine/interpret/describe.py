@@ -1,7 +1,8 @@
 """One sentence for each component, in plain words (shown in the panes, and the query of the retrieval)."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, SettingsSpec
 from c2s_engine.structure.quantity import high, low
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, SettingsSpec
 
 POSITIONS = {
     "ahead": "ahead of {of} in the same lane", "behind": "behind {of} in the same lane", "beside": "beside {of} on the {side}", "left_lane": "{along} {of} in the lane to the left",
@@ -20,7 +21,12 @@ PLACES = {
     "road": "a road", "straight": "a straight road", "curve": "a curve", "intersection": "an intersection", "roundabout": "a roundabout", "motorway": "a motorway", "on_ramp": "an on-ramp of a motorway",
     "off_ramp": "a motorway exit", "crosswalk": "a road with a crosswalk",
 }  # fmt: skip
-CONTROLS = {"signal": "with traffic lights", "stop": "with a stop sign", "yield": "with a yield sign", "none": "without lights or signs"}
+CONTROLS = {
+    "signal": "with traffic lights",
+    "stop": "with a stop sign",
+    "yield": "with a yield sign",
+    "none": "without lights or signs",
+}
 
 
 def km_h(speed) -> str:  # noqa: ANN001
@@ -43,7 +49,12 @@ def _phase(phase: Phase, names: dict[str, str]) -> str:
         words += f" to the {phase.side}"
     if phase.trigger and phase.trigger.value is not None:
         value = low(phase.trigger.value)
-        words += {"distance": f" at a distance of {value:.0f} m", "ttc": f" at a TTC of {value:.1f} s", "time": f" after {value:.0f} s", "place": f" {value:.0f} m before the {phase.trigger.place}"}.get(phase.trigger.kind, "")
+        words += {
+            "distance": f" at a distance of {value:.0f} m",
+            "ttc": f" at a TTC of {value:.1f} s",
+            "time": f" after {value:.0f} s",
+            "place": f" {value:.0f} m before the {phase.trigger.place}",
+        }.get(phase.trigger.kind, "")
     return words
 
 
@@ -78,12 +89,26 @@ def ego(spec: EgoSpec, place: PlaceSpec, names: dict[str, str] | None = None) ->
     """Ego's sentence."""
     names = {"ego": "ego", **{k: v.replace("_", " ") for k, v in (names or {}).items()}}
     text = f"Ego, a {spec.type.replace('_', ' ')},"
-    text += f" drives at {km_h(spec.speed)}" if spec.speed is not None and high(spec.speed) > 0.1 else " stands at first" if spec.speed is not None else " drives"
+    text += (
+        f" drives at {km_h(spec.speed)}"
+        if spec.speed is not None and high(spec.speed) > 0.1
+        else " stands at first"
+        if spec.speed is not None
+        else " drives"
+    )
     steps = _steps(spec.phases, names)
     if steps:
         text += f"; it {steps}"
     target = f" the {names.get(spec.react_to, spec.react_to)}" if spec.react_to else ""
-    text += {"brake": "; it brakes hard for what comes into its way" if spec.hard else "; it brakes for what comes into its way", "follow": "; it follows who is ahead", "yield": f"; it lets{target or ' the other'} pass", "evade": "; it gets out of the way", "none": ""}[spec.reaction]
+    text += {
+        "brake": "; it brakes hard for what comes into its way"
+        if spec.hard
+        else "; it brakes for what comes into its way",
+        "follow": "; it follows who is ahead",
+        "yield": f"; it lets{target or ' the other'} pass",
+        "evade": "; it gets out of the way",
+        "none": "",
+    }[spec.reaction]
     return text + "."
 
 
@@ -96,11 +121,21 @@ def place(spec: PlaceSpec) -> str:
         if spec.control:
             text += f" {CONTROLS[spec.control]}"
         if spec.manoeuvre:
-            text += ", where ego " + {"left": "turns left", "right": "turns right", "straight": "goes straight on", "u_turn": "turns round"}[spec.manoeuvre]
+            text += (
+                ", where ego "
+                + {
+                    "left": "turns left",
+                    "right": "turns right",
+                    "straight": "goes straight on",
+                    "u_turn": "turns round",
+                }[spec.manoeuvre]
+            )
     if spec.curve:
         text += f" to the {spec.curve}"
     if spec.lanes:
-        text += f", {spec.lanes} or more lanes in ego's direction" if spec.lanes > 1 else ", one lane in ego's direction"
+        text += (
+            f", {spec.lanes} or more lanes in ego's direction" if spec.lanes > 1 else ", one lane in ego's direction"
+        )
     if spec.ego_lane:
         text += f", ego in the {spec.ego_lane}"
     if spec.oncoming:

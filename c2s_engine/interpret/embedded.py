@@ -1,4 +1,5 @@
 """The embedded interpreter: text to S by rules over a parsed text, without a language model."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 from collections.abc import Callable
@@ -38,7 +39,9 @@ class EmbeddedInterpreter:
         """S of a text; raises InterpretError where nothing of a driving scene is said."""
         del structure
         if not text.strip():
-            raise InterpretError("The text is empty: describe a driving scene, for example “a car cuts in ahead of ego”.")
+            raise InterpretError(
+                "The text is empty: describe a driving scene, for example “a car cuts in ahead of ego”."
+            )
         mended = Mended(text[:READ_AT_MOST])
         head = mended.text
         meant = typology(head)
@@ -51,7 +54,9 @@ class EmbeddedInterpreter:
         missed = _missed(understood, text, mended)
         result = _on_original(result, mended)
         result = result.model_copy(update={"text": text, "not_understood": tuple(missed)})
-        return Interpretation(result, tuple(missed), _spans_back(_stages(understood), mended), understood.settings.confidences())
+        return Interpretation(
+            result, tuple(missed), _spans_back(_stages(understood), mended), understood.settings.confidences()
+        )
 
 
 def _on_original(structure: Structure, mended: Mended) -> Structure:
@@ -71,7 +76,10 @@ def _on_original(structure: Structure, mended: Mended) -> Structure:
 
 def _spans_back(value: Any, mended: Mended) -> Any:
     if isinstance(value, dict):
-        return {k: (mended.back(v[0]), mended.back(v[1])) if k == "span" and v else _spans_back(v, mended) for k, v in value.items()}
+        return {
+            k: (mended.back(v[0]), mended.back(v[1])) if k == "span" and v else _spans_back(v, mended)
+            for k, v in value.items()
+        }
     return [_spans_back(v, mended) for v in value] if isinstance(value, list) else value
 
 
@@ -96,7 +104,9 @@ def _adds(text: str) -> bool:
 
 
 def _has_scene(found: Scene) -> bool:
-    return bool(found.cast.ego.mentions or found.actors or found.clauses.events or found.road.kind or found.settings.weather)
+    return bool(
+        found.cast.ego.mentions or found.actors or found.clauses.events or found.road.kind or found.settings.weather
+    )
 
 
 def _missed(found: Scene, text: str, mended: Mended) -> list[Unmet]:
@@ -104,16 +114,30 @@ def _missed(found: Scene, text: str, mended: Mended) -> list[Unmet]:
     taken: list[tuple[int, int]] = [(m.start, m.end) for e in [found.cast.ego, *found.actors] for m in e.mentions]
     taken += [(found.words[e.word].start, found.words[e.word].end) for e in found.clauses.events]
     taken += [f.span for f in (*found.settings.weather, *found.light)] + list(found.road.spans.values())
-    taken += [f.span for f in (found.settings.time, found.settings.map, found.settings.preset, found.settings.ego_model) if f]
+    taken += [
+        f.span for f in (found.settings.time, found.settings.map, found.settings.preset, found.settings.ego_model) if f
+    ]
     taken += [(s.start, s.end) for s in found.spans if s.kind == "quantity"]
     missed = []
     for start, end in found.sentences:
         if not any(start <= s and e <= end for s, e in taken):
             first, last = mended.back(start), mended.back(end)
             if first < last:
-                missed.append(Unmet(text=text[first:last], reason="nothing of it belongs to a driving scene that the specs can say", span=(first, last)))
+                missed.append(
+                    Unmet(
+                        text=text[first:last],
+                        reason="nothing of it belongs to a driving scene that the specs can say",
+                        span=(first, last),
+                    )
+                )
     if len(text) > READ_AT_MOST:
-        missed.append(Unmet(text=text[READ_AT_MOST : READ_AT_MOST + 200], reason=f"only the first {READ_AT_MOST} characters are read", span=(READ_AT_MOST, len(text))))
+        missed.append(
+            Unmet(
+                text=text[READ_AT_MOST : READ_AT_MOST + 200],
+                reason=f"only the first {READ_AT_MOST} characters are read",
+                span=(READ_AT_MOST, len(text)),
+            )
+        )
     return missed
 
 

@@ -7,7 +7,9 @@ from typing import Any
 
 from c2s_engine.interpret import language
 
-NEGATED = re.compile(r"(\bno|\bnot( yet| any)?|without( any)?|free of|never|neither|instead of|isn't|wasn't|nor)\s+([\w-]+\s+)?$")
+NEGATED = re.compile(
+    r"(\bno|\bnot( yet| any)?|without( any)?|free of|never|neither|instead of|isn't|wasn't|nor)\s+([\w-]+\s+)?$"
+)
 
 
 @dataclass(frozen=True)
@@ -21,7 +23,10 @@ class Found:
 
 @cache
 def _compiled(section: str) -> list[tuple[str, re.Pattern[str], re.Pattern[str] | None]]:
-    return [(e["is"], re.compile(e["find"]), re.compile(e["not"]) if "not" in e else None) for e in language.table("environment")[section]]
+    return [
+        (e["is"], re.compile(e["find"]), re.compile(e["not"]) if "not" in e else None)
+        for e in language.table("environment")[section]
+    ]
 
 
 def _hits(section: str, plain: str, sentences: list[tuple[int, int]]) -> list[Found]:
@@ -79,7 +84,9 @@ def named(plain: str) -> dict[str, Found]:
     found: dict[str, Found] = {}
     match = re.search(data["maps"], plain)
     if match:
-        found["map"] = Found("Town" + match[1].upper().replace("HD", "HD") + ("_Opt" if match[2] else ""), 0.95, match.span())
+        found["map"] = Found(
+            "Town" + match[1].upper().replace("HD", "HD") + ("_Opt" if match[2] else ""), 0.95, match.span()
+        )
     match = re.search(data["presets"], plain)
     if match:
         found["preset"] = Found(preset_name(match[1], match[2]), 0.95, match.span())

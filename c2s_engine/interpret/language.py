@@ -70,7 +70,7 @@ def actor_nouns() -> dict[str, tuple[str, bool, bool]]:
             for plural in plurals(noun):
                 found.setdefault(plural, (kind, True, section == "riders"))
     for nouns in data["nominal_roles"].values():
-        found.update({noun: ("vehicle", False, False) for noun in nouns})
+        found.update(dict.fromkeys(nouns, ("vehicle", False, False)))
     found["people"] = ("pedestrian", True, False)
     return found
 

@@ -1,80 +1,40 @@
 """Third stage: who is meant. Mentions of ego and of the others become entities, over sentences."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
-from dataclasses import dataclass, field
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import (
+    DEFINITE,
+    MOTOR,
+    MOVERS,
+    ORDINALS,
+    PERSONS,
+    VEHICLES,
+    ZONES,
+    Entity,
+    Mention,
+    fits,
+)
+from c2s_engine.interpret.pronouns import Pronouns
 from c2s_engine.interpret.syntax import Word
 
-VEHICLES = frozenset(("vehicle", "car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle"))
-MOTOR = VEHICLES - {"bicycle"}
-PERSONS = frozenset(("pedestrian", "child", "animal"))
-MOVERS = VEHICLES | PERSONS
-ZONES = frozenset(("construction_zone", "lane_closure"))
-DEFINITE = frozenset(("the", "this", "that", "its", "said", "these", "those", "both", "their", "his", "her"))
-ORDINALS = {"first": 0, "second": 1, "third": 2, "fourth": 3, "last": -1}
+__all__ = [
+    "DEFINITE",
+    "MOTOR",
+    "MOVERS",
+    "ORDINALS",
+    "PERSONS",
+    "VEHICLES",
+    "ZONES",
+    "Cast",
+    "Entity",
+    "Mention",
+    "fits",
+]
 
 
-@dataclass
-class Mention:
-    """A place in the text where an entity is meant."""
-
-    word: int
-    start: int
-    end: int
-    definite: bool = False
-    kind: str = "actor"
-
-
-@dataclass(eq=False)
-class Entity:
-    """Ego, or another road user or thing of the scene."""
-
-    key: str
-    type: str
-    noun: str = ""
-    count: int = 1
-    label: str = ""
-    roles: set[str] = field(default_factory=set)
-    mentions: list[Mention] = field(default_factory=list)
-    typed: bool = False
-    ordinal: int | None = None
-
-    @property
-    def ego(self) -> bool:
-        return self.key == "ego"
-
-    @property
-    def person(self) -> bool:
-        return self.type in PERSONS
-
-    @property
-    def mover(self) -> bool:
-        return self.type in MOVERS
-
-
-def fits(entity: Entity, kind: str) -> bool:
-    """Whether an entity can be meant by a noun of that type."""
-    if entity.type == kind:
-        return True
-    if kind == "vehicle":
-        return entity.type in VEHICLES
-    if kind == "car":
-        return entity.type == "vehicle" or (entity.type in ("police_car",))
-    if kind == "rider":
-        return entity.type in ("bicycle", "motorcycle")
-    if entity.type == "vehicle":
-        return kind in MOTOR and not entity.typed
-    if kind == "pedestrian":
-        return entity.type == "child"
-    if kind in ("obstacle", "debris"):
-        return not entity.mover and entity.type not in ZONES
-    if kind == "ambulance":
-        return entity.type in ("fire_truck", "police_car")
-    return False
-
-
-class Cast:
+class Cast(Pronouns):
     """The entities of a text, and who each word means."""
 
     def __init__(self, words: list[Word]) -> None:
@@ -85,7 +45,9 @@ class Cast:
         self.both: dict[int, list[Entity]] = {}
         self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
         self.strong_ego = any(w.span and w.span.kind == "ego" for w in words)
-        self.ego_named = self.strong_ego or any(w.span and w.span.kind == "label" and w.span.data["label"] == "1" for w in words)
+        self.ego_named = self.strong_ego or any(
+            w.span and w.span.kind == "label" and w.span.data["label"] == "1" for w in words
+        )
         self.one_is_ego = self._label_is_ego()
         self._resolve()
 
@@ -120,7 +82,14 @@ class Cast:
             named = self._copula(word) or self._which_is(word)
             after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
             near = named is not None and any(0 < word.i - m.word <= 6 for m in named.mentions)
-            if named is not None and near and not named.ego and named.mover and len(named.mentions) <= 2 and after not in ("'s", "'"):
+            if (
+                named is not None
+                and near
+                and not named.ego
+                and named.mover
+                and len(named.mentions) <= 2
+                and after not in ("'s", "'")
+            ):
                 self._become_ego(named)
             return self.ego
         if span.kind == "label":
@@ -136,7 +105,14 @@ class Cast:
         """Whether number 1 is ego although ego has another name: "V1, the subject vehicle"."""
         if not self.strong_ego:
             return True
-        text = " ".join("@one" if w.span and w.span.kind == "label" and w.span.data["label"] == "1" else "@ego" if w.span and w.span.kind == "ego" else w.norm for w in self.words)
+        text = " ".join(
+            "@one"
+            if w.span and w.span.kind == "label" and w.span.data["label"] == "1"
+            else "@ego"
+            if w.span and w.span.kind == "ego"
+            else w.norm
+            for w in self.words
+        )
         return bool(re.search(r"@one (,|\(|is|was|being|, which is) (the )?@ego|@ego (,|\(|is|was) ?\(? ?@one", text))
 
     def _labelled(self, word: Word) -> Entity | None:
@@ -152,7 +128,14 @@ class Cast:
                 return entity
         host = self._apposed(word)
         if host is None and word.i and self.words[word.i - 1].norm == "(":
-            near = [i for i in sorted(self.of) if i < word.i and self.words[i].sentence == word.sentence and not self.of[i].ego and not self.of[i].label]
+            near = [
+                i
+                for i in sorted(self.of)
+                if i < word.i
+                and self.words[i].sentence == word.sentence
+                and not self.of[i].ego
+                and not self.of[i].label
+            ]
             host = self.of[near[-1]] if near else None
         if host and not host.ego and not host.label:
             host.label = label
@@ -174,9 +157,19 @@ class Cast:
         gap = []
         for other in reversed(before):
             if other.i in self.of:
-                text = re.sub(r"^(ahead|in front|behind|alongside|ahead of it|in front of it) ", "", " ".join(reversed(gap)))
-                if re.fullmatch(r"(\(|,|, which (is|was)|:|-+|, (driven|operated) by)?( ?(the|a|an|another|called|designated|labelled|labeled|as|known as|i\.e\.|ie|namely))?( [\w-]+){0,2}", text) and (gap and gap[-1] in ("(", ",", "-", "--", ":") or not gap):
-                    if gap and gap[-1] == "," and not re.search(r"\b(a|an|the|called|as)\b", text) and word.dep != "appos":
+                text = re.sub(
+                    r"^(ahead|in front|behind|alongside|ahead of it|in front of it) ", "", " ".join(reversed(gap))
+                )
+                if re.fullmatch(
+                    r"(\(|,|, which (is|was)|:|-+|, (driven|operated) by)?( ?(the|a|an|another|called|designated|labelled|labeled|as|known as|i\.e\.|ie|namely))?( [\w-]+){0,2}",
+                    text,
+                ) and (gap and gap[-1] in ("(", ",", "-", "--", ":") or not gap):
+                    if (
+                        gap
+                        and gap[-1] == ","
+                        and not re.search(r"\b(a|an|the|called|as)\b", text)
+                        and word.dep != "appos"
+                    ):
                         return None
                     return self.of[other.i]
                 return None
@@ -188,7 +181,12 @@ class Cast:
         head = self.words[word.head]
         if word.dep == "attr" and head.lemma == "be":
             for child in head.children:
-                if self.words[child].dep == "nsubj" and child in self.of and child < word.i and self.words[child].norm not in ("it", "they"):
+                if (
+                    self.words[child].dep == "nsubj"
+                    and child in self.of
+                    and child < word.i
+                    and self.words[child].norm not in ("it", "they")
+                ):
                     return self.of[child]
                 if self.words[child].dep == "nsubj" and child < word.i:
                     return None
@@ -206,7 +204,12 @@ class Cast:
         found = []
         for i in range(max(0, word.i - 5), word.i):
             other = self.words[i]
-            if other.sentence == word.sentence and (i in word.children or other.head in word.children and other.i < word.i and other.tag in ("RB", "CD", "JJ", "DT", "PDT")):
+            if other.sentence == word.sentence and (
+                i in word.children
+                or other.head in word.children
+                and other.i < word.i
+                and other.tag in ("RB", "CD", "JJ", "DT", "PDT")
+            ):
                 found.append(other.norm)
         return found
 
@@ -229,25 +232,54 @@ class Cast:
         if self._is_modifier(word) or noun == "traffic" and not roles or self._proper(word):
             return None
         count = self._count(word, before, data)
-        if re.search(r"(queue|line|row|jam|tailback|column|string) of( \w+)?$", " ".join(self._near(word)[-3:])) and re.search(r"stationary|standing|stopped|waiting|queue|jam|tailback", " ".join(w.norm for w in self.words[max(0, word.i - 5) : word.i])):
+        if re.search(
+            r"(queue|line|row|jam|tailback|column|string) of( \w+)?$", " ".join(self._near(word)[-3:])
+        ) and re.search(
+            r"stationary|standing|stopped|waiting|queue|jam|tailback",
+            " ".join(w.norm for w in self.words[max(0, word.i - 5) : word.i]),
+        ):
             roles.add("stationary")
         known = language.roles()
         roles |= {known[b] for b in before if b in known}
         after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
         host = self._copula(word)
-        if host is not None and (host.type == "vehicle" or kind in ("vehicle", host.type) or host.ego or host.label) and (host.mover or not MOVERS & {kind}):
+        if (
+            host is not None
+            and (host.type == "vehicle" or kind in ("vehicle", host.type) or host.ego or host.label)
+            and (host.mover or not MOVERS & {kind})
+        ):
             return self._retyped(host, kind, roles, noun)
         host = self._apposed(word)
-        if host is None and word.dep == "appos" and word.head in self.of and self.of[word.head].type in ("vehicle", kind) and {"a", "an"} & set(before):
+        if (
+            host is None
+            and word.dep == "appos"
+            and word.head in self.of
+            and self.of[word.head].type in ("vehicle", kind)
+            and {"a", "an"} & set(before)
+        ):
             host = self.of[word.head]
-        if host is None and word.dep == "nsubj" and {"a", "an"} & set(before) and word.i + 1 < len(self.words) and self.words[word.i + 1].norm == ",":
-            twins = [c for c in self.words[word.head].children if c < word.i and self.words[c].dep == "nsubj" and c in self.of and not self.of[c].ego]
+        if (
+            host is None
+            and word.dep == "nsubj"
+            and {"a", "an"} & set(before)
+            and word.i + 1 < len(self.words)
+            and self.words[word.i + 1].norm == ","
+        ):
+            twins = [
+                c
+                for c in self.words[word.head].children
+                if c < word.i and self.words[c].dep == "nsubj" and c in self.of and not self.of[c].ego
+            ]
             if twins and self.of[twins[-1]].type in ("vehicle", kind):
                 return self._retyped(self.of[twins[-1]], kind, roles, noun)
         bracket = word.i and any(w.norm in ("(", "--", "-", ":") for w in self.words[max(0, word.i - 4) : word.i])
-        if host is not None and (word.dep in ("appos", "attr") or bracket) and self.words[word.i - 1].norm not in ("and", "or") and (
-            fits(host, kind) or host.type == "vehicle" or (host.ego and not self.ego.typed and kind in MOTOR)
-        ) and not (word.dep == "conj" and not host.label and not host.ego):
+        if (
+            host is not None
+            and (word.dep in ("appos", "attr") or bracket)
+            and self.words[word.i - 1].norm not in ("and", "or")
+            and (fits(host, kind) or host.type == "vehicle" or (host.ego and not self.ego.typed and kind in MOTOR))
+            and not (word.dep == "conj" and not host.label and not host.ego)
+        ):
             return self._retyped(host, kind, roles, noun)
         pronominal = self._type_of_definite(word, before, kind)
         definite = bool(DEFINITE & set(before)) or previous in DEFINITE
@@ -255,7 +287,13 @@ class Cast:
         ordinal = next((ORDINALS[b] for b in before if b in ORDINALS), None)
         if not other and not ordinal:
             for entity in self.entities:
-                if entity.type == kind and len(entity.mentions) == 1 and count == entity.count and self._heading(self.words[entity.mentions[0].word].sentence) and self.words[entity.mentions[0].word].sentence < word.sentence:
+                if (
+                    entity.type == kind
+                    and len(entity.mentions) == 1
+                    and count == entity.count
+                    and self._heading(self.words[entity.mentions[0].word].sentence)
+                    and self.words[entity.mentions[0].word].sentence < word.sentence
+                ):
                     return entity
         if kind != "vehicle" and previous in ("a", "an") or {"a", "an"} & set(before):
             named = self._revealed(word, kind)
@@ -275,7 +313,9 @@ class Cast:
                     found.type, found.typed = kind, True
                 found.roles |= roles
                 return found
-        return self._new(Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal))
+        return self._new(
+            Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
+        )
 
     def _heading(self, sentence: int) -> bool:
         """Whether a sentence is a title: without a finite verb."""
@@ -286,7 +326,11 @@ class Cast:
         sentence = [w for w in self.words[: word.i] if w.sentence == word.sentence]
         if not any(w.norm == ":" for w in sentence[-4:]):
             return None
-        labels = [self.of[w.i] for w in sentence if w.i in self.of and self.of[w.i].label and self.of[w.i].type == "vehicle" and not self.of[w.i].ego]
+        labels = [
+            self.of[w.i]
+            for w in sentence
+            if w.i in self.of and self.of[w.i].label and self.of[w.i].type == "vehicle" and not self.of[w.i].ego
+        ]
         return labels[-1] if labels and kind in MOTOR else None
 
     def _near(self, word: Word) -> list[str]:
@@ -299,7 +343,11 @@ class Cast:
             return False
         for other in following[1:]:
             if other.span is not None:
-                return other.span.kind == "actor" and other.span.data["type"] in VEHICLES - {"vehicle"} and not other.span.data.get("person")
+                return (
+                    other.span.kind == "actor"
+                    and other.span.data["type"] in VEHICLES - {"vehicle"}
+                    and not other.span.data.get("person")
+                )
             if other.tag in ("NN", "NNS", "IN") or other.verb:
                 return False
         return False
@@ -309,7 +357,13 @@ class Cast:
         if not word.text[:1].isupper() or word.text.isupper() or word.i + 1 >= len(self.words) or word.i == 0:
             return False
         before, after = self.words[word.i - 1], self.words[word.i + 1]
-        return before.sentence == word.sentence and after.text[:1].isupper() and not after.text.isupper() and after.span is None and before.norm not in (".", ":", ";", "a", "the", "(", "an")
+        return (
+            before.sentence == word.sentence
+            and after.text[:1].isupper()
+            and not after.text.isupper()
+            and after.span is None
+            and before.norm not in (".", ":", ";", "a", "the", "(", "an")
+        )
 
     def _is_modifier(self, word: Word) -> bool:
         """Whether the noun only qualifies another ("truck lane", "bus stop", "bicycle lane", "car park", "dog walker")."""
@@ -339,9 +393,8 @@ class Cast:
         if host.ego:
             if kind in MOTOR and kind != "vehicle":
                 host.type, host.typed = kind, True
-        elif host.type == "vehicle" or not host.typed:
-            if kind != "vehicle":
-                host.type, host.typed = kind, True
+        elif (host.type == "vehicle" or not host.typed) and kind != "vehicle":
+            host.type, host.typed = kind, True
         host.roles |= roles
         if noun and not host.noun:
             host.noun = noun
@@ -349,13 +402,31 @@ class Cast:
 
     def _type_of_definite(self, word: Word, before: list[str], kind: str) -> Entity | None:
         for child in word.children:
-            if self.words[child].tag == "PRP$" and child in self.of and self.of[child].ego and kind in VEHICLES and word.span is not None and not word.span.data.get("words"):
+            if (
+                self.words[child].tag == "PRP$"
+                and child in self.of
+                and self.of[child].ego
+                and kind in VEHICLES
+                and word.span is not None
+                and not word.span.data.get("words")
+            ):
                 return self.ego
         if before and before[0] in ("our", "my"):
             return self.ego if kind in VEHICLES else None
         return None
 
-    def _definite(self, word: Word, kind: str, noun: str, roles: set[str], other: bool, ordinal: int | None, after: str, count: int, bare: bool) -> Entity | None:
+    def _definite(
+        self,
+        word: Word,
+        kind: str,
+        noun: str,
+        roles: set[str],
+        other: bool,
+        ordinal: int | None,
+        after: str,
+        count: int,
+        bare: bool,
+    ) -> Entity | None:
         candidates = [e for e in self.entities if fits(e, kind)]
         if roles:
             same = [e for e in candidates if e.roles & roles]
@@ -398,8 +469,27 @@ class Cast:
                 return many[-1]
             return None
         scored = []
-        never = noun in ("target", "adversary", "opponent", "challenger", "npc", "pov", "principal other vehicle", "challenging vehicle", "target vehicle", "vehicle target", "traffic")
-        for entity in [*candidates, *([self.ego] if self.ego_named and not never and (kind == "vehicle" or kind == self.ego.type and self._ego_by(noun)) else [])]:
+        never = noun in (
+            "target",
+            "adversary",
+            "opponent",
+            "challenger",
+            "npc",
+            "pov",
+            "principal other vehicle",
+            "challenging vehicle",
+            "target vehicle",
+            "vehicle target",
+            "traffic",
+        )
+        for entity in [
+            *candidates,
+            *(
+                [self.ego]
+                if self.ego_named and not never and (kind == "vehicle" or kind == self.ego.type and self._ego_by(noun))
+                else []
+            ),
+        ]:
             score = entity.mentions[-1].word / 1000 if entity.mentions else 0
             score += 2 if entity.noun == noun else 0
             score += 1.5 if entity.ego and self._ego_by(noun) else 0
@@ -412,9 +502,9 @@ class Cast:
 
     def _ego_by(self, noun: str) -> bool:
         """Whether ego was called by that noun ("the DCAS vehicle" makes "the vehicle" ego)."""
-        return any(noun and self.words[m.word].norm.split(" ")[-1].split("-")[-1] == noun for m in self.ego.mentions) or (
-            noun == "vehicle" and self.strong_ego and not any(e.type == "vehicle" for e in self.entities)
-        )
+        return any(
+            noun and self.words[m.word].norm.split(" ")[-1].split("-")[-1] == noun for m in self.ego.mentions
+        ) or (noun == "vehicle" and self.strong_ego and not any(e.type == "vehicle" for e in self.entities))
 
     def _distinguished(self, word: Word) -> bool:
         """Whether the noun phrase goes on to say which one: "the car in front of it", "the van that ..."."""
@@ -436,10 +526,18 @@ class Cast:
         """What the words after an entity's mentions say about its place, as far as reference needs it."""
         found = set()
         for mention in entity.mentions:
-            near = " ".join(w.norm for w in self.words[mention.word : mention.word + 9] if w.sentence == self.words[mention.word].sentence)
+            near = " ".join(
+                w.norm
+                for w in self.words[mention.word : mention.word + 9]
+                if w.sentence == self.words[mention.word].sentence
+            )
             if re.search(r"ahead|in front|slow|before it|precedes|\bleads\b|\bleading\b", near):
                 found.add("ahead")
-            before = " ".join(w.norm for w in self.words[max(0, mention.word - 6) : mention.word] if w.sentence == self.words[mention.word].sentence)
+            before = " ".join(
+                w.norm
+                for w in self.words[max(0, mention.word - 6) : mention.word]
+                if w.sentence == self.words[mention.word].sentence
+            )
             if re.search(r"behind|follow|tail|trail|ahead|in front", before):
                 found.add("ahead")
         return found
@@ -450,194 +548,3 @@ class Cast:
             entity.key = f"a{int(entity.key[1:]) + 1}"
         self.entities.append(entity)
         return entity
-
-    # -- pronouns ------------------------------------------------------------------------------------------------
-    def _pronoun(self, word: Word) -> Entity | None:
-        data = language.table("actors")["pronouns"]
-        norm = word.norm
-        if norm in data["ego"]:
-            return self.ego
-        if norm in ("who", "which", "that", "whose", "whom") and word.tag in ("WDT", "WP", "WP$"):
-            return self._antecedent(word)
-        if norm in ("it", "its", "itself"):
-            if word.dep == "expl" or self._weather_it(word):
-                return None
-            return self._salient(word, lambda e: not e.person and (e.mover or e.type in ("debris", "box", "obstacle")))
-        if norm in data["person"]:
-            return self._salient(word, lambda e: e.person) or self._salient(word, lambda e: e.mover)
-        if norm in ("they", "them", "their", "themselves"):
-            many = [e for e in self.entities if e.count > 1]
-            if many:
-                return many[-1]
-            person = [e for e in self.entities if e.person]
-            if person and norm in ("their", "they", "them"):
-                return person[-1]
-            return self._salient(word, lambda e: e.mover)
-        return self._elliptic(word)
-
-    def _weather_it(self, word: Word) -> bool:
-        head = self.words[word.head]
-        text = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 6])
-        return head.lemma in ("rain", "snow", "drizzle", "pour") or bool(
-            re.match(r"(is|was|were|has been|'s|gets|got|becomes|became)( \w+)? (night|day|dark|dusk|dawn|raining|snowing|foggy|clear|sunny|daylight|daytime|daytime|rainy|cloudy|early|late|morning|evening|noon|midnight|wet|windy|for|up|necessary|not until|only)", text)
-        )
-
-    def _antecedent(self, word: Word) -> Entity | None:
-        verb = self.words[word.head]
-        clause = verb
-        for _ in range(4):
-            if clause.dep == "relcl":
-                break
-            if clause.head == clause.i:
-                break
-            clause = self.words[clause.head]
-        if clause.dep == "relcl" and clause.head in self.of and clause.head < word.i:
-            return self.of[clause.head]
-        previous = [i for i in sorted(self.of) if i < word.i and self.words[i].sentence == word.sentence and self.words[i].tag != "PRP$"]
-        if not previous:
-            return None
-        between = self.words[previous[-1] + 1 : word.i]
-        if any(w.noun for w in between) and clause.dep == "relcl" and self.words[clause.head].span is None:
-            head = self.words[clause.head]
-            return self.of.get(head.i) if head.i in self.of else None
-        return self.of[previous[-1]]
-
-    def _salient(self, word: Word, accept) -> Entity | None:  # noqa: ANN001
-        verb = self._governor(word)
-        clash = None
-        if word.dep == "nsubj" and verb.dep in ("ccomp", "xcomp") and self.words[verb.head].lemma in ("let", "lets", "allow", "make", "force", "cause", "see", "help", "wait", "follows", "permit", "enable"):
-            clash = self._subject_of(self.words[verb.head])
-        if word.dep in ("dobj", "pobj") and word.norm not in ("its", "itself"):
-            clash = self._subject_of(verb)
-        above = self.words[word.head]
-        holder = self.of.get(above.head) if word.dep == "pobj" and above.head != above.i else None
-        if holder is not None and holder is not clash and above.head < word.i:
-            inner, accept_all = holder, accept
-            accept = lambda e: accept_all(e) and e is not inner  # noqa: E731
-        same = [(i, e) for i, e in self.subjects if i < word.i and accept(e) and e is not clash]
-        last = [i for i in sorted(self.of) if i < word.i and accept(self.of[i]) and self.of[i] is not clash]
-        if not last:
-            return None
-        sentence = [p for p in same if self.words[p[0]].sentence == word.sentence]
-        if word.dep == "poss":
-            own = self._subject_of(verb)
-            its = [self.of[w.i] for w in self.words[: word.i] if w.sentence == word.sentence and w.norm == "it" and w.i in self.of]
-            if its and its[-1] is not own and "another" in self._near(word):
-                return its[-1]
-            if own is not None and accept(own):
-                return own
-        if word.dep in ("dobj", "pobj", "poss"):
-            near = [i for i in last if self.words[i].sentence == word.sentence]
-            if clash is not None and near:
-                return self.of[near[-1]]
-            if sentence:
-                return sentence[-1][1]
-            return self.of[last[-1]]
-        if sentence:
-            return sentence[-1][1]
-        earlier = [p for p in same if self.words[p[0]].sentence == word.sentence - 1]
-        if earlier:
-            mains = [p for p in earlier if self._main_subject(p[0])]
-            return (mains or earlier)[0][1] if len({id(e) for _, e in (mains or earlier)}) == 1 else (mains or earlier)[-1][1]
-        return self.of[last[-1]]
-
-    def _main_subject(self, i: int) -> bool:
-        return self.words[self.words[i].head].dep in ("ROOT", "conj", "ccomp")
-
-    def _governor(self, word: Word) -> Word:
-        current = word
-        while current.head != current.i and not current.verb:
-            current = self.words[current.head]
-        return current
-
-    def _subject_of(self, verb: Word) -> Entity | None:
-        current = verb
-        for _ in range(5):
-            for child in current.children:
-                if self.words[child].dep in ("nsubj", "nsubjpass"):
-                    return self.referent(child)
-            if current.dep in ("acl", "relcl") and current.head in self.of:
-                return self.of[current.head]
-            if current.head == current.i:
-                return None
-            current = self._governor(self.words[current.head])
-        return None
-
-    def _elliptic(self, word: Word) -> Entity | None:
-        """ "another", "the latter", "the other", "one", "the first", "a third", "both", "the two"."""
-        norm = word.norm
-        if word.children and any(self.words[c].span for c in word.children if self.words[c].dep == "compound"):
-            return None
-        argument = word.dep in ("nsubj", "nsubjpass", "dobj", "pobj", "conj", "ROOT", "attr", "appos", "dep", "npadvmod")
-        following = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
-        if following is not None and (following.noun or following.tag.startswith("JJ")) and following.sentence == word.sentence and following.norm not in ("one",) and not following.verb:
-            return None
-        movers = [e for e in self.entities if e.mover]
-        if not argument or not movers:
-            return None
-        if norm == "latter":
-            last = [i for i in sorted(self.of) if i < word.i]
-            return self.of[last[-1]] if last else None
-        if norm == "former":
-            last = [i for i in sorted(self.of) if i < word.i]
-            kinds = list(dict.fromkeys(id(self.of[i]) for i in last[-4:]))
-            return next((self.of[i] for i in last[-4:] if len(kinds) > 1 and id(self.of[i]) == kinds[-2]), None)
-        if norm == "another" or norm in ("second", "third", "fourth") and self.words[word.i - 1].norm in ("a", "the"):
-            model = movers[-1]
-            return self._new(Entity("", model.type, noun=model.noun, typed=model.typed, roles=set(model.roles & {"parked", "stationary"})))
-        if norm == "one" and self.words[word.i - 1].norm in ("that", "this"):
-            return movers[-1]
-        if norm in ("other", "others") and self.words[word.i - 1].norm == "the":
-            vehicles = [e for e in movers if e.type in VEHICLES]
-            return vehicles[-1] if vehicles else movers[-1]
-        return None
-
-    # -- asking --------------------------------------------------------------------------------------------------
-    def referent(self, i: int, depth: int = 0) -> Entity | None:
-        """Whom a noun means: itself, or the whole that it is a part of ("the driver of V1", "its left front")."""
-        if i in self.of:
-            return self.of[i]
-        word = self.words[i]
-        if depth > 3:
-            return None
-        if word.span is not None and word.span.kind == "actor" and word.span.data["type"] in PERSONS:
-            for child in word.children:
-                other = self.words[child]
-                if other.norm in ("in", "on", "driving", "riding"):
-                    for target in other.children:
-                        if target in self.of and self.of[target].type in VEHICLES:
-                            return self.of[target]
-        parts = language.table("actors")["parts"]
-        if word.lemma in parts or word.norm in parts or word.lemma in ("side", "one", "group", "pair", "couple", "line", "row", "queue", "pile", "number", "first", "last", "two", "three", "none", "both", "each", "neither"):
-            for child in word.children:
-                other = self.words[child]
-                if other.dep == "poss" or other.tag == "PRP$":
-                    found = self.referent(child, depth + 1)
-                    if found:
-                        return found
-            for child in word.children:
-                other = self.words[child]
-                if other.dep == "prep" and other.norm in ("of", "on", "in"):
-                    for target in other.children:
-                        if self.words[target].dep == "pobj":
-                            found = self.referent(target, depth + 1)
-                            if found:
-                                return found
-            if word.lemma in ("driver", "operator", "system", "passenger", "feature") or word.norm == "brakes":
-                return self.ego if word.lemma != "passenger" else None
-        if word.tag.startswith("NN") and word.span is None:
-            for child in word.children:
-                other = self.words[child]
-                if other.dep == "prep" and other.norm in ("in", "on") or other.norm in ("driving", "riding") and other.dep == "acl":
-                    for target in other.children:
-                        if target in self.of and self.of[target].type in VEHICLES and self.words[target].tag != "PRP":
-                            return self.of[target]
-            for child in word.children:
-                other = self.words[child]
-                if other.dep == "prep" and other.norm == "of":
-                    for target in other.children:
-                        if target in self.of and self.of[target].count > 1:
-                            return self.of[target]
-        if word.lemma in ("feature", "function", "motorist", "dcas", "alks", "aebs", "aeb", "system", "driver", "operator", "acc"):
-            return self.ego
-        return None

@@ -15,9 +15,7 @@ def trigger_of(event: Event) -> Trigger | None:
     """The trigger that a clause states."""
     if event.trigger is None:
         return None
-    return Trigger(
-        kind=event.trigger["kind"], value=round(event.trigger["value"], 2), place=event.trigger.get("place")
-    )
+    return Trigger(kind=event.trigger["kind"], value=round(event.trigger["value"], 2), place=event.trigger.get("place"))
 
 
 def rate_of(event: Event) -> float | None:
@@ -41,12 +39,16 @@ def target_speed(event: Event) -> float | None:
 def duration_of(event: Event) -> float | tuple[float, float] | None:
     """How long it lasts, where the clause says so ("for 3 s")."""
     for quantity in event.quantities:
-        if quantity["dimension"] == "time" and re.search(r"for (about |around |roughly |some |at least )?#time|#time long", event.whole):
+        if quantity["dimension"] == "time" and re.search(
+            r"for (about |around |roughly |some |at least )?#time|#time long", event.whole
+        ):
             return round(quantity["low"], 2)
     return None
 
 
-def phases_of(scene: Scene, entity: Entity, ids: dict[Entity, str], placement: Placement, place: PlaceSpec) -> list[Phase]:
+def phases_of(
+    scene: Scene, entity: Entity, ids: dict[Entity, str], placement: Placement, place: PlaceSpec
+) -> list[Phase]:
     """The phases of an object."""
     events = scene.events(entity)
     if not entity.mover:
@@ -68,18 +70,52 @@ def phases_of(scene: Scene, entity: Entity, ids: dict[Entity, str], placement: P
     found = _merged(found)
     if "stationary" in entity.roles and [p.action for p in found] == ["stop"]:
         found = [Phase(action="stationary")]
-    if crossing and not any(p.action in ("turn_left", "turn_right", "go_straight", "u_turn", "stationary", "collide", "stop", "wait") for p in found):
+    if crossing and not any(
+        p.action in ("turn_left", "turn_right", "go_straight", "u_turn", "stationary", "collide", "stop", "wait")
+        for p in found
+    ):
         at = next((i for i, p in enumerate(found) if p.action in ("brake", "stop")), len(found))
         found.insert(at, Phase(action="go_straight"))
-    if "turning" in entity.roles and not any(p.action.startswith("turn") for p in found) and place.kind == "intersection":
+    if (
+        "turning" in entity.roles
+        and not any(p.action.startswith("turn") for p in found)
+        and place.kind == "intersection"
+    ):
         words = " ".join(scene.words[m.word].norm for m in entity.mentions)
-        found = [p for p in found if p.action != "go_straight"] + [Phase(action="turn_right" if "right" in words else "turn_left")]
-    if "cut_in" in entity.roles and not any(p.action == "cut_in" for p in found) and placement.position in ("left_lane", "right_lane", "on_ramp"):
-        found.insert(0, Phase(action="cut_in", target="ego", side="right" if placement.position == "left_lane" else "left" if placement.position == "right_lane" else None))
+        found = [p for p in found if p.action != "go_straight"] + [
+            Phase(action="turn_right" if "right" in words else "turn_left")
+        ]
+    if (
+        "cut_in" in entity.roles
+        and not any(p.action == "cut_in" for p in found)
+        and placement.position in ("left_lane", "right_lane", "on_ramp")
+    ):
+        found.insert(
+            0,
+            Phase(
+                action="cut_in",
+                target="ego",
+                side="right"
+                if placement.position == "left_lane"
+                else "left"
+                if placement.position == "right_lane"
+                else None,
+            ),
+        )
     return found[:8]
 
 
-def _phases(scene: Scene, event: Event, entity: Entity, who: str | None, ego: str, placement: Placement, place: PlaceSpec, crossing: bool, before: list[Phase]) -> list[Phase]:
+def _phases(
+    scene: Scene,
+    event: Event,
+    entity: Entity,
+    who: str | None,
+    ego: str,
+    placement: Placement,
+    place: PlaceSpec,
+    crossing: bool,
+    before: list[Phase],
+) -> list[Phase]:
     act, trigger = event.act, trigger_of(event)
     towards = side(event)
     if act in ("travel", "lead", "held_up", "approach", "keep_lane", "evade", "swing"):
@@ -94,16 +130,29 @@ def _phases(scene: Scene, event: Event, entity: Entity, who: str | None, ego: st
     if act in ("brake", "brake_stop", "stop"):
         rate = rate_of(event)
         action = "brake" if act == "brake" else "stop"
-        return [Phase(action=action, rate=rate, speed=target_speed(event) if action == "brake" else None, trigger=trigger)]
+        return [
+            Phase(action=action, rate=rate, speed=target_speed(event) if action == "brake" else None, trigger=trigger)
+        ]
     if act in ("accelerate", "start"):
-        return [Phase(action="accelerate" if act == "accelerate" and not (before and before[-1].action in ("stop", "wait", "stationary")) else "start", rate=rate_of(event), speed=target_speed(event), trigger=trigger)]
+        return [
+            Phase(
+                action="accelerate"
+                if act == "accelerate" and not (before and before[-1].action in ("stop", "wait", "stationary"))
+                else "start",
+                rate=rate_of(event),
+                speed=target_speed(event),
+                trigger=trigger,
+            )
+        ]
     if act == "turn":
         towards = towards or "left"
-        return [Phase(action=f"turn_{towards}", trigger=trigger)] if place.kind in ("intersection", "roundabout") or True else []
+        return [Phase(action=f"turn_{towards}", trigger=trigger)] if True else []
     if act == "go_straight":
         if any(p.action in ("turn_left", "turn_right") for p in before):
             return []
-        return [Phase(action="go_straight", trigger=trigger)] if place.kind == "intersection" and not entity.person else []
+        return (
+            [Phase(action="go_straight", trigger=trigger)] if place.kind == "intersection" and not entity.person else []
+        )
     if act == "cross_path":
         return [Phase(action="go_straight", trigger=trigger)] if crossing else []
     if act == "u_turn":
@@ -121,7 +170,12 @@ def _phases(scene: Scene, event: Event, entity: Entity, who: str | None, ego: st
         if crossing:
             return []
         found = [Phase(action="cut_in", side=goal, target=who if who and who != "ego" else ego, trigger=trigger)]
-        if goal and re.search(rf"through the (middle|centre|center)|(on |over )?into the {goal} (one|lane)", event.whole) and place.ego_lane == "middle" and re.search(r"through|across", event.whole):
+        if (
+            goal
+            and re.search(rf"through the (middle|centre|center)|(on |over )?into the {goal} (one|lane)", event.whole)
+            and place.ego_lane == "middle"
+            and re.search(r"through|across", event.whole)
+        ):
             found.append(Phase(action="cut_out", side=goal, target=ego))
         return found
     if act == "lane_change" and entity.person:
@@ -134,7 +188,16 @@ def _phases(scene: Scene, event: Event, entity: Entity, who: str | None, ego: st
         if act == "lane_change" and placement.position in ("left_lane", "right_lane"):
             toward_ego = {"left_lane": "right", "right_lane": "left"}[placement.position]
             if towards in (None, toward_ego) and not any(p.action == "cut_in" for p in before):
-                return [Phase(action="cut_in" if placement.along != "behind" or re.search("front|ahead|@ego", event.whole) else "lane_change", side=toward_ego, target=ego, trigger=trigger)]
+                return [
+                    Phase(
+                        action="cut_in"
+                        if placement.along != "behind" or re.search("front|ahead|@ego", event.whole)
+                        else "lane_change",
+                        side=toward_ego,
+                        target=ego,
+                        trigger=trigger,
+                    )
+                ]
             if any(p.action == "cut_in" for p in before):
                 return [Phase(action="cut_out", side=towards, target=ego, trigger=trigger)]
         if placement.position == "ahead" and placement.of == "ego":
@@ -160,22 +223,57 @@ def _phases(scene: Scene, event: Event, entity: Entity, who: str | None, ego: st
     if act == "oncoming":
         return [Phase(action="oncoming", side="left", trigger=trigger)]
     if act in ("cross_road", "move_along"):
-        if act == "move_along" and entity.type == "bicycle" and place.kind == "intersection" and any(p.action == "move_along" for p in before) and "straight" in event.whole and not any(p.action == "go_straight" for p in before):
+        if (
+            act == "move_along"
+            and entity.type == "bicycle"
+            and place.kind == "intersection"
+            and any(p.action == "move_along" for p in before)
+            and "straight" in event.whole
+            and not any(p.action == "go_straight" for p in before)
+        ):
             return [Phase(action="go_straight", trigger=trigger)]
-        if act == "move_along" and any(p.action in ("cross_road", "move_along") for p in before) or act == "cross_road" and any(p.action == "cross_road" for p in before):
+        if (
+            act == "move_along"
+            and any(p.action in ("cross_road", "move_along") for p in before)
+            or act == "cross_road"
+            and any(p.action == "cross_road" for p in before)
+        ):
             return []
-        if act == "move_along" and entity.type == "bicycle" and placement.position in ("opposite_approach",) or act == "cross_road" and crossing:
+        if (
+            act == "move_along"
+            and entity.type == "bicycle"
+            and placement.position in ("opposite_approach",)
+            or act == "cross_road"
+            and crossing
+        ):
             return [Phase(action="go_straight")] if not any(p.action == "go_straight" for p in before) else []
-        if act == "cross_road" and entity.type == "bicycle" and placement.position in ("ahead", "partly_in_lane", "behind", "left_lane", "right_lane"):
+        if (
+            act == "cross_road"
+            and entity.type == "bicycle"
+            and placement.position in ("ahead", "partly_in_lane", "behind", "left_lane", "right_lane")
+        ):
             return [Phase(action="go_straight")] if place.kind == "intersection" else []
         found = [Phase(action=act, trigger=trigger)]
-        if act == "move_along" and entity.type == "bicycle" and place.kind == "intersection" and re.search(r"straight|(over|through|across) (the|an) (\w+ )?(junction|intersection|crossroads)", event.whole):
+        if (
+            act == "move_along"
+            and entity.type == "bicycle"
+            and place.kind == "intersection"
+            and re.search(
+                r"straight|(over|through|across) (the|an) (\w+ )?(junction|intersection|crossroads)", event.whole
+            )
+        ):
             found.append(Phase(action="go_straight"))
         return found
     if act == "enter_road":
         if not entity.person and any(p.action == "enter_road" for p in before):
             return []
-        return [Phase(action="cross_road" if entity.person else "enter_road", target=None if entity.person else ego, trigger=trigger)]
+        return [
+            Phase(
+                action="cross_road" if entity.person else "enter_road",
+                target=None if entity.person else ego,
+                trigger=trigger,
+            )
+        ]
     if act == "leave_road":
         return [Phase(action="leave_road", side=towards, trigger=trigger)]
     if act == "reverse":
@@ -187,7 +285,9 @@ def _phases(scene: Scene, event: Event, entity: Entity, who: str | None, ego: st
     if act == "yield":
         return [Phase(action="yield", target=who or ego)]
     if act == "lose_control":
-        return [Phase(action="lose_control", side=towards)] if not any(p.action == "lose_control" for p in before) else []
+        return (
+            [Phase(action="lose_control", side=towards)] if not any(p.action == "lose_control" for p in before) else []
+        )
     if act == "collide":
         other = who
         if event.agent is not entity:  # a joint subject: "V1 and V3 met head on"
@@ -204,36 +304,77 @@ def _merged(phases: list[Phase]) -> list[Phase]:
     for phase in phases:
         last = found[-1] if found else None
         if last is not None and last.action == phase.action:
-            found[-1] = last.model_copy(update={k: v for k, v in phase.model_dump().items() if v is not None and getattr(last, k) is None})
+            found[-1] = last.model_copy(
+                update={k: v for k, v in phase.model_dump().items() if v is not None and getattr(last, k) is None}
+            )
             continue
         if last is not None and last.action == "brake" and phase.action == "stop" and phase.trigger is None:
             found[-1] = phase.model_copy(update={"rate": phase.rate or last.rate, "trigger": last.trigger})
             continue
         if last is not None and last.action == "brake" and phase.action in ("wait", "start") and last.speed is None:
             found[-1] = last.model_copy(update={"action": "stop"})
-        if last is not None and last.action == "stop" and phase.action == "brake" and phase.trigger is None and last.rate is None:
+        if (
+            last is not None
+            and last.action == "stop"
+            and phase.action == "brake"
+            and phase.trigger is None
+            and last.rate is None
+        ):
             found[-1] = last.model_copy(update={"rate": phase.rate})
             continue
-        if last is not None and last.action == "stationary" and phase.action in ("brake", "go_straight", "lane_change", "stop"):
+        if (
+            last is not None
+            and last.action == "stationary"
+            and phase.action in ("brake", "go_straight", "lane_change", "stop")
+        ):
             found[-1] = phase
             continue
-        if last is not None and last.action == "start" and phase.action in ("enter_road", "cut_in", "go_straight", "turn_left", "turn_right", "accelerate"):
+        if (
+            last is not None
+            and last.action == "start"
+            and phase.action in ("enter_road", "cut_in", "go_straight", "turn_left", "turn_right", "accelerate")
+        ):
             found[-1] = phase if phase.action != "accelerate" else last
             continue
-        if last is not None and last.action == "enter_road" and phase.action in ("start", "lane_change", "cut_in", "stationary"):
+        if (
+            last is not None
+            and last.action == "enter_road"
+            and phase.action in ("start", "lane_change", "cut_in", "stationary")
+        ):
             continue
         if last is not None and last.action == "reverse" and phase.action == "enter_road":
             continue
         if last is not None and last.action == "lose_control" and phase.action in ("oncoming", "leave_road", "drift"):
             found[-1] = phase
             continue
-        if last is not None and last.action == "drift" and phase.action in ("leave_road",) or last is not None and last.action == "cut_out" and phase.action == "cut_out":
+        if (
+            last is not None
+            and last.action == "drift"
+            and phase.action in ("leave_road",)
+            or last is not None
+            and last.action == "cut_out"
+            and phase.action == "cut_out"
+        ):
             found.append(phase)
             continue
         found.append(phase)
     if len(found) > 1 and found[0].action == "stationary":
-        found = found[1:] if found[1].action in ("enter_road", "cut_in", "cross_road", "reverse", "start", "turn_left", "turn_right", "overtake", "collide") else found
+        found = (
+            found[1:]
+            if found[1].action
+            in (
+                "enter_road",
+                "cut_in",
+                "cross_road",
+                "reverse",
+                "start",
+                "turn_left",
+                "turn_right",
+                "overtake",
+                "collide",
+            )
+            else found
+        )
     if any(p.action in ("cross_road",) for p in found):
         found = [p for p in found if p.action != "stationary" or found.index(p) > 0]
     return found
-

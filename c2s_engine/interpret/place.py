@@ -1,4 +1,5 @@
 """The road that a text describes: kind, junction, control, lanes, oncoming traffic, limits."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 from dataclasses import dataclass, field
@@ -122,7 +123,7 @@ def _kind(names: list[str], road: Road) -> str | None:
 def _control(plain: str, sentences: list[tuple[int, int]], road: Road, data: dict[str, Any]) -> None:
     absent = False
     for entry in data["control"]:
-        hits = [m for m in _re(entry["find"]).finditer(plain)]
+        hits = list(_re(entry["find"]).finditer(plain))
         if entry["is"] == "signal":
             unless = _re(entry["unless"])
             absent = bool(unless.search(plain))
@@ -161,16 +162,26 @@ def _lanes(plain: str, sentences: list[tuple[int, int]], road: Road, data: dict[
                 continue
             road.spans.setdefault("lanes", match.span())
             if entry.get("both") and number:
-                carriageway = re.search(r"one-way|motorway|freeway|interstate|divided highway|carriageway|expressway|in this direction", near + plain[match.end() : match.end() + 40]) and not re.search("undivided|two-way", near)
+                carriageway = re.search(
+                    r"one-way|motorway|freeway|interstate|divided highway|carriageway|expressway|in this direction",
+                    near + plain[match.end() : match.end() + 40],
+                ) and not re.search("undivided|two-way", near)
                 number = number if carriageway or (number == 3) else max(1, number // 2)
                 if not carriageway and number == 1 and not re.search(r"highway|motorway", near):
                     road.oncoming = True if road.oncoming is None else road.oncoming
             if number and (road.lanes is None or entry.get("per_direction")):
                 road.lanes = min(4, number)
             least = entry.get("at_least")
-            if least and (road.lanes or 0) < least and not (re.search(r"both (lanes|directions)", match[0]) and road.lanes == 1):
+            if (
+                least
+                and (road.lanes or 0) < least
+                and not (re.search(r"both (lanes|directions)", match[0]) and road.lanes == 1)
+            ):
                 road.lanes = least
-    match = re.search(r"\b(?P<n>two|three|four|2|3|4)( \w+)? lanes (of|in|for|going|heading|travell?ing|running)( \w+){0,2}( the)?( same| each| this| one| direction| way)|\b(?P<n2>two|three|four) (\w+ )?lanes\b", plain)
+    match = re.search(
+        r"\b(?P<n>two|three|four|2|3|4)( \w+)? lanes (of|in|for|going|heading|travell?ing|running)( \w+){0,2}( the)?( same| each| this| one| direction| way)|\b(?P<n2>two|three|four) (\w+ )?lanes\b",
+        plain,
+    )
     if match and road.lanes is None:
         road.lanes = _number(match)
     if re.search(r"one lane (each|per|in each|for each|either|in either) |single[- ]lane|single lane", plain):
@@ -192,7 +203,9 @@ def _limit(plain: str, road: Road, data: dict[str, Any], quantities: list[Span])
             road.speed_limit = span.data["low"]
             road.spans["speed_limit"] = (span.start, span.end)
             span.data["role"] = "limit"
-        elif re.search(r"(city|urban|town|country|rural|residential)\s(street|road)", after[:25]) and re.search(r"(on|a|an)\s(a |an )?$", before):
+        elif re.search(r"(city|urban|town|country|rural|residential)\s(street|road)", after[:25]) and re.search(
+            r"(on|a|an)\s(a |an )?$", before
+        ):
             road.speed_limit = span.data["low"]
             span.data["role"] = "limit"
 
@@ -201,5 +214,8 @@ def is_limit(before: str, after: str) -> bool:
     """Whether a speed between those words is a bound of the road, not a speed that is driven."""
     pattern = _re(language.table("places")["speed_limit"])
     near = re.search(pattern.pattern + r"(\s+(?!and\b|but\b)[\w-]+){0,4}[:\s]*$", before)
-    follows = re.match(r"\s*(or (more|above|higher|less|over|faster) (is |are |was )?(allowed|permitted|may)|(is|was|being) (the )?(posted |speed )*(limit|allowed|permitted)|(speed )?(limit|zone)|or (more|higher|above) may|(are|is) (allowed|permitted)|(city|urban|residential) (street|road)?\s?(limit)|(is|was) posted|may be (driven|done)|posted|max\b|tops?\b)", after)
+    follows = re.match(
+        r"\s*(or (more|above|higher|less|over|faster) (is |are |was )?(allowed|permitted|may)|(is|was|being) (the )?(posted |speed )*(limit|allowed|permitted)|(speed )?(limit|zone)|or (more|higher|above) may|(are|is) (allowed|permitted)|(city|urban|residential) (street|road)?\s?(limit)|(is|was) posted|may be (driven|done)|posted|max\b|tops?\b)",
+        after,
+    )
     return bool(near or follows) and not re.search(r"travel|driving|drove|going at|cruis|set speed", before[-25:])

@@ -1,4 +1,5 @@
 """Which component of S a phrase means: "the lead", "O2", "the second car", "the pedestrian's", "it"."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 
@@ -54,8 +55,12 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
             return _ordinal(plain[: span.end], found[0], structure, found)
         if language.actor_nouns().get(span.data.get("noun", "")):
             return None
-    if alone and re.search(r"\b(it|its|that one|he|she|they|them|their|his|her|that)\b|^\s*$", plain) and structure.objects:
-        movers = [c for c in structure.objects]
+    if (
+        alone
+        and re.search(r"\b(it|its|that one|he|she|they|them|their|his|her|that)\b|^\s*$", plain)
+        and structure.objects
+    ):
+        movers = list(structure.objects)
         return movers[0] if len(movers) == 1 else movers[-1]
     return None
 

@@ -1,4 +1,5 @@
 """Refinements without a model: the common forms of change become edits that touch only what was meant."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 from typing import Any

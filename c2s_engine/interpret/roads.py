@@ -1,8 +1,10 @@
 """R: the place, from what is said of the road and from what happens there."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 
-from c2s_engine.interpret import language, place as places
+from c2s_engine.interpret import language
+from c2s_engine.interpret import place as places
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.structure.specs import PlaceSpec
 
@@ -27,7 +29,10 @@ def compose_place(scene: Scene) -> PlaceSpec:
         if turn is not None:
             sides = [side(e) for e in scene.events(ego) if e.act == "turn"]
             manoeuvre = "u_turn" if turn.act == "u_turn" else next((s for s in sides if s), "left")
-        named = re.search(r"(?:un)?protected (left|right)|\b(left|right) turn\b(?! lane)|\bego,?( [^.;]{0,25})?, (left|right)\b(?! lane)", scene.plain)
+        named = re.search(
+            r"(?:un)?protected (left|right)|\b(left|right) turn\b(?! lane)|\bego,?( [^.;]{0,25})?, (left|right)\b(?! lane)",
+            scene.plain,
+        )
         others_turn = any(e.act == "turn" and not e.agent.ego and e.done for e in scene.clauses.events)
         if manoeuvre is None and named and straight is None and not (named[2] and others_turn):
             manoeuvre = next(g for g in (named[1], named[2], named[4]) if g)
@@ -97,13 +102,19 @@ def _at_junction(scene: Scene) -> bool:
         return True
     for event in scene.clauses.events:
         if event.act == "turn" and event.done and (event.agent.ego or event.agent in scene.actors):
-            if re.search(r"driveway|parking|lane", event.text) and not re.search(r"intersection|junction|street|road", event.whole):
+            if re.search(r"driveway|parking|lane", event.text) and not re.search(
+                r"intersection|junction|street|road", event.whole
+            ):
                 continue
             return side(event) is not None and not scene.road.no_intersection
     if re.search(r"unprotected (left|right)|protected left", scene.plain):
         return True
     crossing = [e for e in scene.actors if scene.where(e).lane == "crossing" and not e.person and e.type != "bicycle"]
-    return bool(crossing) and not scene.road.no_intersection and any(e.act in ("cross_path", "go_straight", "collide", "yield", "run_stop") for e in scene.clauses.events)
+    return (
+        bool(crossing)
+        and not scene.road.no_intersection
+        and any(e.act in ("cross_path", "go_straight", "collide", "yield", "run_stop") for e in scene.clauses.events)
+    )
 
 
 def _ends_before(scene: Scene) -> bool:
@@ -112,9 +123,19 @@ def _ends_before(scene: Scene) -> bool:
 
 def _ego_on_ramp(scene: Scene) -> bool:
     for event in scene.events(scene.cast.ego):
-        if re.search(r"on-?ramp|acceleration lane|slip road|entrance ramp|entry ramp|ramp|merg\w+ (on)?to the (motorway|highway|freeway|interstate)|join\w* (the |a )?(motorway|highway|freeway|interstate)", event.whole) and not re.search(r"@a\d", event.whole.split("ramp")[0][-25:]):
+        if re.search(
+            r"on-?ramp|acceleration lane|slip road|entrance ramp|entry ramp|ramp|merg\w+ (on)?to the (motorway|highway|freeway|interstate)|join\w* (the |a )?(motorway|highway|freeway|interstate)",
+            event.whole,
+        ) and not re.search(r"@a\d", event.whole.split("ramp")[0][-25:]):
             return True
-        if event.act == "lane_change" and re.search(r"\bmerg\w+|join", event.text) and not any(scene.where(e).lane == "ramp" and re.search("from", " ".join(t for _, t in scene.where(e).phrases)) for e in scene.actors):
+        if (
+            event.act == "lane_change"
+            and re.search(r"\bmerg\w+|join", event.text)
+            and not any(
+                scene.where(e).lane == "ramp" and re.search("from", " ".join(t for _, t in scene.where(e).phrases))
+                for e in scene.actors
+            )
+        ):
             return True
     return False
 
@@ -125,7 +146,9 @@ def _neighbours(scene: Scene) -> tuple[bool, bool, bool]:
     for event in scene.clauses.events:
         if not event.done:
             continue
-        if event.act in ("lane_change", "cut_out") and (event.agent.ego or scene.where(event.agent).lane in (None, "same")):
+        if event.act in ("lane_change", "cut_out") and (
+            event.agent.ego or scene.where(event.agent).lane in (None, "same")
+        ):
             towards = side(event)
             left, right = left or towards == "left", right or towards == "right"
         if event.act == "oncoming":
@@ -151,7 +174,12 @@ def _ego_lane(scene: Scene) -> str | None:
         return scene.places.ego_lane
     patterns = language.table("places")["ego_lane"]
     ego = scene.cast.ego
-    texts = [e.whole for e in scene.events(ego) if e.act in ("travel", "keep_lane", "follow", "approach", "stationary", "go_straight", "brake") and e.agent is ego]
+    texts = [
+        e.whole
+        for e in scene.events(ego)
+        if e.act in ("travel", "keep_lane", "follow", "approach", "stationary", "go_straight", "brake")
+        and e.agent is ego
+    ]
     for mention in ego.mentions:
         sentence = [w for w in scene.words if w.sentence == scene.words[mention.word].sentence and w.i > mention.word]
         match = re.match(r"\s?\(([^)]*)\)", " ".join(w.norm for w in sentence))
@@ -173,7 +201,9 @@ def _ego_lane(scene: Scene) -> str | None:
         for event in scene.events(entity):
             match = re.search(r"which be also the @ego|also the @ego ''?s", event.whole)
             if match:
-                return "leftmost" if "left lane" in event.whole else "rightmost" if "right lane" in event.whole else None
+                return (
+                    "leftmost" if "left lane" in event.whole else "rightmost" if "right lane" in event.whole else None
+                )
     text = scene.plain
     match = re.search(r"in the (left|right)(-hand)? lane, which is also (the )?ego", text)
     if match:

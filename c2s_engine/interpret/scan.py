@@ -2,6 +2,7 @@
 
 Every offset is one of the user's text. The normalised text has the same length, so that spans need no mapping.
 """
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 from dataclasses import dataclass, field
@@ -10,7 +11,10 @@ from typing import Any
 
 from c2s_engine.interpret import language
 
-SAME = str.maketrans("\u2018\u2019\u201b\u2032\u201c\u201d\u00a0\u2010\u2011\u2012\u2013\u2014\u2015\u2212\u202f\t", "''''\"\"" + " " + "------- " + " ")
+SAME = str.maketrans(
+    "\u2018\u2019\u201b\u2032\u201c\u201d\u00a0\u2010\u2011\u2012\u2013\u2014\u2015\u2212\u202f\t",
+    "''''\"\"" + " " + "------- " + " ",
+)
 
 
 @dataclass
@@ -47,7 +51,9 @@ def _quantity() -> re.Pattern[str]:
 
 @cache
 def _bare() -> re.Pattern[str]:
-    return re.compile(r"\b(?:ego|lead|target|sv|vut|v[12]|lead vehicle|lead car|truck|car|bus|van|cyclist|bike|motorcycle|straight|left|right)(?: at| drives| doing|:)? (?P<low>\d{2,3})(?=\s*(?:[,.;)]|$|straight|and\b))")
+    return re.compile(
+        r"\b(?:ego|lead|target|sv|vut|v[12]|lead vehicle|lead car|truck|car|bus|van|cyclist|bike|motorcycle|straight|left|right)(?: at| drives| doing|:)? (?P<low>\d{2,3})(?=\s*(?:[,.;)]|$|straight|and\b))"
+    )
 
 
 def bare_speeds(text: str) -> list[Span]:
@@ -56,7 +62,14 @@ def bare_speeds(text: str) -> list[Span]:
     for match in _bare().finditer(text):
         value = float(match["low"])
         if 10 <= value <= 200:
-            found.append(Span("quantity", match.start("low"), match.end("low"), {"dimension": "speed", "low": value / 3.6, "high": value / 3.6, "bare": True}))
+            found.append(
+                Span(
+                    "quantity",
+                    match.start("low"),
+                    match.end("low"),
+                    {"dimension": "speed", "low": value / 3.6, "high": value / 3.6, "bare": True},
+                )
+            )
     return found
 
 
@@ -79,9 +92,15 @@ def quantities(text: str) -> list[Span]:
             continue
         if match["unit"] == "m" and not match["low"][-1:].isdigit():
             continue
-        low = _value(match["low"]) * (language.units()[" ".join(match["lowunit"].split())][1] if match["lowunit"] else factor)
+        low = _value(match["low"]) * (
+            language.units()[" ".join(match["lowunit"].split())][1] if match["lowunit"] else factor
+        )
         first = low
-        joined = re.search(r"(-|to|and|\.\.|or)\s*$", text[match.end("low") : match.start("high")]) if match["high"] else None
+        joined = (
+            re.search(r"(-|to|and|\.\.|or)\s*$", text[match.end("low") : match.start("high")])
+            if match["high"]
+            else None
+        )
         high = _value(match["high"]) * factor if match["high"] else low
         before = text[max(0, match.start() - 30) : match.start()]
         if joined and joined[1] == "and" and "between" not in before:
@@ -120,17 +139,25 @@ def _actor() -> re.Pattern[str]:
     return re.compile(rf"(?<![\w-])(?P<roles>(?:(?:{role})[\s-]+)*)(?P<noun>{nouns})(?![\w]|-(?!(?:and|or)\b)\w)")
 
 
-LABEL_NUMBERS = {"one": "1", "two": "2", "three": "3", "four": "4", "five": "5"} | dict(zip("abcde", "12345", strict=True))
+LABEL_NUMBERS = {"one": "1", "two": "2", "three": "3", "four": "4", "five": "5"} | dict(
+    zip("abcde", "12345", strict=True)
+)
 
 
 def names(text: str) -> list[Span]:
     """Names of ego, labels of vehicles (V2, Unit 2), road users and things, without overlaps."""
     found: list[Span] = []
-    for match in _ego().finditer(text):
-        found.append(Span("ego", match.start(), match.end()))
+    found += [Span("ego", match.start(), match.end()) for match in _ego().finditer(text)]
     for match in _letter().finditer(text):
         role = "following" if match["word"] == "fv" else "lead" if match["word"] == "lv" else ""
-        found.append(Span("actor", match.start(), match.end(), {"type": "vehicle", "label": match[0].removeprefix("the "), "roles": [role] if role else []}))
+        found.append(
+            Span(
+                "actor",
+                match.start(),
+                match.end(),
+                {"type": "vehicle", "label": match[0].removeprefix("the "), "roles": [role] if role else []},
+            )
+        )
     for match in _label().finditer(text):
         word, number = match["word"], match["id"]
         bare = text[match.end("word") : match.start("id")]
@@ -138,11 +165,25 @@ def names(text: str) -> list[Span]:
             continue
         if number in "abcde" and (word in ("v", "u", "driver") or not re.match(r"[\s-]", bare)):
             continue
-        if number == "a" and not re.match(r"\s*(?:$|[.,;:)(']|\w+(?:s|ed|ing)\b|is\b|was\b|did\b|has\b|had\b|and\b|in\b|at\b|on\b|from\b)", text[match.end() : match.end() + 20]):
+        if number == "a" and not re.match(
+            r"\s*(?:$|[.,;:)(']|\w+(?:s|ed|ing)\b|is\b|was\b|did\b|has\b|had\b|and\b|in\b|at\b|on\b|from\b)",
+            text[match.end() : match.end() + 20],
+        ):
             continue
-        if word in ("car", "driver", "vehicle") and number in ("one", "two", "three", "four", "five") and re.match(r"\s+(?:lane|second|third|of|lanes|car)", text[match.end() : match.end() + 12]):
+        if (
+            word in ("car", "driver", "vehicle")
+            and number in ("one", "two", "three", "four", "five")
+            and re.match(r"\s+(?:lane|second|third|of|lanes|car)", text[match.end() : match.end() + 12])
+        ):
             continue
-        found.append(Span("label", match.start(), match.end(), {"label": LABEL_NUMBERS.get(number, number.lstrip("0")), "word": word}))
+        found.append(
+            Span(
+                "label",
+                match.start(),
+                match.end(),
+                {"label": LABEL_NUMBERS.get(number, number.lstrip("0")), "word": word},
+            )
+        )
     taken = [(s.start, s.end) for s in found]
     for match in _actor().finditer(text):
         start, end = match.span()
@@ -176,10 +217,16 @@ def _letters(text: str, found: list[Span]) -> list[Span]:
     letters = {LABEL_LETTERS[n]: n for n in named}
     spans = []
     for letter, number in letters.items():
-        verb = r"(?=\s+(?!car\b|truck\b|bus\b|van\b)\w+(?:s|ed)\b|\s+(?:is|was|has|cannot|must|then)\b)" if letter == "a" else r"(?![\w'-]*\.\w)"
-        for match in re.finditer(rf"(?<![\w-]){letter}(?![\w-]){verb}", text):
-            if not any(s.start <= match.start() < s.end for s in found):
-                spans.append(Span("label", match.start(), match.end(), {"label": number, "word": "letter"}))
+        verb = (
+            r"(?=\s+(?!car\b|truck\b|bus\b|van\b)\w+(?:s|ed)\b|\s+(?:is|was|has|cannot|must|then)\b)"
+            if letter == "a"
+            else r"(?![\w'-]*\.\w)"
+        )
+        spans += [
+            Span("label", match.start(), match.end(), {"label": number, "word": "letter"})
+            for match in re.finditer(rf"(?<![\w-]){letter}(?![\w-]){verb}", text)
+            if not any(s.start <= match.start() < s.end for s in found)
+        ]
     return spans
 
 
@@ -214,7 +261,9 @@ def _role_words(text: str) -> list[str]:
 
 
 LABEL_LETTERS = dict(zip("12345", "abcde", strict=True))
-ABBREVIATION = re.compile(r"(?:\b(?:e\.g|i\.e|approx|ca|vs|no|st|ave|rd|dr|mr|mrs|min|max|fig|sec|incl|etc|resp|veh)|\b[a-z])\.$")
+ABBREVIATION = re.compile(
+    r"(?:\b(?:e\.g|i\.e|approx|ca|vs|no|st|ave|rd|dr|mr|mrs|min|max|fig|sec|incl|etc|resp|veh)|\b[a-z])\.$"
+)
 
 
 def sentences(text: str) -> list[tuple[int, int]]:
@@ -237,7 +286,7 @@ def sentences(text: str) -> list[tuple[int, int]]:
         start = match.end()
     if text[start:].strip():
         found.append(_trimmed(text, start, len(text)))
-    return found
+    return [(s, e) for s, e in found if s < e]
 
 
 def _trimmed(text: str, start: int, end: int) -> tuple[int, int]:

@@ -1,4 +1,5 @@
 """Fifth stage: the scene as a whole. Who is ego where nobody is called so, which entities matter, who does what."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 from dataclasses import dataclass, field
@@ -11,8 +12,43 @@ from c2s_engine.interpret.relations import Places, Where, side_of_text
 from c2s_engine.interpret.settings import Settings, SettingsDetector
 
 ACTIVE = frozenset(
-    "brake brake_stop stop accelerate start lane_change cut_in cut_out overtake follow swerve drift turn u_turn go_straight cross_road move_along enter_road "
-    "leave_road reverse oncoming run_red run_stop yield lose_control collide cross_path approach keep_lane evade travel stationary lead held_up pass_by".split()
+    [
+        "brake",
+        "brake_stop",
+        "stop",
+        "accelerate",
+        "start",
+        "lane_change",
+        "cut_in",
+        "cut_out",
+        "overtake",
+        "follow",
+        "swerve",
+        "drift",
+        "turn",
+        "u_turn",
+        "go_straight",
+        "cross_road",
+        "move_along",
+        "enter_road",
+        "leave_road",
+        "reverse",
+        "oncoming",
+        "run_red",
+        "run_stop",
+        "yield",
+        "lose_control",
+        "collide",
+        "cross_path",
+        "approach",
+        "keep_lane",
+        "evade",
+        "travel",
+        "stationary",
+        "lead",
+        "held_up",
+        "pass_by",
+    ]
 )
 
 
@@ -36,7 +72,9 @@ class Scene:
 
     def events(self, entity: Entity) -> list[Event]:
         """What the entity is said to do, in order, without what is denied or only imagined."""
-        return [e for e in self.clauses.events if (e.agent is entity or entity in e.also) and e.done and e.act in ACTIVE]
+        return [
+            e for e in self.clauses.events if (e.agent is entity or entity in e.also) and e.done and e.act in ACTIVE
+        ]
 
     def does(self, entity: Entity, *acts: str) -> Event | None:
         """The first event of that entity with one of those acts."""
@@ -51,7 +89,9 @@ def understand(text: str) -> Scene:
     plain = scan.normalised(text)
     sentences = scan.sentences(text)
     quantities = scan.quantities(plain)
-    quantities += [b for b in scan.bare_speeds(plain) if not any(q.start < b.end and b.start < q.end for q in quantities)]
+    quantities += [
+        b for b in scan.bare_speeds(plain) if not any(q.start < b.end and b.start < q.end for q in quantities)
+    ]
     quantities.sort(key=lambda s: s.start)
     names = scan.names(plain)
     taken = [(q.start, q.end) for q in quantities]
@@ -73,7 +113,35 @@ def understand(text: str) -> Scene:
 
 
 ROLE_WORDS = frozenset(("lead", "oncoming", "parked", "stationary", "crossing", "adjacent", "cut_in", "slow"))
-EGO_LIKE = frozenset(("travel", "turn", "go_straight", "lane_change", "lose_control", "leave_road", "run_red", "run_stop", "reverse", "follow", "overtake", "drift", "approach", "collide", "keep_lane", "brake", "yield", "oncoming", "u_turn", "brake_stop", "stop", "swerve", "enter_road", "start", "accelerate"))
+EGO_LIKE = frozenset(
+    (
+        "travel",
+        "turn",
+        "go_straight",
+        "lane_change",
+        "lose_control",
+        "leave_road",
+        "run_red",
+        "run_stop",
+        "reverse",
+        "follow",
+        "overtake",
+        "drift",
+        "approach",
+        "collide",
+        "keep_lane",
+        "brake",
+        "yield",
+        "oncoming",
+        "u_turn",
+        "brake_stop",
+        "stop",
+        "swerve",
+        "enter_road",
+        "start",
+        "accelerate",
+    )
+)
 
 
 def _choose_ego(cast: Cast, clauses: Clauses) -> None:
@@ -85,7 +153,16 @@ def _choose_ego(cast: Cast, clauses: Clauses) -> None:
     candidates = []
     for entity in vehicles:
         first = " ".join(w.norm for w in cast.words[entity.mentions[0].word : entity.mentions[0].word + 7])
-        if entity.roles & ROLE_WORDS or any(v.act == "overtake" and (v.patient is None or v.patient.type not in VEHICLES) for v in acting[entity]) or re.search(r"^\S+( \S+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)|coming|approaching|oncoming|from (the|its|behind))", first):
+        if (
+            entity.roles & ROLE_WORDS
+            or any(
+                v.act == "overtake" and (v.patient is None or v.patient.type not in VEHICLES) for v in acting[entity]
+            )
+            or re.search(
+                r"^\S+( \S+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)|coming|approaching|oncoming|from (the|its|behind))",
+                first,
+            )
+        ):
             continue
         head = cast.words[entity.mentions[0].word]
         before = cast.words[head.i - 1].norm if head.i else ""
@@ -96,24 +173,45 @@ def _choose_ego(cast: Cast, clauses: Clauses) -> None:
             continue
         if acts and not EGO_LIKE & set(acts):
             continue
-        if {"cut_in", "enter_road"} & set(acts) or (acts and all(a == "stationary" for a in acts)) or any(v.act == "reverse" and re.search(r"driveway|parking|garage", v.whole) for v in acting[entity]):
+        if (
+            {"cut_in", "enter_road"} & set(acts)
+            or (acts and all(a == "stationary" for a in acts))
+            or any(v.act == "reverse" and re.search(r"driveway|parking|garage", v.whole) for v in acting[entity])
+        ):
             continue
-        if any(v.passive and v.patient is not None for v in clauses.events if v.agent is entity and v.act == "stationary") or cast.words[entity.mentions[0].word - 1 if entity.mentions[0].word else 0].norm == "by":
+        if (
+            any(
+                v.passive and v.patient is not None
+                for v in clauses.events
+                if v.agent is entity and v.act == "stationary"
+            )
+            or cast.words[entity.mentions[0].word - 1 if entity.mentions[0].word else 0].norm == "by"
+        ):
             continue
-        if cast.words[entity.mentions[0].word].dep == "pobj" and cast.words[cast.words[entity.mentions[0].word].head].dep == "agent" and not acts:
+        if (
+            cast.words[entity.mentions[0].word].dep == "pobj"
+            and cast.words[cast.words[entity.mentions[0].word].head].dep == "agent"
+            and not acts
+        ):
             continue
         candidates.append(entity)
     if not candidates:
         return
     generic = [e for e in candidates if e.noun == "vehicle"]
-    if generic and "the" in [w.norm for w in cast.words[max(0, generic[0].mentions[0].word - 2) : generic[0].mentions[0].word]]:
+    if generic and "the" in [
+        w.norm for w in cast.words[max(0, generic[0].mentions[0].word - 2) : generic[0].mentions[0].word]
+    ]:
         candidates = generic
     others = [e for e in cast.entities if e not in candidates]
     best = next((e for e in candidates if "following" in e.roles), candidates[0])
     hit = {v.patient for v in clauses.events if v.act in ("collide", "overtake", "follow", "yield") and v.agent is best}
-    if len(candidates) == 1 and not others and any(v.act in ("brake", "cut_in", "enter_road") for v in acting[best]) and not hit:
-        if re.search(r"\b(in front|ahead)\b", " ".join(w.norm for w in cast.words)):
-            return
+    if (
+        len(candidates) == 1
+        and not others
+        and any(v.act in ("brake", "cut_in", "enter_road") for v in acting[best])
+        and not hit
+    ) and re.search(r"\b(in front|ahead)\b", " ".join(w.norm for w in cast.words)):
+        return
     cast.entities.remove(best)
     if best.type != "vehicle":
         cast.ego.type, cast.ego.typed = best.type, True
@@ -138,17 +236,47 @@ def _actors(scene: Scene) -> list[Entity]:
         passive = [e for e in scene.clauses.events if e.patient is entity and e.done]
         if "group" in entity.roles:
             continue
-        if entity.label and len(scene.cast.entities) <= 6 or entity.person and entity.noun not in ("somebody", "someone", "people") and _seen(scene, entity):
+        if (
+            entity.label
+            and len(scene.cast.entities) <= 6
+            or entity.person
+            and entity.noun not in ("somebody", "someone", "people")
+            and _seen(scene, entity)
+        ):
             kept.append(entity)
             continue
-        if not own and not passive and not entity.roles and where.rel is None and where.lane is None and not _mentioned_alone(scene, entity):
+        if (
+            not own
+            and not passive
+            and not entity.roles
+            and where.rel is None
+            and where.lane is None
+            and not _mentioned_alone(scene, entity)
+        ):
             continue
-        if entity.noun == "traffic" and any(e is not entity and (e.roles & entity.roles or scene.where(e).lane == where.lane is not None) for e in scene.cast.entities):
+        if entity.noun == "traffic" and any(
+            e is not entity and (e.roles & entity.roles or scene.where(e).lane == where.lane is not None)
+            for e in scene.cast.entities
+        ):
             continue
-        if not own and entity.type in ("vehicle", "pedestrian") and entity.count > 1 and where.rel is None and where.lane is None:
+        if (
+            not own
+            and entity.type in ("vehicle", "pedestrian")
+            and entity.count > 1
+            and where.rel is None
+            and where.lane is None
+        ):
             continue
         only_denied = [e for e in scene.clauses.events if e.agent is entity or e.patient is entity]
-        if only_denied and not own and not passive and where.rel is None and where.lane is None and not entity.roles and entity.type not in ZONES:
+        if (
+            only_denied
+            and not own
+            and not passive
+            and where.rel is None
+            and where.lane is None
+            and not entity.roles
+            and entity.type not in ZONES
+        ):
             continue
         kept.append(entity)
     for entity in list(kept):
@@ -157,11 +285,40 @@ def _actors(scene: Scene) -> list[Entity]:
             if not scene.events(blocker):
                 blocker.roles.add("stationary")
             kept.append(blocker)
-    generic = [e for e in kept if e.noun in ("obstacle", "obstruction", "hazard", "object", "obstacles", "objects", "hazards", "road user", "blockage", "stationary object", "vehicle", "vehicles", "road users", "actor", "obstacle vehicle")]
+    generic = [
+        e
+        for e in kept
+        if e.noun
+        in (
+            "obstacle",
+            "obstruction",
+            "hazard",
+            "object",
+            "obstacles",
+            "objects",
+            "hazards",
+            "road user",
+            "blockage",
+            "stationary object",
+            "vehicle",
+            "vehicles",
+            "road users",
+            "actor",
+            "obstacle vehicle",
+        )
+    ]
     for entity in generic:
-        specific = [e for e in kept if e is not entity and (e.type != "vehicle" or entity.noun != "vehicle") and e not in generic]
+        specific = [
+            e
+            for e in kept
+            if e is not entity and (e.type != "vehicle" or entity.noun != "vehicle") and e not in generic
+        ]
         same = [e for e in specific if entity.type == "obstacle" or e.type in VEHICLES]
-        if same and not [e for e in scene.events(entity) if e.act not in ("travel", "approach", "stationary")] and (entity.type == "obstacle" or entity.count > 1):
+        if (
+            same
+            and not [e for e in scene.events(entity) if e.act not in ("travel", "approach", "stationary")]
+            and (entity.type == "obstacle" or entity.count > 1)
+        ):
             kept.remove(entity)
             _pass_on(scene, entity, [e for e in same if e.mentions[0].word > entity.mentions[0].word])
     return kept
@@ -182,14 +339,24 @@ def _pass_on(scene: Scene, generic: Entity, members: list[Entity]) -> None:
 
 def _seen(scene: Scene, entity: Entity) -> bool:
     """Whether a person is the object of seeing ("did not see the child")."""
-    return any(scene.words[scene.words[m.word].head].lemma in ("see", "notice", "detect", "spot", "observe", "recognize", "recognise", "overlook", "perceive", "identify") for m in entity.mentions)
+    return any(
+        scene.words[scene.words[m.word].head].lemma
+        in ("see", "notice", "detect", "spot", "observe", "recognize", "recognise", "overlook", "perceive", "identify")
+        for m in entity.mentions
+    )
 
 
 def _mentioned_alone(scene: Scene, entity: Entity) -> bool:
     """A thing that is only named ("debris on the road") is there all the same; a vehicle in passing is not."""
-    return entity.type in ZONES or (not entity.mover and entity.type not in ("obstacle",)) or any(
-        scene.words[m.word].dep in ("ROOT", "attr", "conj", "nsubj") and scene.words[m.word].span is not None for m in entity.mentions
-    ) and (entity.person or entity.type in ("bicycle", "motorcycle"))
+    return (
+        entity.type in ZONES
+        or (not entity.mover and entity.type not in ("obstacle",))
+        or any(
+            scene.words[m.word].dep in ("ROOT", "attr", "conj", "nsubj") and scene.words[m.word].span is not None
+            for m in entity.mentions
+        )
+        and (entity.person or entity.type in ("bicycle", "motorcycle"))
+    )
 
 
 def _speeds(scene: Scene, quantities: list[scan.Span]) -> None:
@@ -206,9 +373,14 @@ def _speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         owner = _before(scene, span) or _beside(scene, span) or _speed_owner(scene, unit.i)
         value = (span.data["low"], span.data["high"], span.start, span.end)
         near = scene.plain[max(0, span.start - 40) : span.start]
-        both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20]))
+        both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(
+            re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20])
+        )
         like = re.search(r"like (it|the \w+|ego)[^.;,]*$", near)
-        if re.search(r"(both lanes|all lanes|traffic|jam|queue)\b[^.;,]*(creep|crawl|mov|flow|travel|driv|runs?|progress)[^.;,]*$", near) and (owner is None or not re.search(rf"\b{re.escape(owner.noun or '@@')}\b", near)):
+        if re.search(
+            r"(both lanes|all lanes|traffic|jam|queue)\b[^.;,]*(creep|crawl|mov|flow|travel|driv|runs?|progress)[^.;,]*$",
+            near,
+        ) and (owner is None or not re.search(rf"\b{re.escape(owner.noun or '@@')}\b", near)):
             for other in (cast.ego, *scene.actors):
                 if other.ego or other.type in VEHICLES and other.type not in ("motorcycle", "bicycle"):
                     scene.speeds.setdefault(other, value)
@@ -216,20 +388,52 @@ def _speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         if owner is None:
             continue
         event = _event_of(scene, unit.i)
-        changing = [e for e in clauses.events if e.agent is owner and e.act in ("brake", "brake_stop", "accelerate") and e.word < unit.i and scene.words[e.word].sentence == word.sentence]
+        changing = [
+            e
+            for e in clauses.events
+            if e.agent is owner
+            and e.act in ("brake", "brake_stop", "accelerate")
+            and e.word < unit.i
+            and scene.words[e.word].sentence == word.sentence
+        ]
         if "second" in span.data and changing:
-            changing[-1].quantities = [*changing[-1].quantities, {"dimension": "speed", "low": span.data["second"], "high": span.data["second"], "role": "target", "start": span.start}]
+            changing[-1].quantities = [
+                *changing[-1].quantities,
+                {
+                    "dimension": "speed",
+                    "low": span.data["second"],
+                    "high": span.data["second"],
+                    "role": "target",
+                    "start": span.start,
+                },
+            ]
             scene.speeds.setdefault(owner, (span.data["first"], span.data["first"], span.start, span.end))
             continue
-        if changing and (event is None or event.act not in ("brake", "brake_stop", "accelerate") or changing[-1].word > event.word):
+        if changing and (
+            event is None or event.act not in ("brake", "brake_stop", "accelerate") or changing[-1].word > event.word
+        ):
             event = changing[-1]
-            if re.search(r"(to|down to)\s*(about |around |roughly )?$", near[-16:]) and not any(q["start"] == span.start for q in event.quantities):
+            if re.search(r"(to|down to)\s*(about |around |roughly )?$", near[-16:]) and not any(
+                q["start"] == span.start for q in event.quantities
+            ):
                 event.quantities = [*event.quantities, {**span.data, "start": span.start, "role": "target"}]
-        if event is not None and event.agent is owner and event.act in ("brake", "brake_stop", "accelerate") and re.search(r"(to|down to|from)\s*(about |around |roughly )?$", near[-16:]) is not None and "from" not in near[-16:]:
+        if (
+            event is not None
+            and event.agent is owner
+            and event.act in ("brake", "brake_stop", "accelerate")
+            and re.search(r"(to|down to|from)\s*(about |around |roughly )?$", near[-16:]) is not None
+            and "from" not in near[-16:]
+        ):
             event.quantities = [{**q, "role": "target"} if q["start"] == span.start else q for q in event.quantities]
             continue
         if owner in scene.speeds:
-            between = [j for j in sorted(cast.of) if scene.speeds[owner][3] <= scene.words[j].start < span.start and cast.of[j] is not owner and (cast.of[j].mover or cast.of[j].ego)]
+            between = [
+                j
+                for j in sorted(cast.of)
+                if scene.speeds[owner][3] <= scene.words[j].start < span.start
+                and cast.of[j] is not owner
+                and (cast.of[j].mover or cast.of[j].ego)
+            ]
             if between and scene.words[between[-1]].sentence == word.sentence:
                 scene.speeds.setdefault(cast.of[between[-1]], value)
                 continue
@@ -247,7 +451,9 @@ def _speeds(scene: Scene, quantities: list[scan.Span]) -> None:
 def _before(scene: Scene, span: scan.Span) -> Entity | None:
     """The owner that stands before a speed in the same stretch between commas, where the verb's subject comes later."""
     near = scene.plain[max(0, span.start - 60) : span.start]
-    if re.search(r"set[- ]speed[^.;]*$|\b(system|alks|dcas|aebs|acc|cruise control)\b[^,.;]*$", near) and not re.search(r"whose", near[-20:]):
+    if re.search(r"set[- ]speed[^.;]*$|\b(system|alks|dcas|aebs|acc|cruise control)\b[^,.;]*$", near) and not re.search(
+        r"whose", near[-20:]
+    ):
         return scene.cast.ego
     return None
 
@@ -258,10 +464,19 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
         word = scene.words[i]
         if word.span is None or word.end > span.start or span.start - word.end > 24:
             continue
-        if re.fullmatch(r"\s*(at|doing|going|travell?ing at|driving at|moving at)\s*(about |around |roughly |approximately |only |just )?", scene.plain[word.end : span.start]):
+        if re.fullmatch(
+            r"\s*(at|doing|going|travell?ing at|driving at|moving at)\s*(about |around |roughly |approximately |only |just )?",
+            scene.plain[word.end : span.start],
+        ):
             verb = scene.clauses._governor(word)
             event = scene.clauses.by_word.get(verb.i) if verb is not None else None
-            return None if event is not None and event.act in ("collide", "overtake", "follow", "approach") and event.agent is not entity else entity
+            return (
+                None
+                if event is not None
+                and event.act in ("collide", "overtake", "follow", "approach")
+                and event.agent is not entity
+                else entity
+            )
     return None
 
 
@@ -272,32 +487,73 @@ def _rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             sentence = " ".join(w.norm for w in cast.words if abs(w.sentence - cast.words[event.word].sentence) <= 1)
             if re.search(r"stop sign", sentence) and road.stop_sign:
                 event.act, event.mode = "run_stop", "fact"
-            elif re.search(r"red (light|signal)|traffic (light|signal)", event.whole + " " + sentence) and re.search(r"(fail|not|never|without).{0,30}stop.{0,30}(red|light|signal)", sentence):
+            elif re.search(r"red (light|signal)|traffic (light|signal)", event.whole + " " + sentence) and re.search(
+                r"(fail|not|never|without).{0,30}stop.{0,30}(red|light|signal)", sentence
+            ):
                 event.act, event.mode = "run_red", "fact"
         if event.act == "yield" and event.mode == "negated" and not event.agent.ego:
             event.act, event.mode = "cross_path", "fact"
         if event.act == "pass_by":
             junction = road.kind == "intersection" and not re.search(r"lane|left|right|behind", event.whole)
-            event.act = "travel" if junction or event.agent.ego and event.patient is None and event.adverbial in ("as", "when", "while") else "overtake"
-        elif event.act == "overtake" and event.patient is None and road.kind == "intersection" and event.text.startswith("pass"):
+            event.act = (
+                "travel"
+                if junction or event.agent.ego and event.patient is None and event.adverbial in ("as", "when", "while")
+                else "overtake"
+            )
+        elif (
+            event.act == "overtake"
+            and event.patient is None
+            and road.kind == "intersection"
+            and event.text.startswith("pass")
+        ):
             event.act = "travel"
         passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")
         if passes and not event.agent.ego and event.agent.mover and event.mode == "fact":
             word = cast.words[event.word]
-            before = " ".join(w.norm for w in cast.words[max(0, event.word - 9) : event.word] if w.sentence == word.sentence)
-            waits = re.search(r"(only (after|once|when)|not (before|until|till)|wait(s|ing)? (for|until|till)|must wait|have to wait|has to wait)\b", before)
-            gone = re.search(r"pass|clear|gone|go(es)? (by|past)|cross|through", event.text + " " + word.norm + " " + " ".join(w.norm for w in cast.words[event.word : event.word + 4]))
+            before = " ".join(
+                w.norm for w in cast.words[max(0, event.word - 9) : event.word] if w.sentence == word.sentence
+            )
+            waits = re.search(
+                r"(only (after|once|when)|not (before|until|till)|wait(s|ing)? (for|until|till)|must wait|have to wait|has to wait)\b",
+                before,
+            )
+            gone = re.search(
+                r"pass|clear|gone|go(es)? (by|past)|cross|through",
+                event.text + " " + word.norm + " " + " ".join(w.norm for w in cast.words[event.word : event.word + 4]),
+            )
             if waits and gone and not any(e.act == "yield" and e.agent.ego for e in clauses.events):
-                clauses.events.append(Event("yield", cast.ego, event.word, event.text, event.whole, event.agent, order=event.order - 0.1, words=[event.word], start=event.start, end=event.end))
+                clauses.events.append(
+                    Event(
+                        "yield",
+                        cast.ego,
+                        event.word,
+                        event.text,
+                        event.whole,
+                        event.agent,
+                        order=event.order - 0.1,
+                        words=[event.word],
+                        start=event.start,
+                        end=event.end,
+                    )
+                )
     for event in clauses.events:
         if event.agent.ego and event.mode == "intended" and event.act in ("lane_change", "overtake", "turn", "cut_in"):
-            later = " ".join(w.norm for w in cast.words if w.i > event.word and w.sentence - cast.words[event.word].sentence <= 1)
-            if re.search(r"\b(abort|abandon|cancel|gives? up|gave up|stays? in (its|the) (own )?lane|remains? in (its|the) lane|refrain|not possible|impossible)", later):
+            later = " ".join(
+                w.norm for w in cast.words if w.i > event.word and w.sentence - cast.words[event.word].sentence <= 1
+            )
+            if re.search(
+                r"\b(abort|abandon|cancel|gives? up|gave up|stays? in (its|the) (own )?lane|remains? in (its|the) lane|refrain|not possible|impossible)",
+                later,
+            ):
                 event.mode = "hypothetical"
     _echoes(cast, clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:
-        if event.mode == "purpose" and event.act == "overtake" and any(c.order > event.order and (c.agent is event.agent or event.agent in c.also) for c in contact):
+        if (
+            event.mode == "purpose"
+            and event.act == "overtake"
+            and any(c.order > event.order and (c.agent is event.agent or event.agent in c.also) for c in contact)
+        ):
             event.mode = "hypothetical"
     clauses.events.sort(key=lambda e: e.order)
 
@@ -312,11 +568,41 @@ def _echoes(cast: Cast, clauses: Clauses) -> None:
             earlier = [e for e in clauses.events if e.word < i and e.agent is not target and e.mode == "fact"]
             if target is not None and earlier:
                 last = max(earlier, key=lambda e: e.word)
-                clauses.events.append(Event(last.act, target, i, last.text, last.whole, None, hard=last.hard, order=i, words=[i], start=word.start, end=word.end))
-        if re.match(r"(the |they |)(two|both|they)( vehicles| cars| of them)? (then )?(collide|collided|crash|crashed|meet|met)\b", ahead) and not any(e.act == "collide" and abs(e.word - i) < 6 for e in clauses.events):
+                clauses.events.append(
+                    Event(
+                        last.act,
+                        target,
+                        i,
+                        last.text,
+                        last.whole,
+                        None,
+                        hard=last.hard,
+                        order=i,
+                        words=[i],
+                        start=word.start,
+                        end=word.end,
+                    )
+                )
+        if re.match(
+            r"(the |they |)(two|both|they)( vehicles| cars| of them)? (then )?(collide|collided|crash|crashed|meet|met)\b",
+            ahead,
+        ) and not any(e.act == "collide" and abs(e.word - i) < 6 for e in clauses.events):
             before = [cast.of[j] for j in sorted(cast.of) if j < i and cast.of[j].mover and not cast.of[j].ego]
             if before:
-                clauses.events.append(Event("collide", before[-1], i, ahead, ahead, cast.ego, order=i, words=[i], start=word.start, end=word.end))
+                clauses.events.append(
+                    Event(
+                        "collide",
+                        before[-1],
+                        i,
+                        ahead,
+                        ahead,
+                        cast.ego,
+                        order=i,
+                        words=[i],
+                        start=word.start,
+                        end=word.end,
+                    )
+                )
 
 
 def _event_of(scene: Scene, i: int) -> Event | None:
@@ -330,8 +616,9 @@ def _speed_owner(scene: Scene, i: int) -> Entity | None:
         if current.i in scene.clauses.by_word:
             event = scene.clauses.by_word[current.i]
             agent, _, passive = scene.clauses._subject(current) if current.verb else (event.agent, None, False)
-            target = event.patient if event.passive and event.patient is not None and event.act == "travel" else event.agent
-            return target
+            return (
+                event.patient if event.passive and event.patient is not None and event.act == "travel" else event.agent
+            )
         if current.verb or scene.clauses._is_verb(current):
             agent, _, passive = scene.clauses._subject(current)
             if agent is not None:
@@ -345,15 +632,25 @@ def _speed_owner(scene: Scene, i: int) -> Entity | None:
                     found = cast.referent(child)
                     if found is not None:
                         return found
-            if any(words[c].norm == "set" for c in current.children) or "set speed" in " ".join(w.norm for w in words[max(0, current.i - 2) : current.i + 1]):
+            if any(words[c].norm == "set" for c in current.children) or "set speed" in " ".join(
+                w.norm for w in words[max(0, current.i - 2) : current.i + 1]
+            ):
                 return cast.ego
         if current.head == current.i:
             break
         current = words[current.head]
-    before = [j for j in sorted(cast.of) if j < i and words[j].sentence == words[i].sentence and (cast.of[j].mover or cast.of[j].ego)]
+    before = [
+        j
+        for j in sorted(cast.of)
+        if j < i and words[j].sentence == words[i].sentence and (cast.of[j].mover or cast.of[j].ego)
+    ]
     if before:
         return cast.of[before[-1]]
-    after = [j for j in sorted(cast.of) if j > i and words[j].sentence == words[i].sentence and (cast.of[j].mover or cast.of[j].ego)]
+    after = [
+        j
+        for j in sorted(cast.of)
+        if j > i and words[j].sentence == words[i].sentence and (cast.of[j].mover or cast.of[j].ego)
+    ]
     return cast.of[after[0]] if after else cast.ego
 
 
@@ -361,7 +658,8 @@ def side(event: Event) -> str | None:
     """The side towards which an event goes."""
     text = event.text
     for pattern in (
-        r"(?:to|onto|into|toward|towards|on|over|in)(?: \w+){0,4}? (left|right)\b", r"\b(left|right)(?:ward|wards|-hand)?\b(?! of way)",
+        r"(?:to|onto|into|toward|towards|on|over|in)(?: \w+){0,4}? (left|right)\b",
+        r"\b(left|right)(?:ward|wards|-hand)?\b(?! of way)",
     ):
         for match in re.finditer(pattern, text):
             before = text[max(0, match.start(1) - 12) : match.start(1)]

@@ -65,7 +65,16 @@ def vocabulary() -> frozenset[str]:
         words |= set(re.findall(r"[a-z]{4,}", noun))
     for rule in language.table("motions")["verbs"]:
         for verb in rule["verbs"]:
-            words |= {verb, f"{verb}s", f"{verb}ed", f"{verb}ing", f"{verb.rstrip('e')}ing", f"{verb.rstrip('e')}ed", f"{verb}{verb[-1]}ing", f"{verb}{verb[-1]}ed"}
+            words |= {
+                verb,
+                f"{verb}s",
+                f"{verb}ed",
+                f"{verb}ing",
+                f"{verb.rstrip('e')}ing",
+                f"{verb.rstrip('e')}ed",
+                f"{verb}{verb[-1]}ing",
+                f"{verb}{verb[-1]}ed",
+            }
     words |= {w for form in _irregular() for w in re.findall(r"[a-z]+", form)}
     for name in ("environment", "places"):
         words |= set(re.findall(r"(?<![\\\w])[a-z]{5,}(?![\w?*+\[(|]*\\)", str(language.table(name))))
@@ -79,7 +88,12 @@ def known(word: str) -> bool:
     from c2s_engine.interpret.syntax import parser
 
     strings = parser().vocab.strings
-    return word in strings or word.capitalize() in strings or word.endswith(("s", "d", "ing", "ly", "er")) and any(word[: -len(e)] in strings and len(word) - len(e) > 4 for e in ("s", "ed", "d", "ing", "ly", "er"))
+    return (
+        word in strings
+        or word.capitalize() in strings
+        or word.endswith(("s", "d", "ing", "ly", "er"))
+        and any(word[: -len(e)] in strings and len(word) - len(e) > 4 for e in ("s", "ed", "d", "ing", "ly", "er"))
+    )
 
 
 @cache
@@ -96,7 +110,9 @@ def nearest(word: str) -> str | None:
         if distance <= allowed:
             best.append((distance, other))
     best.sort()
-    common = [other for distance, other in best if distance == best[0][0] and other in language.table("spelling")["extra"]]
+    common = [
+        other for distance, other in best if distance == best[0][0] and other in language.table("spelling")["extra"]
+    ]
     if len(common) == 1:
         return common[0]
     if not best or len(best) > 1 and best[0][0] == best[1][0] and best[0][1].rstrip("sed") != best[1][1].rstrip("sed"):

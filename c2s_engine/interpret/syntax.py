@@ -3,6 +3,7 @@
 Spans that mean one thing (a name, a road user, a unit) reach the parser as one plain word, which makes it robust
 against the shorthand of the trade.
 """
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import sys
 from dataclasses import dataclass, field
@@ -13,16 +14,71 @@ import regex
 
 from c2s_engine.interpret.scan import Span
 
-WORD = regex.compile(r"\p{L}+(?=n't\b)|n't\b|'(?:m|re|ve|ll|d)\b|\p{L}[\p{L}\p{M}\p{N}]*(?:[-/]\p{L}[\p{L}\p{M}\p{N}]*)*|'s\b|'(?=\s)|\d+(?:[.,]\d+)*|[^\s\w]|\S")
+WORD = regex.compile(
+    r"\p{L}+(?=n't\b)|n't\b|'(?:m|re|ve|ll|d)\b|\p{L}[\p{L}\p{M}\p{N}]*(?:[-/]\p{L}[\p{L}\p{M}\p{N}]*)*|'s\b|'(?=\s)|\d+(?:[.,]\d+)*|[^\s\w]|\S"
+)
 PROXY = {
     "bicycle": "bike", "pedestrian": "man", "child": "boy", "animal": "dog", "truck": "truck", "bus": "bus", "van": "van",
     "motorcycle": "bike", "debris": "stone", "construction_zone": "building", "rider": "man",
 }  # fmt: skip
 DETERMINERS = frozenset(
-    "a an the this that these those another other each every one two three four five six its his her their our my your any some several no both s "
-    "second third fourth first last single same all which whose crashed red blue white black big large small broken heavy stolen".split()
+    [
+        "a",
+        "an",
+        "the",
+        "this",
+        "that",
+        "these",
+        "those",
+        "another",
+        "other",
+        "each",
+        "every",
+        "one",
+        "two",
+        "three",
+        "four",
+        "five",
+        "six",
+        "its",
+        "his",
+        "her",
+        "their",
+        "our",
+        "my",
+        "your",
+        "any",
+        "some",
+        "several",
+        "no",
+        "both",
+        "s",
+        "second",
+        "third",
+        "fourth",
+        "first",
+        "last",
+        "single",
+        "same",
+        "all",
+        "which",
+        "whose",
+        "crashed",
+        "red",
+        "blue",
+        "white",
+        "black",
+        "big",
+        "large",
+        "small",
+        "broken",
+        "heavy",
+        "stolen",
+    ]
 )
-LETTERS_AFTER = regex.compile(r"\s*(?:\w+(?:s|ed|ing)|is|was|has|had|must|should|will|can|may|then|did|cut|hit|ran|went|came)\b")
+LETTERS_AFTER = regex.compile(
+    r"\s*(?:\w+(?:s|ed|ing)|is|was|has|had|must|should|will|can|may|then|did|cut|hit|ran|went|came)\b"
+)
 
 
 @dataclass
@@ -90,9 +146,27 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
                 norm = plain[start:end]
                 lemma = norm if proxy != norm else token.lemma_.lower()
                 head, dep = part[token.head.i], token.dep_
-                if part[0] > 0 and proxy == "(" and i == part[0] or dep == "ROOT" and part[0] > 0 and piece[part[0]][0] == "(":
-                    head, dep = outer, "punct" if proxy == "(" else "acl" if token.tag_.startswith("VB") else "appos" if span is not None and span.kind != "quantity" else "nmod"
-                found[i] = Word(base + i, text[start:end], norm, lemma, token.tag_, dep, base + head, start, end, number, span)
+                if (
+                    part[0] > 0
+                    and proxy == "("
+                    and i == part[0]
+                    or dep == "ROOT"
+                    and part[0] > 0
+                    and piece[part[0]][0] == "("
+                ):
+                    head, dep = (
+                        outer,
+                        "punct"
+                        if proxy == "("
+                        else "acl"
+                        if token.tag_.startswith("VB")
+                        else "appos"
+                        if span is not None and span.kind != "quantity"
+                        else "nmod",
+                    )
+                found[i] = Word(
+                    base + i, text[start:end], norm, lemma, token.tag_, dep, base + head, start, end, number, span
+                )
         words += [found[i] for i in range(len(piece))]
     for word in words:
         if word.head != word.i:
@@ -135,15 +209,140 @@ def _pieces(plain: str, start: int, end: int, spans: list[Span]) -> list[tuple[s
 
 
 NOUN_LIKE = frozenset(
-    "brakes stops turns slides drifts cuts starts backs swerves moves slows runs walks crawls pulls heads parks rides races pedals shoots lands steps trots sweeps swings "
-    "returns steers leads trails ends merges veers switches changes creeps rolls skids slips spins cruises lets drives brake stop turn merge cross swerve".split()
+    [
+        "brakes",
+        "stops",
+        "turns",
+        "slides",
+        "drifts",
+        "cuts",
+        "starts",
+        "backs",
+        "swerves",
+        "moves",
+        "slows",
+        "runs",
+        "walks",
+        "crawls",
+        "pulls",
+        "heads",
+        "parks",
+        "rides",
+        "races",
+        "pedals",
+        "shoots",
+        "lands",
+        "steps",
+        "trots",
+        "sweeps",
+        "swings",
+        "returns",
+        "steers",
+        "leads",
+        "trails",
+        "ends",
+        "merges",
+        "veers",
+        "switches",
+        "changes",
+        "creeps",
+        "rolls",
+        "skids",
+        "slips",
+        "spins",
+        "cruises",
+        "lets",
+        "drives",
+        "brake",
+        "stop",
+        "turn",
+        "merge",
+        "cross",
+        "swerve",
+    ]
 )
 MOTION = frozenset(
-    "slam brake decelerate accelerate merge emerge appear swing veer drift slide skid crawl creep trundle pedal pull cut cruise come go travel drive step dart dash jump speed slow weave "
-    "approach turn reverse back stop stall halt start wait yield overtake run walk jog cycle cross enter leave exit switch change filter close arrive proceed continue head lurch spin hydroplane "
-    "wander stray roll coast park stand sit lie intrude encroach invade return tailgate back signal wait indicate".split()
+    [
+        "slam",
+        "brake",
+        "decelerate",
+        "accelerate",
+        "merge",
+        "emerge",
+        "appear",
+        "swing",
+        "veer",
+        "drift",
+        "slide",
+        "skid",
+        "crawl",
+        "creep",
+        "trundle",
+        "pedal",
+        "pull",
+        "cut",
+        "cruise",
+        "come",
+        "go",
+        "travel",
+        "drive",
+        "step",
+        "dart",
+        "dash",
+        "jump",
+        "speed",
+        "slow",
+        "weave",
+        "approach",
+        "turn",
+        "reverse",
+        "back",
+        "stop",
+        "stall",
+        "halt",
+        "start",
+        "wait",
+        "yield",
+        "overtake",
+        "run",
+        "walk",
+        "jog",
+        "cycle",
+        "cross",
+        "enter",
+        "leave",
+        "exit",
+        "switch",
+        "change",
+        "filter",
+        "close",
+        "arrive",
+        "proceed",
+        "continue",
+        "head",
+        "lurch",
+        "spin",
+        "hydroplane",
+        "wander",
+        "stray",
+        "roll",
+        "coast",
+        "park",
+        "stand",
+        "sit",
+        "lie",
+        "intrude",
+        "encroach",
+        "invade",
+        "return",
+        "tailgate",
+        "back",
+        "signal",
+        "wait",
+        "indicate",
+    ]
 )
-TRANSITIVE = frozenset("trails leads lets".split())
+TRANSITIVE = frozenset(["trails", "leads", "lets"])
 VERBAL_LEFT = regex.compile(r"left\s+(?:the|its|his|their|a|that|this)\s+(?!side|lane of)")
 
 
@@ -151,7 +350,9 @@ FOLLOWS = regex.compile(
     r"\s*(?:[.,;:!?)]|$|(?:at|in|into|onto|on|off|out|over|across|along|towards?|from|to|through|behind|past|with|without|for|and|then|while|when|as|because|due|hard|sharply|"
     r"suddenly|abruptly|heavily|slowly|left|right|straight|away|up|down|back|ahead|around|again|gradually|before|after|but|so|too|immediately|quickly|by|under|until|because|between|beside|just|directly|unexpectedly|strongly)\b)"
 )
-BASE = frozenset("travel drive approach brake stop turn crawl creep cruise head move ride walk".split())
+BASE = frozenset(
+    ["travel", "drive", "approach", "brake", "stop", "turn", "crawl", "creep", "cruise", "head", "move", "ride", "walk"]
+)
 
 
 def _word(text: str, before: Span | None, plain: str, start: int) -> str:
@@ -159,18 +360,41 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     if text == "left" and not VERBAL_LEFT.match(plain[start : start + 24]):
         return "right"
     follows = FOLLOWS.match(plain[start + len(text) : start + len(text) + 14])
-    if before is not None and before.kind != "quantity" and text.endswith("s") and (text in NOUN_LIKE or text[:-1] in MOTION or text[:-2] in MOTION):
+    if (
+        before is not None
+        and before.kind != "quantity"
+        and text.endswith("s")
+        and (text in NOUN_LIKE or text[:-1] in MOTION or text[:-2] in MOTION)
+    ):
         if text in TRANSITIVE:
             return "follows" if text != "lets" else text
         if follows:
             return "goes"
-    elif text == "closes" and regex.match(r"\s+(?:in|up|on)\b", plain[start + 6 : start + 12]):
+    elif (
+        text == "closes"
+        and regex.match(r"\s+(?:in|up|on)\b", plain[start + 6 : start + 12])
+        or follows
+        and text.endswith("s")
+        and (text in NOUN_LIKE or text in ("waits", "signals", "stops"))
+        and regex.search(
+            r"(?:in front|ahead|behind|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly)\s*$",
+            plain[max(0, start - 9) : start],
+        )
+        or before is not None
+        and before.kind != "quantity"
+        and text in ("decel", "accel", "decelerating", "accelerating")
+        and text[-2:] != "ng"
+    ):
         return "goes"
-    elif follows and text.endswith("s") and (text in NOUN_LIKE or text in ("waits", "signals", "stops")) and regex.search(r"(?:in front|ahead|behind|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly)\s*$", plain[max(0, start - 9) : start]):
-        return "goes"
-    elif before is not None and before.kind != "quantity" and text in ("decel", "accel", "decelerating", "accelerating") and text[-2:] != "ng":
-        return "goes"
-    elif follows and text in BASE and (before is not None and before.kind != "quantity" or regex.search(r"\blanes\b|\bthey\s*$", plain[max(0, start - 28) : start])):
+    elif (
+        follows
+        and text in BASE
+        and (
+            before is not None
+            and before.kind != "quantity"
+            or regex.search(r"\blanes\b|\bthey\s*$", plain[max(0, start - 28) : start])
+        )
+    ):
         return "go"
     return text
 
@@ -180,14 +404,21 @@ def _proxies(plain: str, span: Span, before: str) -> list[tuple[str, int, int, S
     if span.kind == "quantity":
         number = regex.match(r"[+-]?[\d.,]+|\w+", plain[start:end])
         cut = start + number.end() if number else start + 1
-        unit = {"speed": "mph", "distance": "meters", "time": "seconds", "acceleration": "mph", "percent": "percent"}[span.data["dimension"]]
+        unit = {"speed": "mph", "distance": "meters", "time": "seconds", "acceleration": "mph", "percent": "percent"}[
+            span.data["dimension"]
+        ]
         if cut >= end:
             return [(unit, start, end, span)]
         return [(plain[start:cut], start, cut, span), (unit, cut, end, span)]
     if span.kind == "word":
         return [(span.data["proxy"], start, end, span)]
     named = plain[start:end].startswith("the ")
-    after_determiner = before in DETERMINERS or before.endswith(("ing", "ed", "y", "-", "en", "al", "ow")) and not before.isdigit() or before.isdigit()
+    after_determiner = (
+        before in DETERMINERS
+        or before.endswith(("ing", "ed", "y", "-", "en", "al", "ow"))
+        and not before.isdigit()
+        or before.isdigit()
+    )
     if span.kind == "label":
         return [("V" + span.data["label"], start, end, span)]
     if span.kind == "ego":
@@ -200,7 +431,9 @@ def _proxies(plain: str, span: Span, before: str) -> list[tuple[str, int, int, S
         start += 4
         return [("the", start - 4, start - 1, None), ("car", start, end, span)]
     if span.data.get("plural"):
-        return [("bikes" if kind == "bicycle" else "men" if kind in ("pedestrian", "child") else "trucks", start, end, span)]
+        return [
+            ("bikes" if kind == "bicycle" else "men" if kind in ("pedestrian", "child") else "trucks", start, end, span)
+        ]
     verb_follows = LETTERS_AFTER.match(plain[end : end + 20])
     proxy = "man" if span.data.get("person") else PROXY.get(kind, "car")
     if not after_determiner and verb_follows and kind not in ("debris", "construction_zone", "obstacle"):

@@ -1,4 +1,5 @@
 """What a turn of the chat asks for: a question, an edit of S, a new scenario, undo or redo. No model."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 from dataclasses import dataclass, field
@@ -43,26 +44,49 @@ def route(text: str, structure: Structure | None) -> Turn:
     if edits:
         return Turn("edit", edits, "; ".join(said), whole)
     if commanding or len(plain.split()) < 5:
-        return Turn("edit", [], f"I did not understand “{text.strip()[:80]}” as a change: name what is to change and how, such as “make the lead a truck”.", whole)
+        return Turn(
+            "edit",
+            [],
+            f"I did not understand “{text.strip()[:80]}” as a change: name what is to change and how, such as “make the lead a truck”.",
+            whole,
+        )
     return Turn("scenario", span=whole)
 
 
 def _asks(plain: str, table: dict[str, str]) -> bool:
     if plain.endswith("?"):
-        return not re.match(r"(can|could|would|will) (you|we) (please )?(make|change|add|remove|put|set|move|let|replace|turn|have)\b", plain)
-    return bool(re.match(table["question"], plain)) and not re.match(r"(is|are|do|does|have|will)\b(?!.*\?)|.*\b(instead)\b", plain)
+        return not re.match(
+            r"(can|could|would|will) (you|we) (please )?(make|change|add|remove|put|set|move|let|replace|turn|have)\b",
+            plain,
+        )
+    return bool(re.match(table["question"], plain)) and not re.match(
+        r"(is|are|do|does|have|will)\b(?!.*\?)|.*\b(instead)\b", plain
+    )
 
 
 def _tells(plain: str, commanding: bool) -> bool:
     """Whether a text tells a scene of its own: ego and another, doing something, at length, and no command."""
     if re.match(r"(a )?new (scenario|scene)\b", plain):
         return True
-    opens = re.match(r"(an?|two|three|the ego|ego|the vehicle|on|at|in|while|when|during|night|day|it is|vehicle|unit|v)\b", plain)
-    if opens and len(plain.split()) >= 9 and len({s.kind for s in scan.names(plain)}) + len(scan.names(plain)) >= 4 and not re.match(r"^(the |ego )?\w* ?(should|must)\b", plain) and "instead" not in plain:
+    opens = re.match(
+        r"(an?|two|three|the ego|ego|the vehicle|on|at|in|while|when|during|night|day|it is|vehicle|unit|v)\b", plain
+    )
+    if (
+        opens
+        and len(plain.split()) >= 9
+        and len({s.kind for s in scan.names(plain)}) + len(scan.names(plain)) >= 4
+        and not re.match(r"^(the |ego )?\w* ?(should|must)\b", plain)
+        and "instead" not in plain
+    ):
         return True
     if commanding and not re.search(r"[.;] \w+.*[.;] \w+", plain):
         return False
     words = len(plain.split())
     names = [s for s in scan.names(plain) if s.kind in ("actor", "ego", "label")]
     new = re.search(r"\b(an?|two|three|another) [\w-]*\s?\w+", plain)
-    return words >= 9 and (len(names) >= 2 or words >= 14) and bool(new) and not re.match(r"(at|in|on|with|without|during) (the )?\w+[.! ]*$", plain)
+    return (
+        words >= 9
+        and (len(names) >= 2 or words >= 14)
+        and bool(new)
+        and not re.match(r"(at|in|on|with|without|during) (the )?\w+[.! ]*$", plain)
+    )

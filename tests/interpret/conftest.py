@@ -1,6 +1,7 @@
 """One interpreter for all tests of the room (its parser takes two seconds to load)."""
 
 import pytest
+
 from c2s_engine.interpret import EmbeddedInterpreter
 from c2s_engine.structure.components import Structure
 

@@ -1,13 +1,15 @@
 """Whole texts to S: who, where, what, in which order."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 from typing import Any
 
 import pytest
 from c2s_bench.interpret import suite
-from c2s_engine.interpret import EmbeddedInterpreter, InterpretError
-from c2s_engine.structure.components import Structure
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+
+from c2s_engine.interpret import EmbeddedInterpreter, InterpretError
+from c2s_engine.structure.components import Structure
 
 
 def spec(structure: Structure, cid: str) -> Any:
@@ -15,7 +17,9 @@ def spec(structure: Structure, cid: str) -> Any:
 
 
 def test_a_lead_that_brakes(read) -> None:
-    s = read("Ego follows a lorry at 50 km/h, 30 m behind it. The lorry brakes hard and the ego must stop. It is night and raining.")
+    s = read(
+        "Ego follows a lorry at 50 km/h, 30 m behind it. The lorry brakes hard and the ego must stop. It is night and raining."
+    )
     lorry = spec(s, "O1")
     assert lorry.type == "truck" and lorry.placement.position == "ahead" and lorry.placement.gap == 30
     assert [p.action for p in lorry.phases] == ["brake"] and lorry.phases[0].rate >= 4
@@ -24,7 +28,9 @@ def test_a_lead_that_brakes(read) -> None:
 
 
 def test_crash_report_labels_and_administration(read) -> None:
-    s = read("On 3 May, Unit 1 was eastbound. Unit 2, a van, was northbound, ran the red light and struck Unit 1. The driver was cited.")
+    s = read(
+        "On 3 May, Unit 1 was eastbound. Unit 2, a van, was northbound, ran the red light and struck Unit 1. The driver was cited."
+    )
     assert len(s.objects) == 1
     van = spec(s, "O1")
     assert van.type == "van" and van.placement.position == "crossing_right"
@@ -63,7 +69,9 @@ def test_links_point_at_the_words(read) -> None:
 
 
 def test_settings_detector_accepts_what_is_named() -> None:
-    found = EmbeddedInterpreter().interpret("Town03, HardRainNoon, ego model vehicle.tesla.model3: a car stands ahead of ego.")
+    found = EmbeddedInterpreter().interpret(
+        "Town03, HardRainNoon, ego model vehicle.tesla.model3: a car stands ahead of ego."
+    )
     assert found.confidences["map"] >= 0.6 and found.confidences["ego_model"] >= 0.6
     assert found.structure.settings.spec.map == "Town03" and found.structure.ego.spec.model == "vehicle.tesla.model3"
 
@@ -88,8 +96,7 @@ def test_a_text_without_a_scene_is_refused_in_a_sentence(text: str) -> None:
 
 
 WORDS = st.sampled_from(
-    "ego V1 V2 car truck the a two pedestrian cyclist brakes hard stops turns left right crosses at 50 km/h 20 m ahead behind of in lane intersection , . ; ( ) when after not "
-    "red light rain night it which who and or from to parked overtakes hits follows 's -- “ ” ß 日本 \u0301 \U0001f697".split()
+    ["ego", "V1", "V2", "car", "truck", "the", "a", "two", "pedestrian", "cyclist", "brakes", "hard", "stops", "turns", "left", "right", "crosses", "at", "50", "km/h", "20", "m", "ahead", "behind", "of", "in", "lane", "intersection", ",", ".", ";", "(", ")", "when", "after", "not", "red", "light", "rain", "night", "it", "which", "who", "and", "or", "from", "to", "parked", "overtakes", "hits", "follows", "'s", "--", "“", "”", "ß", "日本", "́", "🚗"]
 )  # fmt: skip
 
 

@@ -1,6 +1,8 @@
 """Each stage by itself: quantities, names, spelling, agents, modes, relations."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import pytest
+
 from c2s_engine.interpret import scan, scene
 from c2s_engine.interpret.spelling import Mended
 
@@ -73,4 +75,7 @@ def test_the_parser_does_not_load_torch() -> None:
     import sys
 
     code = "import sys; from c2s_engine.interpret import EmbeddedInterpreter as E; E().interpret('a car brakes ahead of ego'); print('torch' in sys.modules)"
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "False"
+    assert (
+        subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip()
+        == "False"
+    )

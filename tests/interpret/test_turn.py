@@ -1,6 +1,8 @@
 """Turns upon S: what they are taken for, and that edits touch only what was meant."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import pytest
+
 from c2s_engine.interpret.turn import Turn, route
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import apply
@@ -9,7 +11,9 @@ from c2s_engine.structure.edits import apply
 @pytest.fixture(scope="module")
 def scene(request) -> Structure:
     read = request.getfixturevalue("read")
-    return read("In rain, the lead car brakes hard 30 m ahead of ego on a straight road, and a pedestrian crosses from the right.")
+    return read(
+        "In rain, the lead car brakes hard 30 m ahead of ego on a straight road, and a pedestrian crosses from the right."
+    )
 
 
 def after(turn: Turn, structure: Structure) -> Structure:
@@ -32,7 +36,9 @@ def changed(before: Structure, now: Structure) -> set[str]:
         ("run for 30 s", "T", "duration", 30.0), ("Can you make the lead a van?", "O1", "type", "van"), ("set the gap to 40 m", "O1", "placement.gap", 40.0), ("with three lanes", "R", "lanes", 3),
     ],
 )  # fmt: skip
-def test_a_change_touches_only_what_was_meant(scene: Structure, text: str, component: str, path: str, value: object) -> None:
+def test_a_change_touches_only_what_was_meant(
+    scene: Structure, text: str, component: str, path: str, value: object
+) -> None:
     turn = route(text, scene)
     assert turn.kind == "edit" and turn.reply
     now = after(turn, scene)
@@ -53,7 +59,9 @@ def test_removing_one_who_is_referred_to_frees_the_others(read) -> None:
 
 def test_adding(scene: Structure) -> None:
     now = after(route("add a parked van on the right, 20 m ahead", scene), scene)
-    assert changed(scene, now) == {"O3"} and now["O3"].spec.type == "van" and now["O3"].spec.placement.position == "parked"
+    assert (
+        changed(scene, now) == {"O3"} and now["O3"].spec.type == "van" and now["O3"].spec.placement.position == "parked"
+    )
 
 
 def test_two_demands_in_one_turn(scene: Structure) -> None:

@@ -1,0 +1,429 @@
+"""Who does it and to whom: agents and patients by the grammatical relations, with passives, relatives and inversions."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from c2s_engine.interpret.mentions import Cast, Entity
+from c2s_engine.interpret.syntax import Word
+
+if TYPE_CHECKING:
+    from c2s_engine.interpret.clauses import Event
+
+CLAUSAL = frozenset(("advcl", "relcl", "ccomp", "acl", "csubj", "csubjpass", "parataxis", "pcomp", "xcomp"))
+
+
+class Agents:
+    """The part of Clauses that finds the parties of a verb or noun."""
+
+    words: list[Word]
+    cast: Cast
+    events: list[Event]
+    by_word: dict[int, Event]
+
+    def _is_verb(self, word: Word) -> bool:
+        raise NotImplementedError
+
+    def _lemma(self, word: Word) -> str:
+        raise NotImplementedError
+
+    def _subject(self, word: Word, depth: int = 0) -> tuple[Entity | None, int | None, bool]:
+        """(agent, its word, whether the verb is passive)."""
+        passive = any(self.words[c].dep in ("auxpass",) for c in word.children) or any(
+            self.words[c].dep == "nsubjpass" for c in word.children
+        )
+        subjects = [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass", "csubj")]
+        subjects.sort(key=lambda c: (c > word.i, -c))
+        if passive:
+            for child in word.children:
+                if (
+                    self.words[child].dep == "agent"
+                    or self.words[child].norm == "by"
+                    and self.words[child].dep == "prep"
+                ):
+                    for target in self.words[child].children:
+                        found = self.cast.referent(target)
+                        if found:
+                            return found, target, True
+            target = next((self.cast.referent(c) for c in subjects), None)
+            if target is None:
+                target = self._inherited(word, depth)[0]
+            return (None, None, True) if target is None else (target, subjects[0] if subjects else None, True)
+        for child in subjects:
+            other = self.words[child]
+            found = self.cast.referent(child)
+            if found:
+                return found, child, False
+            if other.lemma in ("there",) or other.dep == "expl":
+                continue
+            return None, child, False
+        if any(self.words[c].dep == "expl" for c in word.children):
+            for child in word.children:
+                if self.words[child].dep in ("attr", "dobj"):
+                    return self.cast.referent(child), child, False
+        return self._inherited(word, depth)
+
+    def _inherited(self, word: Word, depth: int) -> tuple[Entity | None, int | None, bool]:
+        head = self.words[word.head]
+        if head.i == word.i and depth <= 6:
+            inverted = self._inverted(word)
+            if inverted[0] is not None:
+                return inverted
+            for child in word.children:
+                if (
+                    child < word.i
+                    and self.words[child].dep == "ccomp"
+                    and self._is_verb(self.words[child])
+                    and any(self.words[c].dep == "nsubj" for c in self.words[child].children)
+                ):
+                    return self._subject(self.words[child], depth + 1)
+            return None, None, False
+        if depth > 6:
+            return self._inverted(word)
+        if word.dep in ("acl", "relcl"):
+            found = self.cast.referent(head.i)
+            if found is not None:
+                if word.tag == "VBN" and word.dep == "acl":
+                    for child in word.children:
+                        if self.words[child].dep == "agent":
+                            for target in self.words[child].children:
+                                actor = self.cast.referent(target)
+                                if actor:
+                                    return actor, target, True
+                return found, head.i, word.dep == "acl" and word.tag == "VBN"
+            if word.dep == "acl" and head.tag.startswith("NN"):
+                above = self._governor(head)
+                if above is not None and above.i != word.i and word.tag in ("VB", "VBG"):
+                    return self._subject(above, depth + 1)
+            return None, head.i, False
+        if word.dep == "xcomp" or word.dep == "ccomp":
+            for child in head.children:
+                other = self.words[child]
+                if other.dep in ("dobj",) and child < word.i:
+                    found = self.cast.referent(child)
+                    if found:
+                        return found, child, False
+            if head.verb:
+                agent, at, passive = self._subject(head, depth + 1)
+                if passive and head.verb:
+                    subjects = [c for c in head.children if self.words[c].dep == "nsubjpass"]
+                    if subjects and self.cast.referent(subjects[0]):
+                        return self.cast.referent(subjects[0]), subjects[0], False
+                return agent, at, False
+        if word.dep in ("pcomp", "advcl", "conj", "parataxis", "dep", "csubj", "prep", "amod", "appos", "punct"):
+            above = head if head.verb or self._is_verb(head) else self._governor(head)
+            if word.dep == "conj" and above is not None and word.tag in ("VBZ", "VBD", "VBP"):
+                comma = self.words[word.i - 1].norm == ","
+                if (
+                    above.tag == "VB"
+                    and above.dep in ("ccomp", "xcomp")
+                    or above.dep == "advcl"
+                    and comma
+                    and not any(self.words[c].dep == "cc" and above.i < c < word.i for c in above.children)
+                ):
+                    above = self._governor(above) or above
+            if above is not None and above.i != word.i:
+                if word.dep == "csubj":
+                    found = next(
+                        (
+                            self.cast.referent(c)
+                            for c in above.children
+                            if self.words[c].dep in ("attr", "nsubj") and c > word.i
+                        ),
+                        None,
+                    )
+                    if found is not None:
+                        return found, above.i, False
+                if word.dep == "csubj" and not any(self.words[c].dep in ("nsubj", "attr") for c in above.children):
+                    return self._inverted(word)
+                inverted = (
+                    self._inverted(word)
+                    if word.dep in ("conj",) and word.tag in ("VBZ", "VBD") and word.i > above.i
+                    else (None, None, False)
+                )
+                if inverted[0] is not None:
+                    return inverted
+                agent, at, passive = self._subject(above, depth + 1)
+                if passive:
+                    target = [c for c in above.children if self.words[c].dep == "nsubjpass"]
+                    if target and self.cast.referent(target[0]):
+                        return self.cast.referent(target[0]), target[0], False
+                return agent, at, False
+        return self._inverted(word)
+
+    def _inverted(self, word: Word) -> tuple[Entity | None, int | None, bool]:
+        """ "Up from behind comes a motorcyclist"; "standing in the lane is a car"."""
+        for child in word.children:
+            other = self.words[child]
+            if (
+                child > word.i
+                and other.dep in ("attr", "nsubj", "dobj")
+                and self._lemma(word)
+                in (
+                    "come",
+                    "be",
+                    "stand",
+                    "lie",
+                    "sit",
+                    "follow",
+                    "appear",
+                    "emerge",
+                    "approach",
+                    "drive",
+                    "ride",
+                    "run",
+                    "walk",
+                    "go",
+                )
+            ):
+                found = self.cast.referent(child)
+                if found and (
+                    self._lemma(word) not in ("approach", "follow", "drive", "ride")
+                    or any(c < word.i for c in word.children)
+                ):
+                    return found, child, False
+        head = self.words[word.head]
+        if word.dep in ("csubj", "advcl") and head.i != word.i:
+            for child in head.children:
+                if self.words[child].dep in ("attr", "nsubj") and child > word.i:
+                    found = self.cast.referent(child)
+                    if found:
+                        return found, child, False
+        return None, None, False
+
+    def _governor(self, word: Word) -> Word | None:
+        current = word
+        while current.head != current.i:
+            current = self.words[current.head]
+            if current.verb or self._is_verb(current):
+                return current
+        return None
+
+    def topic(self, word: Word) -> Entity | None:
+        """The one that a sentence is headed with: "Challenger: left lane, 90 km/h, cuts in"."""
+        sentence = [w for w in self.words[max(0, word.i - 60) : word.i] if w.sentence == word.sentence]
+        for first, second in zip(sentence, sentence[1:], strict=False):
+            if second.norm == ":" and first.i in self.cast.of and first.span is not None:
+                return self.cast.of[first.i]
+        return None
+
+    def _nearest(self, word: Word, at: int | None) -> Entity | None:
+        """The nearest noun before the verb that no preposition governs, where the tree gives no agent."""
+        if (
+            any(
+                self.words[c].dep in ("nsubj", "nsubjpass")
+                and not self.words[c].span
+                and self.words[c].norm not in ("traffic", "one", "which", "that", "who")
+                for c in word.children
+            )
+            and at is not None
+        ):
+            return None
+        if word.tag not in ("VBZ", "VBD", "VBP"):
+            return None
+        for i in range(word.i - 1, max(-1, word.i - 16), -1):
+            other = self.words[i]
+            if other.sentence != word.sentence or other.norm in (";", ":"):
+                return None
+            if i in self.cast.of and other.dep not in ("pobj", "poss", "dobj") and other.tag != "PRP$":
+                return self.cast.of[i]
+        return None
+
+    def _also(self, at: int | None) -> list[Entity]:
+        """The others of a joint subject ("V1 and V3 met")."""
+        if at is None:
+            return []
+        found = []
+        for child in self.words[at].children:
+            if self.words[child].dep == "conj":
+                other = self.cast.referent(child)
+                if other is not None:
+                    found.append(other)
+                    found += self._also(child)
+        return found
+
+    def _patient(self, word: Word, own: list[int], agent: Entity | None, passive: bool) -> Entity | None:
+        if passive:
+            for child in word.children:
+                if self.words[child].dep == "nsubjpass":
+                    found = self.cast.referent(child)
+                    if found is not None and found is not agent:
+                        return found
+            if word.dep in ("acl", "relcl"):
+                found = self.cast.referent(word.head)
+                if found is not None and found is not agent:
+                    return found
+            inherited = self._inherited(word, 0)[0]
+            if inherited is not None and inherited is not agent:
+                return inherited
+        direct = [c for c in word.children if self.words[c].dep in ("dobj", "dative", "oprd")]
+        for child in direct:
+            found = self.cast.referent(child)
+            if found is not None and found is not agent:
+                return found
+        for child in direct:
+            if self.words[child].tag in ("WDT", "WP"):
+                continue
+            for i in self._below(child):
+                found = self.cast.of.get(i)
+                if found is not None and found is not agent:
+                    return found
+        if word.dep == "relcl" and any(self.words[c].dep in ("nsubj",) for c in word.children):
+            head = self.cast.of.get(word.head)
+            if head is not None and head is not agent:
+                return head
+        for i in own:
+            if (
+                i > word.i
+                and i in self.cast.of
+                and self.cast.of[i] is not agent
+                and (self.cast.of[i].mover or self.cast.of[i].type not in ("construction_zone",))
+            ):
+                return self.cast.of[i]
+        for child in word.children:
+            if (
+                self.words[child].dep in ("ccomp", "advcl")
+                and self._is_verb(self.words[child])
+                and word.lemma in ("let", "allow", "wait", "permit", "lets")
+            ):
+                found = self._subject(self.words[child])[0]
+                if found is not None and found is not agent:
+                    return found
+        return None
+
+    def _below(self, i: int) -> list[int]:
+        found = [i]
+        for child in self.words[i].children:
+            if self.words[child].dep not in CLAUSAL:
+                found += self._below(child)
+        return sorted(found)
+
+    def _default_agent(self, word: Word, act: str) -> Entity | None:
+        """An imperative, or a passive without an agent: what is asked for is asked of ego."""
+        subjects = [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass")]
+        if (
+            subjects
+            and act == "collide"
+            and self.words[subjects[0]].norm in ("two", "both", "they", "vehicles", "cars", "all")
+        ):
+            return self.cast.ego
+        if subjects and self.words[subjects[0]].lemma not in (
+            "braking",
+            "brake",
+            "brakes",
+            "manoeuvre",
+            "maneuver",
+            "movement",
+            "speed",
+            "turn",
+            "turning",
+            "driver",
+            "system",
+            "response",
+            "pedal",
+            "merging",
+            "crossing",
+        ):
+            return None
+        if not subjects and word.dep not in ("ROOT", "conj", "csubj", "xcomp", "advcl", "ccomp", "pcomp"):
+            return None
+        if act == "follow" and word.tag == "VBN":
+            return None
+        if act in (
+            "brake",
+            "stop",
+            "brake_stop",
+            "turn",
+            "lane_change",
+            "overtake",
+            "yield",
+            "keep_lane",
+            "follow",
+            "go_straight",
+            "reverse",
+            "u_turn",
+            "swerve",
+            "accelerate",
+            "evade",
+            "start",
+        ):
+            return self.cast.ego
+        return None
+
+    def _was_off_road(self, actor: Entity) -> bool:
+        if "parked" in actor.roles:
+            return True
+        near = " ".join(w.norm for m in actor.mentions for w in self.words[m.word : m.word + 8])
+        if re.search(r"parked|parking|lay-?by|driveway|bus stop", near):
+            return True
+        return any(
+            e.agent is actor and re.search(r"park|kerb|curb|driveway|shoulder|bay|lay-by|side of the road", e.whole)
+            for e in self.events
+        )
+
+    def _noun_agent(self, word: Word, verb: Word | None) -> tuple[Entity | None, Entity | None]:
+        patient = None
+        for child in word.children:
+            other = self.words[child]
+            if other.dep == "poss" or other.tag == "PRP$":
+                return self.cast.referent(child), None
+            if other.dep in ("prep", "agent") and other.norm in ("of", "by", "from"):
+                for target in other.children:
+                    found = self.cast.referent(target)
+                    if found:
+                        return found, None
+            if other.dep == "prep" and other.norm in ("with", "between"):
+                for target in other.children:
+                    patient = patient or self.cast.referent(target)
+            if other.dep == "compound" and child in self.cast.of:
+                return self.cast.of[child], None
+        for i in range(word.i - 1, max(-1, word.i - 4), -1):
+            other = self.words[i]
+            if (
+                other.sentence != word.sentence
+                or other.norm in (",", ";", ".", ":")
+                or other.verb
+                and other.dep != "amod"
+            ):
+                break
+            if i in self.cast.of and other.span is not None and other.dep not in ("pobj",):
+                return self.cast.of[i], patient
+        if verb is not None:
+            agent, at, passive = self._subject(verb)
+            if (
+                agent is not None
+                and not passive
+                and self._lemma(verb)
+                in (
+                    "make",
+                    "perform",
+                    "execute",
+                    "do",
+                    "begin",
+                    "start",
+                    "initiate",
+                    "carry",
+                    "take",
+                    "undertake",
+                    "complete",
+                    "attempt",
+                    "apply",
+                    "have",
+                    "be",
+                    "need",
+                    "require",
+                    "respond",
+                    "react",
+                    "manage",
+                    "come",
+                    "go",
+                    "answer",
+                    "result",
+                    "end",
+                    "use",
+                )
+            ):
+                return agent, patient
+        return None, patient

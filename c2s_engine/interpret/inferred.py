@@ -1,0 +1,272 @@
+"""Places that follow from what is said elsewhere: lanes spoken of before, lane numbers, hiding, mutual relations."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.mentions import Cast
+from c2s_engine.interpret.syntax import Word
+from c2s_engine.interpret.whereabouts import STATES, Where
+
+
+class Inferred:
+    """The part of Places that looks beyond a single phrase."""
+
+    cast: Cast
+    clauses: Clauses
+    words: list[Word]
+    of: dict[Entity, Where]
+    ego_lane: str | None
+
+    def _gap(self, indices: list[int], where: Where, only_ahead: bool = False) -> None:
+        raise NotImplementedError
+
+    def _mutual(self) -> None:
+        """What is said of ego (or of another) towards an entity says where that entity is, too."""
+        turned = {"ahead": "behind", "behind": "ahead", "beside": "beside"}
+        for event in self.clauses.events:
+            if (
+                event.agent.ego
+                and event.mode == "fact"
+                and re.search(r"#dist (behind|back)(?! (the |a )?@)", event.whole)
+                and event.act in STATES
+            ):
+                ahead = [
+                    e
+                    for e in self.cast.entities
+                    if self.of[e].rel in (None, "ahead") and self.of[e].lane in (None, "same") and e.mover
+                ]
+                if ahead and self.of[ahead[0]].gap is None:
+                    self._gap(event.words, self.of[ahead[0]])
+            if not event.agent.ego or event.mode == "hypothetical" or event.act not in STATES | {"keep_lane", "follow"}:
+                continue
+            for match in re.finditer(
+                r"(?P<rel>behind|ahead of|in front of|alongside|beside|next to|to the rear of) (the |an? |another )?(\w+ )?@(?P<who>a\d+)",
+                event.whole,
+            ):
+                other = next((e for e in self.cast.entities if e.key == match["who"]), None)
+                if other is None:
+                    continue
+                where = self.of[other]
+                rel = {"behind": "behind", "to the rear of": "behind"}.get(
+                    match["rel"], "beside" if match["rel"] in ("alongside", "beside", "next to") else "ahead"
+                )
+                if where.rel is None:
+                    where.rel = turned[rel]
+                    if where.lane is None and rel != "beside" and not other.person:
+                        where.lane = "same"
+                if where.gap is None:
+                    self._gap(event.words, where)
+
+    def _shared(self) -> None:
+        """ "Two cars and a truck standing across the lane": what is said of the last holds for those before it."""
+        for entity in self.cast.entities:
+            where = self.of[entity]
+            if where.rel or where.lane or any(e.agent is entity or entity in e.also for e in self.clauses.events):
+                continue
+            for mention in entity.mentions:
+                for child in self.words[mention.word].children:
+                    other = self.cast.of.get(child)
+                    if self.words[child].dep == "conj" and other is not None and other is not entity and not other.ego:
+                        where.rel, where.lane, where.side = self.of[other].rel, self.of[other].lane, self.of[other].side
+                        if (
+                            any(e.agent is other and e.act == "stationary" for e in self.clauses.events)
+                            or "stationary" in other.roles
+                        ):
+                            entity.roles.add("stationary")
+
+    def _numbered(self) -> None:
+        """Lanes by number, counted from the left: "the number two lane", "lane 3"."""
+        numbers: dict[Entity, int] = {}
+        words = {
+            "one": 1,
+            "two": 2,
+            "three": 3,
+            "four": 4,
+            "1": 1,
+            "2": 2,
+            "3": 3,
+            "4": 4,
+            "first": 1,
+            "second": 2,
+            "third": 3,
+        }
+        pattern = re.compile(r"(?:number|lane number|lane|no\.?|#) (one|two|three|four|[1-4])(?: lane)?\b")
+        for entity in (self.cast.ego, *self.cast.entities):
+            texts = [
+                e.whole
+                for e in self.clauses.events
+                if e.agent is entity and e.act in STATES | {"lane_change", "keep_lane"}
+            ]
+            texts += [t for _, t in self.of[entity].phrases] if entity in self.of else []
+            for mention in entity.mentions:
+                texts.append(
+                    " ".join(
+                        w.norm
+                        for w in self.words[mention.word + 1 : mention.word + 11]
+                        if w.sentence == self.words[mention.word].sentence
+                    )
+                )
+            for text in texts:
+                match = pattern.search(text)
+                if match and "lane" in match[0] and entity not in numbers:
+                    numbers[entity] = words[match[1]]
+        own = numbers.get(self.cast.ego)
+        if own is None:
+            return
+        for entity, number in numbers.items():
+            if not entity.ego and abs(number - own) <= 1:
+                self.of[entity].lane = "same" if number == own else "right" if number > own else "left"
+                self.of[entity].rel = self.of[entity].rel or ("ahead" if number == own else "beside")
+        if self.ego_lane is None:
+            self.ego_lane = "leftmost" if own == 1 else "middle" if own == 2 else "rightmost"
+
+    def _overtaken(self) -> None:
+        """One whom another (not ego) overtakes drives ahead of that other."""
+        for event in self.clauses.events:
+            other = event.patient
+            if (
+                event.act != "overtake"
+                or other is None
+                or other.ego
+                or event.agent.ego
+                or other not in self.of
+                or event.agent not in self.of
+            ):
+                continue
+            where, whose = self.of[other], self.of[event.agent]
+            if where.rel is None and where.lane is None:
+                where.lane, where.rel, where.side = whose.lane, "ahead", whose.side
+                if whose.lane in (None, "same", "left", "right"):
+                    where.of, where.lane = event.agent, "same"
+
+    def _referred(self) -> None:
+        """ "In that lane", "there", "where", "the same queue": the lane that was spoken of last."""
+        for entity in self.cast.entities:
+            where = self.of[entity]
+            if where.lane not in (None, "same", "adjacent") or not entity.mover:
+                continue
+            for event in self.clauses.events:
+                if event.agent is not entity or event.mode == "hypothetical":
+                    continue
+                text = event.whole
+                if re.search(r"\b(same|that) (queue|line|row|column|jam)\b", text):
+                    earlier = [e for e in self.cast.entities if e is not entity and e.count > 1 and self.of[e].lane]
+                    if earlier:
+                        where.lane, where.rel = self.of[earlier[-1]].lane, self.of[earlier[-1]].rel or "ahead"
+                        break
+                if (
+                    re.search(
+                        r"in (that|this|there|it)( very)? lane|\b(in )?there\b|in that lane|stand in (it|@)", text
+                    )
+                    or event.adverbial == "where"
+                    or re.match(r"where", text)
+                ):
+                    side = self._last_lane(self.words[event.word].start)
+                    if side and not re.search(r"(right|left)(-hand)? lane", text):
+                        where.lane = side
+                        if where.rel == "behind" and where.of is None or "behind" in text or "rear" in text:
+                            where.rel = "behind"
+                        break
+
+    def _last_lane(self, before: int) -> str | None:
+        plain = " ".join(w.norm for w in self.words if w.start < before)
+        found = None
+        for match in re.finditer(
+            r"(?:mov\w+|merg\w+|chang\w+|shift\w*|steer\w*|pull\w*)(?: over| out)?(?: to the| to)? (left|right)\b|\b(left|right)(?:-hand|most)?(?: hand)? lane|lane (?:immediately |directly )?(?:to|on) (?:the|its|their) (left|right)|lane on the (left|right)|second lane[^.;]*(left|right)",
+            plain,
+        ):
+            found = next(g for g in match.groups() if g)
+        return found
+
+    def _hidden(self) -> None:
+        for entity in self.cast.entities:
+            where = self.of[entity]
+            for mention in entity.mentions:
+                sentence = [w.i for w in self.words if w.sentence == self.words[mention.word].sentence]
+                text = self.clauses.render(sentence)
+                match = (
+                    re.search(
+                        rf"(?:hidden|hide|concealed|conceal|obscured|obscure|occluded|occlude|masked|mask|blocked) by (the |a |an )?(\w+ )?@(?P<by>a\d+)[^.;]{{0,40}}, (the |a |an )?(\w+ )?@{entity.key}\b",
+                        text,
+                    )
+                    or re.search(
+                        rf"(?:not|unable to|n't|cannot|hardly) (?:\w+ )?(?:see|notice|spot|detect)[^.;]*@{entity.key}\b[^.;]*(?:because of|due to|behind|as|for) (the |a |an )?(\w+ )?@(?P<by>a\d+)",
+                        text,
+                    )
+                    or re.search(
+                        rf"@(?P<by>a\d+) (conceal|hide|obscure|block|mask)\w* be (the |a |an )?@{entity.key}\b", text
+                    )
+                    or re.search(
+                        rf"@{entity.key}\b.*?(from behind|from between|out from behind|(?:hidden|hide|concealed|conceal|obscured|obscure|occluded|occlude|masked|mask|screened|screen|blocked|block) (by|behind)|behind|in front of|between) (the |a |an |two |some |row of |line of )*(\w+ ){{0,2}}@(?P<by>a\d+)",
+                        text,
+                    )
+                )
+                if match is None:
+                    match = re.search(
+                        rf"@(?P<by>a\d+)[^.;]*?(hide|hides|hid|conceal\w*|obscure\w*|block\w*|occlude\w*|mask\w*|obstruct\w*|screen\w*|shield\w*)( the view (of|to|on))?( @ego ''?s)?( view (of|to))? (the |a |an |any )?(\w+ )?@{entity.key}\b",
+                        text,
+                    )
+                    if match is None:
+                        continue
+                elif match.re.groups > 2 and self._only_beside(entity, match[1] or "", text):
+                    continue
+                blocker = next((e for e in self.cast.entities if e.key == match["by"]), None)
+                if blocker is not None and blocker is not entity and not (blocker.person):
+                    where.hidden_by = blocker
+                    if where.of is blocker and where.rel == "behind":
+                        where.rel, where.of = None, None
+
+    @staticmethod
+    def _only_beside(entity: Entity, words: str, text: str) -> bool:
+        """Whether "behind", "between" or "in front of" says where one is, not that it is hidden."""
+        if words not in ("behind", "in front of", "between"):
+            return False
+        if words == "behind" and not re.search(r"parked|stand|stop|stationary|emerge|step|appear|run|dart", text):
+            return True
+        if words == "in front of" and not re.search(r"(parked|stopped|stationary)", text):
+            return True
+        return not entity.person
+
+    def _revealed(self) -> None:
+        """What stands ahead of one who leaves the lane in front of ego is hidden by it until then."""
+        leavers = (
+            [
+                e.agent
+                for e in self.clauses.events
+                if e.done
+                and e.act in ("cut_out", "lane_change", "swerve")
+                and not e.agent.ego
+                and self.of[e.agent].lane in (None, "same")
+                and self.of[e.agent].rel in (None, "ahead")
+                and e.agent.mover
+            ]
+            if self.clauses.events
+            else []
+        )
+        plain = " ".join(w.norm for w in self.words)
+        if not leavers or not re.search(
+            r"only (then|now)|come into view|comes into view|into (its |@?\w+ 's )?view|becomes? visible|reveal|expos|suddenly confronted|cannot see|can not see|hidden|conceal|uncover|appears? (in front|ahead)|see past|unseen|until then|behind it|reveals",
+            plain,
+        ):
+            return
+        for entity in self.cast.entities:
+            where = self.of[entity]
+            stands = (
+                any(e.agent is entity and e.act == "stationary" for e in self.clauses.events)
+                or "stationary" in entity.roles
+                or not entity.mover
+            )
+            if (
+                stands
+                and where.hidden_by is None
+                and entity is not leavers[0]
+                and where.lane in (None, "same")
+                and entity.type not in ("construction_zone", "lane_closure")
+            ):
+                where.hidden_by = leavers[0]
+                if where.of is None or where.of.ego:
+                    where.of, where.rel = leavers[0], "ahead"

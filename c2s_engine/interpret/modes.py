@@ -1,0 +1,153 @@
+"""Whether something is said to happen: negation, modality, intentions, conditions, alternatives."""
+
+from __future__ import annotations
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.agents import Agents
+from c2s_engine.interpret.syntax import Word
+
+CONTACT = frozenset(("hit", "strike", "collide", "crash", "rear-end", "run"))
+
+
+class Modes(Agents):
+    """The part of Clauses that tells facts from what is denied, meant or only imagined."""
+
+    def _mode(self, word: Word) -> str:
+        """Whether it is said to happen."""
+        mode = "fact"
+        shades = language.table("motions")["modality"]
+        for child in word.children:
+            other = self.words[child]
+            if other.dep == "neg" or other.norm in ("never", "neither", "nor", "hardly", "cannot", "not"):
+                if other.norm == "not" and child > word.i and other.dep != "neg":
+                    continue
+                mode = "negated"
+            if other.dep == "aux" and other.norm in ("would", "could", "might"):
+                mode = "hypothetical"
+            if other.dep == "mark" and other.norm in ("if", "unless", "whether", "lest") and not self._criterion(word):
+                mode = "hypothetical"
+            if other.dep in ("nsubj", "nsubjpass") and (
+                other.norm in ("none", "neither", "nobody", "nothing")
+                or any(self.words[c].norm in ("no", "neither") for c in other.children)
+            ):
+                mode = "negated"
+            if False:
+                mode = "negated"
+        head = self.words[word.head]
+        if (
+            word.dep == "pcomp"
+            and head.norm in ("without", "of")
+            and (head.norm == "without" or self.words[head.head].norm in ("instead", "rather"))
+        ):
+            return "negated"
+        if word.dep in ("xcomp", "ccomp", "advcl", "acl", "conj", "pcomp", "relcl") and head.i != word.i:
+            lemma = head.lemma
+            if word.dep in ("pcomp", "prep"):
+                lemma = self.words[head.head].lemma
+            to = any(self.words[c].norm == "to" and self.words[c].dep == "aux" for c in word.children)
+            if (
+                word.dep in ("xcomp", "ccomp", "pcomp", "advcl")
+                and lemma
+                in (
+                    "fail",
+                    "forget",
+                    "neglect",
+                    "refuse",
+                    "omit",
+                    "unable",
+                    "avoid",
+                    "prevent",
+                    "refrain",
+                    "decline",
+                    "impossible",
+                    "inability",
+                    "keep",
+                )
+                and (lemma != "keep" or word.dep == "pcomp")
+            ):
+                return "negated" if mode != "negated" else "fact"
+            if word.dep in ("xcomp", "advcl", "acl") and lemma in shades["intended"] and (to or lemma == "about"):
+                mode = "intended" if mode == "fact" else mode
+                if self._mode(head) in ("negated", "hypothetical") and head.verb:
+                    mode = "negated"
+            elif word.dep == "xcomp" and head.verb and self._is_verb(head):
+                above = self._mode(head)
+                if above in ("negated", "hypothetical") and mode == "fact":
+                    mode = above
+                elif above in ("negated",) and mode == "negated":
+                    mode = "fact"
+            elif word.dep == "advcl" and to and mode == "fact":
+                so_not = any(self.words[c].norm in ("not",) for c in word.children)
+                mode = "negated" if so_not else "purpose"
+            elif word.dep == "conj" and head.verb:
+                above = self._mode(head)
+                own_subject = any(self.words[c].dep in ("nsubj", "nsubjpass", "aux") for c in word.children)
+                if (
+                    above in ("hypothetical", "negated", "purpose")
+                    and not own_subject
+                    and word.tag in ("VB", "VBN")
+                    and self._lemma(word) not in CONTACT
+                ):
+                    mode = above
+                if above == "intended" and not own_subject and word.tag == "VB":
+                    mode = above
+            elif word.dep == "pcomp" and self.words[head.head].lemma in ("instead", "rather"):
+                mode = "negated"
+        if word.dep in ("advcl",) and self.words[word.i - 1].norm in ("than",):
+            mode = "negated"
+        if word.dep == "csubj" and head.verb and self._mode(head) in ("negated", "hypothetical"):
+            mode = self._mode(head)
+        if (
+            word.dep == "pcomp"
+            and (noun := self.words[head.head]).tag.startswith("NN")
+            and any(self.words[c].norm == "no" for c in noun.children)
+        ):
+            mode = "negated"
+        if (
+            word.dep == "conj"
+            and mode in ("fact", "intended")
+            and any(self.words[c].norm == "or" and c < word.i for c in head.children)
+            and self._mode(head) != "negated"
+        ):
+            mode = "alternative"
+        before = [w.norm for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]
+        if (
+            before[-2:] in (["rather", "than"], ["instead", "of"])
+            or before[-1:] == ["nor"]
+            or before[-1:] == ["without"]
+        ):
+            mode = "negated"
+        return mode
+
+    def _criterion(self, word: Word) -> bool:
+        """Whether an if-clause states what a test demands: "passed if the system brakes"."""
+        return self.words[word.head].lemma in (
+            "pass",
+            "succeed",
+            "accept",
+            "fulfil",
+            "satisfy",
+            "meet",
+            "deem",
+            "consider",
+            "successful",
+            "fulfill",
+        )
+
+    def _mark(self, word: Word) -> str:
+        for child in sorted(word.children):
+            other = self.words[child]
+            if child < word.i and (
+                other.dep == "mark"
+                or other.norm in ("when", "while", "as", "after", "before", "until", "once", "where", "till")
+            ):
+                return other.norm
+        head = self.words[word.head]
+        if word.dep == "pcomp":
+            return head.norm
+        first = [
+            w
+            for w in self.words[max(0, word.i - 6) : word.i]
+            if w.sentence == word.sentence and w.norm in ("as", "once")
+        ]
+        return "as" if first and word.dep == "advcl" else ""

@@ -1,0 +1,301 @@
+"""Whom pronouns, "another", "the latter" and parts ("its left front") mean."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import PERSONS, VEHICLES, Entity
+from c2s_engine.interpret.syntax import Word
+
+
+class Pronouns:
+    """The part of Cast that resolves words without a noun of their own."""
+
+    words: list[Word]
+    entities: list[Entity]
+    ego: Entity
+    of: dict[int, Entity]
+    subjects: list[tuple[int, Entity]]
+
+    def _near(self, word: Word) -> list[str]:
+        raise NotImplementedError
+
+    def _new(self, entity: Entity) -> Entity:
+        raise NotImplementedError
+
+    def _pronoun(self, word: Word) -> Entity | None:
+        data = language.table("actors")["pronouns"]
+        norm = word.norm
+        if norm in data["ego"]:
+            return self.ego
+        if norm in ("who", "which", "that", "whose", "whom") and word.tag in ("WDT", "WP", "WP$"):
+            return self._antecedent(word)
+        if norm in ("it", "its", "itself"):
+            if word.dep == "expl" or self._weather_it(word):
+                return None
+            return self._salient(word, lambda e: not e.person and (e.mover or e.type in ("debris", "box", "obstacle")))
+        if norm in data["person"]:
+            return self._salient(word, lambda e: e.person) or self._salient(word, lambda e: e.mover)
+        if norm in ("they", "them", "their", "themselves"):
+            many = [e for e in self.entities if e.count > 1]
+            if many:
+                return many[-1]
+            person = [e for e in self.entities if e.person]
+            if person and norm in ("their", "they", "them"):
+                return person[-1]
+            return self._salient(word, lambda e: e.mover)
+        return self._elliptic(word)
+
+    def _weather_it(self, word: Word) -> bool:
+        head = self.words[word.head]
+        text = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 6])
+        return head.lemma in ("rain", "snow", "drizzle", "pour") or bool(
+            re.match(
+                r"(is|was|were|has been|'s|gets|got|becomes|became)( \w+)? (night|day|dark|dusk|dawn|raining|snowing|foggy|clear|sunny|daylight|daytime|daytime|rainy|cloudy|early|late|morning|evening|noon|midnight|wet|windy|for|up|necessary|not until|only)",
+                text,
+            )
+        )
+
+    def _antecedent(self, word: Word) -> Entity | None:
+        verb = self.words[word.head]
+        clause = verb
+        for _ in range(4):
+            if clause.dep == "relcl":
+                break
+            if clause.head == clause.i:
+                break
+            clause = self.words[clause.head]
+        if clause.dep == "relcl" and clause.head in self.of and clause.head < word.i:
+            return self.of[clause.head]
+        previous = [
+            i
+            for i in sorted(self.of)
+            if i < word.i and self.words[i].sentence == word.sentence and self.words[i].tag != "PRP$"
+        ]
+        if not previous:
+            return None
+        between = self.words[previous[-1] + 1 : word.i]
+        if any(w.noun for w in between) and clause.dep == "relcl" and self.words[clause.head].span is None:
+            head = self.words[clause.head]
+            return self.of.get(head.i) if head.i in self.of else None
+        return self.of[previous[-1]]
+
+    def _salient(self, word: Word, accept) -> Entity | None:  # noqa: ANN001
+        verb = self._governor(word)
+        clash = None
+        if (
+            word.dep == "nsubj"
+            and verb.dep in ("ccomp", "xcomp")
+            and self.words[verb.head].lemma
+            in ("let", "lets", "allow", "make", "force", "cause", "see", "help", "wait", "follows", "permit", "enable")
+        ):
+            clash = self._subject_of(self.words[verb.head])
+        if word.dep in ("dobj", "pobj") and word.norm not in ("its", "itself"):
+            clash = self._subject_of(verb)
+        above = self.words[word.head]
+        holder = self.of.get(above.head) if word.dep == "pobj" and above.head != above.i else None
+        if holder is not None and holder is not clash and above.head < word.i:
+            inner, accept_all = holder, accept
+            accept = lambda e: accept_all(e) and e is not inner  # noqa: E731
+        same = [(i, e) for i, e in self.subjects if i < word.i and accept(e) and e is not clash]
+        last = [i for i in sorted(self.of) if i < word.i and accept(self.of[i]) and self.of[i] is not clash]
+        if not last:
+            return None
+        sentence = [p for p in same if self.words[p[0]].sentence == word.sentence]
+        if word.dep == "poss":
+            own = self._subject_of(verb)
+            its = [
+                self.of[w.i]
+                for w in self.words[: word.i]
+                if w.sentence == word.sentence and w.norm == "it" and w.i in self.of
+            ]
+            if its and its[-1] is not own and "another" in self._near(word):
+                return its[-1]
+            if own is not None and accept(own):
+                return own
+        if word.dep in ("dobj", "pobj", "poss"):
+            near = [i for i in last if self.words[i].sentence == word.sentence]
+            if clash is not None and near:
+                return self.of[near[-1]]
+            if sentence:
+                return sentence[-1][1]
+            return self.of[last[-1]]
+        if sentence:
+            return sentence[-1][1]
+        earlier = [p for p in same if self.words[p[0]].sentence == word.sentence - 1]
+        if earlier:
+            mains = [p for p in earlier if self._main_subject(p[0])]
+            return (
+                (mains or earlier)[0][1]
+                if len({id(e) for _, e in (mains or earlier)}) == 1
+                else (mains or earlier)[-1][1]
+            )
+        return self.of[last[-1]]
+
+    def _main_subject(self, i: int) -> bool:
+        return self.words[self.words[i].head].dep in ("ROOT", "conj", "ccomp")
+
+    def _governor(self, word: Word) -> Word:
+        current = word
+        while current.head != current.i and not current.verb:
+            current = self.words[current.head]
+        return current
+
+    def _subject_of(self, verb: Word) -> Entity | None:
+        current = verb
+        for _ in range(5):
+            for child in current.children:
+                if self.words[child].dep in ("nsubj", "nsubjpass"):
+                    return self.referent(child)
+            if current.dep in ("acl", "relcl") and current.head in self.of:
+                return self.of[current.head]
+            if current.head == current.i:
+                return None
+            current = self._governor(self.words[current.head])
+        return None
+
+    def _elliptic(self, word: Word) -> Entity | None:
+        """ "another", "the latter", "the other", "one", "the first", "a third", "both", "the two"."""
+        norm = word.norm
+        if word.children and any(self.words[c].span for c in word.children if self.words[c].dep == "compound"):
+            return None
+        argument = word.dep in (
+            "nsubj",
+            "nsubjpass",
+            "dobj",
+            "pobj",
+            "conj",
+            "ROOT",
+            "attr",
+            "appos",
+            "dep",
+            "npadvmod",
+        )
+        following = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
+        if (
+            following is not None
+            and (following.noun or following.tag.startswith("JJ"))
+            and following.sentence == word.sentence
+            and following.norm not in ("one",)
+            and not following.verb
+        ):
+            return None
+        movers = [e for e in self.entities if e.mover]
+        if not argument or not movers:
+            return None
+        if norm == "latter":
+            last = [i for i in sorted(self.of) if i < word.i]
+            return self.of[last[-1]] if last else None
+        if norm == "former":
+            last = [i for i in sorted(self.of) if i < word.i]
+            kinds = list(dict.fromkeys(id(self.of[i]) for i in last[-4:]))
+            return next((self.of[i] for i in last[-4:] if len(kinds) > 1 and id(self.of[i]) == kinds[-2]), None)
+        if norm == "another" or norm in ("second", "third", "fourth") and self.words[word.i - 1].norm in ("a", "the"):
+            model = movers[-1]
+            return self._new(
+                Entity(
+                    "",
+                    model.type,
+                    noun=model.noun,
+                    typed=model.typed,
+                    roles=set(model.roles & {"parked", "stationary"}),
+                )
+            )
+        if norm == "one" and self.words[word.i - 1].norm in ("that", "this"):
+            return movers[-1]
+        if norm in ("other", "others") and self.words[word.i - 1].norm == "the":
+            vehicles = [e for e in movers if e.type in VEHICLES]
+            return vehicles[-1] if vehicles else movers[-1]
+        return None
+
+    def referent(self, i: int, depth: int = 0) -> Entity | None:
+        """Whom a noun means: itself, or the whole that it is a part of ("the driver of V1", "its left front")."""
+        if i in self.of:
+            return self.of[i]
+        word = self.words[i]
+        if depth > 3:
+            return None
+        if word.span is not None and word.span.kind == "actor" and word.span.data["type"] in PERSONS:
+            for child in word.children:
+                other = self.words[child]
+                if other.norm in ("in", "on", "driving", "riding"):
+                    for target in other.children:
+                        if target in self.of and self.of[target].type in VEHICLES:
+                            return self.of[target]
+        parts = language.table("actors")["parts"]
+        if (
+            word.lemma in parts
+            or word.norm in parts
+            or word.lemma
+            in (
+                "side",
+                "one",
+                "group",
+                "pair",
+                "couple",
+                "line",
+                "row",
+                "queue",
+                "pile",
+                "number",
+                "first",
+                "last",
+                "two",
+                "three",
+                "none",
+                "both",
+                "each",
+                "neither",
+            )
+        ):
+            for child in word.children:
+                other = self.words[child]
+                if other.dep == "poss" or other.tag == "PRP$":
+                    found = self.referent(child, depth + 1)
+                    if found:
+                        return found
+            for child in word.children:
+                other = self.words[child]
+                if other.dep == "prep" and other.norm in ("of", "on", "in"):
+                    for target in other.children:
+                        if self.words[target].dep == "pobj":
+                            found = self.referent(target, depth + 1)
+                            if found:
+                                return found
+            if word.lemma in ("driver", "operator", "system", "passenger", "feature") or word.norm == "brakes":
+                return self.ego if word.lemma != "passenger" else None
+        if word.tag.startswith("NN") and word.span is None:
+            for child in word.children:
+                other = self.words[child]
+                if (
+                    other.dep == "prep"
+                    and other.norm in ("in", "on")
+                    or other.norm in ("driving", "riding")
+                    and other.dep == "acl"
+                ):
+                    for target in other.children:
+                        if target in self.of and self.of[target].type in VEHICLES and self.words[target].tag != "PRP":
+                            return self.of[target]
+            for child in word.children:
+                other = self.words[child]
+                if other.dep == "prep" and other.norm == "of":
+                    for target in other.children:
+                        if target in self.of and self.of[target].count > 1:
+                            return self.of[target]
+        if word.lemma in (
+            "feature",
+            "function",
+            "motorist",
+            "dcas",
+            "alks",
+            "aebs",
+            "aeb",
+            "system",
+            "driver",
+            "operator",
+            "acc",
+        ):
+            return self.ego
+        return None

@@ -1,0 +1,117 @@
+"""When it happens: the order of events and what triggers them."""
+# ruff: noqa: E501  (patterns and tables of cases stay on one line)
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+from c2s_engine.interpret.modes import Modes
+from c2s_engine.interpret.syntax import Word
+
+if TYPE_CHECKING:
+    from c2s_engine.interpret.clauses import Event
+
+
+class Timing(Modes):
+    """The part of Clauses that orders the events."""
+
+    def render(self, indices: list[int], verb: int | None = None) -> str:
+        raise NotImplementedError
+
+    def _quantities(self, indices: list[int]) -> list[dict[str, Any]]:
+        found = []
+        seen: set[int] = set()
+        for i in indices:
+            span = self.words[i].span
+            if span is not None and span.kind == "quantity" and id(span) not in seen:
+                seen.add(id(span))
+                found.append({**span.data, "start": span.start, "end": span.end, "word": i})
+        return found
+
+    def _order(self) -> None:
+        for event in self.events:
+            word = self.words[event.word]
+            main = self._main(word)
+            if main is None:
+                continue
+            mark = event.adverbial
+            if mark in ("after", "once", "when", "as", "having") and event.word > main.word:
+                event.order = main.order - 0.4
+            elif mark == "before" and event.word < main.word:
+                event.order = main.order + 0.4
+            elif mark in ("until", "till") and event.word > main.word:
+                event.order = main.order + 0.2
+            elif (
+                self.words[event.word].tag == "VBN"
+                and any(self.words[c].norm in ("had", "having") for c in word.children)
+                and event.word > main.word
+            ):
+                event.order = main.order - 0.4
+
+    def _main(self, word: Word) -> Event | None:
+        current = word
+        for _ in range(4):
+            if current.head == current.i:
+                return None
+            current = self.words[current.head]
+            if current.i in self.by_word:
+                return self.by_word[current.i]
+        return None
+
+    def _triggers(self) -> None:
+        """ "when ego is 20 m away", "once the TTC falls to 2 s", "after 5 s": for the event they stand with."""
+        for event in self.events:
+            word = self.words[event.word]
+            candidates = [event.word, *(c for c in word.children if self.words[c].dep in ("advcl", "prep", "npadvmod"))]
+            for i in candidates[1:]:
+                inside = self._deep(i)
+                text = self.render(inside)
+                marks = self.words[inside[0]].norm if inside else ""
+                quantities = self._quantities(inside)
+                for quantity in quantities:
+                    if quantity["dimension"] == "time" and re.search(
+                        r"\bttc\b|time[- ]to[- ](collision|contact)", text
+                    ):
+                        event.trigger = {"kind": "ttc", "value": quantity["low"]}
+                    elif (
+                        quantity["dimension"] == "distance"
+                        and self.words[i].dep == "advcl"
+                        and marks in ("when", "once", "as", "after", "until", "while")
+                        and re.search(r"when|once|as soon as|after|until", text)
+                    ):
+                        place = (
+                            "intersection"
+                            if re.search(r"intersection|junction", text)
+                            else "crosswalk"
+                            if "cross" in text
+                            else None
+                        )
+                        event.trigger = (
+                            {"kind": "place", "value": quantity["low"], "place": place}
+                            if place
+                            else {"kind": "distance", "value": quantity["low"]}
+                        )
+                    elif quantity["dimension"] == "time" and (
+                        re.match(r"(after|at) (about |around |roughly |t = )?#time$", text)
+                        or re.search(r"#time (into|later|after the start|in)", text)
+                    ):
+                        event.trigger = {"kind": "time", "value": quantity["low"]}
+            own = self.render(event.words)
+            if event.trigger is None:
+                for quantity in event.quantities:
+                    if quantity["dimension"] == "time" and re.search(
+                        r"#time (later|into|in\b|after the start|after start)|(^|, )(after|at) (about |around |roughly |t ?= ?)?#time",
+                        own,
+                    ):
+                        event.trigger = {"kind": "time", "value": quantity["low"]}
+                    elif quantity["dimension"] == "time" and re.search(
+                        r"\bttc\b|time[- ]to[- ](collision|contact)", own
+                    ):
+                        event.trigger = {"kind": "ttc", "value": quantity["low"]}
+
+    def _deep(self, i: int) -> list[int]:
+        found = [i]
+        for child in self.words[i].children:
+            found += self._deep(child)
+        return sorted(found)

@@ -146,7 +146,7 @@ def _starts(actor: dict[str, Any], spec: Any, names: dict[str, str]) -> list[Ver
 def _event(structure: Structure, component: Component | None, event: Any, names: dict[str, str], label: str) -> Verdict:
     name, target = (next(iter(event.items()))) if isinstance(event, dict) else (event, None)
     if name == "any_of":
-        verdicts = [_event(structure, component, e, names, label) for e in target]
+        verdicts = [_event(structure, component, e, names, label) for e in target or ()]
         return Verdict("actions", any(v.holds for v in verdicts), f"{label} any of {target}")
     goal = names.get(target, "?") if target else None
     holds = component is not None and said.shows(component.spec, name, goal, structure.place.spec, structure.ego.spec)  # type: ignore[arg-type]
@@ -157,7 +157,9 @@ def _order(structure: Structure, order: list[list[str]], names: dict[str, str]) 
     """`[who, action, action...]`: the phases in that order."""
     found = []
     for who, *actions in order:
-        component = structure.ego if who == "ego" else structure[names[who]] if names.get(who) in structure else None
+        component = (
+            structure.ego if who == "ego" else structure[names[who]] if names.get(who, "") in structure else None
+        )
         phases = [p.action for p in component.spec.phases] if component is not None else []  # type: ignore[union-attr]
         at = [phases.index(a) if a in phases else -1 for a in actions]
         found.append(Verdict("order", -1 not in at and at == sorted(at), f"{who}: {' then '.join(actions)}"))

@@ -47,10 +47,10 @@ class Agents:
                         found = self.cast.referent(target)
                         if found:
                             return found, target, True
-            target = next((self.cast.referent(c) for c in subjects), None)
-            if target is None:
-                target = self._inherited(word, depth)[0]
-            return (None, None, True) if target is None else (target, subjects[0] if subjects else None, True)
+            whom = next((self.cast.referent(c) for c in subjects), None)
+            if whom is None:
+                whom = self._inherited(word, depth)[0]
+            return (None, None, True) if whom is None else (whom, subjects[0] if subjects else None, True)
         for child in subjects:
             other = self.words[child]
             found = self.cast.referent(child)
@@ -147,9 +147,9 @@ class Agents:
                     return inverted
                 agent, at, passive = self._subject(above, depth + 1)
                 if passive:
-                    target = [c for c in above.children if self.words[c].dep == "nsubjpass"]
-                    if target and self.cast.referent(target[0]):
-                        return self.cast.referent(target[0]), target[0], False
+                    passed = [c for c in above.children if self.words[c].dep == "nsubjpass"]
+                    if passed and self.cast.referent(passed[0]):
+                        return self.cast.referent(passed[0]), passed[0], False
                 return agent, at, False
         return self._inverted(word)
 

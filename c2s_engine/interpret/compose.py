@@ -34,7 +34,6 @@ def compose(scene: Scene) -> Structure:
         )
         for n, d in enumerate(drafts, 1)
     ]
-    components = [c.model_copy(update={"description": describe.obj(c.spec)}) for c in components]
     settings, settings_assumed = compose_settings(scene.settings, scene)
     structure = Structure(
         text=scene.text,

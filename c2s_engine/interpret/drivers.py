@@ -16,7 +16,8 @@ RESPONSES = ("brake", "brake_stop", "stop")
 
 def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple[EgoSpec, list[Assumption]]:
     """Ego's spec and what was assumed in it."""
-    ego, assumed = scene.cast.ego, []
+    ego = scene.cast.ego
+    assumed: list[Assumption] = []
     events = scene.events(ego)
     others = [e for e in scene.actors if e in ids]
     phases: list[Phase] = []

@@ -154,7 +154,7 @@ class Cast(Pronouns):
     def _apposed(self, word: Word) -> Entity | None:
         """The entity that a label or noun stands beside: "a car (V2)", "V2, a car", "V2 was a truck"."""
         before = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
-        gap = []
+        gap: list[str] = []
         for other in reversed(before):
             if other.i in self.of:
                 text = re.sub(

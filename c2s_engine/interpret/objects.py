@@ -371,11 +371,7 @@ def _vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place:
         if event is not None and "overtake" in acts or rel == "behind":
             return {"position": f"{start}_lane", "along": "behind", "said": True}
         return {"position": f"{start}_lane", "along": _along(rel), "said": True}
-    if (
-        "overtake" in acts
-        and scene.does(entity, "overtake") is not None
-        and (scene.does(entity, "overtake").patient is None or scene.does(entity, "overtake").patient.ego)
-    ):  # type: ignore[union-attr]
+    if _passes_ego(scene, entity):
         if (
             lane == "same"
             or (place.oncoming or place.lanes in (None, 1) and place.kind not in ("motorway",))

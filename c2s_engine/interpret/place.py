@@ -178,18 +178,18 @@ def _lanes(plain: str, sentences: list[tuple[int, int]], road: Road, data: dict[
                 and not (re.search(r"both (lanes|directions)", match[0]) and road.lanes == 1)
             ):
                 road.lanes = least
-    match = re.search(
+    stated = re.search(
         r"\b(?P<n>two|three|four|2|3|4)( \w+)? lanes (of|in|for|going|heading|travell?ing|running)( \w+){0,2}( the)?( same| each| this| one| direction| way)|\b(?P<n2>two|three|four) (\w+ )?lanes\b",
         plain,
     )
-    if match and road.lanes is None:
-        road.lanes = _number(match)
+    if stated and road.lanes is None:
+        road.lanes = _number(stated)
     if re.search(r"one lane (each|per|in each|for each|either|in either) |single[- ]lane|single lane", plain):
         road.lanes = 1 if not road.lanes or road.lanes < 2 else road.lanes
     for entry in data["ego_lane"]:
-        match = _re(entry["find"]).search(plain)
-        if match:
-            road.spans.setdefault("ego_lane", match.span())
+        hit = _re(entry["find"]).search(plain)
+        if hit:
+            road.spans.setdefault("ego_lane", hit.span())
 
 
 def _limit(plain: str, road: Road, data: dict[str, Any], quantities: list[Span]) -> None:

@@ -1,4 +1,4 @@
-"""The methods that use a language model (or a retriever) behind the graph's face: their tools, their events, their tokens."""
+"""The methods that use a language model (or a retriever) behind the graph's face: tools, events, tokens."""
 
 import time
 from collections.abc import Sequence
@@ -11,7 +11,7 @@ from c2s_engine.session.steps import Emit, Tools, timed
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import Diagnostic
 from c2s_engine.structure.program import FragmentSpan, assemble
-from c2s_engine.structure.progress import ProgramChanged, Say, StageDone, StageStarted, Usage
+from c2s_engine.structure.progress import ProgramChanged, StageDone, StageStarted, Usage
 from c2s_engine.write.typed import TypedWriter
 
 
@@ -50,8 +50,6 @@ class ModelMethod:
             return None, [], {"tokens": self.tokens}, result
         result = timed("interpret", started)
         emit(StageDone(result=result))
-        for note in reading.notes:
-            emit(Say(text=note, severity="warning"))
         details = {"tokens": self.tokens, "fallbacks": len(reading.fallbacks), "share": round(reading.share, 3)}
         return reading.structure.model_copy(update={"text": text}), [], details, result
 
@@ -110,10 +108,10 @@ class ModelMethod:
                 return []
             return await (await retrieval()).search(query, kind=kind, component=component, limit=limit)
 
-        async def embed(texts: list[str]) -> list[list[float]]:
+        async def embed(texts: Sequence[str]) -> list[list[float]]:
             if retrieval is None:
                 raise ValueError("no retrieval worker is at hand")
-            return await (await retrieval()).embed(texts)
+            return await (await retrieval()).embed(list(texts))
 
         return method(
             self.name,

@@ -9,7 +9,7 @@ from c2s_engine.maps.extras import read_extras
 from c2s_engine.maps.library import SHIPPED, MapFile, MapLibrary, MapNotFound
 from c2s_engine.structure.components import Assumption, Structure
 from c2s_engine.structure.diagnostics import Diagnostic
-from c2s_engine.structure.specs import SettingsSpec
+from c2s_engine.structure.specs import PlaceSpec, SettingsSpec
 from c2s_engine.write.typed import ResolveError, TypedWriter, make_plan
 from c2s_engine.write.typed.kernel import source
 from c2s_engine.write.typed.writer import MapChoice
@@ -97,6 +97,7 @@ def library_has(library: MapLibrary, name: str) -> bool:
 async def _nearest(structure: Structure, library: MapLibrary, check: CheckClient, given: str | None) -> str:
     """Which single field of R, left open, would give places."""
     place = structure.place.spec
+    assert isinstance(place, PlaceSpec)
     choice = map_choice(library, library.find(given or SHIPPED))
     found = []
     for field, spec in relaxed(place).items():

@@ -2,10 +2,13 @@
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
 from c2s_engine.structure.components import Component, ComponentId, Structure, Unmet
-from c2s_engine.structure.specs import SPEC_OF, AnySpec, ObjectSpec
+from c2s_engine.structure.specs import AnySpec, ObjectSpec
+
+
+SPEC_ADAPTER: TypeAdapter[AnySpec] = TypeAdapter(AnySpec)
 
 
 class EditError(ValueError):
@@ -135,7 +138,7 @@ def _changed(component: Component, edit: SetDescription | SetSpec | SetField | S
     data = component.spec.model_dump(mode="json")
     _put(data, edit.path.split("."), edit.value, edit.path)
     try:
-        spec = SPEC_OF[component.kind].model_validate(data)
+        spec = SPEC_ADAPTER.validate_python(data)
     except ValidationError as error:
         first = error.errors()[0]
         where = ".".join(str(part) for part in first["loc"])

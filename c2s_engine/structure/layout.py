@@ -26,7 +26,7 @@ def chunks(components: Sequence[Component]) -> list[Chunk]:
                 if text:
                     placed.append(((place, rank), (component.id, text, True)))
         else:
-            places = [place for place, _ in component.layout] or [after]
+            places: list[float] = [float(place) for place, _ in component.layout] or [after]
             place = places[0] if component.id == "G" else places[-1]
             placed.append(((place, rank), (component.id, component.code, component.origin == "imported")))
         after = max(after, *places)

@@ -35,7 +35,10 @@ def test_the_wheel_does_the_main_job(tmp_path):
         "XDG_DATA_HOME": str(tmp_path / "data"),
         "XDG_CONFIG_HOME": str(tmp_path / "config"),
     }
-    code = f"import c2s_engine, sys; assert c2s_engine.__file__.startswith({str(site)!r}), c2s_engine.__file__; from c2s_engine.cli import main; main()"
+    code = (
+        f"import c2s_engine; assert c2s_engine.__file__.startswith({str(site)!r}), c2s_engine.__file__;"
+        "from c2s_engine.cli import main; main()"
+    )
     done = subprocess.run(
         [sys.executable, "-c", code, "generate", "--json", "A car ahead brakes hard and the ego stops behind it."],
         cwd=elsewhere, env=environment, capture_output=True, timeout=280,

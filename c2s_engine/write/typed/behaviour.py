@@ -98,7 +98,7 @@ class _Script:
         control = a.plan.place.control
         if control == "signal" and light == "red" and not actions & {"run_red", "stop", "stationary"}:
             return [*phases, Phase(action="stop", trigger=Trigger(kind="place", place="intersection", value=0))]
-        if control == "stop" and not actions & {"run_stop", "stop", "yield"} and a.spec.reaction != "yield":
+        if control == "stop" and not actions & {"run_stop", "stop", "yield"} and getattr(a.spec, "reaction", "") != "yield":
             stop = Phase(action="stop", trigger=Trigger(kind="place", place="intersection", value=0))
             return [stop, Phase(action="wait", duration=1.0), Phase(action="start"), *phases]
         return phases
@@ -176,7 +176,7 @@ class _Script:
             return "until self._lane is accelerationLane"
         if a.is_ego and phase.action in FORCED and self._confronted(phase):
             other = a.ref(phase.target or getattr(a.spec, "react_to", None))
-            hard = a.spec.hard or (phase.rate is not None and middle(phase.rate) >= 4)
+            hard = getattr(a.spec, "hard", False) or (phase.rate is not None and middle(phase.rate) >= 4)
             limit = 1.2 if phase.action in ("swerve", "lane_change") else 4 if hard else 2
             return f"until need(self, {other}) > {limit}"
         if phase.action == "cut_in":

@@ -1,5 +1,6 @@
 """What a fragment may call things: variables of components, constants, numbers as Scenic text."""
 
+import keyword
 import re
 
 from c2s_engine.structure.components import Structure
@@ -28,7 +29,7 @@ def variables(structure: Structure) -> dict[str, str]:
         spec = component.spec
         base = spec.name if isinstance(spec, ObjectSpec) else component.id.lower()
         base = re.sub(r"\W", "_", base)
-        if base in RESERVED or base.upper() == base:
+        if base in RESERVED or keyword.iskeyword(base) or base.upper() == base:
             base = f"the_{base}".lower()
         name, n = base, 2
         while name in taken:

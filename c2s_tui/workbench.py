@@ -332,4 +332,6 @@ class Workbench(Actions, Screen):
         if name != "picture":
             self.query_one(Tabs).active = f"tab-{name}"
         target = {"chat": self.chat.entry, "sheet": self.sheet, "code": self.code.area, "picture": self.picture}[name]
-        self.call_after_refresh(target.focus)
+        if self.has_class("-narrow"):  # what is still hidden cannot take the focus
+            self.app.stylesheet.update(self.query_one("#panes"))
+        target.focus()

@@ -57,9 +57,18 @@ def changed_lines(before: str, after: str) -> frozenset[int]:
     """The lines (1-based) of `after` that are new or other than in `before`."""
     if before == after:
         return frozenset()
-    matcher = SequenceMatcher(None, before.split("\n"), after.split("\n"), autojunk=False)
+    old, new = before.split("\n"), after.split("\n")
+    head = _common(old, new)
+    tail = _common(old[head:][::-1], new[head:][::-1])
+    inner_old, inner_new = old[head : len(old) - tail], new[head : len(new) - tail]
+    if not inner_old:
+        return frozenset(range(head + 1, head + 1 + len(inner_new)))
+    matcher = SequenceMatcher(None, inner_old, inner_new, autojunk=False)
     return frozenset(
-        line + 1 for tag, _, _, first, last in matcher.get_opcodes() if tag != "equal" for line in range(first, last)
+        head + line + 1
+        for tag, _, _, first, last in matcher.get_opcodes()
+        if tag != "equal"
+        for line in range(first, last)
     )
 
 

@@ -42,11 +42,15 @@ def highlights(text: str) -> dict[int, list[Highlight]]:
 
 def _blocks(text: str) -> list[str]:
     """Pieces that begin at the left margin, outside triple quotes."""
-    if '"""' in text or "'''" in text:
-        return [text]
     cuts = [m.start() for m in _TOP.finditer(text)]
     edges = sorted({0, *cuts, len(text)})
-    return [text[a:b] for a, b in zip(edges, edges[1:], strict=False)]
+    blocks, open_block = [], ""
+    for a, b in zip(edges, edges[1:], strict=False):
+        open_block += text[a:b]
+        if open_block.count('"""') % 2 == 0 and open_block.count("'''") % 2 == 0:
+            blocks.append(open_block)
+            open_block = ""
+    return [*blocks, open_block] if open_block else blocks
 
 
 @lru_cache(maxsize=4096)

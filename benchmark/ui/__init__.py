@@ -1,0 +1,1 @@
+"""Benchmarks of the app: first paint, key to draw under load, long programs, idle processor time."""

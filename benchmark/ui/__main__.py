@@ -1,0 +1,42 @@
+"""`python -m c2s_bench.ui`: measures the app and prints a table (or JSON with --json)."""
+
+import argparse
+import asyncio
+import json
+import platform
+
+from c2s_bench.ui.editing import edit_long_program
+from c2s_bench.ui.latency import key_to_draw
+from c2s_bench.ui.terminal import first_paint, idle_cpu
+
+GOALS = {
+    "first paint, s (median of starts)": 0.4,
+    "key to draw while a scenario is made, ms (95th percentile)": 50.0,
+    "key to draw in a program of 2,000 lines, ms (95th percentile)": 50.0,
+    "scroll a page in a program of 2,000 lines, ms (95th percentile)": 50.0,
+    "processor time while idle, %": 1.0,
+}
+
+
+def main() -> None:
+    """Run all measurements, one after the other."""
+    parser = argparse.ArgumentParser(prog="python -m c2s_bench.ui", description=__doc__)
+    parser.add_argument("--json", action="store_true", help="print JSON")
+    parser.add_argument("--starts", type=int, default=9, help="starts of the app to take the first paint from")
+    parser.add_argument("--idle", type=float, default=20.0, help="seconds to watch the idle app")
+    options = parser.parse_args()
+    long = asyncio.run(edit_long_program())
+    figures = [
+        first_paint(options.starts), asyncio.run(key_to_draw()), long["key"], long["scroll"], idle_cpu(options.idle),
+    ]  # fmt: skip
+    rows = {name: (value, goal) for (name, goal), value in zip(GOALS.items(), figures, strict=True)}
+    if options.json:
+        machine = f"{platform.processor() or platform.machine()}, Python {platform.python_version()}"
+        print(json.dumps({"machine": machine, **{n: {"value": v, "goal": g} for n, (v, g) in rows.items()}}, indent=1))
+        return
+    for name, (value, goal) in rows.items():
+        print(f"{name:<66} {value:8.2f}   goal {goal:g}   {'met' if value <= goal else 'MISSED'}")
+
+
+if __name__ == "__main__":
+    main()

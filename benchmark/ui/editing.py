@@ -1,0 +1,58 @@
+"""Typing and scrolling in a program of 2,000 lines."""
+
+import asyncio
+import time
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from c2s_bench.ui.latency import one_key, percentile
+
+LINES = 2000
+FRAGMENT = """behavior Behavior{i}(speed=10):
+    try:
+        do FollowLaneBehavior(target_speed=speed)  # m/s
+    interrupt when withinDistanceToAnyObjs(self, 10):
+        take SetBrakeAction(0.8)
+
+car{i} = new Car following roadDirection from ego for {i},
+    with behavior Behavior{i}(speed=Range(8, 12))
+
+"""
+
+
+async def edit_long_program(keys: int = 100) -> dict[str, float]:
+    """95th percentiles, ms: `key` to draw, `scroll` a page."""
+    from c2s_engine.structure.components import Component, Structure
+    from c2s_engine.structure.edits import Replace
+    from c2s_engine.structure.specs import EgoSpec
+    from c2s_tui.app import C2SApp
+    from c2s_tui.backend import Backend
+    from c2s_tui.prefs import Prefs
+
+    code = "".join(FRAGMENT.format(i=i) for i in range(1, LINES // FRAGMENT.count("\n") + 1))
+    imported = Structure(ego=Component(id="E", spec=EgoSpec(), code=code, origin="imported"))
+    typed, scrolled = [], []
+    with TemporaryDirectory() as folder:
+        backend = Backend(folder=Path(folder))
+        app = C2SApp(backend=backend, session="bench", prefs=Prefs(welcomed=True))
+        async with app.run_test(size=(140, 45)):
+            while app.workbench is None or not app.workbench.ready:
+                await asyncio.sleep(0.05)
+            bench = app.workbench
+            await bench.make_edits((Replace(structure=imported),))
+            while bench.busy or bench.code.area.document.line_count < LINES - 50:
+                await asyncio.sleep(0.05)
+            area = bench.code.area
+            area.focus()
+            area.move_cursor((LINES // 2, 0))
+            for i in range(keys):
+                typed.append(await one_key(app, area, "abcdefgh "[i % 9]))
+                await asyncio.sleep(0.03)
+            for i in range(keys):
+                started, done = time.perf_counter(), asyncio.Event()
+                area.scroll_page_down(animate=False) if i % 20 < 10 else area.scroll_page_up(animate=False)
+                app.call_after_refresh(done.set)
+                await done.wait()
+                scrolled.append(1000 * (time.perf_counter() - started))
+        await backend.close()
+    return {"key": percentile(typed), "scroll": percentile(scrolled)}

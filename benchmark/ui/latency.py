@@ -1,0 +1,66 @@
+"""From a key to the drawn frame, while a scenario is interpreted, written, checked and run by the real engine."""
+
+import asyncio
+import statistics
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+TEXTS = (
+    "Ego drives at 50 km/h on a road with two lanes. A van in the left lane cuts in 15 m ahead.",
+    "Ego turns left at a signalised intersection. A pedestrian crosses from the right.",
+    "Ego follows a truck at 70 km/h in the rain. The truck brakes hard.",
+)
+KEYS_PER_TURN = 120
+
+
+async def key_to_draw() -> float:
+    """The 95th percentile, ms, over keys typed into the chat during three turns."""
+    from c2s_tui.app import C2SApp
+    from c2s_tui.backend import Backend
+    from c2s_tui.prefs import Prefs
+
+    times: list[float] = []
+    with tempfile.TemporaryDirectory() as folder:
+        backend = Backend(folder=Path(folder))
+        app = C2SApp(backend=backend, session="bench", prefs=Prefs(welcomed=True))
+        async with app.run_test(size=(140, 45)) as pilot:
+            while app.workbench is None or not app.workbench.ready:
+                await asyncio.sleep(0.05)
+            for text in TEXTS:
+                await app.workbench.say(text)
+                while not app.workbench.busy:
+                    await asyncio.sleep(0.005)
+                entry = app.workbench.chat.entry
+                entry.focus()
+                count = 0
+                while app.workbench.busy or count < 20:
+                    if count < KEYS_PER_TURN:
+                        times.append(await one_key(app, entry, "abcdefgh "[count % 9]))
+                        count += 1
+                    await asyncio.sleep(0.04)
+                entry.put("")
+            del pilot
+        await backend.close()
+    return percentile(times)
+
+
+async def one_key(app: Any, area: Any, key: str) -> float:
+    """Milliseconds from handing a key to the app until the widget has been drawn with it."""
+    from textual import events
+
+    drawn = asyncio.Event()
+    before = area.text
+    started = time.perf_counter()
+    app.post_message(events.Key("space" if key == " " else key, key))
+    while area.text == before:
+        await asyncio.sleep(0.001)
+    app.call_after_refresh(drawn.set)
+    await drawn.wait()
+    return 1000 * (time.perf_counter() - started)
+
+
+def percentile(times: list[float], share: float = 0.95) -> float:
+    """The value below which that share of the times lies."""
+    return statistics.quantiles(times, n=100)[round(share * 100) - 1]

@@ -58,6 +58,27 @@ class Agents:
                 return found, child, False
             if other.lemma in ("there",) or other.dep == "expl":
                 continue
+            if child < word.i and self._lemma(word) in (
+                "come",
+                "run",
+                "drive",
+                "stand",
+                "go",
+                "lie",
+                "ride",
+                "travel",
+                "sit",
+                "wait",
+                "walk",
+                "be",
+            ):
+                late = [
+                    c
+                    for c in word.children
+                    if c > word.i and self.words[c].dep in ("dobj", "attr", "nsubj") and c in self.cast.of
+                ]
+                if late:
+                    return self.cast.of[late[0]], late[0], False
             return None, child, False
         if any(self.words[c].dep == "expl" for c in word.children):
             for child in word.children:
@@ -227,7 +248,11 @@ class Agents:
             other = self.words[i]
             if other.sentence != word.sentence or other.norm in (";", ":"):
                 return None
-            if i in self.cast.of and other.dep not in ("pobj", "poss", "dobj") and other.tag != "PRP$":
+            if (
+                i in self.cast.of
+                and (other.dep not in ("pobj", "poss", "dobj") or i == word.i - 1 and other.dep == "dobj")
+                and other.tag != "PRP$"
+            ):
                 return self.cast.of[i]
         return None
 

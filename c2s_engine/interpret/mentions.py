@@ -275,7 +275,7 @@ class Cast(Pronouns):
         bracket = word.i and any(w.norm in ("(", "--", "-", ":") for w in self.words[max(0, word.i - 4) : word.i])
         if (
             host is not None
-            and (word.dep in ("appos", "attr") or bracket)
+            and (word.dep in ("appos", "attr") or bracket or (bool(host.label) and not host.typed))
             and self.words[word.i - 1].norm not in ("and", "or")
             and (fits(host, kind) or host.type == "vehicle" or (host.ego and not self.ego.typed and kind in MOTOR))
             and not (word.dep == "conj" and not host.label and not host.ego)

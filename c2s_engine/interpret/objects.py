@@ -133,9 +133,10 @@ def _start_ttc(scene: Scene) -> float | None:
 
 
 def _person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:
-    if "overtake" in acts and where.lane is None and not where.rel:
+    if "overtake" in acts and (where.lane is None and not where.rel or _passes_ego(scene, entity)):
         return {"position": "behind", "said": True}
     crosses = "cross_road" in acts or "enter_road" in acts or "cut_in" in acts and entity.person
+    crosses = crosses or _on_crosswalk(scene, entity, acts)
     along = "move_along" in acts and not crosses
     text = " ".join(e.whole for e in scene.events(entity)) + " " + " ".join(t for _, t in where.phrases)
     edge = (
@@ -230,6 +231,14 @@ def _person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     return {"position": "ahead", "said": where.rel == "ahead" or where.lane == "same"}
 
 
+def _on_crosswalk(scene: Scene, entity: Entity, acts: list[str]) -> bool:
+    """Whether a person of whom no act is told is on a crosswalk: then it crosses."""
+    if acts or not entity.person or not scene.road.crosswalk or entity.roles:
+        return False
+    words = scene.words[entity.mentions[0].word : entity.mentions[0].word + 7]
+    return bool(re.search(r"cross|zebra", " ".join(w.norm for w in words)))
+
+
 def _sentence_side(scene: Scene, entity: Entity) -> str | None:
     """The side that the sentence of a person's first mention names for it."""
     first = entity.mentions[0]
@@ -280,6 +289,8 @@ def _thing(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
 def _vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:
     junction = place.kind == "intersection"
     lane, rel, edge = where.lane, where.rel, where.side
+    if junction and lane in ("left", "right") and rel is None and "lane" not in " ".join(t for _, t in where.phrases):
+        lane, edge = "crossing", lane
     direction = _compass(scene, entity) if junction and lane in (None, "same", "crossing") else None
     if direction in ("left", "right"):
         return {"position": f"crossing_{direction}", "said": True}

@@ -64,7 +64,11 @@ def phases_of(
     if "stationary" in entity.roles and not any(p.action not in ("stationary", "wait") for p in found):
         found = [Phase(action="stationary")]
     if entity.person and not found and not entity.roles and placement.position in ("sidewalk", "roadside"):
-        found = [Phase(action="stationary")]
+        near = " ".join(w.norm for w in scene.words[entity.mentions[0].word : entity.mentions[0].word + 7])
+        on_it = place.crosswalk and re.search(r"cross|zebra", near) is not None
+        found = [Phase(action="cross_road" if on_it else "stationary")]
+    if entity.person and not found and not entity.roles and placement.position in ("intersection_exit",):
+        found = [Phase(action="cross_road")]
     if "parked" in entity.roles and not found:
         found = [Phase(action="stationary")]
     found = _merged(found)
@@ -121,6 +125,8 @@ def _phases(
     if act in ("travel", "lead", "held_up", "approach", "keep_lane", "evade", "swing"):
         if act == "keep_lane" and not before:
             return [Phase(action="keep_lane")]
+        return []
+    if act == "stationary" and event.text.startswith("park") and before:
         return []
     if act == "stationary":
         duration = duration_of(event)
@@ -182,6 +188,12 @@ def _phases(
         return []
     if act == "lane_change" and placement.position == "on_ramp":
         return [Phase(action="cut_in", target=ego, trigger=trigger)]
+    if act == "lane_change" and placement.position in ("parked", "roadside"):
+        return (
+            [Phase(action="enter_road", target=ego, trigger=trigger)]
+            if not before or before[-1].action != "enter_road"
+            else []
+        )
     if act in ("lane_change", "cut_out"):
         if any(p.action == "swerve" for p in before):
             return []

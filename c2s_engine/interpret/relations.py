@@ -111,6 +111,14 @@ class Places(Inferred):
         ]
         for child in apposed:
             self._from_phrase(child, where, entity)
+        before = [w for w in self.words[max(0, i - 9) : i] if w.sentence == word.sentence]
+        front = self.clauses.render([w.i for w in before])
+        fronted = re.search(
+            r"(?:^|, |and |: )((?:from|to|on|at) (?:the |its |@\w+ 's )+(?:left|right)(?: side)?)(?: a| an| another| the| \w+){0,3}$",
+            front,
+        )
+        if fronted and word.span is not None:
+            read(fronted[1], where, entity, self.cast, "noun")
         lead = word.span.data.get("words", []) if word.span is not None and word.span.kind == "actor" else []
         text = " ".join(lead) + " "
         known = set(self.cast.of) | set()

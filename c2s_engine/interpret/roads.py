@@ -186,6 +186,12 @@ def _ego_lane(scene: Scene) -> str | None:
         if match:
             texts.append(match[1])
         word = scene.words[mention.word]
+        linear: list[str] = []
+        for other in scene.words[mention.word + 1 : mention.word + 14]:
+            if other.sentence != word.sentence or other.verb or other.norm == "and" or other.i in scene.cast.of:
+                break
+            linear.append(other.norm)
+        texts.append(" ".join(linear))
         below = scene.clauses._below(mention.word)
         texts.append(" ".join(scene.words[i].norm for i in below if i > mention.word))
         del word

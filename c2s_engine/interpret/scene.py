@@ -212,6 +212,12 @@ def _choose_ego(cast: Cast, clauses: Clauses) -> None:
         and not hit
     ) and re.search(r"\b(in front|ahead)\b", " ".join(w.norm for w in cast.words)):
         return
+    plain = " ".join(w.norm for w in cast.words)
+    implied = re.search(
+        r"\b(coming|comes) (the other way|towards)|\boncoming\b|opposite (direction|lane)|other direction", plain
+    )
+    if implied and best.mentions[0].word > 6 and best is not (generic[0] if generic else None):
+        return
     cast.entities.remove(best)
     if best.type != "vehicle":
         cast.ego.type, cast.ego.typed = best.type, True
@@ -356,6 +362,8 @@ def _mentioned_alone(scene: Scene, entity: Entity) -> bool:
             for m in entity.mentions
         )
         and (entity.person or entity.type in ("bicycle", "motorcycle"))
+        or any(scene.words[m.word].dep == "attr" and scene.words[m.word].span is not None for m in entity.mentions)
+        and entity.type in VEHICLES
     )
 
 
@@ -465,7 +473,7 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
         if word.span is None or word.end > span.start or span.start - word.end > 24:
             continue
         if re.fullmatch(
-            r"\s*(at|doing|going|travell?ing at|driving at|moving at)\s*(about |around |roughly |approximately |only |just )?",
+            r"\s*,?\s*(at|doing|going|travell?ing at|driving at|moving at)\s*(about |around |roughly |approximately |only |just )?",
             scene.plain[word.end : span.start],
         ):
             verb = scene.clauses._governor(word)

@@ -377,7 +377,7 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         and text.endswith("s")
         and (text in NOUN_LIKE or text in ("waits", "signals", "stops"))
         and regex.search(
-            r"(?:in front|ahead|behind|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly)\s*$",
+            r"(?:in front|ahead|behind|on the (?:left|right)|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly)\s*$",
             plain[max(0, start - 9) : start],
         )
         or before is not None

@@ -58,6 +58,7 @@ def one_sentence(done, code):
         (["check", "/nonexistent.scenic"], None, "no file"),
         (["run", "."], None, "folder"),
     ],
+    ids=["empty", "nothing", "binary", "1 MB", "no file", "a folder", "no folder", "no program", "run a folder"],
 )
 def test_bad_input_gets_one_sentence(arguments, stdin, says):
     assert says in one_sentence(c2s(*arguments, stdin=stdin), 2)

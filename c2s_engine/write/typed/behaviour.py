@@ -98,7 +98,11 @@ class _Script:
         control = a.plan.place.control
         if control == "signal" and light == "red" and not actions & {"run_red", "stop", "stationary"}:
             return [*phases, Phase(action="stop", trigger=Trigger(kind="place", place="intersection", value=0))]
-        if control == "stop" and not actions & {"run_stop", "stop", "yield"} and getattr(a.spec, "reaction", "") != "yield":
+        if (
+            control == "stop"
+            and not actions & {"run_stop", "stop", "yield"}
+            and getattr(a.spec, "reaction", "") != "yield"
+        ):
             stop = Phase(action="stop", trigger=Trigger(kind="place", place="intersection", value=0))
             return [stop, Phase(action="wait", duration=1.0), Phase(action="start"), *phases]
         return phases
@@ -152,20 +156,7 @@ class _Script:
         return f"until (distance from self to {lane}.centerline[-1]) < {scope.number(room)}"
 
     def _observed(self, other: str, t: Trigger) -> str:
-        """What can be seen of another's action while it is at it."""
-        if t.action in ("stop", "stationary", "wait"):
-            return f"{other}.speed < 0.3"
-        if t.action in ("start", "accelerate", "enter_road", "cross_road", "move_along"):
-            return f"{other}.speed > 0.5"
-        if t.action == "brake":
-            cid = t.of or "E"
-            prefix = "EGO" if cid in ("E", "ego") else scope.constant(self.a.structure, cid)
-            return f"{other}.speed < {prefix}_SPEED - 1.5"
-        if t.action in ("turn_left", "turn_right", "go_straight", "run_red", "run_stop"):
-            return f"{other}._intersection"
-        if t.action in ("lane_change", "cut_in", "cut_out"):
-            return f"({other}._lane is egoLane)" if t.action == "cut_in" else f"({other}._lane is not egoLane)"
-        return f"(distance from self to {other}) < 20"
+        return observed(self.a.structure, other, t.of or "ego", t.action)
 
     def _implicit(self, phase: Phase, first: bool = True) -> str:
         """The trigger of a phase that names none: what ego is forced to waits for the need, a cut-in for its gap."""
@@ -471,6 +462,27 @@ class _Script:
             ]
         faster = max(goal, self._target_speed(p) + 4) if self._same_lane(p) else goal
         return [([self._drive(scope.number(faster) if faster > goal else None)], "")]
+
+
+def observed(structure: Structure, other: str, cid: str, action: str | None) -> str:
+    """What can be seen of another's action while it is at it."""
+    if action in ("stop", "stationary", "wait"):
+        return f"{other}.speed < 0.3"
+    if action in ("start", "accelerate", "enter_road", "cross_road", "move_along"):
+        return f"{other}.speed > 0.5"
+    if action == "brake":
+        spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
+        prefix = "EGO" if cid in ("E", "ego") else scope.constant(structure, cid)
+        moving = cid in ("E", "ego") or isinstance(spec, ObjectSpec) and not is_static(spec)
+        known = moving and getattr(spec, "speed", None) not in (None, 0)
+        return f"{other}.speed < {prefix}_SPEED - 1.5" if known else f"{other}.speed < 3"
+    if action in ("turn_left", "turn_right", "go_straight", "run_red", "run_stop"):
+        return f"{other}._intersection is not None"
+    if action == "cut_in":
+        return f"{other}._lane is egoLane"
+    if action in ("lane_change", "cut_out"):
+        return f"{other}._lane is not egoLane"
+    return f"(distance from ego to {other}) < 20"
 
 
 def reaction(actor: Actor, statements: list[str]) -> list[str]:

@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass, field
 
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import references
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, LENGTH, MOVES_OFF_ROAD, is_static, is_vehicle
@@ -98,6 +99,7 @@ def make_plan(structure: Structure) -> Plan:
     assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
     restrictions = structure.restrictions.spec
     objects = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+    _placed_after(structure)
     place = _place_kind(place, ego, objects)
     if place.kind == "on_ramp":  # beside a ramp there is the motorway, on the left
         objects = {c: _on_the_left(o) for c, o in objects.items()}
@@ -153,6 +155,24 @@ def make_plan(structure: Structure) -> Plan:
         exit_lane=any(o.placement.position == "intersection_exit" for o in objects.values()),
         lane_of=lane_of,
     )
+
+
+def _placed_after(structure: Structure) -> None:
+    """An object is placed relative to one that is written before it; T's conditions name what is there."""
+    known = {"ego"}
+    for component in structure.objects:
+        spec = component.spec
+        assert isinstance(spec, ObjectSpec)
+        for name, other in (("of", spec.placement.of), ("hidden_by", spec.placement.hidden_by)):
+            if other is not None and other not in known:
+                where = f"{component.id}.placement.{name}"
+                raise ResolveError(
+                    f"{component.id} is placed by {other}, which is not there before it: move it", (where,)
+                )
+        known.add(component.id)
+    for c in (structure.ego, structure.restrictions, *structure.objects):
+        if missing := references(c) - known - {"E"}:
+            raise ResolveError(f"{c.id} names {', '.join(sorted(missing))}, which is not there", (c.id,))
 
 
 def _on_the_left(o: ObjectSpec) -> ObjectSpec:

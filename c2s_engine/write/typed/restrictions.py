@@ -3,14 +3,24 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import Condition, RestrictionsSpec
 from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.behaviour import observed
 from c2s_engine.write.typed.plan import Plan
+
+AT_START = {"distance", "visible", "not_visible"}
+CLOCK = "simulation().currentTime * simulation().timestep"
 
 
 def write_restrictions(structure: Structure, plan: Plan) -> str:
+    """Requirements hold in the sampled scene; what only a run can show must happen in it (`require eventually`)."""
     spec = structure.restrictions.spec
     assert isinstance(spec, RestrictionsSpec)
-    lines = [f"require {_condition(structure, c)}" for c in spec.require]
-    lines += [f"terminate when {_condition(structure, c)}" for c in spec.terminate_when]
+    lines = []
+    for c in spec.require:
+        when = "" if c.kind in AT_START else "eventually "
+        lines.append(f"require {when}{_condition(structure, c)}")
+    for c in spec.terminate_when:
+        guard = "" if c.kind == "time" else f"{CLOCK} > 1 and "  # a run does not end as it begins
+        lines.append(f"terminate when {guard}{_condition(structure, c)}")
     lines.append(f"terminate after {scope.number(plan.duration)} seconds")
     return "\n".join(lines)
 
@@ -21,16 +31,19 @@ def _condition(structure: Structure, c: Condition) -> str:
     if c.kind in ("visible", "not_visible"):
         return f"{'' if c.kind == 'visible' else 'not '}({subject} can see {other})"
     if c.kind == "time":
-        return f"simulation().currentTime * simulation().timestep >= {scope.number(c.minimum or 0)}"
+        return f"({CLOCK} >= {scope.number(c.minimum or 0)})"
     if c.kind == "stopped":
-        return f"({subject}.speed < 0.2 and simulation().currentTime * simulation().timestep > 2)"
+        return f"({subject}.speed < 0.2)"
     if c.kind == "collision":
         return f"({subject} intersects {other})"
     if c.kind == "travelled":
-        return f"(distance from {subject} to {subject}.start) >= {scope.number(c.minimum or 0)}"
+        start = "egoLane.centerline.pointAlongBy(EGO_AT)"
+        return f"((distance from ego to {start}) >= {scope.number(c.minimum or 0)})"
+    if c.kind == "action":
+        return f"({observed(structure, subject, c.subject, c.action)})"
     parts = []
     if c.minimum is not None:
         parts.append(f"(distance from {subject} to {other}) >= {scope.number(c.minimum)}")
     if c.maximum is not None:
         parts.append(f"(distance from {subject} to {other}) <= {scope.number(c.maximum)}")
-    return " and ".join(parts) or "True"
+    return f"({' and '.join(parts)})" if parts else "True"

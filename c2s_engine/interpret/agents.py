@@ -145,6 +145,8 @@ class Agents:
                     and not any(self.words[c].dep == "cc" and above.i < c < word.i for c in above.children)
                 ):
                     above = self._governor(above) or above
+                elif above.dep == "advcl" and self.words[word.i - 1].norm == "then":
+                    above = self._governor(above) or above
             if above is not None and above.i != word.i:
                 if word.dep == "csubj":
                     found = next(

@@ -63,6 +63,12 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         elif act in ("lane_change", "cut_out", "evade"):
             if act == "evade" and reaction == "none" and who:
                 reaction, said_reaction = "evade", True
+            elif (
+                act == "lane_change"
+                and any(p.action == "swerve" for p in phases)
+                and re.search(r"return|back|own lane|its lane", event.whole)
+            ):
+                continue
             elif act != "evade":
                 phases.append(Phase(action="lane_change", side=towards or _free_side(place), trigger=trigger))
         elif (

@@ -554,6 +554,7 @@ def _rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 later,
             ):
                 event.mode = "hypothetical"
+    _waits(cast, clauses)
     _echoes(cast, clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:
@@ -564,6 +565,77 @@ def _rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
         ):
             event.mode = "hypothetical"
     clauses.events.sort(key=lambda e: e.order)
+
+
+WAITS = re.compile(
+    r"(?:wait|stays? put|hold|remain|pause|stops?|(?:not|n't|never) (?:\w+ )?(?:move|start|turn|go|proceed|pull|enter|set|begin))[^.;]*?\b(?:until|till|for)\b"
+    r" (?:\S+ ){0,7}?@(?P<who>a\d+)[^.;]*?\b(?:pass\w*|clear|cross\w*|by|through|past|gone|go|goes|first|over|finish\w*)\b"
+)
+PRIORITY = re.compile(
+    r"@(?P<who>a\d+)[^.;]{0,60}?\b(?:have|has|had|with|enjoys?) (?:the )?(?:priority|right of way|right-of-way|precedence)"
+    r"|(?:priority|precedence|right of way) (?:belongs? to|is with|lies with|of) (?:the |an? )?@(?P<of>a\d+)"
+)
+
+
+def _waits(cast: Cast, clauses: Clauses) -> None:
+    """Ego waits until another has passed, or another has priority over it: ego gives way, in whatever words."""
+    own = [e for e in clauses.events if e.agent.ego and e.done]
+    if any(e.act in ("yield", "run_red", "run_stop", "collide") for e in own):
+        return
+    by_key = {e.key: e for e in cast.entities}
+    numbers = sorted({w.sentence for w in cast.words})
+    for number in numbers:
+        sentence = [w.i for w in cast.words if w.sentence == number]
+        text = clauses.render(sentence)
+        match = WAITS.search(text)
+        if (
+            match
+            and "@ego" not in text[: match.start() + 4]
+            and not any(cast.of.get(i) is cast.ego for i in sentence[:3])
+        ):
+            match = None
+        right = None if match else PRIORITY.search(text)
+        if right and (
+            re.search(r"in spite|despite|without|just (as|when)|fail|ignor", text)
+            or not any(e.act in ("turn", "go_straight", "stop", "brake", "travel") for e in own)
+        ):
+            right = None
+        found = match or right
+        if found is None:
+            continue
+        who = by_key.get(found.groupdict().get("who") or found.groupdict().get("of") or "")
+        if (
+            who is None
+            or not who.mover
+            or any(e.act in ("run_red", "run_stop") and e.agent is who for e in clauses.events)
+        ):
+            continue
+        for event in own:
+            if event.act == "stationary" and cast.words[event.word].sentence == number:
+                event.mode = "hypothetical"
+        first = cast.words[sentence[0]]
+        order = (
+            min(
+                (e.order for e in own if e.act in ("turn", "go_straight", "overtake", "lane_change", "start")),
+                default=float(first.i),
+            )
+            - 0.2
+        )
+        clauses.events.append(
+            Event(
+                "yield",
+                cast.ego,
+                first.i,
+                text,
+                text,
+                who,
+                order=order,
+                words=[first.i],
+                start=first.start,
+                end=first.end,
+            )
+        )
+        return
 
 
 def _echoes(cast: Cast, clauses: Clauses) -> None:
@@ -592,7 +664,7 @@ def _echoes(cast: Cast, clauses: Clauses) -> None:
                     )
                 )
         if re.match(
-            r"(the |they |)(two|both|they)( vehicles| cars| of them)? (then )?(collide|collided|crash|crashed|meet|met)\b",
+            r"(the |they |)(two|both|they)( vehicles| cars| of them)? (then )?(collide|collided|crash|crashed|meet|met|came into contact|made contact)\b",
             ahead,
         ) and not any(e.act == "collide" and abs(e.word - i) < 6 for e in clauses.events):
             before = [cast.of[j] for j in sorted(cast.of) if j < i and cast.of[j].mover and not cast.of[j].ego]

@@ -47,6 +47,9 @@ class Agents:
                         found = self.cast.referent(target)
                         if found:
                             return found, target, True
+                    near = [t for t in self._everything(child) if t in self.cast.of and t - child <= 4]
+                    if near:
+                        return self.cast.of[near[0]], near[0], True
             whom = next((self.cast.referent(c) for c in subjects), None)
             if whom is None:
                 whom = self._inherited(word, depth)[0]
@@ -85,6 +88,13 @@ class Agents:
                 if self.words[child].dep in ("attr", "dobj"):
                     return self.cast.referent(child), child, False
         return self._inherited(word, depth)
+
+    def _everything(self, i: int) -> list[int]:
+        """All words below a word, in order."""
+        found = [i]
+        for child in self.words[i].children:
+            found += self._everything(child)
+        return sorted(found)
 
     def _inherited(self, word: Word, depth: int) -> tuple[Entity | None, int | None, bool]:
         head = self.words[word.head]
@@ -138,14 +148,16 @@ class Agents:
             if word.dep == "conj" and above is not None and word.tag in ("VBZ", "VBD", "VBP"):
                 comma = self.words[word.i - 1].norm == ","
                 if (
-                    above.tag == "VB"
-                    and above.dep in ("ccomp", "xcomp")
+                    (
+                        above.tag == "VB"
+                        and above.dep in ("ccomp", "xcomp")
+                        or above.dep == "advcl"
+                        and comma
+                        and not any(self.words[c].dep == "cc" and above.i < c < word.i for c in above.children)
+                    )
                     or above.dep == "advcl"
-                    and comma
-                    and not any(self.words[c].dep == "cc" and above.i < c < word.i for c in above.children)
+                    and self.words[word.i - 1].norm == "then"
                 ):
-                    above = self._governor(above) or above
-                elif above.dep == "advcl" and self.words[word.i - 1].norm == "then":
                     above = self._governor(above) or above
             if above is not None and above.i != word.i:
                 if word.dep == "csubj":

@@ -14,7 +14,23 @@ from c2s_tui.app import C2SApp
 from c2s_tui.backend import Backend
 from c2s_tui.prefs import Prefs
 
+QUICK = {
+    "test_describe_to_program", "test_describe_to_program_80x24", "test_escape_cancels_and_keeps_what_is_typed",
+    "test_edit_an_object_shows_its_reach_and_rewrites_only_that", "test_hand_edit_and_conflict",
+    "test_compile_error_and_fix", "test_undo_and_redo", "test_first_run_opens_and_explains_the_example",
+    "test_the_picture_after_steps", "test_what_was_typed_comes_back",
+}  # fmt: skip
+"""The flows of `make test`; the others are part of `make test-full`."""
+
 SNAPSHOTS = Path(__file__).parents[2] / "snapshots"
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        ours = item.path.parent == Path(__file__).parent and "stage" in getattr(item, "fixturenames", ())
+        if ours and item.name not in QUICK:
+            item.add_marker(pytest.mark.full)
 
 
 @pytest.fixture(autouse=True, scope="session")

@@ -180,7 +180,9 @@ async def test_files_are_saved_and_changes_outside_noticed(stage, tmp_path: Path
         await pilot.press("ctrl+s")
         await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Confirm")
         await pilot.press("r")
-        await stage.until(pilot, lambda: stage.bench.desk.program.text == "ego = new Car\n" and not stage.bench.busy)
+        await stage.until(
+            pilot, lambda: stage.bench.desk.program.fragment("E") == "ego = new Car\n" and not stage.bench.busy
+        )
 
 
 async def test_a_resize_never_breaks(stage):

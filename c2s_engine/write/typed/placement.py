@@ -110,7 +110,7 @@ def _of_length(structure: Structure, of: str) -> float:
 def _at(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, sign: int, extra: float | None = None) -> str:
     """`X_AT = OTHER_AT + gap + half lengths`."""
     of = spec.placement.of
-    half = (LENGTH[spec.type] + _of_length(structure, of)) / 2 if extra is None else extra
+    half = (LENGTH[spec.type] + _of_length(structure, of)) / 2 + 0.2 if extra is None else extra
     gap = _gap(structure, cid, spec, plan)
     base = position_constant(structure, of)
     if of not in ("ego", "E") and plan.lane_of[of] is None:
@@ -134,8 +134,10 @@ def _member(spec: ObjectSpec, base: str, sign: int = 1) -> str:
 
 def _along(spec: ObjectSpec) -> int:
     """+1 ahead, 0 abreast, -1 behind."""
-    along = spec.placement.along
-    if along:
+    along, position = spec.placement.along, spec.placement.position
+    if position == "partly_in_lane" and along == "abreast":
+        return 1
+    if along and position not in ("ahead", "behind"):
         return {"ahead": 1, "abreast": 0, "behind": -1}[along]
     return {"behind": -1, "beside": 0}.get(spec.placement.position, 1)
 

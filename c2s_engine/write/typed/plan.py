@@ -350,7 +350,7 @@ def _distance(
     """From ego's start to what lies ahead of it, m."""
     if place.kind not in JUNCTION | RAMP | {"crosswalk"}:
         return None
-    far = max((_junction_side(o, speed) for o in objects.values()), default=0)
+    far = max((_junction_side(o, speed, place) for o in objects.values()), default=0)
     if place.distance is not None:
         if high(place.distance) < far:
             raise ResolveError(
@@ -371,12 +371,13 @@ def _distance(
 _BESIDE = {"partly_in_lane", "parked", "roadside", "sidewalk"}
 
 
-def _junction_side(o: ObjectSpec, ego_speed: float) -> float:
+def _junction_side(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
     """How far ahead of ego an object reaches that must stand before the junction, m."""
     placement = o.placement
-    if placement.position not in {"ahead", "left_lane", "right_lane", *_BESIDE} or placement.along == "behind":
+    ways = {"ahead", "left_lane", "right_lane", "oncoming_lane", *_BESIDE}
+    if placement.position not in ways or placement.along == "behind":
         return 0
-    gap = high(placement.gap) if placement.gap is not None else default_gap(o, ego_speed)
+    gap = high(placement.gap) if placement.gap is not None else default_gap(o, ego_speed, place)
     step = LENGTH[o.type] + (high(o.spacing) if o.spacing is not None else 3.0)
     return gap + LENGTH[o.type] + 5 + (o.count - 1) * step
 
@@ -388,9 +389,11 @@ def _oncoming_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
 def default_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None = None) -> float:
     """The gap (m) where the text gives none: about two seconds to a moving object, more to a standing one."""
     position = o.placement.position
-    if position in ("beside",) or o.placement.along == "abreast":
+    if position == "beside" or (o.placement.along == "abreast" and position in ("left_lane", "right_lane")):
         return 0.0
     if position == "oncoming_lane":
+        if place and place.kind in JUNCTION | RAMP:  # it is still before the junction
+            return 60.0
         own = middle(speed_of(o, place)) if place else ego_speed
         return max(60.0, min(5.5 * (ego_speed + own), 260.0))
     if position == "intersection_exit":

@@ -687,6 +687,12 @@ def settle(scene: Scene, ego: EgoSpec, place: PlaceSpec, drafts: list[Draft], id
                 }
             )
     known = {"ego", *(f"O{n}" for n in range(1, len(drafts) + 1))}
+    aside = next((p.side for p in ego.phases if p.action == "lane_change"), None)
+    for draft in drafts if aside else ():
+        # ego makes room: who comes from behind in its lane just drives on past it
+        if draft.spec.placement.position == "behind" and draft.spec.placement.of == "ego":
+            kept = tuple(p for p in draft.spec.phases if not (p.action == "overtake" and p.target == "ego"))
+            draft.spec = draft.spec.model_copy(update={"phases": kept})
     react = ego.react_to if ego.react_to in known else None
     return ego.model_copy(update={"react_to": react})
 

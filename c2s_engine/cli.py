@@ -19,6 +19,11 @@ app = typer.Typer(
 
 def _mount(wanted: str | None) -> None:
     """Mount the commands; the heavier ones only when they are asked for or help is shown."""
+    if wanted == "app":  # on the screen at once
+        for entry in entry_points(group="c2s.commands", name="app"):
+            app.add_typer(entry.load(), name="app")
+        app.command("version", hidden=True)(lambda: None)
+        return
     from c2s_engine.commands import checking, generate, places, sessions, texts
 
     app.command()(generate.generate)

@@ -72,7 +72,9 @@ async def resolve(
         report = await check.places(PlacesRequest(map=str(choice.path), expressions=expressions, prelude=PRELUDE))
         if report.errors:
             broken = next(iter(report.errors.values()))
-            return Resolution(None, diagnostic=_diagnostic(f"the place could not be looked up: {broken}", "lookup", ("R",)))
+            return Resolution(
+                None, diagnostic=_diagnostic(f"the place cannot be looked up: {broken}", "lookup", ("R",))
+            )
         for name, writer in writers.items():
             if report.counts.get(name):
                 if wanted not in (given, named):

@@ -7,7 +7,6 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from c2s_engine.structure.components import Component, ComponentId, Structure, Unmet
 from c2s_engine.structure.specs import AnySpec, ObjectSpec
 
-
 SPEC_ADAPTER: TypeAdapter[AnySpec] = TypeAdapter(AnySpec)
 
 

@@ -15,6 +15,7 @@ DELAYED = {
     "brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road",
     "accelerate", "oncoming",
 }  # fmt: skip
+ONWARD = {"start", "wait", "go_straight", "turn_left", "turn_right", "accelerate"}
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
 
 
@@ -93,6 +94,10 @@ class _Script:
         phases = list(a.spec.phases)
         if not a.is_ego or not a.plan.junction:
             return phases
+        edge = Trigger(kind="place", place="intersection", value=0)
+        for i, (phase, then) in enumerate(zip(phases, phases[1:], strict=False)):
+            if phase.action == "stop" and phase.trigger is None and then.action in ONWARD:  # at the junction's edge
+                phases[i] = phase.model_copy(update={"trigger": edge})
         actions = {p.action for p in phases}
         light = getattr(a.structure.settings.spec, "light", None)
         control = a.plan.place.control
@@ -299,7 +304,10 @@ class _Script:
 
     def _do_stop(self, p: Phase) -> list[tuple[list[str], str]]:
         rate = middle(p.rate) if p.rate else (7 if getattr(self.a.spec, "hard", False) else 3.5)
-        return [([self._drive("0", rate)], self._ending(p, "until self.speed < 0.2"))]
+        return [
+            ([self._drive("0", rate)], "until self.speed < 0.2"),
+            ([self._drive("0", rate)], self._ending(p, "for 1 seconds")),
+        ]
 
     def _do_wait(self, p: Phase) -> list[tuple[list[str], str]]:
         return [([self._drive("0", 4)], self._ending(p, "for 3 seconds"))]
@@ -493,6 +501,8 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     if spec.reaction != "brake" or not threats:
         return statements
     limit, rate = (4, 8) if spec.hard else (2, 5)
+    if any(p.action == "collide" for p in spec.phases):  # it brakes, but too little
+        limit, rate = 3, 2
     force = f"need(self, {threats[0]})"
     if len(threats) > 1 or threats[0].startswith("*"):
         force = f"most_need(self, [{', '.join(threats)}])"

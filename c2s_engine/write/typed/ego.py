@@ -4,10 +4,23 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec
 from c2s_engine.write.typed import behaviour, scope
-from c2s_engine.write.typed.plan import Plan, speed_of
+from c2s_engine.write.typed.plan import Plan, pulls_out, speed_of
 from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS
 
 DEFAULT_MODEL = "vehicle.lincoln.mkz_2017"
+
+
+def _start(spec: EgoSpec, said: EgoSpec) -> list[str]:
+    """Where ego starts: in its lane, or at the kerb where it pulls out from there."""
+    point = "egoLane.centerline.pointAlongBy(EGO_AT)"
+    if not pulls_out(said):
+        return [f"ego = new {CLASS[spec.type]} at {point},"]
+    kerb = f"(new OrientedPoint at egoLane.group.rightEdge.project({point}), facing roadDirection at {point})"
+    return [
+        f"ego = new {CLASS[spec.type]} at {kerb} offset by 1.4 @ 0,",
+        f"    facing (roadDirection at {point}),",
+        "    with regionContainedIn everywhere,",
+    ]
 
 
 def write_ego(structure: Structure, plan: Plan) -> str:
@@ -37,9 +50,13 @@ def write_ego(structure: Structure, plan: Plan) -> str:
         "behavior EgoBehavior():",
         *(f"    {s}" for s in statements),
         "",
-        f"ego = new {CLASS[spec.type]} at egoLane.centerline.pointAlongBy(EGO_AT),",
+        *_start(spec, structure.ego.spec),
         f"    with blueprint '{model}',",
-        *(["    with regionContainedIn everywhere,"] if spec.type == "bus" else []),
+        *(
+            ["    with regionContainedIn everywhere,"]
+            if spec.type == "bus" and not pulls_out(structure.ego.spec)
+            else []
+        ),
         "    with behavior EgoBehavior()",
     ]
     return "\n".join(lines)

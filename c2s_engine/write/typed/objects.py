@@ -158,7 +158,8 @@ def _reach(spec: ObjectSpec, plan: Plan) -> float:
     """From where somebody stands beside the road to the middle of ego's lane, m."""
     own = 3.2 if spec.placement.hidden_by else 4.75 if spec.placement.position == "sidewalk" else 3.25
     two_way = plan.oncoming or plan.place.kind not in ("motorway", "on_ramp", "off_ramp")
-    return own + (3.5 if spec.placement.side == "left" and two_way and not spec.placement.hidden_by else 0)
+    far = spec.placement.side == "left" and two_way and not spec.placement.hidden_by
+    return own + (3.5 * (plan.place.lanes or 1) if far else 0)
 
 
 def _start_condition(

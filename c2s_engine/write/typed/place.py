@@ -53,10 +53,15 @@ def _choice(plan: Plan, code: PlaceCode) -> list[str]:
         lines = [f"stretch = Uniform(*{places})", "egoLane = stretch[0]"]
         return lines + (["oncomingLane = stretch[-1]"] if plan.oncoming else [])
     if code.yields == "spots":
+        if not plan.oncoming:
+            drawn = "[(network.laneAt(s), along(network.laneAt(s), s)) for s in spots]"
+            return [f"spots = {places}", f"crossing = Uniform(*{drawn})", "egoLane = crossing[0]"]
+        innermost = "for o in network.laneAt(s).group.opposite.lanes if o.sections[0]._fasterLane is None"
         return [
             f"spots = {places}",
-            "crossing = Uniform(*[(network.laneAt(s), along(network.laneAt(s), s)) for s in spots])",
+            f"crossing = Uniform(*[(network.laneAt(s), along(network.laneAt(s), s), o) for s in spots {innermost}])",
             "egoLane = crossing[0]",
+            "oncomingLane = crossing[2]",
         ]
     if plan.ramp:
         return [

@@ -274,7 +274,7 @@ def _edge(spec: ObjectSpec, at: str, constant: str, point: str, lane: str, plan:
     facing = _facing(spec, left)
     specifiers = (
         f"at {base} offset by {offset} @ 0",
-        f"facing ({heading}){facing}",
+        f"facing {facing}({heading})",
         "with regionContainedIn everywhere",
     )
     return Spot(
@@ -289,9 +289,9 @@ def _facing(spec: ObjectSpec, left: bool) -> str:
         is_walker(spec.type) or spec.type == "bicycle"
     )
     if spec.placement.facing == "across" or (crosses and spec.placement.facing is None):
-        return " - 90 deg" if left else " + 90 deg"
+        return "-90 deg relative to " if left else "90 deg relative to "
     if spec.placement.facing == "against":
-        return " + 180 deg"
+        return "180 deg relative to "
     return ""
 
 

@@ -115,11 +115,13 @@ def make_plan(structure: Structure) -> Plan:
             ("R.kind", "O.placement.position"),
         )
     oncoming = place.oncoming is True or _needs_oncoming(ego, objects)
+    if place.kind not in {"motorway", *RAMP} and place.oncoming is None and _beside(objects) == "left":
+        oncoming = True  # the far side of a street lies beyond its oncoming lanes
     offsets = _offsets(place, ego, objects, lane_of)
     if ramp or place.kind in RAMP:
         place, base, offsets = _ramp_lanes(place, offsets, ramp)
     else:
-        place, base, offsets = _lanes(place, offsets, _beside(objects))
+        place, base, offsets = _lanes(place, offsets, "right" if pulls_out(ego) else _beside(objects))
     if oncoming and place.kind in {"motorway", *RAMP}:
         raise ResolveError(
             "a motorway's carriageway has no oncoming lane: choose the kind 'straight', or leave the oncoming lane out",
@@ -250,6 +252,11 @@ def _offsets(
         if spec is ego and ego.reaction == "evade" and not narrow:
             used.add(1)
     return frozenset(used)
+
+
+def pulls_out(ego: EgoSpec) -> bool:
+    """Whether ego stands at the kerb at first and pulls out from there."""
+    return bool(ego.phases) and ego.phases[0].action == "enter_road"
 
 
 def _beside(objects: dict[str, ObjectSpec]) -> str | None:

@@ -41,7 +41,7 @@ def test_throttle_brake_and_handbrake(run):
     path = ways(run, "take SetSpeedAction(10)\ntake SetHandBrakeAction(True)")
     assert path.speed[-1] == 0
     free = ways(run, "take SetSpeedAction(10)")
-    assert 7 < free.speed[-1] < 10, "it rolls on with drag"
+    assert 4 < free.speed[-1] < 8, "it rolls on, slowed by drag and by the engine"
 
 
 def test_speed_and_velocity_are_taken_on_at_once(run):

@@ -159,7 +159,7 @@ def test_a_fast_city_street_is_no_motorway(tmp_path, extras):
     }
 
 
-@pytest.mark.full
+@pytest.mark.nightly
 def test_lights_are_told_from_signs_on_ways(tmp_path, names):
     """CARLA's towns refer to stop signs from the ways through junctions, and stock Scenic counts those as signals."""
     from scenic.domains.driving.roads import Network

@@ -78,7 +78,9 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         for edit in edits:
             structure = steps.apply(structure, edit)
         needed = getattr(method_of(state), "needs_place", True)
-        structure, found, result = await steps.configure(structure, tools, emit, given=state.get("map"), needed=needed)
+        structure, found, result = await steps.configure(
+            structure, tools, emit, given=state.get("map"), needed=needed, lenient=bool(state.get("text"))
+        )
         emit(StructureChanged(structure=structure))
         update: State = {
             "structure": structure.model_dump(mode="json"),

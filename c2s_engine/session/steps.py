@@ -10,6 +10,7 @@ from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits, Upto
 from c2s_engine.config import Settings
 from c2s_engine.maps.library import SHIPPED, MapLibrary
 from c2s_engine.session.places import Resolution, map_choice, resolve
+from c2s_engine.session.settle import settle
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.edits import Edit, EditError, apply
@@ -37,16 +38,18 @@ def timed(name: Any, started: float, diagnostics: tuple[Diagnostic, ...] = ()) -
 
 
 async def configure(
-    structure: Structure, tools: Tools, emit: Emit, *, given: str | None, needed: bool = True
+    structure: Structure, tools: Tools, emit: Emit, *, given: str | None, needed: bool = True, lenient: bool = False
 ) -> tuple[Structure, Resolution, StageResult]:
     """Choose the map and resolve the place on it; what was chosen for want of words goes to G's `assumed`.
 
+    `lenient`: S was read from a text, so that fields of R which cannot be had are left open rather than refused.
     Methods that do not render specs need no place (`needed`): for them a map is enough.
     """
     emit(StageStarted(stage="resolve"))
     started = time.perf_counter()
     try:
-        found = await resolve(structure, tools.library, tools.check, given=given, default=tools.settings.map)
+        look = settle if lenient else _as_it_is
+        structure, found = await look(structure, tools.library, tools.check, given=given, default=tools.settings.map)
     except CheckError as error:
         found = Resolution(None, diagnostic=Diagnostic(stage="resolve", message=str(error), code="check-server"))
     if found.writer is None and not needed:
@@ -58,6 +61,10 @@ async def configure(
     if assumed != settings.assumed:
         structure = structure.with_component(settings.model_copy(update={"assumed": assumed}))
     return structure, found, result
+
+
+async def _as_it_is(structure: Structure, *args: Any, **options: Any) -> tuple[Structure, Resolution]:
+    return structure, await resolve(structure, *args, **options)
 
 
 def write(

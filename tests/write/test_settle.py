@@ -1,0 +1,39 @@
+"""A text that asks for what cannot be had gets a program and is told what was left open; an edit is refused."""
+
+import pytest
+
+from c2s_engine.session.settle import settle
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Placement, PlaceSpec
+
+
+def asks(place: PlaceSpec, position: str = "ahead") -> Structure:
+    lead = ObjectSpec(name="lead", placement=Placement(position=position))  # type: ignore[arg-type]
+    return Structure(
+        place=Component(id="R", spec=place),
+        ego=Component(id="E", spec=EgoSpec(speed=20.0)),
+        objects=(Component(id="O1", spec=lead),),
+    )
+
+
+@pytest.mark.parametrize(
+    ("place", "position", "given_up"),
+    [
+        (PlaceSpec(kind="motorway", ego_lane="leftmost"), "left_lane", {"ego_lane"}),
+        (PlaceSpec(kind="motorway", oncoming=True), "ahead", {"oncoming"}),
+        (PlaceSpec(kind="straight", speed_limit=3.0), "ahead", {"speed_limit"}),
+    ],
+)
+async def test_the_least_important_field_is_left_open(engine, place, position, given_up):
+    structure, found = await settle(
+        asks(place, position), engine.library, engine.check_client, given=None, default=None
+    )
+    assert found.writer is not None
+    assert {a.field for a in structure.place.assumed} == given_up
+
+
+async def test_what_resolves_is_left_alone(engine):
+    structure = asks(PlaceSpec(kind="motorway"))
+    settled, found = await settle(structure, engine.library, engine.check_client, given=None, default=None)
+    assert settled == structure
+    assert found.count > 0

@@ -9,7 +9,6 @@ from dataclasses import dataclass, field
 from itertools import combinations
 
 from c2s_bench.atoms import Actor, Atom, Expectation, names, object_holds
-
 from c2s_engine.structure.facts import EGO, ObjectFacts, RunFacts
 
 MOST_LEAVES = 50_000  # of the search; far above what records and scenes at hand need

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+
 from c2s_bench.records import BenchmarkError, Record, load
 
 app = typer.Typer(

@@ -2,14 +2,15 @@
 
 from collections.abc import Sequence
 
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+
 from c2s_bench.host import REAL
 from c2s_bench.records import BenchmarkError, Record
 from c2s_bench.results import Result, result_of
 from c2s_bench.runner import run
 from c2s_bench.store import Store
 from c2s_bench.tasks import Setup, tasks_for
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
 EVERY = 20  # records after which a log that is no terminal gets a line
 

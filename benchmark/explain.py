@@ -4,7 +4,6 @@ from c2s_bench.assign import match
 from c2s_bench.atoms import LAYERS, expectation
 from c2s_bench.records import Record
 from c2s_bench.results import Result
-
 from c2s_engine.structure.facts import RunFacts
 
 

@@ -8,7 +8,6 @@ from contextlib import AbstractAsyncContextManager
 from typing import Any
 
 from c2s_bench.tasks import Outcome, Setup, Task
-
 from c2s_engine.structure.progress import Finished, ProgramChanged, Say, Usage
 
 WARM_UP = "The ego follows a car on a straight road."

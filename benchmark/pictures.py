@@ -15,9 +15,8 @@ def text_pictures(results: Sequence[Result], seed: int) -> dict[str, str]:
 
 
 async def _pictures(results: Sequence[Result], seed: int) -> dict[str, str]:
-    from c2s_engine.dryrun.picture import text_picture
-
     from c2s_engine.api import Engine
+    from c2s_engine.dryrun.picture import text_picture
 
     found = {}
     async with Engine() as engine:

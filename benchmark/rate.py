@@ -8,11 +8,11 @@ from statistics import StatisticsError, correlation, mean
 from typing import Any
 
 import yaml
+
 from c2s_bench.atoms import LAYERS
 from c2s_bench.explain import events
 from c2s_bench.records import BenchmarkError, Record
 from c2s_bench.results import Result
-
 from c2s_engine.structure.facts import RunFacts
 
 HEAD = """\

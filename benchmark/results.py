@@ -10,7 +10,6 @@ from c2s_bench.atoms import LAYERS
 from c2s_bench.records import BenchmarkError, Record
 from c2s_bench.scorer import AtomScore, RecordScore, Totals, score, totals
 from c2s_bench.tasks import Outcome, Setup
-
 from c2s_engine.paths import cache_folder
 from c2s_engine.structure.facts import RunFacts
 

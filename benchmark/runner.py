@@ -13,7 +13,6 @@ from c2s_bench.records import BenchmarkError
 from c2s_bench.store import Store
 from c2s_bench.tasks import Outcome, Task
 from c2s_bench.worker import READY
-
 from c2s_engine.paths import cache_folder
 
 LIMIT = 1800.0  # s a task: a slow model may write for long, but nothing may hang for ever

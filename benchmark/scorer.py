@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from c2s_bench.assign import Matching, match
 from c2s_bench.atoms import LAYERS, Atom, Layer, expectation, scene_holds
 from c2s_bench.records import Record
-
 from c2s_engine.structure.facts import RunFacts
 
 

@@ -6,7 +6,6 @@ from dataclasses import asdict
 from pathlib import Path
 
 from c2s_bench.tasks import Outcome
-
 from c2s_engine.paths import cache_folder
 
 

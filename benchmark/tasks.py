@@ -8,9 +8,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from c2s_bench.records import Record
-
 import c2s_engine
+from c2s_bench.records import Record
 from c2s_engine.maps.library import MapLibrary
 from c2s_engine.paths import shipped
 from c2s_engine.structure.facts import RunFacts

@@ -6,7 +6,6 @@ from itertools import permutations
 from typing import Any
 
 from c2s_bench.interpret import said
-
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import high, low
 

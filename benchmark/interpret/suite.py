@@ -9,8 +9,8 @@ from time import perf_counter
 from typing import Any
 
 import yaml
-from c2s_bench.interpret.score import STAGES, Verdict, judge
 
+from c2s_bench.interpret.score import STAGES, Verdict, judge
 from c2s_engine.interpret import EmbeddedInterpreter, InterpretError
 
 HERE = Path(__file__).parent

@@ -13,9 +13,9 @@ from pathlib import Path
 from statistics import mean, median
 
 import numpy as np
+
 from c2s_bench.retrieval import metrics
 from c2s_bench.retrieval.queries import Query, load, names
-
 from c2s_engine.retrieve.library import Library, default_threads
 from c2s_engine.retrieve.retriever import Found, Method, retrieve
 from c2s_engine.retrieve.rows import Kind

@@ -4,8 +4,8 @@ from pathlib import Path
 from typing import Any
 
 import yaml
-from c2s_bench.records import Record
 
+from c2s_bench.records import Record
 from c2s_engine.structure.facts import EGO, EventFact, ObjectFacts, RoadFacts, RunFacts, StartFact
 
 SUPERTYPES = {

@@ -3,11 +3,11 @@
 from itertools import permutations
 
 from bench_scenes import run, thing
-from c2s_bench.assign import match
-from c2s_bench.atoms import expectation, names, object_holds
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from c2s_bench.assign import match
+from c2s_bench.atoms import expectation, names, object_holds
 from c2s_engine.structure.facts import EGO, StartFact
 
 KINDS, EVENTS, LANES, NAMES = ("car", "truck", "pedestrian"), ("stop", "cut_in"), ("same", "left"), ("a", "b", "c")

@@ -3,13 +3,14 @@
 import json
 
 import pytest
+from typer.testing import CliRunner
+
 from c2s_bench.cli import app
 from c2s_bench.records import load
 from c2s_bench.results import load_results
 from c2s_bench.runner import run
 from c2s_bench.store import Store
 from c2s_bench.tasks import Outcome, Setup, tasks_for
-from typer.testing import CliRunner
 
 FAKE = ["--engine", "bench_fake:engine"]
 

@@ -3,6 +3,7 @@
 import pytest
 import yaml
 from bench_scenes import record, run, thing
+
 from c2s_bench.rate import markdown, read_sheet, write_sheet
 from c2s_bench.records import BenchmarkError
 from c2s_bench.results import result_of

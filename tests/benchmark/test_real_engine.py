@@ -4,8 +4,9 @@ import json
 
 import pytest
 import yaml
-from c2s_bench.cli import app
 from typer.testing import CliRunner
+
+from c2s_bench.cli import app
 
 pytestmark = pytest.mark.full
 

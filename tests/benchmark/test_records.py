@@ -1,6 +1,7 @@
 """Records: the shipped ones are whole and distributed as in the paper; a broken one is refused with its place."""
 
 import pytest
+
 from c2s_bench import records
 from c2s_bench.distribution import COLUMNS, distribution, markdown
 from c2s_bench.paper import paper

@@ -2,9 +2,9 @@
 
 import pytest
 from bench_scenes import record, run, thing
+
 from c2s_bench.records import load
 from c2s_bench.scorer import score, totals
-
 from c2s_engine.structure.facts import EGO, RoadFacts, StartFact
 
 EXPECT = """

@@ -2,8 +2,8 @@
 
 import pytest
 from bench_scenes import record
-from c2s_bench.scorer import score
 
+from c2s_bench.scorer import score
 from c2s_engine.check.client import SyncCheckClient
 from c2s_engine.check.protocol import CheckRequest
 from c2s_engine.maps.library import MapLibrary

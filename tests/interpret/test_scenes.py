@@ -4,10 +4,10 @@
 from typing import Any
 
 import pytest
-from c2s_bench.interpret import suite
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from c2s_bench.interpret import suite
 from c2s_engine.interpret import EmbeddedInterpreter, InterpretError
 from c2s_engine.structure.components import Structure
 

@@ -1,8 +1,12 @@
 """Methods by name: how a text is interpreted and how S is written, behind one face (text -> program)."""
 
+import asyncio
+import contextlib
 import time
 from typing import Any, Protocol
 
+from c2s_engine.check.protocol import PlacesRequest
+from c2s_engine.maps.library import SHIPPED
 from c2s_engine.session.places import map_choice
 from c2s_engine.session.steps import Emit, Tools, timed, write
 from c2s_engine.structure.components import ComponentId, Structure
@@ -43,12 +47,15 @@ class EmbeddedMethod:
 
         emit(StageStarted(stage="interpret"))
         started = time.perf_counter()
+        warming = asyncio.create_task(_warm(self.tools))
         try:
-            found = EmbeddedInterpreter().interpret(text)
+            found = await asyncio.to_thread(EmbeddedInterpreter().interpret, text)
         except InterpretError as error:
             result = timed("interpret", started, (Diagnostic(stage="interpret", message=str(error), code="text"),))
             emit(StageDone(result=result))
             return None, [], {}, result
+        finally:
+            warming.add_done_callback(lambda task: task.cancelled() or task.exception())
         result = timed("interpret", started)
         emit(StageDone(result=result))
         if found.structure.not_understood:
@@ -59,6 +66,13 @@ class EmbeddedMethod:
     async def write(self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str) -> Written:
         chosen = map_choice(self.tools.library, self.tools.library.find(map_name))
         return write(structure, [], TypedWriter(chosen, room=room), emit)
+
+
+async def _warm(tools: Tools) -> None:
+    """Have the check server read the usual map while the text is interpreted."""
+    with contextlib.suppress(Exception):
+        path = tools.library.working_copy(tools.library.find(SHIPPED))
+        await tools.check.places(PlacesRequest(map=str(path), expressions={}))
 
 
 def method_named(name: str, tools: Tools) -> Method:

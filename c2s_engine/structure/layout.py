@@ -21,12 +21,12 @@ def chunks(components: Sequence[Component]) -> list[Chunk]:
     after = -1.0
     for rank, component in enumerate(components):
         if component.layout and component.origin in ("imported", "by_hand"):
-            places = [place for place, _ in component.layout]
+            places: list[float] = [float(place) for place, _ in component.layout]
             for place, text in zip(places, parts(component), strict=True):
                 if text:
                     placed.append(((place, rank), (component.id, text, True)))
         else:
-            places: list[float] = [float(place) for place, _ in component.layout] or [after]
+            places = [place for place, _ in component.layout] or [after]
             place = places[0] if component.id == "G" else places[-1]
             placed.append(((place, rank), (component.id, component.code, component.origin == "imported")))
         after = max(after, *places)

@@ -24,8 +24,8 @@ def _start(spec: EgoSpec, said: EgoSpec) -> list[str]:
 
 
 def write_ego(structure: Structure, plan: Plan) -> str:
-    spec = structure.ego.spec
-    assert isinstance(spec, EgoSpec)
+    said = spec = structure.ego.spec
+    assert isinstance(said, EgoSpec) and isinstance(spec, EgoSpec)
     speed = speed_of(spec, plan.place)
     others = behaviour.threatening(structure)
     spec = spec.model_copy(update={"phases": behaviour.reacting_phases(spec, others, plan)})
@@ -50,11 +50,11 @@ def write_ego(structure: Structure, plan: Plan) -> str:
         "behavior EgoBehavior():",
         *(f"    {s}" for s in statements),
         "",
-        *_start(spec, structure.ego.spec),
+        *_start(spec, said),
         f"    with blueprint '{model}',",
         *(
             ["    with regionContainedIn everywhere,"]
-            if spec.type == "bus" and not pulls_out(structure.ego.spec)
+            if spec.type == "bus" and not pulls_out(said)
             else []
         ),
         "    with behavior EgoBehavior()",

@@ -12,6 +12,7 @@ from c2s_engine.structure.diagnostics import Diagnostic
 from c2s_engine.structure.specs import PlaceSpec, SettingsSpec
 from c2s_engine.write.typed import ResolveError, TypedWriter, make_plan
 from c2s_engine.write.typed.kernel import source
+from c2s_engine.write.typed.spread import spread
 from c2s_engine.write.typed.writer import MapChoice
 
 DEFAULT_MAP = "Town05"
@@ -55,7 +56,7 @@ async def resolve(
     named = spec.map if isinstance(spec, SettingsSpec) else None
     assumed: list[Assumption] = []
     try:
-        plan = make_plan(structure)
+        plan = make_plan(spread(structure))
     except ResolveError as error:
         return Resolution(None, diagnostic=_diagnostic(str(error), "contradiction", error.fields))
     for wanted in dict.fromkeys(w for w in (given, named, default or DEFAULT_MAP, SHIPPED) if w):
@@ -105,7 +106,7 @@ async def _nearest(structure: Structure, library: MapLibrary, check: CheckClient
     for field, spec in relaxed(place).items():
         changed = structure.with_component(structure.place.model_copy(update={"spec": spec}))
         try:
-            expression = TypedWriter(choice, room=ROOMS[-1]).candidates(make_plan(changed))
+            expression = TypedWriter(choice, room=ROOMS[-1]).candidates(make_plan(spread(changed)))
         except ResolveError:
             continue
         report = await check.places(

@@ -52,11 +52,7 @@ def write_ego(structure: Structure, plan: Plan) -> str:
         "",
         *_start(spec, said),
         f"    with blueprint '{model}',",
-        *(
-            ["    with regionContainedIn everywhere,"]
-            if spec.type == "bus" and not pulls_out(said)
-            else []
-        ),
+        *(["    with regionContainedIn everywhere,"] if spec.type == "bus" and not pulls_out(said) else []),
         "    with behavior EgoBehavior()",
     ]
     return "\n".join(lines)

@@ -17,6 +17,7 @@ from c2s_engine.write.typed.place import candidates, write_place
 from c2s_engine.write.typed.plan import Plan, make_plan
 from c2s_engine.write.typed.restrictions import write_restrictions
 from c2s_engine.write.typed.settings import write_settings
+from c2s_engine.write.typed.spread import spread
 from c2s_engine.write.typed.tables import is_static
 
 
@@ -51,7 +52,11 @@ class TypedWriter:
         """The facts of the plan, and of the objects named, that the fragment rests on."""
         if cid == "G":
             return []
+        structure = spread(structure)
         plan = make_plan(structure)
+        return [self._facts(structure, cid, plan), structure[cid].spec.model_dump(mode="json") if cid[0] == "O" else 0]
+
+    def _facts(self, structure: Structure, cid: ComponentId, plan: Plan) -> Any:
         if cid == "T":
             return [plan.duration, self._named(structure, cid)]
         if cid == "R":
@@ -83,6 +88,7 @@ class TypedWriter:
     def write(self, structure: Structure, cid: ComponentId) -> Component:
         """The component with its fragment; raises ResolveError where specs contradict each other."""
         component = structure[cid]
+        structure = spread(structure)
         plan = make_plan(structure)
         body = self._body(structure, cid, plan)
         border = f"## {cid}: {_one_line(component.description)}".rstrip(": ").rstrip()

@@ -1,0 +1,55 @@
+"""Objects whose place the text leaves open do not start inside each other: later ones are set further off."""
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import high, low, middle
+from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.write.typed.plan import APPROACH_ANGLE, default_gap, speed_of
+from c2s_engine.write.typed.tables import LENGTH
+
+_ROW = {"partly_in_lane": "ahead", "roadside": "kerb", "sidewalk": "kerb", "parked": "kerb"}
+ROOM = 3.0
+"""m between two of them."""
+
+
+def spread(structure: Structure) -> Structure:
+    """S for the writer: where two objects of a row would overlap, the one whose gap is open gets a larger one."""
+    place = structure.place.spec
+    speed = middle(speed_of(structure.ego.spec, place))  # type: ignore[arg-type]
+    taken: dict[tuple, list[tuple[float, float]]] = {}
+    objects = [c for c in structure.objects if isinstance(c.spec, ObjectSpec) and not c.spec.placement.hidden_by]
+    for component in sorted(objects, key=lambda c: c.spec.placement.gap is None):  # type: ignore[union-attr]
+        spec = component.spec
+        assert isinstance(spec, ObjectSpec)
+        row, size = taken.setdefault(_row(spec), []), _size(spec)
+        if spec.placement.gap is not None:
+            row.append((low(spec.placement.gap), high(spec.placement.gap) + size))
+            continue
+        if spec.placement.position in APPROACH_ANGLE:
+            start, timed = 0.0, bool(row)
+        else:
+            start, timed = default_gap(spec, speed, place), True  # type: ignore[arg-type]
+        gap = start
+        while any(gap < end + ROOM and begin < gap + size + ROOM for begin, end in row):
+            gap += 2.0
+        row.append((gap, gap + size))
+        if gap != start and timed:
+            if spec.placement.position in APPROACH_ANGLE:
+                gap += 40  # behind the one that is timed to meet ego
+            moved = spec.placement.model_copy(update={"gap": round(gap, 1)})
+            structure = structure.with_component(
+                component.model_copy(update={"spec": spec.model_copy(update={"placement": moved})})
+            )
+    return structure
+
+
+def _row(spec: ObjectSpec) -> tuple:
+    """Objects that share a row may overlap: the same lane or kerb, on the same side of the same other."""
+    placement = spec.placement
+    row = _ROW.get(placement.position, placement.position)
+    along = placement.along if row in ("left_lane", "right_lane", "kerb") else None
+    return row, placement.of, placement.side if row == "kerb" else None, along
+
+
+def _size(spec: ObjectSpec) -> float:
+    spacing = high(spec.spacing) if spec.spacing is not None else 3.0
+    return spec.count * LENGTH[spec.type] + (spec.count - 1) * spacing

@@ -28,7 +28,7 @@ class Terminal:
             **os.environ, "XDG_CACHE_HOME": str(home / "cache"), "XDG_DATA_HOME": str(home / "data"),
             "XDG_CONFIG_HOME": str(home / "config"), "LC_ALL": "C.UTF-8",
         }  # fmt: skip
-        for name in ("TMUX", "NO_COLOR", "C2S_ASCII"):
+        for name in ("TMUX", "NO_COLOR", "C2S_ASCII", "COLUMNS", "LINES"):
             self.environment.pop(name, None)
 
     def tmux(self, *arguments: str) -> str:

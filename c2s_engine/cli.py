@@ -22,7 +22,7 @@ def _mount(wanted: str | None) -> None:
     if wanted == "app":  # on the screen at once
         for entry in entry_points(group="c2s.commands", name="app"):
             app.add_typer(entry.load(), name="app")
-        app.command("version", hidden=True)(lambda: None)
+        app.command("version", hidden=True)(lambda: None)  # with one command alone typer drops its name
         return
     from c2s_engine.commands import checking, generate, places, sessions, texts
 

@@ -20,10 +20,6 @@ Interpreted = tuple[Structure | None, list[Edit], dict[str, Any], StageResult]
 Written = tuple[Structure, Program, list[ComponentId], StageResult]
 
 
-class UnknownMethod(ValueError):
-    """No method of that name; the message names those that there are."""
-
-
 class Method(Protocol):
     """What the graph asks of a method."""
 

@@ -6,7 +6,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import scope
-from c2s_engine.write.typed.plan import LANE_NAME, Plan
+from c2s_engine.write.typed.plan import LANE_NAME, Plan, speed_of
 from c2s_engine.write.typed.tables import is_static
 
 LANE_WIDTH = 3.5
@@ -58,7 +58,6 @@ class _Script:
         self.k = actor.lane
         self.speed = actor.speed  # the speed expression now in force
         self.value = actor.value
-        self.pending = ""  # the condition that the next phase waits for
 
     def lines(self) -> list[str]:
         a = self.a
@@ -102,13 +101,13 @@ class _Script:
         light = getattr(a.structure.settings.spec, "light", None)
         control = a.plan.place.control
         if control == "signal" and light == "red" and not actions & {"run_red", "stop", "stationary"}:
-            return [*phases, Phase(action="stop", trigger=Trigger(kind="place", place="intersection", value=0))]
+            return [*phases, Phase(action="stop", trigger=edge)]
         if (
             control == "stop"
             and not actions & {"run_stop", "stop", "yield"}
             and getattr(a.spec, "reaction", "") != "yield"
         ):
-            stop = Phase(action="stop", trigger=Trigger(kind="place", place="intersection", value=0))
+            stop = Phase(action="stop", trigger=edge)
             return [stop, Phase(action="wait", duration=1.0), Phase(action="start"), *phases]
         return phases
 
@@ -395,8 +394,6 @@ class _Script:
         return [([self._drive(offset=scope.number(LANE_WIDTH), shift=2)], past), ([self._drive()], "for 5 seconds")]
 
     def _target_speed(self, p: Phase) -> float:
-        from c2s_engine.write.typed.plan import speed_of
-
         if p.target in (None, "ego"):
             return self.a.plan.ego_speed if not self.a.is_ego else 0
         spec = self.a.structure[p.target].spec

@@ -14,7 +14,6 @@ BLUEPRINTS: dict[str, list[str]] = {k: v["blueprints"] for k, v in _TABLES["type
 LENGTH: dict[str, float] = {k: v["length"] for k, v in _TABLES["types"].items()}
 ROLE: dict[str, str] = {k: v["role"] for k, v in _TABLES["types"].items() if v.get("role")}
 DEFAULT_SPEED: dict[str, dict[str, float]] = _TABLES["speeds"]
-PRESETS: dict[str, list[str]] = _TABLES["presets"]
 WEATHER: dict[str, dict[str, float]] = _TABLES["weather"]
 SUN: dict[str, float] = _TABLES["sun"]
 RESERVED: frozenset[str] = frozenset(_TABLES["reserved"])

@@ -6,9 +6,9 @@ from typing import Any
 from textual.content import Content
 from textual.widgets import Static
 
+from c2s_engine.structure.seen import marks, score
 from c2s_tui.desk import Desk
 from c2s_tui.look.kinds import mark
-from c2s_tui.seen import marks, score
 
 STAGES = ("interpret", "resolve", "write", "parse", "safety", "compile", "sample", "run")
 

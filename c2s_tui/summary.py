@@ -1,7 +1,7 @@
 """The one line that closes a turn in the chat."""
 
+from c2s_engine.structure.seen import marks, score
 from c2s_tui.desk import Desk
-from c2s_tui.seen import marks, score
 
 
 def summary(desk: Desk) -> tuple[str, str]:

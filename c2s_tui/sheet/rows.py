@@ -4,9 +4,9 @@ from collections.abc import Mapping, Set
 from dataclasses import dataclass
 
 from c2s_engine.structure.components import Component
+from c2s_engine.structure.seen import Mark, marks
 from c2s_tui.desk import Desk
 from c2s_tui.look.kinds import kind_name
-from c2s_tui.seen import Mark, marks
 from c2s_tui.sheet.values import Field, fields, show
 
 HEAD, SENTENCE, FIELD, UNMET, CONFLICT, LINK, ADD = "head", "sentence", "field", "unmet", "conflict", "link", "add"

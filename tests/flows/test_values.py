@@ -9,6 +9,7 @@ from textual.widgets import Input, TextArea
 from c2s_engine.structure.edits import EditError, SetField, apply
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.regenerate import regenerate
+from c2s_engine.structure.seen import marks, score
 from c2s_engine.structure.specs import SPEC_OF
 from c2s_tui import prefs
 from c2s_tui.clipboard import osc52
@@ -16,7 +17,6 @@ from c2s_tui.code.fragments import changed_fragments, changed_lines, moved_spans
 from c2s_tui.code.highlight import highlights, lexer
 from c2s_tui.commands import bindings, commands, split
 from c2s_tui.look.kinds import mentions
-from c2s_tui.seen import marks, score
 from c2s_tui.sheet.values import fields, parse, show
 
 PROGRAM = assemble(regenerate(cut_in(), (), Writer())[0])

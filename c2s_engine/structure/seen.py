@@ -3,8 +3,8 @@
 import tomllib
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 
+from c2s_engine import paths
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.facts import EGO, ObjectFacts, RunFacts
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
@@ -29,7 +29,7 @@ class Mark:
 @cache
 def table() -> dict[str, list[str]]:
     """Action to the events that show it."""
-    return tomllib.loads((Path(__file__).parent / "seen.toml").read_text("utf-8"))
+    return tomllib.loads(paths.shipped("seen.toml").read_text("utf-8"))
 
 
 def marks(structure: Structure, facts: tuple[RunFacts, ...]) -> tuple[Mark, ...]:
@@ -44,6 +44,25 @@ def score(found: tuple[Mark, ...]) -> tuple[int, int]:
     """How many of the actions that were said were seen."""
     counted = [m for m in found if m.seen is not None]
     return sum(1 for m in counted if m.seen), len(counted)
+
+
+def share(found: tuple[Mark, ...]) -> float:
+    """The share of what was said that was seen; 1 where nothing that was said leaves an event."""
+    seen, counted = score(found)
+    return seen / counted if counted else 1.0
+
+
+def differences(structure: Structure, facts: tuple[RunFacts, ...]) -> list[str]:
+    """A sentence for each action that was said and not seen, with what the component showed instead."""
+    ran = [f for f in facts if f.ran]
+    found = []
+    for mark in marks(structure, facts):
+        if mark.seen is not False:
+            continue
+        shown = [e.event for f in ran[:1] for o in _objects(f, mark.component) for e in o.events]
+        instead = f"seen instead: {', '.join(dict.fromkeys(shown))}" if shown else "nothing of note was seen"
+        found.append(f"{mark.component}: said {mark.action} ({mark.path}), not seen; {instead}.")
+    return found
 
 
 def _phases(component: Component) -> tuple[Phase, ...]:

@@ -1,13 +1,16 @@
 """The editable program with Scenic's highlighting."""
 
 from collections.abc import Iterable
+from typing import Any
 
 from rich.style import Style
+from textual.document._document_navigator import DocumentNavigator
 from textual.widgets import TextArea
 from textual.widgets.text_area import TextAreaTheme
 
 from c2s_engine.structure.diagnostics import Diagnostic
-from c2s_tui.code.highlight import highlights
+from c2s_tui.code.document import ProgramText, UnwrappedText
+from c2s_tui.code.highlight import Blocks, Highlight, stale
 from c2s_tui.look.kinds import look
 
 
@@ -28,8 +31,9 @@ class CodeArea(TextArea):
 
     HELP_NAME = "code"
 
-    def __init__(self, **options):
+    def __init__(self, **options: Any):
         self.problems: dict[int, Diagnostic] = {}
+        self._blocks = Blocks()
         super().__init__(
             "", language=None, soft_wrap=False, show_line_numbers=True, tab_behavior="indent", compact=True, **options
         )
@@ -43,16 +47,27 @@ class CodeArea(TextArea):
         self.register_theme(theme)
         self.theme = theme.name
 
+    def _set_document(self, text: str, language: str | None) -> None:
+        self.document = ProgramText(text)
+        self.wrapped_document = UnwrappedText(self.document, tab_width=self.indent_width)
+        self.navigator = DocumentNavigator(self.wrapped_document)
+        self._build_highlight_map()
+        self.move_cursor((0, 0))
+        self._rewrap_and_refresh_virtual_size()
+
     def _build_highlight_map(self) -> None:
+        """Called by Textual after each change of the text: only what may look different is drawn anew."""
+        before, self._blocks = self._blocks, Blocks(self.document.lines)
+        self._highlights = _Highlights(self._blocks, self.problems)  # type: ignore[assignment]
+        first, after = stale(before, self._blocks)
+        kept = [(key, strip) for key, strip in self._drawn() if not first <= key[2] < after]
         self._line_cache.clear()
-        self._highlights.clear()
-        for row, spans in highlights(self.document.text).items():
-            self._highlights[row] = list(spans)
-        for line, problem in self.problems.items():
-            if problem.severity != "info" and line <= self.document.line_count:
-                text = self.document[line - 1]
-                first = len(text) - len(text.lstrip())
-                self._highlights[line - 1].append((first, len(text.encode()), "problem"))
+        for key, strip in kept:
+            self._line_cache[key] = strip
+
+    def _drawn(self) -> list[tuple[Any, Any]]:
+        """The lines that are drawn already: Textual's key (its third part is the row) and the strip."""
+        return [(key, self._line_cache[key]) for key in list(self._line_cache.keys())]
 
     def show_problems(self, diagnostics: Iterable[Diagnostic]) -> None:
         """Underline the lines that have a finding; the first one of a line counts."""
@@ -62,6 +77,7 @@ class CodeArea(TextArea):
                 found.setdefault(diagnostic.line, diagnostic)
         if found != self.problems:
             self.problems = found
+            self._line_cache.clear()
             self._build_highlight_map()
             self.refresh()
 
@@ -76,3 +92,21 @@ class CodeArea(TextArea):
         last = self.document.line_count - 1
         self.move_cursor((min(row, last), column if row <= last else 0))
         self.scroll_to(at.x, at.y, animate=False, force=True)
+
+
+class _Highlights:
+    """What Textual looks a row's highlights up in: the lexer's, and the line under a finding."""
+
+    def __init__(self, blocks: Blocks, problems: dict[int, Diagnostic]):
+        self.blocks, self.problems = blocks, problems
+
+    def __getitem__(self, row: int) -> list[Highlight]:
+        spans = self.blocks[row]
+        problem = self.problems.get(row + 1)
+        if problem is not None and problem.severity != "info":
+            text = self.blocks.lines[row]
+            spans.append((len(text) - len(text.lstrip()), len(text.encode()), "problem"))
+        return spans
+
+    def __len__(self) -> int:
+        return len(self.blocks)

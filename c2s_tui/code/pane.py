@@ -34,6 +34,8 @@ class CodePane(Vertical):
         self.desk = Desk()
         self.base = self.desk.program  # the program that the shown text was edited from
         self._live: tuple[Diagnostic, ...] | None = None
+        self._subtitle = ""
+        self._shown = Content("")
 
     def compose(self) -> ComposeResult:
         with Horizontal(id="code-body"):
@@ -87,18 +89,27 @@ class CodePane(Vertical):
             top=round(self.area.scroll_y), spans=moved_spans(self.base, self.area.text), changed=changed,
             problems=dict(self.area.problems),
         )  # fmt: skip
-        self.border_subtitle = "edited, not applied: F5 applies" if self.edited else ""
+        self._entitle("edited, not applied: F5 applies" if self.edited else "")
         self._show_finding()
 
+    def _entitle(self, words: str) -> None:
+        if words != self._subtitle:  # setting it draws the whole pane
+            self._subtitle = self.border_subtitle = words
+
     def _show_finding(self) -> None:
-        found = self.finding
         strip = self.query_one("#finding", Static)
-        strip.display = bool(self.diagnostics)
+        words = self._finding_words()
+        if strip.display != bool(self.diagnostics):
+            strip.display = bool(self.diagnostics)
+        if words != self._shown:  # an update lays the screen out
+            self._shown = words
+            strip.update(words)
+
+    def _finding_words(self) -> Content:
+        found = self.finding
         if found is None:
-            if self.diagnostics:
-                count = len(self.diagnostics)
-                strip.update(Content.styled(f"{count} finding{'s' * (count > 1)}: F8 goes to the next", "$muted"))
-            return
+            count = len(self.diagnostics)
+            return Content.styled(f"{count} finding{'s' * (count > 1)}: F8 goes to the next", "$muted")
         colour = {"error": "$text-error", "warning": "$text-warning"}.get(found.severity, "$muted")
         where = " ".join(filter(None, [found.stage, found.component or "", f"line {found.line}" if found.line else ""]))
         parts: list = [(f"{mark(found.severity)} {where}: ", colour), found.message]
@@ -106,7 +117,7 @@ class CodePane(Vertical):
             parts += [("\nfix: ", "bold"), found.fix]
             if found.edit:
                 parts.append(("  Ctrl+T takes it", "$muted"))
-        strip.update(Content.assemble(*parts))
+        return Content.assemble(*parts)
 
     @property
     def finding(self) -> Diagnostic | None:

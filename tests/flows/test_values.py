@@ -14,7 +14,7 @@ from c2s_engine.structure.specs import SPEC_OF
 from c2s_tui import prefs
 from c2s_tui.clipboard import osc52
 from c2s_tui.code.fragments import changed_fragments, changed_lines, moved_spans
-from c2s_tui.code.highlight import highlights, lexer
+from c2s_tui.code.highlight import Blocks, lexer, stale
 from c2s_tui.commands import bindings, commands, split
 from c2s_tui.look.kinds import mentions
 from c2s_tui.sheet.values import fields, parse, show
@@ -96,7 +96,7 @@ def test_highlighting_is_scenics_own_and_imports_no_scenic():
     import sys
 
     assert type(lexer()).__name__ == "ScenicLexer"
-    row = highlights("ego = new Car at 3 @ 4\n")[0]
+    row = Blocks(["ego = new Car at 3 @ 4"])[0]
     assert (6, 9, "Keyword") in row or (6, 9, "Operator.Word") in row
     code = "import sys; from c2s_tui.code.highlight import lexer; lexer(); import c2s_tui.workbench; " \
            "print([m for m in ('scenic', 'torch', 'lancedb', 'langgraph') if m in sys.modules])"  # fmt: skip
@@ -106,12 +106,30 @@ def test_highlighting_is_scenics_own_and_imports_no_scenic():
 @given(st.text("ab'\"#:\n é", max_size=60))
 def test_highlights_lie_within_their_lines(text):
     lines = text.split("\n")
-    for row, spans in highlights(text).items():
-        assert all(0 <= a < b <= len(lines[row].encode()) for a, b, _ in spans)
+    blocks = Blocks(lines)
+    for row, line in enumerate(lines):
+        assert all(0 <= a < b <= len(line.encode()) for a, b, _ in blocks[row])
+
+
+PIECES = st.sampled_from(
+    ['"""', "'''", "x = 1", "    do B()", "", "behavior B():", "# it", "    \'\'\'", ") + 2", "é = \"s\""]
+)
+
+
+@given(st.lists(PIECES, max_size=14), st.data())
+def test_what_is_not_stale_looks_as_before(lines, data):
+    first = data.draw(st.integers(0, len(lines)))
+    after = data.draw(st.integers(first, len(lines)))
+    changed = lines[:first] + data.draw(st.lists(PIECES, max_size=4)) + lines[after:]
+    before, now = Blocks(lines or [""]), Blocks(changed or [""])
+    begin, end = stale(before, now)
+    for row in range(min(len(before), len(now))):
+        if not begin <= row < end:
+            assert before.lines[row] == now.lines[row] and before[row] == now[row], (row, begin, end)
 
 
 def test_the_hook_of_the_text_area_is_there():
-    assert "_build_highlight_map" in TextArea.__dict__ and "_line_cache" in vars(TextArea("x"))
+    assert {"_build_highlight_map", "_set_document"} <= set(TextArea.__dict__) and "_line_cache" in vars(TextArea("x"))
 
 
 def test_no_key_of_the_app_is_taken_by_a_text_area_or_an_input():

@@ -14,7 +14,7 @@ from c2s_bench.interpret.score import STAGES, Verdict, judge
 from c2s_engine.interpret import EmbeddedInterpreter, InterpretError
 
 HERE = Path(__file__).parent
-FILES = ("sentences", "texts")
+FILES = ("sentences", "texts", *sorted(p.stem for p in HERE.glob("fresh_*.yaml")))
 
 
 @dataclass

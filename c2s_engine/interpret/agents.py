@@ -244,6 +244,21 @@ class Agents:
                 return self.cast.of[first.i]
         return None
 
+    def _continued(self, word: Word) -> Entity | None:
+        """The one spoken of in the sentence before, for a finite verb that opens a sentence: "Bus ahead. Brakes." """
+        if word.tag not in ("VBZ", "VBD", "NNS") or word.dep != "ROOT" or word.i == 0:
+            return None
+        opening = [w for w in self.words[: word.i] if w.sentence == word.sentence]
+        if any(w.noun or w.verb or w.span is not None for w in opening):
+            return None
+        subjects = {i for i, _ in self.cast.subjects}
+        for number in (word.sentence - 1, word.sentence - 2):
+            spoken = [i for i in sorted(self.cast.of) if self.words[i].sentence == number and self.words[i].tag != "PRP$"]
+            first = next((i for i in reversed(spoken) if i in subjects), spoken[0] if spoken else None)
+            if first is not None:
+                return self.cast.of[first]
+        return None
+
     def _nearest(self, word: Word, at: int | None) -> Entity | None:
         """The nearest noun before the verb that no preposition governs, where the tree gives no agent."""
         if (
@@ -274,7 +289,7 @@ class Agents:
         """The others of a joint subject ("V1 and V3 met")."""
         if at is None:
             return []
-        found = []
+        found = self._pair(at)
         for child in self.words[at].children:
             if self.words[child].dep == "conj":
                 other = self.cast.referent(child)
@@ -282,6 +297,16 @@ class Agents:
                     found.append(other)
                     found += self._also(child)
         return found
+
+    def _pair(self, at: int) -> list[Entity]:
+        """The other of two whom "both", "both of them" or "the two" mean."""
+        near = [w.norm for w in self.words[max(0, at - 1) : at + 3]]
+        if not {"both", "two"} & set(near[:2]) or self.words[at].span is not None:
+            return []
+        one = self.cast.referent(at)
+        earlier = [self.cast.of[i] for i in sorted(self.cast.of) if i < at and self.cast.of[i] is not one]
+        movers = [e for e in earlier if e.mover and not e.ego]
+        return movers[-1:] if one is not None and not one.ego else []
 
     def _patient(self, word: Word, own: list[int], agent: Entity | None, passive: bool) -> Entity | None:
         if passive:
@@ -369,7 +394,8 @@ class Agents:
         if not subjects and word.dep not in ("ROOT", "conj", "csubj", "xcomp", "advcl", "ccomp", "pcomp"):
             return None
         if act == "follow" and word.tag == "VBN":
-            return None
+            followed = [self.cast.referent(c) for c in subjects]
+            return self.cast.ego if self.cast.ego_named and followed and followed[0] is not self.cast.ego else None
         if act in (
             "brake",
             "stop",

@@ -15,6 +15,9 @@ from c2s_engine.interpret.timing import Timing
 PLACES = {"speed": "#speed", "distance": "#dist", "time": "#time", "acceleration": "#acc", "percent": "#percent"}
 
 
+ATTRIBUTIVE = frozenset(("brake", "stop", "accelerate", "reverse", "swerve", "lose_control", "drift", "u_turn", "cross_road"))
+
+
 @dataclass(eq=False)
 class Event:
     """Something that an entity does, with the words that say so."""
@@ -80,9 +83,30 @@ class Clauses(Timing):
         for word in words:
             if word.tag.startswith("NN") or word.tag == "VBG":
                 self._noun(word)
+        for word in words:
+            self._attributive(word)
         self._order()
         self._triggers()
         self.events.sort(key=lambda e: e.order)
+
+    def fragment(self, i: int) -> bool:
+        """Whether a road user heads a sentence without a verb: "SUV, right lane, 15 m ahead"."""
+        word = self.words[i]
+        if word.span is None or word.span.kind not in ("actor", "label") or word.dep in ("pobj", "poss"):
+            return False
+        sentence = [w for w in self.words if w.sentence == word.sentence]
+        first = next((w.i for w in sentence if w.i in self.cast.of and w.span is not None), None)
+        return first == i and not any(w.i in self.by_word or w.tag in ("VBZ", "VBD", "VBP", "MD") for w in sentence)
+
+    def about(self, i: int) -> list[int]:
+        """The words of a fragment from its head up to the next road user of its own."""
+        found: list[int] = []
+        for word in self.words[i + 1 :]:
+            other = self.cast.of.get(word.i)
+            if word.sentence != self.words[i].sentence or other is not None and not other.ego and word.dep not in ("pobj", "poss"):
+                break
+            found.append(word.i)
+        return found
 
     # -- verbs ---------------------------------------------------------------------------------------------------
     def _is_verb(self, word: Word) -> bool:
@@ -211,7 +235,7 @@ class Clauses(Timing):
         if agent is None:
             agent = self.topic(word)
         if agent is None:
-            agent = self._nearest(word, at)
+            agent = self._nearest(word, at) or (self._continued(word) if at is None else None)
         patient = self._patient(word, own, agent, passive)
         event = self._event(lemma, word, text, whole, agent, patient)
         if event is None:
@@ -232,6 +256,8 @@ class Clauses(Timing):
         event.words, event.mode, event.passive = own, self._mode(word), passive
         if event.act == "stop" and passive and event.agent is agent and not re.search(r"\bby @", whole):
             event.act = "stationary"
+        if event.act == "follow" and passive and event.agent is agent and not event.agent.ego and not re.search(r"\bby @", whole):
+            event.agent, event.patient = self.cast.ego, agent
         late: Event | None = None
         into = (
             re.search(
@@ -368,6 +394,30 @@ class Clauses(Timing):
             return not actor.person and (actor.mover or actor.ego)
         return True
 
+    def _attributive(self, word: Word) -> None:
+        """A verb that stands before the noun of its agent: "a decelerating lead vehicle", "the swerving van"."""
+        agent = self.cast.of.get(word.head)
+        if (
+            agent is None
+            or not word.norm.endswith("ing")
+            or word.span is not None
+            or word.dep not in ("amod", "compound")
+            or word.head < word.i
+            or any(e.agent is agent and e.word > word.i and e.word in self.by_word for e in self.events)
+            and agent.ego
+        ):
+            return
+        lemma = self._lemma(word)
+        text = f"{lemma} " + " ".join(w.norm for w in self.words[word.i + 1 : word.head])
+        event = self._event(lemma, word, text, text, agent, None)
+        if event is None or event.act not in ATTRIBUTIVE or any(e.act == event.act and e.agent is agent for e in self.events):
+            return
+        before = self.words[word.i - 1].norm if word.i else ""
+        event.hard = event.hard or before in ("hard", "suddenly", "sharply", "abruptly", "heavily", "strongly")
+        event.words, event.start, event.end = [word.i], word.start, word.end
+        self.events.append(event)
+        self.by_word[word.i] = event
+
     # -- nouns ---------------------------------------------------------------------------------------------------
     def _noun(self, word: Word) -> None:
         if word.i in self.by_word or word.span is not None:
@@ -413,6 +463,8 @@ class Clauses(Timing):
             moment = re.search(
                 r"(until|at|before|on|upon) (the )?(moment|point|time|instant)? ?(of )?(the )?impact", near
             )
+            if "agent" in rule and rule["agent"] not in agent.roles:
+                continue
             mode = (
                 self._mode(verb)
                 if verb is not None and not moment and verb.lemma not in ("prevent", "avoid")

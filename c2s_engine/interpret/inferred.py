@@ -61,6 +61,20 @@ class Inferred:
                 if where.gap is None:
                     self._gap(event.words, where)
 
+    def _joined(self) -> None:
+        """Whom ego goes behind or before in the neighbouring lane is in that lane: "it merges right behind a truck"."""
+        for event in self.clauses.events:
+            if not event.agent.ego or event.act not in ("lane_change", "cut_in") or not event.done:
+                continue
+            match = re.search(
+                r"\b(?P<side>left|right)\b.*?\b(?P<rel>behind|in front of|ahead of|between) (?:the |an? )?(?:\w+ )?@(?P<who>a\d+)", event.text
+            )
+            other = next((e for e in self.cast.entities if match and e.key == match["who"]), None)
+            if match is None or other is None or self.of[other].lane not in (None, "same") or not other.mover:
+                continue
+            self.of[other].lane = match["side"]
+            self.of[other].rel = self.of[other].rel or ("ahead" if match["rel"] == "behind" else "beside")
+
     def _shared(self) -> None:
         """ "Two cars and a truck standing across the lane": what is said of the last holds for those before it."""
         for entity in self.cast.entities:
@@ -117,12 +131,24 @@ class Inferred:
         own = numbers.get(self.cast.ego)
         if own is None:
             return
+        if any(self._from_other_side(e, n, own) for e, n in numbers.items() if not e.ego):
+            numbers = {e: -n for e, n in numbers.items()}
+            own = -own
         for entity, number in numbers.items():
             if not entity.ego and abs(number - own) <= 1:
                 self.of[entity].lane = "same" if number == own else "right" if number > own else "left"
                 self.of[entity].rel = self.of[entity].rel or ("ahead" if number == own else "beside")
-        if self.ego_lane is None:
+        if self.ego_lane is None and own > 0:
             self.ego_lane = "leftmost" if own == 1 else "middle" if own == 2 else "rightmost"
+
+    def _from_other_side(self, entity: Entity, number: int, own: int) -> bool:
+        """Whether one comes to ego's lane in the direction that lanes counted from the left do not allow."""
+        for event in self.clauses.events:
+            if event.agent is entity and event.done and event.act in ("drift", "lane_change", "cut_in", "swerve"):
+                match = re.search(r"\b(left|right)\b", event.text)
+                if match and "@ego" in event.text:
+                    return (match[1] == "left") == (number < own)
+        return False
 
     def _overtaken(self) -> None:
         """One whom another (not ego) overtakes drives ahead of that other."""
@@ -160,7 +186,7 @@ class Inferred:
                         break
                 if (
                     re.search(
-                        r"in (that|this|there|it)( very)? lane|\b(in )?there\b|in that lane|stand in (it|@)", text
+                        r"in (that|this|there|it)( very)? lane|\b(in )?there\b(?! (be|come|stand|appear|lie|sit|wait)\b)|in that lane|stand in (it|@)", text
                     )
                     or event.adverbial == "where"
                     or re.match(r"where", text)

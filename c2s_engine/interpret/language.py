@@ -69,10 +69,19 @@ def actor_nouns() -> dict[str, tuple[str, bool, bool]]:
             found[noun] = (kind, False, section == "riders")
             for plural in plurals(noun):
                 found.setdefault(plural, (kind, True, section == "riders"))
+    for kind, names in data["makes"].items():
+        for name in names:
+            found.setdefault(name, (kind, False, False))
     for nouns in data["nominal_roles"].values():
         found.update(dict.fromkeys(nouns, ("vehicle", False, False)))
     found["people"] = ("pedestrian", True, False)
     return found
+
+
+@cache
+def makes() -> frozenset[str]:
+    """The names of makes and models."""
+    return frozenset(name for names in table("actors")["makes"].values() for name in names)
 
 
 @cache

@@ -281,6 +281,9 @@ class Cast(Pronouns):
             and not (word.dep == "conj" and not host.label and not host.ego)
         ):
             return self._retyped(host, kind, roles, noun)
+        host = self._driven_by(word)
+        if host is not None and kind in VEHICLES:
+            return self._retyped(host, kind, roles, noun)
         pronominal = self._type_of_definite(word, before, kind)
         definite = bool(DEFINITE & set(before)) or previous in DEFINITE
         other = bool({"other", "another"} & set(before)) or previous in ("other", "another")
@@ -316,6 +319,20 @@ class Cast(Pronouns):
         return self._new(
             Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
         )
+
+    def _driven_by(self, word: Word) -> Entity | None:
+        """Whose vehicle it is in "the defendant, operating a dump truck": the driver and the vehicle are one."""
+        back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
+        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
+        match = re.search(
+            r"@( ?,)?( ?\(?who (was|is|were))? (operating|driving|riding|at the wheel of|in charge of|in|on) (an?|his|her|the|their)( [\w-]+){0,2} $", text + " "
+        )
+        if match is None:
+            return None
+        owner = next(self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None)
+        if match[4] in ("in", "on") and not re.search(r"driver|motorist|party|defendant|respondent|rider", owner.noun):
+            return None
+        return owner if owner.type in ("vehicle", "rider") or owner.ego else None
 
     def _heading(self, sentence: int) -> bool:
         """Whether a sentence is a title: without a finite verb."""

@@ -35,6 +35,8 @@ class Pronouns:
         if norm in ("it", "its", "itself"):
             if word.dep == "expl" or self._weather_it(word):
                 return None
+            if self._obliged(word):
+                return self.ego
             return self._salient(word, lambda e: not e.person and (e.mover or e.type in ("debris", "box", "obstacle")))
         if norm in data["person"]:
             return self._salient(word, lambda e: e.person) or self._salient(word, lambda e: e.mover)
@@ -47,6 +49,19 @@ class Pronouns:
                 return person[-1]
             return self._salient(word, lambda e: e.mover)
         return self._elliptic(word)
+
+    def _obliged(self, word: Word) -> bool:
+        """Whether "it" is whom something is demanded of ("it must wait"): that is ego, where ego was spoken of."""
+        if word.dep != "nsubj" or word.i == 0:
+            return False
+        text = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5])
+        if not re.match(r"(therefore |then |now |thus |only )?(must|shall|should|has to|needs to|is to|is (obliged|forced|required|expected|supposed|asked) to)\b", text):
+            return False
+        verb = self._governor(word)
+        if any(self.words[c].norm in ("because", "since", "if", "that", "which") for c in verb.children if c < word.i):
+            return False
+        spoken = [e for i, e in self.subjects if self.words[i].sentence >= word.sentence - 1]
+        return self.ego in spoken
 
     def _weather_it(self, word: Word) -> bool:
         head = self.words[word.head]

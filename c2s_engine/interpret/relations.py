@@ -30,6 +30,7 @@ class Places(Inferred):
                 where.lane, where.side = "same", None
                 self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
         self._referred()
+        self._joined()
         self._shared()
         self._numbered()
         self._overtaken()
@@ -79,6 +80,10 @@ class Places(Inferred):
                         read(part, where, entity, self.cast, event.act)
                 if event.act in ("cut_in", "brake", "follow", "run_red", "turn"):
                     self._gap(event.words, where, only_ahead=event.act == "cut_in")
+            if self.words[event.word].dep == "relcl" and event.adverbial == "where":
+                head = self.words[event.word].head
+                if head not in self.cast.of and self.words[head].norm in ("lane", "approach", "arm", "street", "side", "shoulder"):
+                    read("in " + self.clauses.render([i for i in self.clauses._below(head) if i <= head]), where, entity, self.cast, event.act)
         for (
             event
         ) in self.clauses.events:  # "the ego comes upon a van standing in its lane"; "ego has a van in front of it"
@@ -171,6 +176,11 @@ class Places(Inferred):
             if after and self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO"):
                 read(self.clauses.render(after), where, entity, self.cast, "noun")
                 self._gap(after, where)
+        if self.clauses.fragment(i):
+            rest = self.clauses.about(i)
+            text = re.sub(r"(?<!in )(?<!the )\b(left|right|same|own|ego|oncoming|opposite|adjacent|next)(-hand|most)? lane", r"in the \1 lane", self.clauses.render(rest))
+            read(text, where, entity, self.cast, "noun")
+            self._gap(rest, where)
         # copula without a verb of its own: "V2 in front, 20 m" and following adverbs in headless sentences
         if word.dep in ("ROOT",) and not word.verb:
             rest = self.clauses.own(word)

@@ -51,25 +51,26 @@ def _quantity() -> re.Pattern[str]:
 
 @cache
 def _bare() -> re.Pattern[str]:
+    nouns = language.alternatives(list(language.actor_nouns()))
+    number = language.alternatives([w for w, v in language.table("units")["numbers"].items() if 10 <= float(v) <= 200])
     return re.compile(
-        r"\b(?:ego|lead|target|sv|vut|v[12]|lead vehicle|lead car|truck|car|bus|van|cyclist|bike|motorcycle|straight|left|right)(?: at| drives| doing|:)? (?P<low>\d{2,3})(?=\s*(?:[,.;)]|$|straight|and\b))"
+        rf"(?:\b(?:{nouns}|(?:{'|'.join(language.table('ego')['strong'])})|v[12]|straight|left|right|lane|ahead|behind|doing|going|brakes? to|slows? (?:down )?to|accelerates? to)"
+        rf"(?: at| drives| doing|:| speed)? (?:about |around |roughly |a steady |only )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)(?=\s*(?:[,.;)]|$|straight\b|and\b|in the\b|same\b|left\b|right\b|but\b|on the\b|behind\b|ahead\b|in (?:left|right)\b))"
+        rf"|(?<=lane )(?P<lane>\d{{2,3}})(?=\s*(?:[,.;)]|$))"
     )
 
 
 def bare_speeds(text: str) -> list[Span]:
-    """Numbers without a unit right after a road user, in the shorthand of tests: "ego 60, lead 40" is km/h."""
+    """Numbers without a unit after a road user or its lane, in the shorthand of tests ("ego 60, lead 40"): mph where
+    the text has mph anywhere, else km/h."""
     found = []
+    factor = 0.44704 if re.search(r"\bmph\b|miles per hour", text) else 1 / 3.6
     for match in _bare().finditer(text):
-        value = float(match["low"])
+        group = "low" if match["low"] else "lane"
+        value = _value(match[group])
         if 10 <= value <= 200:
-            found.append(
-                Span(
-                    "quantity",
-                    match.start("low"),
-                    match.end("low"),
-                    {"dimension": "speed", "low": value / 3.6, "high": value / 3.6, "bare": True},
-                )
-            )
+            data = {"dimension": "speed", "low": value * factor, "high": value * factor, "bare": True}
+            found.append(Span("quantity", match.start(group), match.end(group), data))
     return found
 
 
@@ -161,9 +162,9 @@ def names(text: str) -> list[Span]:
     for match in _label().finditer(text):
         word, number = match["word"], match["id"]
         bare = text[match.end("word") : match.start("id")]
-        if word in ("v", "u") and bare.strip(" #-"):
+        if word in ("v", "u", "d") and bare.strip(" #-"):
             continue
-        if number in "abcde" and (word in ("v", "u", "driver") or not re.match(r"[\s-]", bare)):
+        if number in "abcde" and (word in ("v", "u", "d", "driver") or not re.match(r"[\s-]", bare)):
             continue
         if number == "a" and not re.match(
             r"\s*(?:$|[.,;:)(']|\w+(?:s|ed|ing)\b|is\b|was\b|did\b|has\b|had\b|and\b|in\b|at\b|on\b|from\b)",
@@ -190,6 +191,8 @@ def names(text: str) -> list[Span]:
         if any(s < end and start < e for s, e in taken):
             continue
         noun = re.sub(r"[\s-]+", " ", match["noun"])
+        if noun in language.makes() and not _stands_for_a_vehicle(text, start, end):
+            continue
         kind, plural, person = _noun(noun)
         words = re.split(r"[\s]+", match["roles"].strip()) if match["roles"].strip() else []
         known = language.roles()
@@ -209,6 +212,20 @@ def names(text: str) -> list[Span]:
             continue
         kept.append(span)
     return kept
+
+
+def _stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
+    """Whether a make or model is the noun itself: "a black BMW" or "a 2019 Honda Civic", not "the Ford pickup"."""
+    before, after = text[max(0, start - 24) : start], text[end : end + 40]
+    if re.match(r"[\s-]+(?:[\w-]+\s+)?(?:" + _noun_words() + r")\b", after):
+        return False
+    named = re.search(r"(?:\b(?:an?|the|his|her|their|my|another|white|black|red|blue|silver|grey|gray|green|yellow|dark|old|new)|\d{4}|^|[.,:;(])\s*(?:[\w-]+\s+)?$", before)
+    return bool(named)
+
+
+@cache
+def _noun_words() -> str:
+    return language.alternatives([n for n in language.actor_nouns() if n not in language.makes()])
 
 
 def _letters(text: str, found: list[Span]) -> list[Span]:

@@ -158,7 +158,8 @@ def _choose_ego(cast: Cast, clauses: Clauses) -> None:
             or any(
                 v.act == "overtake" and (v.patient is None or v.patient.type not in VEHICLES) for v in acting[entity]
             )
-            or re.search(
+            or "following" not in entity.roles
+            and re.search(
                 r"^\S+( \S+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)|coming|approaching|oncoming|from (the|its|behind))",
                 first,
             )
@@ -245,6 +246,7 @@ def _actors(scene: Scene) -> list[Entity]:
         if (
             entity.label
             and len(scene.cast.entities) <= 6
+            and (len(scene.cast.entities) == 1 or own or passive or where.rel or where.lane or entity.roles)
             or entity.person
             and entity.noun not in ("somebody", "someone", "people")
             and _seen(scene, entity)
@@ -356,6 +358,8 @@ def _mentioned_alone(scene: Scene, entity: Entity) -> bool:
     """A thing that is only named ("debris on the road") is there all the same; a vehicle in passing is not."""
     return (
         entity.type in ZONES
+        or any(scene.clauses.fragment(m.word) for m in entity.mentions)
+        and (scene.where(entity).rel is not None or scene.where(entity).lane is not None or entity in scene.speeds)
         or (not entity.mover and entity.type not in ("obstacle",))
         or any(
             scene.words[m.word].dep in ("ROOT", "attr", "conj", "nsubj") and scene.words[m.word].span is not None
@@ -481,8 +485,13 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
             return (
                 None
                 if event is not None
-                and event.act in ("collide", "overtake", "follow", "approach")
                 and event.agent is not entity
+                and (
+                    event.act in ("collide", "overtake", "follow", "approach")
+                    or event.act in ("travel", "lead")
+                    and word.dep == "pobj"
+                    and verb.dep in ("relcl", "ROOT", "acl")
+                )
                 else entity
             )
     return None

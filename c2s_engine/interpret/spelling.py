@@ -1,43 +1,35 @@
-"""Mends misspelt words of the trade before the text is read, and maps places in the mended text back to the user's."""
+"""Mends misspelt words of the trade before the text is read, after shorthand and tables were spelt out."""
 
 import re
-from bisect import bisect_right
-from collections.abc import Iterator
 from functools import cache
 
-from c2s_engine.interpret import language
+from c2s_engine.interpret import language, notation
 from c2s_engine.interpret.clauses import _irregular
+from c2s_engine.interpret.rewritten import Replacement, Rewritten
 
 WORD = re.compile(r"[A-Za-z]{4,}")
 
 
 class Mended:
-    """A text with its misspellings mended; `back` maps an offset in it to the user's text."""
+    """A text read in full words: shorthand spelt out, misspellings mended; `back` maps an offset to the user's text."""
 
     def __init__(self, text: str) -> None:
         self.original = text
-        self.starts: list[int] = [0]
-        self.shifts: list[int] = [0]
-        pieces: list[str] = []
-        at = 0
-        length = 0
-        for start, end, new in _repairs(text):
-            pieces += [text[at:start], new]
-            length += start - at + len(new)
-            at = end
-            self.starts.append(length)
-            self.shifts.append(at - length)
-        pieces.append(text[at:])
-        self.text = "".join(pieces)
+        self._passes: list[Rewritten] = []
+        for replacements in (notation.fields, notation.signs, _repairs):
+            self._passes.append(Rewritten(text, replacements(text)))
+            text = self._passes[-1].text
+        self.text = text
 
     def back(self, offset: int) -> int:
         """The place in the user's text."""
-        found = bisect_right(self.starts, offset) - 1
-        return min(len(self.original), offset + self.shifts[found])
+        for step in reversed(self._passes):
+            offset = step.back(offset)
+        return offset
 
 
-def _repairs(text: str) -> Iterator[tuple[int, int, str]]:
-    found: list[tuple[int, int, str]] = []
+def _repairs(text: str) -> list[Replacement]:
+    found: list[Replacement] = []
     for pattern, new in language.table("spelling")["patterns"]:
         found += [(m.start(), m.end(), m.expand(new)) for m in re.finditer(pattern, text, re.IGNORECASE)]
     loud = text.isupper()
@@ -49,12 +41,14 @@ def _repairs(text: str) -> Iterator[tuple[int, int, str]]:
         better = nearest(word.lower())
         if better is not None:
             found.append((match.start(), match.end(), better))
-    found.sort()
-    at = 0
-    for start, end, new in found:
-        if start >= at:
-            yield start, end, new
-            at = end
+    return found
+
+
+def _stem(verb: str) -> str:
+    """The verb as it stands before "ed" and "ing": "stop" doubles its consonant, "merge" drops its e."""
+    if verb.endswith("e") and not verb.endswith("ee"):
+        return verb[:-1]
+    return verb + verb[-1] if re.fullmatch(r"[^aeiou]*[aeiou][^aeiouwxy]|.*(?:mit|fer|vel)", verb) else verb
 
 
 @cache
@@ -65,19 +59,10 @@ def vocabulary() -> frozenset[str]:
         words |= set(re.findall(r"[a-z]{4,}", noun))
     for rule in language.table("motions")["verbs"]:
         for verb in rule["verbs"]:
-            words |= {
-                verb,
-                f"{verb}s",
-                f"{verb}ed",
-                f"{verb}ing",
-                f"{verb.rstrip('e')}ing",
-                f"{verb.rstrip('e')}ed",
-                f"{verb}{verb[-1]}ing",
-                f"{verb}{verb[-1]}ed",
-            }
+            words |= {verb, f"{verb}s", *(_stem(verb) + ending for ending in ("ed", "ing"))}
     words |= {w for form in _irregular() for w in re.findall(r"[a-z]+", form)}
     for name in ("environment", "places"):
-        words |= set(re.findall(r"(?<![\\\w])[a-z]{5,}(?![\w?*+\[(|]*\\)", str(language.table(name))))
+        words |= set(re.findall(r"[a-z]{5,}", re.sub(r"\\+[a-z]", " ", str(language.table(name)))))
     return frozenset(w for w in words if len(w) >= 4 and w.isalpha())
 
 
@@ -88,6 +73,8 @@ def known(word: str) -> bool:
     from c2s_engine.interpret.syntax import parser
 
     strings = parser().vocab.strings
+    if word in _doubtful():
+        return False
     return (
         word in strings
         or word.capitalize() in strings
@@ -97,24 +84,31 @@ def known(word: str) -> bool:
 
 
 @cache
+def _doubtful() -> frozenset[str]:
+    """Verb forms with a consonant too few ("stoped"), which look like English to the parser's word list."""
+    verbs = {v for rule in language.table("motions")["verbs"] for v in rule["verbs"] if _stem(v) == v + v[-1]}
+    return frozenset(v + ending for v in verbs for ending in ("ed", "ing")) - {"planed", "bared"}
+
+
+@cache
 def nearest(word: str) -> str | None:
     """The one word of the vocabulary that differs by a slip or two; None where there is none or it is not clear."""
-    allowed = 1 if len(word) < 10 else 2
+    common = frozenset(language.table("spelling")["extra"])
+    limit = 1 if len(word) < 7 else 2
     best: list[tuple[int, str]] = []
     for other in vocabulary():
+        allowed = limit if other in common or len(word) >= 10 else 1
         if abs(len(other) - len(word)) > allowed or other[0] != word[0] and other[1:2] != word[:1]:
             continue
-        if len(word) < 8 and len(other) == len(word) and sorted(other) != sorted(word):
+        if len(word) < 8 and len(other) == len(word) and sorted(other) != sorted(word) and other not in common:
             continue
         distance = slips(word, other, allowed)
         if distance <= allowed:
             best.append((distance, other))
     best.sort()
-    common = [
-        other for distance, other in best if distance == best[0][0] and other in language.table("spelling")["extra"]
-    ]
-    if len(common) == 1:
-        return common[0]
+    likely = [other for distance, other in best if distance == best[0][0] and other in common]
+    if len(likely) == 1:
+        return likely[0]
     if not best or len(best) > 1 and best[0][0] == best[1][0] and best[0][1].rstrip("sed") != best[1][1].rstrip("sed"):
         return None
     return best[0][1]

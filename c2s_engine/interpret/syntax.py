@@ -346,6 +346,7 @@ TRANSITIVE = frozenset(["trails", "leads", "lets"])
 VERBAL_LEFT = regex.compile(r"left\s+(?:the|its|his|their|a|that|this)\s+(?!side|lane of)")
 
 
+BOUND = frozenset(f"{way}{end}" for way in ("north", "south", "east", "west") for end in ("bound", "wards", "ward"))
 FOLLOWS = regex.compile(
     r"\s*(?:[.,;:!?)]|$|(?:at|in|into|onto|on|off|out|over|across|along|towards?|from|to|through|behind|past|with|without|for|and|then|while|when|as|because|due|hard|sharply|"
     r"suddenly|abruptly|heavily|slowly|left|right|straight|away|up|down|back|ahead|around|again|gradually|before|after|but|so|too|immediately|quickly|by|under|until|because|between|beside|just|directly|unexpectedly|strongly)\b)"
@@ -357,12 +358,14 @@ BASE = frozenset(
 
 def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     """The word that the parser sees in place of one that it would take for another part of speech."""
+    if text in BOUND:
+        return "east"
     if text == "left" and not VERBAL_LEFT.match(plain[start : start + 24]):
         return "right"
     follows = FOLLOWS.match(plain[start + len(text) : start + len(text) + 14])
     if (
         before is not None
-        and before.kind != "quantity"
+        and (before.kind != "quantity" or before.data["dimension"] == "speed" and text != "stops")
         and text.endswith("s")
         and (text in NOUN_LIKE or text[:-1] in MOTION or text[:-2] in MOTION)
     ):

@@ -1,0 +1,106 @@
+"""Shorthand and tables become words, by data/language/notation.yaml, before anything is parsed."""
+
+import re
+from functools import cache
+from typing import Any
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.rewritten import Replacement
+
+ROW = re.compile(r"^[ \t]*\|(?P<key>[^|\n]+)\|(?P<value>[^|\n]+)\|[ \t]*$", re.MULTILINE)
+RULE = re.compile(r"^[ \t]*\|?[ \t:|-]*-{3,}[ \t:|-]*$", re.MULTILINE)
+FIELD = re.compile(r"(?:^|(?<=[;\n]))[ \t]*(?:[-*•][ \t]*)?(?P<key>[^\W\d_][\w /#-]{1,40}?)[ \t]*[:=][ \t]*(?P<value>[^;\n]+)")
+VERBAL = re.compile(
+    r"\s*(?:slowly |suddenly |hard |then |gradually )?(?:to )?(?!(?:across|cross|bus|brakes?$|gas)\b)\w+(?:s|es)\b|.*\b(?:is|has|does)\b", re.I
+)
+
+
+@cache
+def _signs() -> list[tuple[re.Pattern[str], str]]:
+    return [(re.compile(find, re.IGNORECASE), new) for find, new in language.table("notation")["signs"]]
+
+
+def signs(text: str) -> list[Replacement]:
+    """Signs and abbreviations with the words that they stand for."""
+    return [(m.start(), m.end(), m.expand(new)) for pattern, new in _signs() for m in pattern.finditer(text)]
+
+
+@cache
+def _keys() -> dict[str, dict[str, Any]]:
+    return {name: entry for entry in language.table("notation")["fields"] for name in entry["names"]}
+
+
+def fields(text: str) -> list[Replacement]:
+    """Keys and values of a table or list, as sentences; none where fewer than two are found."""
+    rows = list(ROW.finditer(text))
+    found = rows if len(rows) >= 2 else list(FIELD.finditer(text))
+    if len(found) < 2:
+        return []
+    replaced: list[Replacement] = [(m.start(), m.end(), "") for m in RULE.finditer(text)] if rows else []
+    names: dict[str, str] = {}
+    told = 0
+    for match in found:
+        sentence = _sentence(match["key"].strip(), match["value"].strip().rstrip("."), names)
+        if sentence is not None:
+            told += 1
+        elif rows:
+            sentence = f"{match['key'].strip()}: {match['value'].strip()}"
+        if sentence is not None:
+            start = match.start() + len(match[0]) - len(match[0].lstrip(" \t-*•"))
+            replaced.append((start, match.end(), f"{sentence}." if rows else sentence))
+    return replaced if told else []
+
+
+def _sentence(key: str, value: str, names: dict[str, str]) -> str | None:
+    """What a field says; None where its key is no known one. `names` gathers what the other road users are."""
+    data = language.table("notation")
+    plain = " ".join(re.sub(r"[_#]", " ", key.lower()).split())
+    whole = plain
+    if re.sub(r"\s*\d+$", "", plain) in data["others"]:
+        first, _, rest = value.partition(",")
+        names[plain] = _noun(first)
+        return f"{names[plain]}: {rest.strip()}" if rest.strip() else f"there is a {names[plain]}"
+    who, attribute = _split(plain, data)
+    entry = _keys().get(attribute)
+    if entry is None:
+        return None
+    if entry.get("name") and who is not None and who not in data["egos"]:
+        names[who] = _noun(value)
+        return f"there is a {names[who]}"
+    other = next(reversed(names.values()), "car")
+    if who is None and entry.get("who") or entry.get("name"):
+        return None
+    subject = "ego" if who is None or who in data["egos"] else names.get(who, who)
+    said = re.sub(r"\s+lane$", "", value) if whole.endswith("lane") else value
+    if entry["say"].startswith("{who} {value}"):
+        lead = value.lower()
+        if re.match(r"(the |a |an )?[\w-]+( vehicle| car)? \w+s\b", lead) and not VERBAL.match(value):
+            return value
+        if lead.startswith(tuple(data["egos"])) or not VERBAL.match(value) and len(value.split()) > 3:
+            return value
+        if not VERBAL.match(value):
+            return f"{subject}: {value}"
+    if entry["say"].startswith("{who} drives at") and not re.search(r"\d", value):
+        return f"{subject}: {value}"
+    return str(entry["say"]).format(who=_the(subject), value=said, other=other)
+
+
+def _split(key: str, data: dict[str, Any]) -> tuple[str | None, str]:
+    """(whom the key is about, what of it): "ego speed", "speed of the lead", "speed"."""
+    match = re.fullmatch(r"(?P<what>[\w ]+?) of (?:the )?(?P<who>[\w ]+)", key)
+    if match:
+        return match["who"], match["what"]
+    for name in sorted(_keys(), key=len, reverse=True):
+        if key == name:
+            return None, name
+        if key.endswith(f" {name}"):
+            return key[: -len(name) - 1].removesuffix("'s").strip(), name
+    return None, key
+
+
+def _noun(value: str) -> str:
+    return re.sub(r"^(?:an?|the|one)\s+", "", value.strip(), flags=re.IGNORECASE)
+
+
+def _the(name: str) -> str:
+    return name if name in ("ego", "it") or re.search(r"\d$", name) else f"the {name}"

@@ -115,7 +115,7 @@ def thing(
 
 def settings(rng: random.Random) -> SettingsSpec:
     return SettingsSpec(
-        weather=tuple({_one(rng, v.Weather) for _ in range(rng.choice([0, 1, 2]))}),
+        weather=tuple(sorted({_one(rng, v.Weather) for _ in range(rng.choice([0, 1, 2]))})),
         time=_maybe(rng, 0.5, lambda: _one(rng, v.TimeOfDay)),
         light=_maybe(rng, 0.3, lambda: _one(rng, v.LightState)),
         parameters={"fog_density": 40.0} if rng.random() < 0.1 else {},

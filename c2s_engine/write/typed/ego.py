@@ -3,7 +3,8 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec
-from c2s_engine.write.typed import behaviour, scope
+from c2s_engine.write.typed import behaviour, reactions, scope
+from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.plan import Plan, pulls_out, speed_of
 from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS
 
@@ -27,9 +28,9 @@ def write_ego(structure: Structure, plan: Plan) -> str:
     said = spec = structure.ego.spec
     assert isinstance(said, EgoSpec) and isinstance(spec, EgoSpec)
     speed = speed_of(spec, plan.place)
-    others = behaviour.threatening(structure)
-    spec = spec.model_copy(update={"phases": behaviour.reacting_phases(spec, others, plan)})
-    actor = behaviour.Actor(
+    others = reactions.threatening(structure)
+    spec = spec.model_copy(update={"phases": reactions.reacting_phases(spec, others, plan)})
+    actor = Actor(
         cid="E",
         spec=spec,
         structure=structure,
@@ -42,7 +43,7 @@ def write_ego(structure: Structure, plan: Plan) -> str:
     )
     statements = behaviour.body(actor)
     actor.others = others
-    statements = behaviour.reaction(actor, statements)
+    statements = reactions.reaction(actor, statements)
     model = spec.model or (DEFAULT_MODEL if spec.type == "car" else BLUEPRINTS[spec.type][0])
     lines = [
         f"EGO_SPEED = {scope.quantity(speed)}  # m/s",

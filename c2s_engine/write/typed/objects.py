@@ -4,6 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import behaviour, scope
+from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.placement import Spot, place_object
 from c2s_engine.write.typed.plan import Plan, speed_of, turn_of
 from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS, ROLE, is_static, is_vehicle, is_walker
@@ -111,7 +112,7 @@ def _driver(
     if crossing:
         return _rider_across(structure, spec, plan, prefix, speed)
     standing = high(speed) == 0
-    actor = behaviour.Actor(
+    actor = Actor(
         cid=cid,
         spec=spec,
         structure=structure,

@@ -3,8 +3,8 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import Condition, RestrictionsSpec
 from c2s_engine.write.typed import scope
-from c2s_engine.write.typed.behaviour import observed
 from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.triggers import observed
 
 AT_START = {"distance", "visible", "not_visible"}
 CLOCK = "simulation().currentTime * simulation().timestep"

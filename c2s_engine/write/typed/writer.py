@@ -10,7 +10,7 @@ from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.quantity import high
 from c2s_engine.structure.regenerate import spec_references
 from c2s_engine.structure.specs import ObjectSpec
-from c2s_engine.write.typed import behaviour, kernel, scope
+from c2s_engine.write.typed import kernel, reactions, scope
 from c2s_engine.write.typed.ego import write_ego
 from c2s_engine.write.typed.objects import write_object
 from c2s_engine.write.typed.place import candidates, write_place
@@ -70,7 +70,7 @@ class TypedWriter:
                  isinstance(c.spec, ObjectSpec) and is_static(c.spec)]  # fmt: skip
         facts.append([s for s in still if s[0] != cid])
         if cid == "E":
-            return [*facts, behaviour.threatening(structure), structure.settings.spec.model_dump().get("light")]
+            return [*facts, reactions.threatening(structure), structure.settings.spec.model_dump().get("light")]
         return facts
 
     def _place_facts(self, plan: Plan) -> list[Any]:

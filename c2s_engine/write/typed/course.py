@@ -1,0 +1,125 @@
+"""A vehicle whose behaviour is written, and where on its course the writing stands."""
+
+from dataclasses import dataclass, field
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
+from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.plan import LANE_NAME, Plan, speed_of
+
+
+@dataclass
+class Actor:
+    """A vehicle whose behaviour is written."""
+
+    cid: str  # component id; "E" for ego
+    spec: EgoSpec | ObjectSpec
+    structure: Structure
+    plan: Plan
+    line: str  # expression for the points that it follows at first
+    lane: int | None  # lane offset from ego's, where it drives in ego's direction
+    speed: str  # the constant's name
+    value: float  # its value, m/s
+    approach: str | None = None  # the lane variable by which it reaches the junction
+    others: list[str] = field(default_factory=list)  # references to those it may have to react to
+
+    @property
+    def is_ego(self) -> bool:
+        return self.cid == "E"
+
+    @property
+    def to_junction(self) -> str | None:
+        """The lane by which it reaches the junction, if it does."""
+        return self.approach or ("egoLane" if self.plan.junction else None)
+
+    def ref(self, cid: str | None) -> str:
+        """The code for another party: the one named, or ego (for ego: the first object)."""
+        if cid:
+            return scope.reference(self.structure, cid)
+        if not self.is_ego:
+            return "ego"
+        return self.others[0] if self.others else "ego"
+
+
+class Course:
+    """What a behaviour has come to as its phases are written: the lane and the speed now in force."""
+
+    def __init__(self, actor: Actor):
+        self.actor = actor
+        self.lane = actor.lane
+        self.speed = actor.speed  # the speed expression now in force
+        self.value = actor.value  # m/s
+
+    # What is driven.
+
+    def drive(
+        self, speed: str | None = None, rate: float | None = None, offset: str = "", shift: float | None = None
+    ) -> str:
+        """The `do Drive` at a speed (the one in force), rate (m/s2), offset (m to the left), shift (m/s)."""
+        goal = speed if speed is not None else self.cruise()
+        extra = f", rate={scope.number(rate)}" if rate else ""
+        extra += f", offset={offset}" if offset else ""
+        extra += f", shift={scope.number(shift)}" if shift else ""
+        return f"do Drive(line, {goal}{extra})"
+
+    def cruise(self) -> str:
+        """The speed in force, or the pace behind whom ego follows."""
+        spec = self.actor.spec
+        if isinstance(spec, EgoSpec) and spec.reaction == "follow" and self.actor.others:
+            return f"lambda: pace(self, {self.actor.ref(spec.react_to)}, {self.speed})"
+        return self.speed
+
+    def set(self, value: float) -> str:
+        """Drive at another speed (m/s) from now on; the cruising constant stays where it is the same."""
+        self.speed = self.actor.speed if abs(value - self.value) < 0.05 else scope.number(value)
+        return self.cruise()
+
+    def wanted(self, phase: Phase, default: float) -> float:
+        """The speed that a phase states, or the default, m/s."""
+        return middle(phase.speed) if phase.speed is not None else default
+
+    # Lanes.
+
+    def onto(self, step: int) -> str:
+        """The statement that makes the lane `step` lanes to the left the line to follow (the other way if none)."""
+        plan = self.actor.plan
+        if self.lane is None:  # from a ramp, the kerb or a parking lane onto ego's lane
+            self.lane = 0
+        else:
+            if self.lane + step not in plan.offsets and self.lane - step in plan.offsets:
+                step = -step
+            self.lane += step
+        leaving = ", egoTurn" if plan.place.kind == "off_ramp" and self.lane == -1 and self.actor.is_ego else ""
+        return f"line = way({LANE_NAME[self.lane]}{leaving})"
+
+    # How it stands to others.
+
+    def target_lane(self, phase: Phase) -> int | None:
+        """The lane in which the phase's target starts, as an offset from ego's."""
+        return 0 if phase.target in (None, "ego") else self.actor.plan.lane_of.get(phase.target)
+
+    def same_lane(self, phase: Phase) -> bool:
+        return self.lane == self.target_lane(phase)
+
+    def target_speed(self, phase: Phase) -> float:
+        """The initial speed of the phase's target, m/s."""
+        plan = self.actor.plan
+        if phase.target in (None, "ego"):
+            return 0 if self.actor.is_ego else plan.ego_speed
+        spec = self.actor.structure[phase.target].spec
+        return middle(speed_of(spec, plan.place)) if isinstance(spec, ObjectSpec) else 0
+
+    @property
+    def oncoming(self) -> bool:
+        placement = getattr(self.actor.spec, "placement", None)
+        return bool(placement and placement.position in ("oncoming_lane", "opposite_approach"))
+
+    @property
+    def on_ramp(self) -> bool:
+        """Whether it comes up the ramp and has not yet changed onto the motorway."""
+        actor = self.actor
+        if actor.is_ego:
+            return actor.plan.place.kind == "on_ramp" and self.lane == 0
+        placement = getattr(actor.spec, "placement", None)
+        return bool(placement and placement.position == "on_ramp" and self.lane is None)

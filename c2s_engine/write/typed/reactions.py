@@ -1,0 +1,67 @@
+"""Reactions: what drivers do when others force them to, laid around what they do of their own accord."""
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
+from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.course import Actor
+from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.tables import is_static
+from c2s_engine.write.typed.triggers import IN_WAY
+
+
+def reaction(actor: Actor, statements: list[str]) -> list[str]:
+    """Ego's reaction laid around its own way: what it does when something forces it to."""
+    spec = actor.spec
+    assert isinstance(spec, EgoSpec)
+    threats = [scope.reference(actor.structure, spec.react_to)] if spec.react_to else list(actor.others)
+    if spec.reaction != "brake" or not threats:
+        return statements
+    limit, rate = (4, 8) if spec.hard else (2, 5)
+    if any(p.action == "collide" for p in spec.phases):  # it brakes, but too little
+        limit, rate = 3, 2
+    return _around(statements, threats, limit, rate)
+
+
+def _around(statements: list[str], threats: list[str], limit: float, rate: float) -> list[str]:
+    """The statements, interrupted by braking at `rate` while the need (m/s2) for one of the threats is over `limit`."""
+    force = f"need(self, {threats[0]})"
+    if len(threats) > 1 or threats[0].startswith("*"):
+        force = f"most_need(self, [{', '.join(threats)}])"
+    head, rest = statements[:1], statements[1:]
+    return [
+        *head,
+        "try:",
+        *(f"    {s}" for s in rest),
+        f"interrupt when {force} > {scope.number(limit)}:",
+        f"    do Drive(line, 0, rate={scope.number(rate)}) until {force} <= 0",
+    ]
+
+
+def reacting_phases(spec: EgoSpec, others: list[str], plan: Plan) -> tuple[Phase, ...]:
+    """Ego's phases with those that its place and its reaction add: merging, leaving, yielding, evading."""
+    phases = spec.phases
+    changes = {"lane_change", "cut_in", "overtake"} & {p.action for p in phases}
+    if plan.place.kind == "on_ramp" and not changes:
+        spec = spec.model_copy(update={"phases": (*phases, Phase(action="lane_change", side="left"))})
+    if plan.place.kind == "off_ramp" and -1 in plan.offsets and not changes:
+        spec = spec.model_copy(update={"phases": (*phases, Phase(action="lane_change", side="right"))})
+    actions = {p.action for p in spec.phases}
+    if spec.reaction == "yield" and others and "yield" not in actions:
+        return (Phase(action="yield", target=spec.react_to), *spec.phases)
+    if spec.reaction == "evade" and others and not actions & {"lane_change", "swerve", "overtake", "oncoming"}:
+        return (*spec.phases, Phase(action="lane_change", side="left", target=spec.react_to))
+    return spec.phases
+
+
+def threatening(structure: Structure) -> list[str]:
+    """The objects that may come into ego's way: all that move, and what stands in its lane."""
+    found = []
+    for c in structure.objects:
+        spec = c.spec
+        if not isinstance(spec, ObjectSpec):
+            continue
+        if spec.placement.position in IN_WAY or not is_static(spec):
+            name = scope.variables(structure)[c.id]
+            many = spec.count > 1 or spec.type in ("construction_zone", "lane_closure")
+            found.append(f"*{name}" if many else name)
+    return found

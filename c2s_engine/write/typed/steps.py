@@ -1,0 +1,233 @@
+"""What a phase does: statements, the last of them a `do`, and the condition that ends it ("": nothing does)."""
+
+from collections.abc import Callable
+
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import Phase
+from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.course import Course
+from c2s_engine.write.typed.plan import LANE_NAME
+
+LANE_WIDTH = 3.5
+"""m, of most maps' lanes."""
+
+Step = tuple[list[str], str]
+
+
+def steps(course: Course, phase: Phase) -> list[Step]:
+    """The steps of one phase; the course is moved on."""
+    return _OF.get(phase.action, _keep_lane)(course, phase)
+
+
+def _ending(phase: Phase, natural: str) -> str:
+    return f"for {scope.quantity(phase.duration)} seconds" if phase.duration is not None else natural
+
+
+def _side(phase: Phase, default: int) -> int:
+    return -1 if phase.side == "right" else 1 if phase.side == "left" else default
+
+
+# Along the lane.
+
+
+def _keep_lane(c: Course, p: Phase) -> list[Step]:
+    goal = c.set(c.wanted(p, c.value))
+    return [([c.drive(goal, middle(p.rate) if p.rate else None)], _ending(p, ""))]
+
+
+def _over_junction(c: Course, p: Phase) -> list[Step]:
+    """The line already turns; the phase is over when the junction is behind."""
+    goal = c.set(c.wanted(p, c.value))
+    if not (c.actor.plan.junction and (c.actor.is_ego or c.actor.approach or c.lane is not None)):
+        return [([c.drive(goal)], _ending(p, ""))]
+    return [([c.drive(goal)], "until self._intersection"), ([c.drive(goal)], "until not self._intersection")]
+
+
+def _stationary(c: Course, p: Phase) -> list[Step]:
+    return [([c.drive("0", 4)], _ending(p, ""))]
+
+
+def _accelerate(c: Course, p: Phase) -> list[Step]:
+    goal = c.wanted(p, max(c.value * 1.4, c.value + 5))
+    c.set(goal)
+    c.value = goal
+    drive = c.drive(rate=middle(p.rate) if p.rate else 2.5)
+    return [([drive], _ending(p, f"until self.speed > {scope.number(goal - 0.5)}"))]
+
+
+def _hard(c: Course) -> bool:
+    return getattr(c.actor.spec, "hard", False)
+
+
+def _brake(c: Course, p: Phase) -> list[Step]:
+    goal = c.wanted(p, c.value / 2)
+    rate = middle(p.rate) if p.rate else (6 if _hard(c) else 3)
+    c.set(goal)
+    drive = c.drive(scope.number(goal), rate)
+    return [([drive], _ending(p, f"until self.speed < {scope.number(goal + 0.5)}"))]
+
+
+def _stop(c: Course, p: Phase) -> list[Step]:
+    drive = c.drive("0", middle(p.rate) if p.rate else (7 if _hard(c) else 3.5))
+    return [([drive], "until self.speed < 0.2"), ([drive], _ending(p, "for 1 seconds"))]
+
+
+def _wait(c: Course, p: Phase) -> list[Step]:
+    return [([c.drive("0", 4)], _ending(p, "for 3 seconds"))]
+
+
+def _start(c: Course, p: Phase) -> list[Step]:
+    goal = c.wanted(p, c.actor.value or 8)
+    c.set(goal)
+    drive = c.drive(scope.number(goal) if not c.actor.value else None, 2)
+    return [([drive], _ending(p, f"until self.speed > {scope.number(goal - 0.5)}"))]
+
+
+def _follow(c: Course, p: Phase) -> list[Step]:
+    c.set(c.wanted(p, c.value))
+    pace = f"lambda: pace(self, {c.actor.ref(p.target)}, {c.speed})"
+    return [([c.drive(pace, 4)], _ending(p, ""))]
+
+
+def _u_turn(c: Course, p: Phase) -> list[Step]:
+    back = c.drive(scope.number(c.wanted(p, 8)))
+    return [(["do TurnRound()"], ""), (["line = way(oncomingLane)", back], "")]
+
+
+def _reverse(c: Course, p: Phase) -> list[Step]:
+    return [([f"do Backwards({scope.number(c.wanted(p, 2))})"], _ending(p, ""))]
+
+
+# To other lanes.
+
+
+def _lane_change(c: Course, p: Phase) -> list[Step]:
+    if c.lane is not None and len(c.actor.plan.offsets) == 1 and not c.on_ramp:  # by the oncoming lane or the verge
+        drive = c.drive(c.set(c.wanted(p, c.value)), offset=scope.number(_side(p, 1) * LANE_WIDTH))
+        return [([drive], _ending(p, "for 6 seconds"))]
+    line = c.onto(_side(p, 1))
+    return [([line, c.drive(c.set(c.wanted(p, c.value)))], _ending(p, "for 5 seconds"))]
+
+
+def _cut_in(c: Course, p: Phase) -> list[Step]:
+    c.lane = c.target_lane(p) or 0
+    change = [f"line = way({LANE_NAME[c.lane]})", c.drive(c.set(c.wanted(p, c.value)))]
+    plan, ego = c.actor.plan, c.actor.structure.ego.spec
+    forces = getattr(ego, "reaction", "") == "brake" and c.value > plan.ego_speed - 1
+    if forces and p == c.actor.spec.phases[-1]:  # ego has to brake for it, so it does not pull away
+        slower = c.drive(scope.number(0.75 * min(c.value, plan.ego_speed)), 3)
+        return [(change, "for 2.5 seconds"), ([slower], "for 3 seconds"), ([c.drive()], "")]
+    return [(change, _ending(p, "for 4 seconds"))]
+
+
+def _enter_road(c: Course, p: Phase) -> list[Step]:
+    c.lane = 0
+    goal = c.wanted(p, c.actor.value or 7)
+    c.value, c.speed = goal, scope.number(goal)
+    drive = c.drive(scope.number(goal), middle(p.rate) if p.rate else 3)
+    return [(["line = way(egoLane)", drive], _ending(p, "for 5 seconds"))]
+
+
+def _overtake(c: Course, p: Phase) -> list[Step]:
+    other = c.actor.ref(p.target)
+    c.set(c.wanted(p, max(c.value, c.target_speed(p) + 5)))
+    past = f"until lead_on(self, {other}) > 12 + self.length"
+    if not c.same_lane(p) or c.lane is None:
+        return [([c.drive()], past)]
+    home, offsets = c.lane, c.actor.plan.offsets
+    if home + 1 in offsets or home - 1 in offsets:
+        line = c.onto(_side(p, 1))
+        c.lane = home
+        return [([line, c.drive()], past), ([f"line = way({LANE_NAME[home]})", c.drive()], "for 5 seconds")]
+    return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], past), ([c.drive()], "for 5 seconds")]
+
+
+# Out of the lane.
+
+
+def _sideways(c: Course, p: Phase, metres: float, shift: float, seconds: float | None) -> list[Step]:
+    side = _side(p, -1 if metres < 0 else 1)
+    out = c.drive(c.set(c.wanted(p, c.value)), offset=scope.number(side * abs(metres)), shift=shift)
+    if seconds is None:
+        return [([out], _ending(p, ""))]
+    return [([out], _ending(p, f"for {scope.number(seconds)} seconds")), ([c.drive()], "for 3 seconds")]
+
+
+def _swerve(c: Course, p: Phase) -> list[Step]:
+    return _sideways(c, p, 2.2, 2.5, 2.5)
+
+
+def _lose_control(c: Course, p: Phase) -> list[Step]:
+    return _sideways(c, p, 2.0, 4, 1.5)
+
+
+def _drift(c: Course, p: Phase) -> list[Step]:
+    return _sideways(c, p, -3.2, 0.7, None)
+
+
+def _leave_road(c: Course, p: Phase) -> list[Step]:
+    lane, offsets = c.lane or 0, c.actor.plan.offsets
+    width = LANE_WIDTH * (max(offsets) - lane if p.side == "left" else lane - min(offsets))
+    return _sideways(c, p, -(width + 5), 2, None)
+
+
+def _oncoming(c: Course, p: Phase) -> list[Step]:
+    return _sideways(c, p, LANE_WIDTH, 2, middle(p.duration) if p.duration is not None else None)
+
+
+# Towards another.
+
+
+def _yield(c: Course, p: Phase) -> list[Step]:
+    other, lane = c.actor.ref(p.target), c.actor.to_junction
+    go = ([c.drive(c.set(c.wanted(p, c.actor.value or 8)), 2)], "for 4 seconds")
+    if lane is None:
+        return [([c.drive("0", 4)], f"until passed({other}, self) or passed({other}, self, 0)"), go]
+    end = f"{lane}.centerline[-1]"
+    if c.same_lane(p):  # it is ahead: behind it up to the junction, until it has gone on over it
+        behind = f"do Drive(line, lambda: pace(self, {other}, {c.speed}), rate=4)"
+        clear = f"(distance from {other} to {end}) > 14 and (distance from self to {end}) < 14"
+        return [([behind], f"until {clear}"), (go[0], "")]
+    near = f"until (distance from self to {end}) < 5 + self.speed ** 2 / 6"
+    return [([c.drive()], near), ([c.drive("0", 3)], f"until passed({other}, self)"), go]
+
+
+def _collide(c: Course, p: Phase) -> list[Step]:
+    other = c.actor.ref(p.target)
+    goal = c.wanted(p, c.value)
+    c.set(goal)
+    if c.lane is None and not c.actor.is_ego:
+        turn = ", egoTurn" if c.actor.plan.turning else ""
+        spot = f"spot = meeting(line, way(egoLane{turn}))"
+        return [([spot, f"do Drive(line, lambda: meet(self, {other}, spot, {c.speed}))"], "")]
+    faster = max(goal, c.target_speed(p) + 4) if c.same_lane(p) else goal
+    return [([c.drive(scope.number(faster) if faster > goal else None)], "")]
+
+
+_OF: dict[str, Callable[[Course, Phase], list[Step]]] = {
+    "stationary": _stationary,
+    "accelerate": _accelerate,
+    "brake": _brake,
+    "stop": _stop,
+    "wait": _wait,
+    "start": _start,
+    "lane_change": _lane_change,
+    "cut_out": _lane_change,
+    "cut_in": _cut_in,
+    "overtake": _overtake,
+    "follow": _follow,
+    "swerve": _swerve,
+    "drift": _drift,
+    "turn_left": _over_junction,
+    "turn_right": _over_junction,
+    "go_straight": _over_junction,
+    "u_turn": _u_turn,
+    "enter_road": _enter_road,
+    "leave_road": _leave_road,
+    "reverse": _reverse,
+    "oncoming": _oncoming,
+    "yield": _yield,
+    "lose_control": _lose_control,
+    "collide": _collide,
+}
+"""The others (keep_lane, run_red, run_stop, cross_road and move_along of riders) keep the lane."""

@@ -1,0 +1,128 @@
+"""When a phase begins: its stated trigger, or what its action waits for where none is stated."""
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import ObjectSpec, Phase
+from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.course import Course
+from c2s_engine.write.typed.tables import is_static
+
+FORCED = {"brake", "stop", "swerve", "lane_change"}
+DELAYED = {
+    "brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road",
+    "accelerate", "oncoming",
+}  # fmt: skip
+IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
+
+
+def stated(course: Course, phase: Phase) -> str:
+    """The condition that ends what comes before a phase with a trigger: `until ...` or `for ...`."""
+    t = phase.trigger
+    assert t is not None
+    other = course.actor.ref(t.of)
+    value = middle(t.value) if t.value is not None else None
+    if t.kind == "time":
+        return f"until simulation().currentTime * simulation().timestep >= {scope.number(value or 3)}"
+    if t.kind == "ttc":
+        return f"until ttc(self, {other}) < {scope.number(value or 3)}"
+    if t.kind == "place":
+        return _before_junction(course, value or 0, phase)
+    if t.kind == "action":
+        return f"until {observed(course.actor.structure, other, t.of or 'ego', t.action)}"
+    return f"until (distance from self to {other}) < {scope.number(value or 25)}"
+
+
+def implicit(course: Course, phase: Phase, first: bool = True) -> str:
+    """The trigger of a phase that names none: what ego is forced to waits for the need, a cut-in for its gap."""
+    a = course.actor
+    if phase.trigger is not None:
+        return ""
+    if phase.action in ("lane_change", "cut_in") and course.on_ramp:
+        return "until self._lane is accelerationLane"
+    if a.is_ego and phase.action in FORCED and _confronted(course, phase):
+        other = a.ref(phase.target or getattr(a.spec, "react_to", None))
+        hard = getattr(a.spec, "hard", False) or (phase.rate is not None and middle(phase.rate) >= 4)
+        limit = 1.2 if phase.action in ("swerve", "lane_change") else 4 if hard else 2
+        return f"until need(self, {other}) > {limit}"
+    if phase.action == "cut_in":
+        return f"until 5 < lead_on(self, {a.ref(phase.target)}) - self.length < {scope.number(_cut_in_gap(course))}"
+    if phase.action == "overtake" and course.lane is not None and course.same_lane(phase):
+        return f"until (distance from self to {a.ref(phase.target)}) < 12 + 0.8 * self.speed"
+    if obstacle := _obstacle(course) if phase.action in ("swerve", "cut_out", "lane_change") else "":
+        return f"until (distance from self to {obstacle}) < 12 + 1.3 * self.speed"
+    if not first or phase.action not in DELAYED or a.value <= 0:
+        return ""
+    if course.oncoming:
+        return f"until (distance from self to ego) < {scope.number(2.8 * (a.value + a.plan.ego_speed))}"
+    return "for 3 seconds"
+
+
+def observed(structure: Structure, other: str, cid: str, action: str | None) -> str:
+    """What can be seen of another's action while it is at it."""
+    if action in ("stop", "stationary", "wait"):
+        return f"{other}.speed < 0.3"
+    if action in ("start", "accelerate", "enter_road", "cross_road", "move_along"):
+        return f"{other}.speed > 0.5"
+    if action == "brake":
+        spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
+        prefix = "EGO" if cid in ("E", "ego") else scope.constant(structure, cid)
+        moving = cid in ("E", "ego") or isinstance(spec, ObjectSpec) and not is_static(spec)
+        known = moving and getattr(spec, "speed", None) not in (None, 0)
+        return f"{other}.speed < {prefix}_SPEED - 1.5" if known else f"{other}.speed < 3"
+    if action in ("turn_left", "turn_right", "go_straight", "run_red", "run_stop"):
+        return f"{other}._intersection is not None"
+    if action == "cut_in":
+        return f"{other}._lane is egoLane"
+    if action in ("lane_change", "cut_out"):
+        return f"{other}._lane is not egoLane"
+    return f"(distance from ego to {other}) < 20"
+
+
+def _before_junction(course: Course, value: float, phase: Phase) -> str:
+    lane = course.actor.to_junction
+    if lane is None:
+        return "for 4 seconds"
+    room = value + 4
+    if phase.action in ("stop", "yield", "wait", "brake") and value < 12:
+        rate = middle(phase.rate) if phase.rate else 3
+        braking = f"self.speed ** 2 / {scope.number(2 * rate)}"
+        return f"until (distance from self to {lane}.centerline[-1]) < {scope.number(room)} + {braking}"
+    return f"until (distance from self to {lane}.centerline[-1]) < {scope.number(room)}"
+
+
+def _obstacle(course: Course) -> str:
+    """What stands in its lane ahead of it, if anything does: another's evasion waits for that."""
+    a = course.actor
+    if a.is_ego or course.lane is None:
+        return ""
+    for c in a.structure.objects:
+        spec = c.spec
+        if c.id == a.cid or not isinstance(spec, ObjectSpec) or not is_static(spec):
+            continue
+        ahead = spec.placement.position == "ahead" and spec.placement.of in (a.cid, "ego")
+        if ahead and a.plan.lane_of.get(c.id) == course.lane:
+            return a.ref(c.id)
+    return ""
+
+
+def _confronted(course: Course, phase: Phase) -> bool:
+    """Whether the one that ego reacts to is, or comes, in its way."""
+    a = course.actor
+    cid = phase.target or getattr(a.spec, "react_to", None)
+    if cid is None:
+        return bool(a.others)
+    if cid == "ego" or cid not in a.structure:
+        return False
+    spec = a.structure[cid].spec
+    if not isinstance(spec, ObjectSpec):
+        return False
+    if spec.placement.position == "behind" or spec.placement.along == "behind":
+        return any(p.action in ("cut_in", "overtake") for p in spec.phases) and phase.action in ("brake", "stop")
+    return spec.placement.position in IN_WAY or not is_static(spec)
+
+
+def _cut_in_gap(course: Course) -> float:
+    placement = getattr(course.actor.spec, "placement", None)
+    gap = middle(placement.gap) if placement and placement.gap is not None and placement.along != "behind" else 0
+    slower = course.actor.value < course.actor.plan.ego_speed - 1
+    return max(25.0, 0.0 if slower else gap + 8)

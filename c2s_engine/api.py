@@ -15,7 +15,7 @@ from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.edits import Edit, apply
 from c2s_engine.structure.facts import RunFacts
 from c2s_engine.structure.program import FragmentSpan, Program, assemble
-from c2s_engine.structure.progress import Finished, Progress
+from c2s_engine.structure.progress import Finished, Progress, Say
 
 RUNNER = "c2s_engine.dryrun.runner:run_scene"
 
@@ -23,13 +23,18 @@ RUNNER = "c2s_engine.dryrun.runner:run_scene"
 class Engine:
     """One per process: `async with Engine() as engine`. The check server starts first, the rest when it is needed."""
 
-    def __init__(self, settings: Settings | None = None):
+    def __init__(self, settings: Settings | None = None, apart: bool = False):
+        """`apart`: read texts in a process of its own, for a front that draws meanwhile."""
         self.settings = settings or Settings()
         self.library = MapLibrary(self.settings.map_folders, self.settings.carla_root)
         self.check_client = CheckClient(runner=RUNNER)
         self.tools = Tools(self.settings, self.library, self.check_client)
         self._retrieval: Any = None
         self.tools.extra["retrieval"] = self.retrieval
+        if apart:
+            from c2s_engine.session.reader import Reader
+
+            self.tools.extra["reader"] = Reader()
         self._graph: Any = None
 
     async def __aenter__(self) -> "Engine":
@@ -41,9 +46,13 @@ class Engine:
 
     async def start(self) -> None:
         await self.check_client.start()
+        if reader := self.tools.extra.get("reader"):
+            await reader.start()
 
     async def close(self) -> None:
         await self.check_client.close()
+        if reader := self.tools.extra.get("reader"):
+            await reader.close()
         if self._retrieval is not None:
             await self._retrieval.close()
 
@@ -81,6 +90,9 @@ class Engine:
         after = structure
         for edit in edits:
             after = apply(after, edit)
+        edits, replies = await self.reworded(structure, edits)
+        for reply in replies:
+            yield Say(text=reply)
         inputs = {
             "text": "",
             "structure": structure.model_dump(mode="json"),
@@ -88,6 +100,12 @@ class Engine:
         }
         async for event in self.turn(inputs, method, map, seed, run, runs, trajectories):
             yield event
+
+    async def reworded(self, structure: Structure, edits: Sequence[Edit]) -> tuple[list[Edit], list[str]]:
+        """The edits with what new sentences of components mean for their fields, and what to say of it."""
+        from c2s_engine.session.wording import reworded
+
+        return await reworded(structure, edits, self.tools)
 
     async def say(
         self, structure: Structure | None, text: str, *, method: str | None = None, **options: Any
@@ -199,6 +217,12 @@ class Engine:
 
     def maps(self) -> tuple[MapFile, ...]:
         return self.library.list()
+
+    async def doctor(self) -> list[dict[str, Any]]:
+        """What is installed, reachable and missing: name, ok, optional, found, advice."""
+        from c2s_engine.doctor import examine
+
+        return await examine(self.settings)
 
     async def survey(self, map_file: MapFile) -> dict[str, int]:
         """How many places of each kind a map has."""

@@ -15,7 +15,7 @@ def real_engine() -> Any:
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
 
-    return Engine(load_settings())
+    return Engine(load_settings(), apart=True)
 
 
 class Backend:

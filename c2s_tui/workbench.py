@@ -13,7 +13,7 @@ from textual.screen import Screen
 from textual.widgets import Tab, Tabs
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import EditError, apply
+from c2s_engine.structure.edits import EditError, SetDescription, apply
 from c2s_engine.structure.progress import Finished
 from c2s_tui import desk as desks
 from c2s_tui.actions import Actions
@@ -245,10 +245,16 @@ class Workbench(Actions, Screen):
     @work(group="reach", exclusive=True, exit_on_error=False)
     async def reach(self, edit: Any) -> None:
         """Show what an edit would rewrite, before it is made."""
+        structure, reached = self.desk.structure, set()
         try:
-            reached = await self.backend.ask("reach", self.desk.structure, edit)
+            edits = [edit]
+            if isinstance(edit, SetDescription) and self.backend.can("reworded"):
+                edits, _ = await self.backend.ask("reworded", structure, edits)
+            for one in edits:
+                reached |= set(await self.backend.ask("reach", structure, one))
+                structure = apply(structure, one)
         except (ValueError, LookupError, OSError):
-            reached = []
+            reached = set()
         if self.sheet.editor:
             self.sheet.show_reach(frozenset(reached))
 

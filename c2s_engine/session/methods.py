@@ -8,6 +8,7 @@ from typing import Any, Protocol
 from c2s_engine.check.protocol import PlacesRequest
 from c2s_engine.maps.library import SHIPPED
 from c2s_engine.session.places import map_choice
+from c2s_engine.session.reader import Unreadable, read
 from c2s_engine.session.steps import Emit, Tools, timed, write
 from c2s_engine.structure.components import ComponentId, Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
@@ -24,29 +25,33 @@ class Method(Protocol):
     """What the graph asks of a method."""
 
     name: str
+    needs_place: bool
 
     async def interpret(self, text: str, structure: Structure, emit: Emit) -> Interpreted: ...
 
     async def write(self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str) -> Written: ...
+
+    def described(self, before: Structure, after: Structure) -> list[Edit]: ...
+
+    def account(self, structure: Structure | None) -> dict[str, Any]: ...
 
 
 class EmbeddedMethod:
     """No model: the embedded interpreter and the typed writer."""
 
     name = "embedded"
+    needs_place = True
 
     def __init__(self, tools: Tools):
         self.tools = tools
 
     async def interpret(self, text: str, structure: Structure, emit: Emit) -> Interpreted:
-        from c2s_engine.interpret import EmbeddedInterpreter, InterpretError
-
         emit(StageStarted(stage="interpret"))
         started = time.perf_counter()
         warming = asyncio.create_task(_warm(self.tools))
         try:
-            found = await asyncio.to_thread(EmbeddedInterpreter().interpret, text)
-        except InterpretError as error:
+            found = await read(text, self.tools)
+        except Unreadable as error:
             result = timed("interpret", started, (Diagnostic(stage="interpret", message=str(error), code="text"),))
             emit(StageDone(result=result))
             return None, [], {}, result
@@ -54,14 +59,22 @@ class EmbeddedMethod:
             warming.add_done_callback(lambda task: task.cancelled() or task.exception())
         result = timed("interpret", started)
         emit(StageDone(result=result))
-        if found.structure.not_understood:
-            words = "; ".join(f'"{n.text}"' for n in found.structure.not_understood[:5])
+        if found.not_understood:
+            words = "; ".join(f'"{n.text}"' for n in found.not_understood[:5])
             emit(Say(text=f"Not understood: {words}.", severity="warning"))
-        return found.structure, [], {"tokens": 0}, result
+        return found, [], {}, result
 
     async def write(self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str) -> Written:
         chosen = map_choice(self.tools.library, self.tools.library.find(map_name))
         return write(structure, [], TypedWriter(chosen, room=room), emit)
+
+    def described(self, before: Structure, after: Structure) -> list[Edit]:
+        """No further edits: fields are all that it reads."""
+        return []
+
+    def account(self, structure: Structure | None) -> dict[str, Any]:
+        """It costs nothing."""
+        return {"tokens": 0}
 
 
 async def _warm(tools: Tools) -> None:

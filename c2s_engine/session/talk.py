@@ -3,47 +3,179 @@
 `engine` is the facade (`c2s_engine.api.Engine`), which a room below it cannot import.
 """
 
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Sequence
+from contextlib import aclosing
 from typing import Any
 
+from c2s_engine.session.citing import description_of, kept, wanted
+from c2s_engine.session.steps import Emit
+from c2s_engine.session.streams import Result, streamed
+from c2s_engine.session.why import explained
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.program import assemble
-from c2s_engine.structure.progress import Finished, Passage, Progress, Say
+from c2s_engine.structure.progress import Finished, Passage, Progress, Say, Usage
+
+WHOLE = ("nl2scenic", "chatscene")
+"""Methods that write a program as one: a change is told to them as part of the text."""
 
 
 async def say(
-    engine: Any, structure: Structure | None, text: str, *, method: str | None = None, **options: Any
+    engine: Any,
+    structure: Structure | None,
+    text: str,
+    *,
+    method: str | None = None,
+    passages: Sequence[Any] = (),
+    **options: Any,
 ) -> AsyncIterator[Progress]:
-    """The events of the turn; the last is Finished. Undo and redo belong to a session and are only said here."""
-    from c2s_engine.interpret.turn import route
+    """The events of the turn; the last is Finished. Undo and redo belong to a session and are only said here.
 
+    `passages`: those of the last answer, from which "use 2" picks. Where the method uses a model, the model reads the
+    turn and answers questions.
+    """
     current = structure or Structure()
-    turn = route(text, structure)
-    if turn.kind == "scenario":
-        async for event in engine.generate(text, method=method, **options):
-            yield event
+    name = method or engine.settings.method
+    tokens = 0
+    turn: Any = None
+    async with aclosing(_events(engine, current if structure else None, text, name, passages)) as events:
+        async for event in events:
+            if isinstance(event, _Next):
+                turn = event
+            else:
+                tokens += event.prompt_tokens + event.answer_tokens if isinstance(event, Usage) else 0
+                yield event
+    if turn.text:
+        source = engine.generate(turn.text, method=method, **options)
+    elif turn.edits:
+        source = engine.apply(current, turn.edits, method=method, **options)
+    else:
+        details = {"turn": turn.kind, "unchanged": True, "tokens": tokens, **turn.details}
+        yield Finished(ok=True, structure=current, program=assemble(current), details=details)
         return
-    if turn.kind == "edit" and turn.edits:
+    async with aclosing(source) as events:
+        async for event in events:
+            if isinstance(event, Finished):
+                total = event.details.get("tokens", 0) + tokens
+                event = event.model_copy(update={"details": {**event.details, "turn": turn.kind, "tokens": total}})
+                if turn.edits and event.program.text:
+                    yield Say(text=outcome(event))
+            yield event
+
+
+class _Next:
+    """What a turn leads to: a text to generate from, edits to make, or (neither) nothing more."""
+
+    def __init__(self, kind: str, text: str = "", edits: Sequence[Any] = (), **details: Any):
+        self.kind, self.text, self.edits, self.details = kind, text, list(edits), details
+
+
+async def _events(
+    engine: Any, structure: Structure | None, text: str, method: str, passages: Sequence[Any]
+) -> AsyncIterator[Any]:
+    """What is said while the turn is read (and answered, where it is a question); last, what it leads to."""
+    if number := wanted(text):
+        async with aclosing(_picked(engine, number, passages)) as events:
+            async for event in events:
+                yield event
+        return
+    turn: Any = None
+    async with aclosing(streamed(lambda emit: _routed(engine, text, structure, method, emit))) as routing:
+        async for event in routing:
+            if isinstance(event, Result):
+                turn = event.value
+            else:
+                yield event
+    if turn.kind == "scenario":
+        yield _Next("scenario", text=text)
+    elif turn.kind == "edit" and turn.edits:
         if turn.reply:
             yield Say(text=turn.reply)
-        async for event in engine.apply(current, turn.edits, method=method, **options):
-            yield event
-        return
-    if turn.kind == "question":
-        async for event in answer(engine, text):
-            yield event
-    elif turn.reply:
-        yield Say(text=turn.reply)
+        if structure and structure.text and method.startswith(WHOLE):
+            yield _Next("edit", text=f"{structure.text.rstrip()}\n{text}")
+        else:
+            yield _Next("edit", edits=turn.edits)
+    elif turn.kind == "question":
+        found: list[Passage] = []
+        async with aclosing(answer(engine, text, structure, method)) as events:
+            async for event in events:
+                if isinstance(event, Passage):
+                    found.append(event)
+                yield event
+        yield _Next("question", passages=kept(found))
     else:
         sentence = "That was not understood as a change: name the component, the field and the value."
-        yield Say(text=sentence, severity="warning")
-    yield Finished(ok=True, structure=current, program=assemble(current), details={"turn": turn.kind})
+        yield Say(text=turn.reply) if turn.reply else Say(text=sentence, severity="warning")
+        yield _Next(turn.kind)
 
 
-async def answer(engine: Any, question: str) -> AsyncIterator[Progress]:
-    """The passages that answer a question, or that there is none."""
+async def _routed(engine: Any, text: str, structure: Structure | None, method: str, emit: Emit) -> Any:
+    """How the turn is taken: by the model where the method has one, else by the embedded routing."""
+    from c2s_engine.interpret.turn import route
+
+    if structure is None or not uses_model(engine, method):
+        return route(text, structure)
+    from c2s_engine.interpret import EmbeddedInterpreter
+    from c2s_engine.interpret.llm.turn import route as route_with_model
+
+    async with engine.model_client() as client:
+        return await route_with_model(text, structure, client=client, embedded=EmbeddedInterpreter(), on_event=emit)
+
+
+def uses_model(engine: Any, method: str) -> bool:
+    """Whether a model is at work under the method."""
+    if method == "embedded" or not engine.settings.model:
+        return False
+    from c2s_engine.write.methods import needs_model
+
+    return needs_model(method)
+
+
+async def _picked(engine: Any, number: int, passages: Sequence[Any]) -> AsyncIterator[Any]:
+    """A passage of the last answer becomes the description."""
     from c2s_engine.retrieve.errors import RetrievalError
 
+    found = [Passage.model_validate(p) for p in passages]
+    if not 1 <= number <= len(found):
+        said = f"Say which: 1 to {len(found)}." if found else "There is no answer to pick from: ask a question first."
+        yield Say(text=said, severity="warning")
+        yield _Next("question")
+        return
+    chosen = found[number - 1]
+    if chosen.kind == "snippet":
+        said = (
+            f"{chosen.title} That is a snippet of {chosen.component}: give it to a component with `--code`, or type it."
+        )
+        yield Say(text=said, severity="warning")
+        yield _Next("question", passages=list(passages))
+        return
+    try:
+        siblings = await engine.search(chosen.title, kind="doc", limit=10)
+    except RetrievalError:
+        siblings = []
+    text = description_of(chosen, siblings)
+    yield Say(text=f"Taken as the description: {text}")
+    yield _Next("scenario", text=text)
+
+
+def outcome(finished: Finished) -> str:
+    """What an edit made the writer write anew, and what stayed."""
+    written = [c for c in finished.details.get("rewritten", []) if c in finished.structure]
+    stayed = [c for c in finished.structure.ids if c not in written]
+    if not written:
+        return "Nothing had to be written anew."
+    kept = f"; {', '.join(stayed)} stayed as {'they were' if len(stayed) > 1 else 'it was'}" if stayed else ""
+    return f"Written anew: {', '.join(written)}{kept}."
+
+
+async def answer(
+    engine: Any, question: str, structure: Structure | None = None, method: str = "embedded"
+) -> AsyncIterator[Progress]:
+    """Why something is there; else the passages that answer a question, summed up where there is a model."""
+    from c2s_engine.retrieve.errors import RetrievalError
+
+    if structure is not None and (reason := explained(question, structure)):
+        yield Say(text=reason)
+        return
     wants_code = any(w in question.lower() for w in ("show me", "snippet", "scenarios like", "example of", "code"))
     try:
         found: list[Passage] = await engine.search(question, kind="snippet" if wants_code else "doc", limit=3)
@@ -55,5 +187,29 @@ async def answer(engine: Any, question: str) -> AsyncIterator[Progress]:
         return
     for passage in found:
         yield passage
-    sources = "; ".join(f"{p.title}{f' ({p.clause})' if p.clause else ''}" for p in found)
-    yield Say(text=f"From: {sources}.")
+    sources = "; ".join(f"{i} {p.title}{f' ({p.clause})' if p.clause else ''}" for i, p in enumerate(found, 1))
+    usable = [p for p in found if p.kind == "doc"]
+    hint = " “use 1” makes the first the description." if usable else ""
+    if not uses_model(engine, method):
+        yield Say(text=f"From: {sources}.{hint}")
+        return
+    async with aclosing(streamed(lambda emit: _in_words(engine, question, found, emit))) as events:
+        async for event in events:
+            if not isinstance(event, Result):
+                yield event
+            elif event.value:
+                yield Say(text=event.value)
+    yield Say(text=f"From: {sources}.{hint}")
+
+
+async def _in_words(engine: Any, question: str, found: Sequence[Passage], emit: Emit) -> str:
+    """The model's answer from the passages; empty (and said why) where it has none that can be used."""
+    from c2s_engine.interpret.llm.answer import answer as answer_with_model
+    from c2s_engine.models.errors import ModelError
+
+    try:
+        async with engine.model_client() as client:
+            return await answer_with_model(question, found, client, emit)
+    except ModelError as error:
+        emit(Say(text=f"The passages stand for themselves. {error}", severity="warning"))
+        return ""

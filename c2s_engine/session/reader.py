@@ -1,0 +1,149 @@
+"""The embedded interpreter in a process of its own, for fronts that draw: a parser that is being loaded holds Python's
+lock for seconds, and a key would wait for it. `python -m c2s_engine.session.reader` is the process; frames are a length
+(four bytes) and a pickle, between processes of one program only.
+"""
+
+import asyncio
+import contextlib
+import pickle
+import struct
+import sys
+from dataclasses import dataclass
+from typing import Any, BinaryIO
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import Edit
+
+HEAD = struct.Struct("!I")
+
+
+class Unreadable(ValueError):
+    """A text that is not understood, or that the process ended upon; the message is for the user."""
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What a turn asks for: as `interpret.turn.Turn`, without importing it here."""
+
+    kind: str
+    edits: tuple[Edit, ...] = ()
+    reply: str = ""
+
+
+class Reader:
+    """Reads texts elsewhere; where the process ended, the next call starts another."""
+
+    def __init__(self) -> None:
+        self._process: asyncio.subprocess.Process | None = None
+        self._listening: asyncio.Task[None] | None = None
+        self._waiting: dict[int, asyncio.Future[Any]] = {}
+        self._number = 0
+        self._starting = asyncio.Lock()
+
+    async def start(self) -> None:
+        """Start the process, which loads the parser while nobody waits."""
+        async with self._starting:
+            if self._process is None or self._process.returncode is not None:
+                self._process = await asyncio.create_subprocess_exec(
+                    sys.executable, "-m", "c2s_engine.session.reader",
+                    stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE, start_new_session=True,
+                )  # fmt: skip
+                self._listening = asyncio.create_task(self._listen(self._process))
+
+    async def ask(self, *call: Any) -> Any:
+        """An answer to ("interpret", text) or ("route", text, structure); raises Unreadable."""
+        await self.start()
+        assert self._process is not None and self._process.stdin is not None
+        self._number += 1
+        number = self._number
+        answer = self._waiting[number] = asyncio.get_running_loop().create_future()
+        try:
+            with contextlib.suppress(ConnectionError):  # the listener says that it is lost
+                self._process.stdin.write(_frame((number, call)))
+                await self._process.stdin.drain()
+            return await answer
+        finally:
+            self._waiting.pop(number, None)
+
+    async def close(self) -> None:
+        """End the process."""
+        if self._process is not None:
+            with contextlib.suppress(ProcessLookupError):
+                self._process.kill()
+            await self._process.wait()
+        if self._listening is not None:
+            self._listening.cancel()
+
+    async def _listen(self, process: asyncio.subprocess.Process) -> None:
+        assert process.stdout is not None
+        with contextlib.suppress(asyncio.IncompleteReadError, ConnectionError):
+            while True:
+                (size,) = HEAD.unpack(await process.stdout.readexactly(HEAD.size))
+                number, value, error = pickle.loads(await process.stdout.readexactly(size))
+                answer = self._waiting.get(number)
+                if answer is not None and not answer.done():
+                    answer.set_exception(error) if error is not None else answer.set_result(value)
+        await process.wait()
+        for answer in self._waiting.values():
+            if not answer.done():
+                answer.set_exception(Unreadable("The interpreter ended while it read the text: send it again."))
+
+
+async def read(text: str, tools: Any) -> Structure:
+    """S of a text, by the process apart where there is one, else in a thread; raises Unreadable."""
+    return await _asked(tools, "interpret", text)
+
+
+async def route(text: str, structure: Structure | None, tools: Any) -> Asked:
+    """What a turn asks for, given the S at hand."""
+    return await _asked(tools, "route", text, structure)
+
+
+async def _asked(tools: Any, name: str, *arguments: Any) -> Any:
+    reader = tools.extra.get("reader")
+    return await (reader.ask(name, *arguments) if reader else asyncio.to_thread(_answer, name, arguments))
+
+
+def _frame(value: Any) -> bytes:
+    data = pickle.dumps(value)
+    return HEAD.pack(len(data)) + data
+
+
+def _answer(name: str, arguments: tuple[Any, ...]) -> Any:
+    from c2s_engine.interpret import EmbeddedInterpreter, InterpretError, turn
+
+    if name == "interpret":
+        try:
+            return EmbeddedInterpreter().interpret(*arguments).structure
+        except InterpretError as error:
+            raise Unreadable(str(error)) from None
+    asked = turn.route(*arguments)
+    return Asked(asked.kind, tuple(asked.edits), asked.reply)
+
+
+def serve(requests: BinaryIO, answers: BinaryIO) -> None:
+    """Answer until the pipe is closed."""
+    with contextlib.suppress(Exception):
+        _answer("interpret", ("A car drives ahead of ego.",))  # loads the parser and the tables
+    while len(head := requests.read(HEAD.size)) == HEAD.size:
+        number, (name, *arguments) = pickle.loads(requests.read(*HEAD.unpack(head)))
+        try:
+            frame = _frame((number, _answer(name, tuple(arguments)), None))
+        except Exception as error:
+            frame = _frame((number, None, error))
+        answers.write(frame)
+        answers.flush()
+
+
+def main() -> None:
+    """The process."""
+    sink = sys.stdout.buffer
+    sys.stdout = sys.stderr  # what libraries print must not get between the frames
+    with contextlib.suppress(KeyboardInterrupt, BrokenPipeError):
+        serve(sys.stdin.buffer, sink)
+
+
+if __name__ == "__main__":
+    from c2s_engine.session.reader import main as run  # classes are pickled under this name, not __main__'s
+
+    run()

@@ -1,7 +1,8 @@
 """The facade that the command line, the app and the benchmark use. Imports neither torch, lancedb nor scenic."""
 
 import time
-from collections.abc import AsyncIterator, Sequence
+from collections.abc import AsyncGenerator, Sequence
+from contextlib import aclosing
 from pathlib import Path
 from typing import Any
 
@@ -68,11 +69,15 @@ class Engine:
         run: bool = True,
         runs: int | None = None,
         trajectories: bool = False,
-    ) -> AsyncIterator[Progress]:
-        """A new scenario from a text. The last event is Finished."""
-        inputs = {"text": text, "structure": {}, "edits": []}
-        async for event in self.turn(inputs, method, map, seed, run, runs, trajectories):
-            yield event
+        improve: bool | None = None,
+    ) -> AsyncGenerator[Progress, None]:
+        """A new scenario from a text. The last event is Finished.
+
+        `improve`: whether a model is told what the run did not show, to change S (default: as the settings say)."""
+        inputs: dict[str, Any] = {"text": text, "structure": {}, "edits": [], "improve": improve}
+        async with aclosing(self.turn(inputs, method, map, seed, run, runs, trajectories)) as events:
+            async for event in events:
+                yield event
 
     async def apply(
         self,
@@ -85,7 +90,8 @@ class Engine:
         run: bool = True,
         runs: int | None = None,
         trajectories: bool = False,
-    ) -> AsyncIterator[Progress]:
+        improve: bool | None = None,
+    ) -> AsyncGenerator[Progress, None]:
         """Edits of S: only what they make dirty is written anew. Raises EditError where one cannot be made."""
         after = structure
         for edit in edits:
@@ -97,9 +103,11 @@ class Engine:
             "text": "",
             "structure": structure.model_dump(mode="json"),
             "edits": [e.model_dump(mode="json") for e in edits],
+            "improve": improve,
         }
-        async for event in self.turn(inputs, method, map, seed, run, runs, trajectories):
-            yield event
+        async with aclosing(self.turn(inputs, method, map, seed, run, runs, trajectories)) as events:
+            async for event in events:
+                yield event
 
     async def reworded(self, structure: Structure, edits: Sequence[Edit]) -> tuple[list[Edit], list[str]]:
         """The edits with what new sentences of components mean for their fields, and what to say of it."""
@@ -109,12 +117,13 @@ class Engine:
 
     async def say(
         self, structure: Structure | None, text: str, *, method: str | None = None, **options: Any
-    ) -> AsyncIterator[Progress]:
+    ) -> AsyncGenerator[Progress, None]:
         """A turn of the chat upon S: a question, an edit, or a new scenario."""
         from c2s_engine.session.talk import say
 
-        async for event in say(self, structure, text, method=method, **options):
-            yield event
+        async with aclosing(say(self, structure, text, method=method, **options)) as events:
+            async for event in events:
+                yield event
 
     async def turn(
         self,
@@ -127,7 +136,7 @@ class Engine:
         trajectories: bool,
         graph: Any = None,
         config: dict[str, Any] | None = None,
-    ) -> AsyncIterator[Progress]:
+    ) -> AsyncGenerator[Progress, None]:
         """One passage through the graph (the session's, where it gives its own)."""
         started = time.perf_counter()
         state: dict[str, Any] = {}
@@ -146,15 +155,16 @@ class Engine:
             "details": {},
             "places": 0,
             "stop": False,
+            "improve": self.settings.improve if inputs.get("improve") is None else inputs["improve"],
         }
         graph = graph or self.graph()
-        async for mode, item in graph.astream(
-            inputs, config, stream_mode=["custom", "values"], durability="exit" if config else None
-        ):
-            if mode == "custom":
-                yield item
-            else:
-                state = item
+        stream = graph.astream(inputs, config, stream_mode=["custom", "values"], durability="exit" if config else None)
+        async with aclosing(stream) as items:
+            async for mode, item in items:
+                if mode == "custom":
+                    yield item
+                else:
+                    state = item
         yield finished(state, time.perf_counter() - started)
 
     def graph(self) -> Any:
@@ -244,8 +254,14 @@ class Engine:
         if self._retrieval is None:
             from c2s_engine.retrieve.client import RetrievalClient
 
-            self._retrieval = RetrievalClient()
+            self._retrieval = RetrievalClient(model=self.settings.embedding_model)
         return self._retrieval
+
+    def model_client(self) -> Any:
+        """A client for the settings' model at Ollama; raises BadSettings."""
+        from c2s_engine.session.model_tools import client_for
+
+        return client_for(self.settings)
 
 
 def map_of(structure: Structure) -> str | None:

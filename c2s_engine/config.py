@@ -3,6 +3,7 @@
 import os
 import tomllib
 from pathlib import Path
+from typing import Any
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
@@ -28,6 +29,15 @@ class Settings(BaseModel):
     """Where CARLA is installed; without it, $CARLA_ROOT."""
     model: str | None = None
     """The Ollama model; none: methods without a model only."""
+    ollama: dict[str, Any] = {}
+    """How models are asked: num_ctx, answer_tokens, timeout, think, record ... (models.settings.ModelSettings); a table
+    [ollama.models."NAME"] holds what differs for one model."""
+    improve: bool = False
+    """Whether a model is told what a run did not show, to change S (at most twice, kept where the score rises)."""
+    offers: bool = True
+    """Whether the embedded method looks for snippets near to what cannot be expressed."""
+    embedding_model: str | None = None
+    """Another sentence-transformers model (folder or name) for the index; none: the shipped one."""
     runs: int = 1
     """Rollouts of the dry run a program."""
     seconds: float = 20.0

@@ -31,10 +31,10 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
             edits += new
             said.append(words)
             break
-    return [*edits, *_described(structure, current)], said
+    return [*edits, *described(structure, current)], said
 
 
-def _described(before: Structure, after: Structure) -> list[Edit]:
+def described(before: Structure, after: Structure) -> list[Edit]:
     """The sentences of the components whose specs changed."""
     names = {c.id: c.spec.name for c in after.objects}  # type: ignore[union-attr]
     edits: list[Edit] = []

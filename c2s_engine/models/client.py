@@ -45,6 +45,7 @@ class OllamaClient:
         self.recording = Recording(folder) if self.settings.record != "off" else None
         self._client: Any = None
         self._capabilities: frozenset[str] | None = None
+        self.keeps_to_forms: bool | None = None  # found by the probe; None: not tried out yet
 
     async def __aenter__(self) -> "OllamaClient":
         return self

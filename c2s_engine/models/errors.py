@@ -2,23 +2,41 @@
 
 
 class ModelError(Exception):
-    """Base of all faults of a language model; `retry` says whether asking again is worth it."""
+    """Base of all faults of a language model.
+
+    `retry`: whether asking again is worth it. `service`: whether Ollama, the model or a setting of theirs is missing,
+    rather than an answer being bad.
+    """
 
     retry = False
+    service = False
 
 
 class ModelNotSet(ModelError):
     """No model was chosen."""
 
+    service = True
+
     def __init__(self) -> None:
         super().__init__(
-            "No language model is chosen: set one with `--model NAME` or in the settings (`c2s models list` "
-            "shows what is there), or stay with the embedded method, which needs none."
+            "No language model is chosen: set one with `--model NAME`, C2S_MODEL or in config.toml (`c2s models "
+            "list` shows what is there), or stay with the embedded method, which needs none."
         )
+
+
+class BadSettings(ModelError):
+    """The settings of the models cannot be used."""
+
+    service = True
+
+    def __init__(self, field: str, reason: str) -> None:
+        super().__init__(f"config.toml, [ollama] {field}: {reason}. Mend that line or remove it.")
 
 
 class ModelUnavailable(ModelError):
     """Nobody answers at the host."""
+
+    service = True
 
     def __init__(self, host: str) -> None:
         super().__init__(
@@ -30,6 +48,8 @@ class ModelUnavailable(ModelError):
 class ModelMissing(ModelError):
     """The host has no such model."""
 
+    service = True
+
     def __init__(self, model: str, host: str) -> None:
         super().__init__(f"Ollama at {host} has no model {model}: get it with `c2s models pull {model}`.")
 
@@ -38,6 +58,7 @@ class ModelBusy(ModelError):
     """The host refused for now (429, 503)."""
 
     retry = True
+    service = True
 
     def __init__(self, host: str) -> None:
         super().__init__(f"Ollama at {host} has too many requests waiting: try again in a moment.")
@@ -46,10 +67,12 @@ class ModelBusy(ModelError):
 class ModelTimeout(ModelError):
     """The host said nothing for too long. Not retried: the next try would take as long."""
 
+    service = True
+
     def __init__(self, model: str, seconds: float) -> None:
         super().__init__(
             f"{model} sent nothing for {seconds:g} s: it may still be loading or be too large for this machine; "
-            "raise the timeout or take a smaller model."
+            "raise timeout under [ollama] in config.toml or take a smaller model."
         )
 
 
@@ -67,6 +90,8 @@ class ModelCutOff(ModelError):
 
 class ModelRefused(ModelError):
     """The host answered with an error that asking again will not change."""
+
+    service = True
 
     def __init__(self, model: str, status: int, reason: str) -> None:
         super().__init__(f"Ollama refused the request for {model} ({status}): {reason.strip() or 'no reason given'}.")
@@ -87,7 +112,7 @@ class ContextOverflow(ModelError):
     def __init__(self, tokens: int, num_ctx: int) -> None:
         super().__init__(
             f"The prompt (about {tokens} tokens) does not fit the context of {num_ctx} tokens: raise num_ctx "
-            "in the settings or shorten the text."
+            "under [ollama] in config.toml or shorten the text."
         )
 
 
@@ -114,6 +139,8 @@ class AnswerUnusable(ModelError):
 
 class NotRecorded(ModelError):
     """A replay met a request that was never recorded."""
+
+    service = True
 
     def __init__(self, purpose: str, folder: str) -> None:
         super().__init__(

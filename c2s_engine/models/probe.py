@@ -61,6 +61,17 @@ async def probe(client: OllamaClient, folder: Path | None = None, again: bool = 
     return found
 
 
+async def keeps_to_forms(client: OllamaClient, folder: Path | None = None) -> bool:
+    """Whether the client's model keeps to a JSON schema, by the probe; True where it is not to be tried out."""
+    settings = client.settings
+    if not settings.probe or settings.record == "replay":
+        known = _known((folder or paths.cache_folder() / "models") / f"{_filename(settings.model)}.json")
+        return known is None or not settings.probe or known.honours_format
+    if client.keeps_to_forms is None:
+        client.keeps_to_forms = (await probe(client, folder)).honours_format
+    return client.keeps_to_forms
+
+
 def _known(path: Path) -> Probe | None:
     try:
         return Probe.model_validate_json(path.read_text(encoding="utf-8"))

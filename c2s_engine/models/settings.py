@@ -1,10 +1,13 @@
 """How a model is reached and asked: the user's settings, with the host from OLLAMA_HOST where none is given."""
 
 import os
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from c2s_engine.models.errors import BadSettings
 
 DEFAULT_HOST = "http://127.0.0.1:11434"
 
@@ -33,7 +36,20 @@ class ModelSettings(BaseModel):
     seed: int = Field(0, description="of the model's sampling")
     retries: int = Field(2, ge=0, description="further tries after a fault that may pass")
     backoff: float = Field(0.5, ge=0, description="pause before the first further try, s; doubled each time")
+    probe: bool = Field(True, description="whether a model is tried out before its first form (does it keep to one?)")
     record: Literal["off", "record", "replay"] = Field(
         "off", description="record: keep every answer; replay: answer from what was kept, without a model"
     )
     record_folder: Path | None = Field(None, description="where recorded answers lie; default: in the data folder")
+
+
+def settings_for(model: str, table: Mapping[str, Any], host: str = "") -> ModelSettings:
+    """The settings of one model: config.toml's [ollama], over it [ollama.models."NAME"]; raises BadSettings."""
+    general = {name: value for name, value in table.items() if name != "models"}
+    own = table.get("models", {}).get(model, {}) if isinstance(table.get("models", {}), Mapping) else {}
+    values = {"host": default_host(), **general, **own, "model": model, **({"host": host} if host else {})}
+    try:
+        return ModelSettings.model_validate(values)
+    except ValidationError as error:
+        first = error.errors()[0]
+        raise BadSettings(".".join(map(str, first["loc"])), first["msg"]) from None

@@ -51,6 +51,8 @@ class RetrievalClient:
     _errors: deque = field(default_factory=lambda: deque(maxlen=20), init=False)
     _next: int = field(default=1, init=False)
     _lock: asyncio.Lock = field(default_factory=asyncio.Lock, init=False)
+    _readying: asyncio.Task | None = field(default=None, init=False)
+    _listeners: list[Progress] = field(default_factory=list, init=False)
 
     async def search(self, query: str, kind: Literal["doc", "snippet"] = "doc", component: str | None = None,
                      limit: int = 5, *, abstain: bool = True, method: str | None = None,
@@ -73,9 +75,24 @@ class RetrievalClient:
         """A unit vector for each text."""
         return await self._ask("embed", {"texts": list(texts)}) if texts else []
 
-    async def warm(self) -> None:
-        """Load the model and the index, so that the next query is fast."""
-        await self._ask("warm", {})
+    async def ready(self, progress: Progress | None = None) -> None:
+        """Have model and index loaded, the index built where it must be.
+
+        All who wait share one request, which goes on where one of them gives up."""
+        if progress:
+            self._listeners.append(progress)
+        try:
+            if self._readying is None or self._readying.done() and _failed(self._readying):
+                self._readying = asyncio.create_task(self._ask("warm", {}, self._tell))
+                self._readying.add_done_callback(_failed)
+            await asyncio.shield(self._readying)
+        finally:
+            if progress:
+                self._listeners.remove(progress)
+
+    def _tell(self, stage: str, done: int, total: int) -> None:
+        for listener in self._listeners:
+            listener(stage, done, total)
 
     async def build(self, progress: Progress | None = None) -> dict:
         """Build the index anew; `progress(stage, done, total)`. Known vectors and the user's sources are kept."""
@@ -119,9 +136,10 @@ class RetrievalClient:
     async def close(self) -> None:
         """End the worker."""
         process, self._process = self._process, None
-        for task in self._tasks:
+        for task in (*self._tasks, *filter(None, [self._readying])):
             task.cancel()
         self._tasks.clear()
+        self._readying = None
         if process and process.returncode is None:
             assert process.stdin
             process.stdin.close()
@@ -242,3 +260,8 @@ class RetrievalClient:
         await self._start()
         for request in waiting:
             await self._send(request.line())
+
+
+def _failed(task: asyncio.Task) -> bool:
+    """Whether a task that is done was cancelled or raised (which counts as looked at with this)."""
+    return task.cancelled() or task.exception() is not None

@@ -9,6 +9,8 @@ from langgraph.graph import END, START, StateGraph
 from pydantic import TypeAdapter
 
 from c2s_engine.session import steps
+from c2s_engine.session.citing import resting_on, uncited
+from c2s_engine.session.improving import can_improve, improved, summed
 from c2s_engine.session.methods import Method, method_named
 from c2s_engine.session.steps import Tools
 from c2s_engine.structure.components import Structure
@@ -30,6 +32,7 @@ class State(TypedDict, total=False):
     runs: int
     upto: str
     trajectories: bool
+    improve: bool
     structure: dict[str, Any]
     program: dict[str, Any]
     stages: list[dict[str, Any]]
@@ -44,7 +47,7 @@ class State(TypedDict, total=False):
 
 
 def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
-    """interpret -> configure -> write -> check; each may end the turn with a diagnostic."""
+    """interpret -> configure -> write -> check -> improve; each may end the turn with a diagnostic."""
 
     def structure_of(state: State) -> Structure:
         return Structure.model_validate(state.get("structure") or {})
@@ -59,8 +62,10 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         emit = get_stream_writer()
         if not state.get("text"):
             return {"stages": [], "details": {}}
-        structure, edits, details, result = await method_of(state).interpret(state["text"], structure_of(state), emit)
+        text, source = uncited(state["text"])
+        structure, edits, details, result = await method_of(state).interpret(text, structure_of(state), emit)
         if structure is not None:
+            structure = resting_on(structure, source, state["text"])
             emit(StructureChanged(structure=structure))
         return {
             "structure": (structure or structure_of(state)).model_dump(mode="json"),
@@ -77,9 +82,11 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         structure = before
         for edit in edits:
             structure = steps.apply(structure, edit)
-        needed = getattr(method_of(state), "needs_place", True)
+        method = method_of(state)
+        for edit in method.described(before, structure) if edits else []:
+            structure = steps.apply(structure, edit)
         structure, found, result = await steps.configure(
-            structure, tools, emit, given=state.get("map"), needed=needed, lenient=bool(state.get("text"))
+            structure, tools, emit, given=state.get("map"), needed=method.needs_place, lenient=bool(state.get("text"))
         )
         emit(StructureChanged(structure=structure))
         update: State = {
@@ -108,10 +115,7 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
             "structure": structure.model_dump(mode="json"),
             "program": program.model_dump(mode="json"),
             "rewritten": written,
-            "details": {
-                **state.get("details", {}),
-                "tokens": state.get("details", {}).get("tokens", 0) + getattr(method, "tokens", 0),
-            },
+            "details": summed(state.get("details", {}), method.account(structure)),
             "stages": with_stage(state, result),
             "stop": not result.ok,
         }
@@ -133,15 +137,20 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         kept = report.model_dump(mode="json", exclude={"trajectories"})
         return {"report": kept, "stages": stages}
 
+    async def improve(state: State) -> State:
+        return await improved(state, tools, method_of(state), get_stream_writer())  # type: ignore[return-value, arg-type]
+
     def onward(then: str) -> Any:
         return lambda state: END if state.get("stop") else then
 
     graph = StateGraph(State)
-    for name, node in (("interpret", interpret), ("configure", configure), ("write", write), ("check", check)):
+    for name, node in (("interpret", interpret), ("configure", configure), ("write", write), ("check", check),
+                       ("improve", improve)):  # fmt: skip
         graph.add_node(name, node)
     graph.add_edge(START, "interpret")
     graph.add_conditional_edges("interpret", onward("configure"), ["configure", END])
     graph.add_conditional_edges("configure", onward("write"), ["write", END])
     graph.add_conditional_edges("write", onward("check"), ["check", END])
-    graph.add_edge("check", END)
+    graph.add_conditional_edges("check", lambda state: "improve" if can_improve(state) else END, ["improve", END])
+    graph.add_edge("improve", END)
     return graph.compile(checkpointer=checkpointer)

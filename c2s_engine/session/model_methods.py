@@ -1,17 +1,20 @@
 """The methods that use a language model (or a retriever) behind the graph's face: tools, events, tokens."""
 
 import time
-from collections.abc import Sequence
+from collections import Counter
 from typing import Any
 
-from c2s_engine.check.protocol import CheckReport, CheckRequest, Upto
+from c2s_engine.models.errors import ModelError
 from c2s_engine.session.methods import Interpreted, Written
-from c2s_engine.session.places import map_choice, resolve
+from c2s_engine.session.model_tools import client_for, method_tools
+from c2s_engine.session.places import map_choice
 from c2s_engine.session.steps import Emit, Tools, timed
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.diagnostics import Diagnostic
-from c2s_engine.structure.program import FragmentSpan, assemble
+from c2s_engine.structure.diagnostics import Diagnostic, StageResult
+from c2s_engine.structure.edits import Edit
+from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import ProgramChanged, StageDone, StageStarted, Usage
+from c2s_engine.write.loop import Evaluate, Outcome
 from c2s_engine.write.typed import TypedWriter
 
 
@@ -32,40 +35,32 @@ class ModelMethod:
 
     def __init__(self, name: str, tools: Tools):
         self.name, self.tools = name, tools
-        self.tokens = 0
+        self.usage: Counter[str] = Counter()
         self.needs_place = name in ("typed", "mixed")
+        self.reads_sentences = name.startswith(("prompted", "chat2scenic"))
 
     async def interpret(self, text: str, structure: Structure, emit: Emit) -> Interpreted:
-        from c2s_engine.models.errors import ModelError
-
         emit(StageStarted(stage="interpret"))
         started = time.perf_counter()
         try:
-            async with self._client(emit) as client:
-                method = self._method(client, None, None)
+            async with client_for(self.tools.settings) as client:
+                method = self._method(client, emit)
                 reading = await method.interpret(text, self._counting(emit))
-        except ModelError as error:
-            result = timed("interpret", started, (Diagnostic(stage="interpret", message=str(error), code="model"),))
-            emit(StageDone(result=result))
-            return None, [], {"tokens": self.tokens}, result
+        except (ModelError, ValueError) as error:
+            return None, [], self.account(None), _failed("interpret", started, error, emit)
         result = timed("interpret", started)
         emit(StageDone(result=result))
-        details = {"tokens": self.tokens, "fallbacks": len(reading.fallbacks), "share": round(reading.share, 3)}
-        return reading.structure.model_copy(update={"text": text}), [], details, result
+        return reading.structure.model_copy(update={"text": text}), [], self.account(None), result
 
     async def write(self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str) -> Written:
-        from c2s_engine.models.errors import ModelError
-
         emit(StageStarted(stage="write"))
         started = time.perf_counter()
         writer = TypedWriter(map_choice(self.tools.library, self.tools.library.find(map_name)), room=room)
         try:
-            async with self._client(emit) as client:
-                after = await self._method(client, writer, folder).write(structure, self._counting(emit))
+            async with client_for(self.tools.settings) as client:
+                after = await self._method(client, emit, writer, folder).write(structure, self._counting(emit))
         except (ModelError, ValueError) as error:
-            result = timed("write", started, (Diagnostic(stage="write", message=str(error), code="model"),))
-            emit(StageDone(result=result))
-            return structure, assemble(structure), [], result
+            return structure, assemble(structure), [], _failed("write", started, error, emit)
         program = assemble(after)
         before = {c.id: c.code for c in structure.components}
         written = [c.id for c in after.components if before.get(c.id) != c.code]
@@ -74,55 +69,53 @@ class ModelMethod:
         emit(ProgramChanged(program=program, rewritten=tuple(written)))
         return after, program, written, result
 
+    async def improve(self, structure: Structure, evaluate: Evaluate, emit: Emit) -> Outcome:
+        """What the model makes of what a run did not show (write.loop)."""
+        from c2s_engine.interpret import EmbeddedInterpreter
+        from c2s_engine.write.loop import improve
+
+        async with client_for(self.tools.settings) as client:
+            return await improve(
+                structure, evaluate, client=client, embedded=EmbeddedInterpreter(), on_event=self._counting(emit)
+            )
+
+    def account(self, structure: Structure | None) -> dict[str, Any]:
+        """What it cost so far: tokens, in all and by component ("" : of no single one); of what was written, the share
+        of components that are the model's own."""
+        cost: dict[str, Any] = {"tokens": self.usage.total(), "usage": dict(self.usage)}
+        return cost if structure is None else {**cost, "share": round(share(structure), 3)}
+
+    def described(self, before: Structure, after: Structure) -> list[Edit]:
+        """The sentences of what an edit of fields changed, for methods that are told sentences and not fields."""
+        if not self.reads_sentences:
+            return []
+        from c2s_engine.interpret.refine import described
+
+        return described(before, after)
+
     def _counting(self, emit: Emit) -> Emit:
         def on_event(event: Any) -> None:
             if isinstance(event, Usage):
-                self.tokens += event.prompt_tokens + event.answer_tokens
+                self.usage[event.component or ""] += event.prompt_tokens + event.answer_tokens
             emit(event)
 
         return on_event
 
-    def _client(self, emit: Emit) -> Any:
-        from c2s_engine.models.client import OllamaClient
-        from c2s_engine.models.settings import ModelSettings, default_host
+    def _method(self, client: Any, emit: Emit, writer: TypedWriter | None = None, folder: str | None = None) -> Any:
+        from c2s_engine.write.methods import method
 
-        return OllamaClient(ModelSettings(host=default_host(), model=self.tools.settings.model or ""))
+        return method(self.name, method_tools(self.tools, client, emit, writer, folder))
 
-    def _method(self, client: Any, writer: TypedWriter | None, folder: str | None) -> Any:
-        from c2s_engine.check.fixes import apply_fixes
-        from c2s_engine.interpret import EmbeddedInterpreter
-        from c2s_engine.write.methods import MethodTools, method
 
-        async def check(program: str, spans: Sequence[FragmentSpan], upto: Upto) -> CheckReport:
-            request = CheckRequest(program=program, spans=tuple(spans), upto=upto, folder=folder)
-            return await self.tools.check.check(request)
+def share(structure: Structure) -> float:
+    """The share of components that were written and that no fallback stands in for."""
+    own = [c for c in structure.components if c.code and not any(a.field == "*" for a in c.assumed)]
+    return len(own) / len(structure.components)
 
-        async def places(structure: Structure) -> Diagnostic | None:
-            found = await resolve(structure, self.tools.library, self.tools.check, default=self.tools.settings.map)
-            return found.diagnostic
 
-        retrieval = self.tools.extra.get("retrieval")
-
-        async def search(query: str, *, kind: str = "doc", component: str | None = None, limit: int = 3) -> list[Any]:
-            if retrieval is None:
-                return []
-            return await (await retrieval()).search(query, kind=kind, component=component, limit=limit)
-
-        async def embed(texts: Sequence[str]) -> list[list[float]]:
-            if retrieval is None:
-                raise ValueError("no retrieval worker is at hand")
-            return await (await retrieval()).embed(list(texts))
-
-        return method(
-            self.name,
-            MethodTools(
-                embedded=EmbeddedInterpreter(),
-                client=client,
-                search=search,
-                embed=embed,
-                check=check if folder else None,
-                fix=apply_fixes,
-                resolve=places,
-                writer=writer,
-            ),
-        )
+def _failed(stage: Any, started: float, error: Exception, emit: Emit) -> StageResult:
+    """The stage's result where the model (or what it asked for) stands against going on."""
+    code = "model-service" if isinstance(error, ModelError) and error.service else "model"
+    result = timed(stage, started, (Diagnostic(stage=stage, message=str(error), code=code),))
+    emit(StageDone(result=result))
+    return result

@@ -184,7 +184,7 @@ class Session:
         """Make the newest checkpoint the head."""
         latest = self._saver.get_tuple({"configurable": {"thread_id": self._thread}})
         assert latest
-        after = State.of(finished)
+        after = self._state.after(finished)
         row = TurnRow(
             latest.config["configurable"]["checkpoint_id"], self._head, turn.kind, turn.text, turn.when,
             summary(self._state, after), said,

@@ -11,7 +11,8 @@ from c2s_engine.structure.facts import RunFacts
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import Finished
 
-KEPT_DETAILS = ("map", "folder", "places")  # what saving the program and the status line need
+KEPT_DETAILS = ("map", "folder", "places", "passages")
+"""What saving the program and the status line need, and the passages of the last answer."""
 
 
 class State(BaseModel):
@@ -24,6 +25,13 @@ class State(BaseModel):
     stages: tuple[StageResult, ...] = ()
     facts: tuple[RunFacts, ...] = ()
     details: dict[str, Any] = {}
+
+    def after(self, finished: Finished) -> "State":
+        """What stands at the end of a turn upon this; a turn that changed nothing leaves runs and verdicts as well."""
+        if not finished.details.get("unchanged"):
+            return State.of(finished)
+        kept = {k: finished.details[k] for k in KEPT_DETAILS if k in finished.details}
+        return self.model_copy(update={"details": {**self.details, **kept}})
 
     @classmethod
     def of(cls, finished: Finished) -> "State":

@@ -3,7 +3,7 @@
 `engine` is the facade (`c2s_engine.api.Engine`), which a room below it cannot import.
 """
 
-from collections.abc import AsyncIterator, Sequence
+from collections.abc import AsyncGenerator, Sequence
 from contextlib import aclosing
 from typing import Any
 
@@ -27,7 +27,7 @@ async def say(
     method: str | None = None,
     passages: Sequence[Any] = (),
     **options: Any,
-) -> AsyncIterator[Progress]:
+) -> AsyncGenerator[Progress, None]:
     """The events of the turn; the last is Finished. Undo and redo belong to a session and are only said here.
 
     `passages`: those of the last answer, from which "use 2" picks. Where the method uses a model, the model reads the
@@ -71,7 +71,7 @@ class _Next:
 
 async def _events(
     engine: Any, structure: Structure | None, text: str, method: str, passages: Sequence[Any]
-) -> AsyncIterator[Any]:
+) -> AsyncGenerator[Any, None]:
     """What is said while the turn is read (and answered, where it is a question); last, what it leads to."""
     if number := wanted(text):
         async with aclosing(_picked(engine, number, passages)) as events:
@@ -130,7 +130,7 @@ def uses_model(engine: Any, method: str) -> bool:
     return needs_model(method)
 
 
-async def _picked(engine: Any, number: int, passages: Sequence[Any]) -> AsyncIterator[Any]:
+async def _picked(engine: Any, number: int, passages: Sequence[Any]) -> AsyncGenerator[Any, None]:
     """A passage of the last answer becomes the description."""
     from c2s_engine.retrieve.errors import RetrievalError
 
@@ -169,7 +169,7 @@ def outcome(finished: Finished) -> str:
 
 async def answer(
     engine: Any, question: str, structure: Structure | None = None, method: str = "embedded"
-) -> AsyncIterator[Progress]:
+) -> AsyncGenerator[Progress, None]:
     """Why something is there; else the passages that answer a question, summed up where there is a model."""
     from c2s_engine.retrieve.errors import RetrievalError
 

@@ -42,10 +42,10 @@ def build_turns(engine: Engine, checkpointer: BaseCheckpointSaver) -> CompiledSt
         before = State.model_validate(values["state"])
         request = Pending.model_validate(values["request"])
         after = before
-        async with aclosing(_events(engine, before.structure, request)) as events:  # type: ignore[type-var]
+        async with aclosing(_events(engine, before, request)) as events:  # type: ignore[type-var]
             async for event in events:
                 if isinstance(event, Finished):
-                    after = State.of(event)
+                    after = before.after(event)
                 write(event)
         return {"request": {}, "state": after.model_dump(mode="json")}
 
@@ -56,9 +56,11 @@ def build_turns(engine: Engine, checkpointer: BaseCheckpointSaver) -> CompiledSt
     return graph.compile(checkpointer=checkpointer)
 
 
-def _events(engine: Engine, structure: Structure, request: Pending) -> AsyncIterator[Any]:
+def _events(engine: Engine, before: State, request: Pending) -> AsyncIterator[Any]:
+    structure = before.structure
     if request.kind == "say":
-        return engine.say(structure, request.text, **request.options)
+        passages = before.details.get("passages", ())
+        return engine.say(structure, request.text, passages=passages, **request.options)
     if request.kind == "regenerate":
         structure = cleared(structure, request.components)
     return engine.apply(structure, list(request.edits), **request.options)

@@ -1,7 +1,8 @@
 """Methods by name, behind one face: a text is interpreted to S, and S is written as a program.
 
-embedded, typed, mixed, prompted (C11 with repair), chat2scenic:C1 ... chat2scenic:C12 (the paper's, without repair;
-with it: chat2scenic:C1+repair), chatscene, nl2scenic:zero, nl2scenic:few (also nl2scenic), nl2scenic:cot.
+embedded, typed, mixed, prompted (C11 with repair; rendered where that fails), chat2scenic:C1 ... chat2scenic:C12 (the
+paper's, without repair; with it: chat2scenic:C1+repair), chatscene, nl2scenic:zero, nl2scenic:few (also nl2scenic),
+nl2scenic:cot.
 """
 
 from collections.abc import Callable
@@ -25,6 +26,7 @@ from c2s_engine.write.prompted.header import Ground
 from c2s_engine.write.prompted.repair import Search
 from c2s_engine.write.typed import TypedWriter
 from c2s_engine.write.typed_method import Resolve, TypedMethod
+from c2s_engine.write.whole import WholeOrRendered
 
 OnEvent = Callable[[Progress], None]
 
@@ -130,6 +132,8 @@ def method(name: str, tools: MethodTools) -> Method:
         config or default(), client, tools.search, tools.check if repaired else None,
         embedded=tools.embedded, fix=tools.fix, ground=tools.ground,
     )  # fmt: skip
+    if kind == "prompted":
+        return WholeOrRendered(prompted, tools.check, tools.writer)
     if kind == "mixed":
         return MixedMethod(
             TypedMethod(client, tools.embedded, tools.resolve, tools.writer, tools.check), prompted, tools.check

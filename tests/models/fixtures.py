@@ -17,9 +17,11 @@ def server() -> Iterator[FakeOllama]:
 
 @pytest.fixture
 def client_of() -> Callable[..., OllamaClient]:
-    """A client for a server, with quick tries."""
+    """A client for a server, with quick tries and without the probe."""
 
     def make(server: FakeOllama, **settings) -> OllamaClient:
-        return OllamaClient(ModelSettings(**{"model": "small", "host": server.host, "backoff": 0.001, **settings}))
+        return OllamaClient(
+            ModelSettings(**{"model": "small", "host": server.host, "backoff": 0.001, "probe": False, **settings})
+        )
 
     return make

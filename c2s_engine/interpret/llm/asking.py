@@ -1,5 +1,6 @@
 """One form filled in by a model: asked under a schema, mended, validated, and asked once more with the fault."""
 
+import json
 from collections.abc import Callable
 from functools import cache
 from importlib import resources
@@ -13,6 +14,7 @@ from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.errors import (
     AnswerTruncated,
     AnswerUnusable,
+    BadSettings,
     ModelError,
     ModelMissing,
     ModelNotSet,
@@ -22,9 +24,10 @@ from c2s_engine.models.errors import (
     NotRecorded,
 )
 from c2s_engine.models.messages import Message, Question
+from c2s_engine.models.probe import keeps_to_forms
 from c2s_engine.structure.progress import Progress
 
-FATAL = (ModelUnavailable, ModelMissing, ModelNotSet, ModelRefused, ModelTimeout, NotRecorded)
+FATAL = (BadSettings, ModelUnavailable, ModelMissing, ModelNotSet, ModelRefused, ModelTimeout, NotRecorded)
 """Faults after which asking for the other components would only take time."""
 
 OnEvent = Callable[[Progress], None]
@@ -62,6 +65,9 @@ class Asker:
         """What `build` makes of the answer; raises ModelError. `build` may raise ValueError with its reason."""
         if self.fatal:
             raise self.fatal
+        if not await self._keeps_to_forms():
+            told = json.dumps(schema, separators=(",", ":"))
+            system = f"{system}\n\n{prompt('form', schema=told)}"
         messages = [Message(role="system", content=system), Message(role="user", content=user)]
         for last in (False, True):
             asked = Question(messages=tuple(messages), schema_=schema, purpose=purpose, component=component)
@@ -82,6 +88,16 @@ class Asker:
                 messages.append(Message(role="user", content=prompt("again", fault=fault)))
                 purpose = f"{purpose.removesuffix(' again')} again"
         raise AssertionError("unreachable")
+
+    async def _keeps_to_forms(self) -> bool:
+        """Whether `format` is enough; a model that does not keep to it is told the schema in its prompt as well."""
+        try:
+            return await keeps_to_forms(self.client)
+        except FATAL as error:
+            self.fatal = error
+            raise
+        except (ModelError, OSError):
+            return True
 
     @staticmethod
     def _judge(text: str, schema: dict[str, Any], build: Callable[[dict[str, Any]], Any]) -> Any:

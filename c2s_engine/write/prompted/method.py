@@ -13,13 +13,14 @@ from c2s_engine.interpret.llm.settings import detect
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.errors import AnswerTruncated, AnswerUnusable, ModelError
 from c2s_engine.models.messages import Message, Question
-from c2s_engine.structure.components import Component, ComponentId, Link, Structure
+from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.progress import ComponentState, Passage, Progress, Say
 from c2s_engine.structure.regenerate import code_references, dirty, key_of, order
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.prompted.checking import Check, Fix, Verdict, with_code
 from c2s_engine.write.prompted.configuration import configuration, default
 from c2s_engine.write.prompted.header import Ground, settings_text
+from c2s_engine.write.prompted.influence import rests_on, sources
 from c2s_engine.write.prompted.parsing import code_of
 from c2s_engine.write.prompted.prompt import code_so_far, generator_question
 from c2s_engine.write.prompted.repair import Repairer, Search
@@ -144,8 +145,15 @@ class PromptedMethod:
                 self._emit(Say(text=f"{cid} does not pass: {found.diagnostic.message}", severity="warning"))
         component = with_code(structure[cid], code) if code else structure[cid].model_copy(update={"code": ""})
         structure = structure.with_component(component)
-        component = component.model_copy(update={"key": key_of(structure, cid, self.keys)})
-        component = component.model_copy(update={"links": (*component.links, *_sources(passages))})
+        shown = [p for found in passages for p in found]
+        if self.repairer:
+            shown += self.repairer.shown.get(cid, [])
+        update = {
+            "key": key_of(structure, cid, self.keys),
+            "links": rests_on(component, sources(shown, component.code)),
+            "assumed": tuple(a for a in component.assumed if a.field != "*"),
+        }
+        component = component.model_copy(update=update)
         failed = bool(self.repairer and not self.verdicts.get(cid, Verdict("", 0)).ok) or not code
         self._emit(ComponentState(component=component, state="failed" if failed else "clean"))
         return structure.with_component(component)
@@ -205,11 +213,6 @@ def _structure(text: str, sentences: Sentences, embedded: Any) -> Structure:
         objects=tuple(made[c] for c in sentences.ids if c.startswith("O")),
     )  # fmt: skip
     return fallback.distinct_names(structure)
-
-
-def _sources(passages: tuple[list[Passage], list[Passage]]) -> list[Link]:
-    """What a fragment was written from."""
-    return [Link(kind="snippet" if p.kind == "snippet" else "chunk", label=p.title) for f in passages for p in f]
 
 
 __all__ = ["PromptedMethod"]

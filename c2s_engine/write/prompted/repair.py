@@ -21,24 +21,26 @@ from c2s_engine.write.prompted.prompt import code_so_far, repair_question
 
 ROUNDS = 3
 PATIENCE = 20.0
-"""Longest wait for the passage of a repair, s: the first search of all builds the index."""
+"""Longest wait for the passage of a repair, s: the first search of all builds the index (which goes on meanwhile)."""
 
 Ask = Callable[[Question], Awaitable[str]]
 Search = Callable[..., Awaitable[list[Passage]]]
 
 
 class Repairer:
-    """Repairs one fragment at a time; `rounds` counts those that were asked for."""
+    """Repairs one fragment at a time; `rounds` counts those that were asked for, `shown` are the passages in them."""
 
     def __init__(self, ask: Ask, check: Check, fix: Fix | None, search: Search | None, config: Configuration) -> None:
         self.ask, self.check, self.fix, self.search, self.config = ask, check, fix, search, config
         self.rounds: dict[ComponentId, int] = {}
         self.fixed: dict[ComponentId, int] = {}
+        self.shown: dict[ComponentId, list[Passage]] = {}
 
     async def settle(self, structure: Structure, cid: ComponentId, code: str) -> Verdict:
         """The best that could be made of a fragment: what passes, else what came farthest. Raises fatal ModelErrors."""
         best = await verdict(structure, cid, code, self.check, self.fix)
         self.fixed[cid] = best.fixed
+        self.shown.pop(cid, None)
         current, tried = best, {code, best.code}
         for _ in range(ROUNDS):
             if current.ok:
@@ -57,6 +59,8 @@ class Repairer:
         """The model's next version of a fragment; none where its answer cannot be used."""
         assert current.diagnostic is not None
         passage = await self._passage(current.diagnostic)
+        if passage:
+            self.shown.setdefault(cid, []).append(passage)
         asked = repair_question(structure, cid, current.code, current.diagnostic, passage, self.config)
         self.rounds[cid] = self.rounds.get(cid, 0) + 1
         try:

@@ -1,0 +1,141 @@
+"""Simulation in the loop as a step of a turn: what the runs did not show of S goes back to the model."""
+
+from collections import Counter
+from dataclasses import dataclass
+from typing import Any
+
+from c2s_engine.check.protocol import CheckReport
+from c2s_engine.models.errors import ModelError
+from c2s_engine.session import steps
+from c2s_engine.session.model_methods import ModelMethod
+from c2s_engine.session.steps import Emit, Tools
+from c2s_engine.structure import seen
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.diagnostics import StageResult
+from c2s_engine.structure.facts import RunFacts
+from c2s_engine.structure.program import Program
+from c2s_engine.structure.progress import (
+    ProgramChanged,
+    Progress,
+    RunDone,
+    Say,
+    StageDone,
+    StageStarted,
+    StructureChanged,
+    Token,
+    Usage,
+)
+from c2s_engine.write.loop import Outcome
+
+
+def can_improve(state: dict[str, Any]) -> bool:
+    """Whether the loop was asked for, and the runs of a program that ran left something to show."""
+    if not state.get("improve") or state.get("method") in (None, "embedded"):
+        return False
+    facts = tuple(RunFacts.model_validate(f) for f in state.get("report", {}).get("facts", []))
+    structure = Structure.model_validate(state["structure"])
+    return any(f.ran for f in facts) and bool(seen.differences(structure, facts))
+
+
+async def improved(state: dict[str, Any], tools: Tools, method: ModelMethod, emit: Emit) -> dict[str, Any]:
+    """What changes of the state: the best of what was tried, and what trying cost. The events between are not shown."""
+    first = Structure.model_validate(state["structure"])
+    facts = tuple(RunFacts.model_validate(f) for f in state["report"]["facts"])
+    tried: list[_Tried] = []
+
+    def quietly(event: Progress) -> None:
+        if isinstance(event, Token | Usage | StageStarted):
+            emit(event)
+
+    async def evaluate(structure: Structure) -> Outcome:
+        if structure is first:
+            return _outcome(first, facts)
+        found = await _tried(state, structure, tools, method, quietly)
+        tried.append(found)
+        return _outcome(found.structure, found.report.facts)
+
+    emit(Say(text="The run does not show all that is said: the model is asked to change it."))
+    try:
+        best = await method.improve(first, evaluate, emit)
+    except ModelError as error:
+        emit(Say(text=f"The run's differences could not be mended. {error}", severity="warning"))
+        return {"details": _details(state, method, first)}
+    kept = next((t for t in tried if t.structure is best.structure), None)
+    if kept is None:
+        return {"details": _details(state, method, first)}
+    kept.show(emit)
+    return {**kept.update(state), "details": _details(state, method, kept.structure)}
+
+
+@dataclass(frozen=True)
+class _Tried:
+    """A changed S, written, checked and run; `where`: what the graph's state says of its map."""
+
+    structure: Structure
+    program: Program
+    written: list[str]
+    stages: list[StageResult]
+    report: CheckReport
+    where: dict[str, Any]
+
+    def show(self, emit: Emit) -> None:
+        """The events that were held back."""
+        emit(StructureChanged(structure=self.structure))
+        emit(ProgramChanged(program=self.program, rewritten=tuple(self.written)))
+        for stage in (*self.stages, *self.report.stages):
+            emit(StageDone(result=stage))
+        for i, facts in enumerate(self.report.facts):
+            ways = self.report.trajectories[i] if i < len(self.report.trajectories) else None
+            emit(RunDone(facts=facts, trajectories=ways))
+
+    def update(self, state: dict[str, Any]) -> dict[str, Any]:
+        """Its part of the graph's state."""
+        before = [s for s in state["stages"] if s["name"] == "interpret"]
+        stages = [s.model_dump(mode="json") for s in (*self.stages, *self.report.stages)]
+        return {
+            "structure": self.structure.model_dump(mode="json"),
+            "program": self.program.model_dump(mode="json"),
+            "rewritten": list(dict.fromkeys([*state.get("rewritten", []), *self.written])),
+            "report": self.report.model_dump(mode="json", exclude={"trajectories"}),
+            "stages": [*before, *stages],
+            **self.where,
+        }
+
+
+async def _tried(state: dict[str, Any], structure: Structure, tools: Tools, method: ModelMethod, emit: Emit) -> _Tried:
+    """Write and run an S; raises ValueError with the reason where it cannot be written."""
+    structure, found, resolved = await steps.configure(
+        structure, tools, emit, given=state.get("map"), needed=method.needs_place
+    )
+    if found.writer is None:
+        raise ValueError(found.diagnostic.message if found.diagnostic else "no map has the place.")
+    chosen = found.writer.map
+    folder = str(chosen.path.parent)
+    structure, program, written, result = await method.write(
+        structure, emit, map_name=chosen.name, room=found.writer.room, folder=folder
+    )
+    if not result.ok:
+        raise ValueError(result.diagnostics[0].message)
+    report = await steps.check(
+        program, tools, emit, folder=folder, upto="run", seed=state.get("seed", 0), runs=state.get("runs", 1),
+        trajectories=state.get("trajectories", False),
+    )  # fmt: skip
+    where = {"folder": folder, "room": found.writer.room, "map_name": chosen.name, "places": found.count}
+    return _Tried(structure, program, written, [resolved, result], report, where)
+
+
+def _outcome(structure: Structure, facts: tuple[RunFacts, ...]) -> Outcome:
+    """The share of what is said that was seen; a program that does not run is worse than any that does."""
+    score = seen.share(seen.marks(structure, facts)) if any(f.ran for f in facts) else -1.0
+    return Outcome(structure, score, seen.differences(structure, facts))
+
+
+def _details(state: dict[str, Any], method: ModelMethod, structure: Structure) -> dict[str, Any]:
+    return summed(state.get("details", {}), method.account(structure))
+
+
+def summed(details: dict[str, Any], more: dict[str, Any]) -> dict[str, Any]:
+    """A turn's details with what a further step of it cost."""
+    usage = Counter(details.get("usage", {})) + Counter(more.get("usage", {}))
+    tokens = details.get("tokens", 0) + more.get("tokens", 0)
+    return {**details, **more, "tokens": tokens, **({"usage": dict(usage)} if usage else {})}

@@ -1,6 +1,7 @@
 """A thread of its own for the engine, so that no step of it can hold up the drawing of a key."""
 
 import asyncio
+import sys
 import threading
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import aclosing
@@ -8,12 +9,15 @@ from typing import Any, TypeVar
 
 T = TypeVar("T")
 _END = object()
+SWITCH_SECONDS = 0.001
+"""How long a thread may hold Python's lock while another waits for it (5 ms by default, several times a key)."""
 
 
 class EngineThread:
     """An event loop in a thread: coroutines and event streams are run there and awaited here."""
 
     def __init__(self) -> None:
+        sys.setswitchinterval(SWITCH_SECONDS)
         self.loop = asyncio.new_event_loop()
         self._thread = threading.Thread(target=self._run, name="engine", daemon=True)
         self._thread.start()

@@ -19,6 +19,8 @@ WATCH_SECONDS = 2.0
 class Files:
     """Commands that read and write files."""
 
+    file: Path | None
+
     async def do_save(self: Any, argument: str) -> None:
         """Write the program (and its map beside it)."""
         self.code.commit() if self.code.edited and not self.busy else None

@@ -7,11 +7,7 @@ from c2s_tui.look.kinds import mark
 
 async def findings(backend: Any) -> list[str]:
     """One line a finding: a mark, what was looked at, how it is, what to do."""
-    if backend.can("doctor"):
-        return [_line(f) for f in await backend.ask("doctor")]
-    from c2s_engine.commands.places import examine
-
-    return [_line(f) for f in await backend.thread.call(examine)]
+    return [_line(f) for f in await backend.ask("doctor")]
 
 
 def _line(found: dict[str, Any]) -> str:

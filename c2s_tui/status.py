@@ -6,6 +6,7 @@ from typing import Any
 from textual.content import Content
 from textual.widgets import Static
 
+from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.seen import marks, score
 from c2s_tui.desk import Desk
 from c2s_tui.look.kinds import mark
@@ -27,9 +28,13 @@ class StatusBar(Static):
 
     def __init__(self, **options: Any):
         super().__init__("", markup=False, **options)
+        self._shown = Content("")
 
     def show(self, desk: Desk, choice: Choice, working: str = "") -> None:
-        self.update(line(desk, choice, working, self.app.size.width))
+        words = line(desk, choice, working, self.app.size.width)
+        if words != self._shown:
+            self._shown = words
+            self.update(words, layout=False)
 
 
 def line(desk: Desk, choice: Choice, working: str, width: int) -> Content:
@@ -46,7 +51,7 @@ def line(desk: Desk, choice: Choice, working: str, width: int) -> Content:
         add((choice.model, "$muted"))
     add((f"map {choice.map or 'auto'}", "$muted"))
     verdicts: list = []
-    done = {s.name: s for s in desk.stages}
+    done: dict[str, StageResult] = {s.name: s for s in desk.stages}
     shown = [s for s in STAGES if s in done or s == desk.running]
     for name in shown if width >= 100 else shown[-2:]:
         result = done.get(name)

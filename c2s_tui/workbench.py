@@ -31,6 +31,8 @@ from c2s_tui.status import Choice, StatusBar
 
 DRAFT_SECONDS = 1.0
 _BACK = re.compile(r"(?:please )?(undo|redo)(?: (?:it|that|this|the last (?:change|edit|turn)))?[.!]?")
+DRAW_SECONDS = 0.06
+"""Events of a turn come in bursts; the panes are drawn once for those within this time."""
 LIVE_SECONDS = 0.4
 """How long typing in the code must rest before the text is checked."""
 
@@ -38,13 +40,14 @@ LIVE_SECONDS = 0.4
 class Workbench(Actions, Screen):
     """Owns the desk; panes show it and post what they want."""
 
-    BINDINGS = bindings()
+    BINDINGS = [*bindings()]
     COMMANDS = {Palette}
     PANES = ("chat", "sheet", "code", "picture")
 
     def __init__(self, backend: Any, session: str | None, file: Path | None):
         super().__init__()
-        self.backend, self.wanted, self.file = backend, session, file
+        self.backend, self.wanted = backend, session
+        self.file: Path | None = file
         self.session: Any = None
         self.desk = Desk()
         self.choice = Choice()
@@ -54,6 +57,7 @@ class Workbench(Actions, Screen):
         self._waiting_edits: tuple[Any, ...] = ()
         self._typed: set[str] = set()
         self._live: Any = None
+        self._due: Any = None
         self.file_seen: float | None = None
         self.told_change: float | None = None
         self.saved_text: str | None = None
@@ -105,6 +109,15 @@ class Workbench(Actions, Screen):
         self.code.show(self.desk)
         self.picture.show(self.desk)
         self.show_status()
+
+    def _show_soon(self) -> None:
+        """Draw the desk in a moment, once for all that comes until then."""
+        if self._due is None:
+            self._due = self.set_timer(DRAW_SECONDS, self._show_due)
+
+    def _show_due(self) -> None:
+        self._due = None
+        self.show()
 
     def show_status(self) -> None:
         self.query_one(StatusBar).show(self.desk, self.choice, self.working)
@@ -162,10 +175,7 @@ class Workbench(Actions, Screen):
         self.desk = desks.step(self.desk, event)
         await self.chat.take(event)
         if event.type not in ("token", "say", "passage"):
-            if event.type in ("structure", "component", "program", "finished"):
-                self.show()
-            else:
-                self.show_status()
+            self._show_soon()
 
     def _optimistic(self, edits: tuple[Any, ...]) -> Structure:
         structure = self.session.structure
@@ -281,7 +291,7 @@ class Workbench(Actions, Screen):
         """Check the text as it is being typed, when no turn runs; newer text cancels it."""
         if not self.code.edited or self.busy or not self.backend.can("check"):
             return
-        text, spans = self.code.area.text, self.code.gutter.spans
+        text, spans = self.code.area.text, self.code.side.spans
         try:
             report = await self.backend.check(text, spans=spans, upto="compile")
         except (ValueError, OSError, RuntimeError):

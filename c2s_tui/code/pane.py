@@ -44,14 +44,14 @@ class CodePane(Vertical):
         yield Static(id="finding", markup=False)
 
     def on_mount(self) -> None:
-        self.watch(self.area, "scroll_y", lambda y: self.gutter.show(top=round(y)), init=False)
+        self.watch(self.area, "scroll_y", lambda y: self.side.show(top=round(y)), init=False)
 
     @property
     def area(self) -> CodeArea:
         return self.query_one(CodeArea)
 
     @property
-    def gutter(self) -> Gutter:
+    def side(self) -> Gutter:
         return self.query_one(Gutter)
 
     @property
@@ -85,7 +85,7 @@ class CodePane(Vertical):
         self.area.show_problems(self.diagnostics)
         before = self.base.text if self.edited else self.desk.before
         changed = changed_lines(before, self.area.text) if before else frozenset()
-        self.gutter.show(
+        self.side.show(
             top=round(self.area.scroll_y), spans=moved_spans(self.base, self.area.text), changed=changed,
             problems=dict(self.area.problems),
         )  # fmt: skip
@@ -128,8 +128,8 @@ class CodePane(Vertical):
 
     def point(self, cid: str, line: int | None = None) -> None:
         """Show a component's fragment, without taking the focus."""
-        self.gutter.show(here=cid)
-        span = next((s for s in self.gutter.spans if s.component == cid), None)
+        self.side.show(here=cid)
+        span = next((s for s in self.side.spans if s.component == cid), None)
         if span is None:
             return
         row = (line or span.first) - 1
@@ -147,7 +147,7 @@ class CodePane(Vertical):
         """Ask for the hand edits to be taken; whether there were any."""
         edits = self.hand_edits()
         if edits:
-            self.base = self.base.model_copy(update={"text": self.area.text, "spans": self.gutter.spans})
+            self.base = self.base.model_copy(update={"text": self.area.text, "spans": self.side.spans})
             self.post_message(EditsAsked(edits))
         return bool(edits)
 
@@ -161,10 +161,10 @@ class CodePane(Vertical):
     def _moved(self, event: TextArea.SelectionChanged) -> None:
         event.stop()
         line = self.area.cursor_location[0] + 1
-        span = self.gutter.component_at(line)
+        span = self.side.component_at(line)
         self._show_finding()
         if span and self.area.has_focus:
-            self.gutter.show(here=span.component)
+            self.side.show(here=span.component)
             self.post_message(Picked(span.component, "code", line))
 
     def next_finding(self) -> None:

@@ -83,8 +83,10 @@ class PicturePane(Vertical, can_focus=True):
             self.view = replace(self.view, scale=fitting(ways, columns, rows))
             self._fitted = True
         labels = names(facts, ways)
-        self.query_one("#frame", Static).update(draw(ways, self.frame, columns, rows, labels, self.view))
-        self.query_one("#caption", Static).update(caption(ways, self.frame, labels, self.view, facts))
+        picture = draw(ways, self.frame, columns, rows, labels, self.view)
+        self.query_one("#frame", Static).update(picture, layout=False)
+        words = caption(ways, self.frame, labels, self.view, facts)
+        self.query_one("#caption", Static).update(words, layout=False)
         last = (frames(ways) - 1) * ways.step
         state = "playing" if self.playing else "space plays"
         several = f", run {self.run + 1} of {len(self.ways)}" if len(self.ways) > 1 else ""

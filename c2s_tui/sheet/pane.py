@@ -225,7 +225,7 @@ class SheetPane(VerticalScroll):
         if row is None or not row.cid:
             return
         if row.kind == FIELD and row.field:
-            value = [] if row.field.many else None
+            value: Any = [] if row.field.many else None
             self.post_message(EditsAsked([SetField(component=row.cid, path=row.field.path, value=value)]))
         elif row.kind == HEAD:
             self.post_message(EditsAsked([RemoveObject(component=row.cid)]))

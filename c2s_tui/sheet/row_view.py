@@ -21,18 +21,21 @@ class RowView(Static):
     def show(self, row: Row) -> None:
         """Draw another row, or the same with other values."""
         if row != self.row:
-            self.row = row
-            self.update(draw(row))
-            self._dress()
+            before, self.row = self.row, row
+            words, same = draw(row), row.kind == before.kind and _indent(row) == _indent(before)
+            room = self.content_size.width
+            one_line = all(w.cell_length <= room and "\n" not in w.plain for w in (words, draw(before)))
+            self.update(words, layout=not (same and one_line))  # what stays one line moves nothing on the screen
+            if not same:
+                self._dress()
 
     def _dress(self) -> None:
         self.set_class(self.row.kind == HEAD, "-head")
-        self.styles.padding = (
-            0,
-            0,
-            0,
-            0 if self.row.kind in (HEAD, ADD) or not self.row.cid else 5 + 2 * self.row.depth,
-        )
+        self.styles.padding = (0, 0, 0, _indent(self.row))
+
+
+def _indent(row: Row) -> int:
+    return 0 if row.kind in (HEAD, ADD) or not row.cid else 5 + 2 * row.depth
 
 
 def draw(row: Row) -> Content:

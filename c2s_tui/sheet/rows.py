@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from c2s_engine.structure.components import Component
 from c2s_engine.structure.seen import Mark, marks
+from c2s_engine.structure.specs import ObjectSpec
 from c2s_tui.desk import Desk
 from c2s_tui.look.kinds import kind_name
 from c2s_tui.sheet.values import Field, fields, show
@@ -45,7 +46,7 @@ def rows(desk: Desk, unfolded: Set[str] = frozenset(), reached: Set[str] = froze
 def title(component: Component) -> str:
     """What a component is, in two words."""
     spec = component.spec
-    if component.kind == "O":
+    if isinstance(spec, ObjectSpec):
         count = f" x{spec.count}" if spec.count > 1 else ""
         return (
             f"{spec.name} ({spec.type.replace('_', ' ')}{count})" if spec.name != spec.type else f"{spec.type}{count}"

@@ -26,7 +26,7 @@ async def said(structure, cid, sentence, tools=IN_PROCESS):
 @pytest.mark.parametrize(
     ("cid", "sentence", "field", "value", "told"),
     [
-        ("O1", "A truck in the left lane cuts in 15 m ahead of ego.", "type", "truck", "O1: the sentence was read; type"),
+        ("O1", "A truck in the left lane cuts in 15 m ahead of ego.", "type", "truck", "the sentence was read; type"),
         ("E", "Ego drives at 72 km/h.", "speed", 20.0, "speed"),
         ("G", "It is night and it rains.", "time", "night", "time changed"),
         ("T", "The run ends after 30 s.", "duration", 30.0, "duration changed"),

@@ -240,7 +240,7 @@ class Agents:
         """The one that a sentence is headed with: "Challenger: left lane, 90 km/h, cuts in"."""
         sentence = [w for w in self.words[max(0, word.i - 60) : word.i] if w.sentence == word.sentence]
         for first, second in zip(sentence, sentence[1:], strict=False):
-            if second.norm == ":" and first.i in self.cast.of and first.span is not None:
+            if second.norm in (":", "-") and first.i in self.cast.of and first.span is not None:
                 return self.cast.of[first.i]
         return None
 

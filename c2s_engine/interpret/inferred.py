@@ -108,7 +108,7 @@ class Inferred:
             "second": 2,
             "third": 3,
         }
-        pattern = re.compile(r"(?:number|lane number|lane|no\.?|#) (one|two|three|four|[1-4])(?: lane)?\b")
+        pattern = re.compile(r"(?:number|lane number|(?<![\w-])lane|no\.?|#) (one|two|three|four|[1-4])(?: lane)?\b(?!-)")
         for entity in (self.cast.ego, *self.cast.entities):
             texts = [
                 e.whole
@@ -164,6 +164,8 @@ class Inferred:
             ):
                 continue
             where, whose = self.of[other], self.of[event.agent]
+            if (where.lane == "oncoming" or "oncoming" in other.roles) and whose.lane in (None, "same", "left", "right"):
+                whose.lane = "oncoming"
             if where.rel is None and where.lane is None:
                 where.lane, where.rel, where.side = whose.lane, "ahead", whose.side
                 if whose.lane in (None, "same", "left", "right"):

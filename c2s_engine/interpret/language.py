@@ -69,6 +69,8 @@ def actor_nouns() -> dict[str, tuple[str, bool, bool]]:
             found[noun] = (kind, False, section == "riders")
             for plural in plurals(noun):
                 found.setdefault(plural, (kind, True, section == "riders"))
+    for name in data["queues"]:
+        found[name] = ("car", True, False)
     for kind, names in data["makes"].items():
         for name in names:
             found.setdefault(name, (kind, False, False))

@@ -140,7 +140,8 @@ class Cast(Pronouns):
         if host and not host.ego and not host.label:
             host.label = label
             return host
-        return self._new(Entity("", "vehicle", label=label))
+        kind = language.actor_nouns()[data["word"]][0] if " " in label else "vehicle"
+        return self._new(Entity("", kind, noun=data["word"] if " " in label else "", label=label, typed=kind != "vehicle"))
 
     def _become_ego(self, entity: Entity) -> None:
         if entity.type != "vehicle":
@@ -310,7 +311,7 @@ class Cast(Pronouns):
             return pronominal
         bare = not before and previous not in ("a", "an") and not data.get("plural")
         if definite or bare or (roles and not {"a", "an", "another", "second", "third"} & set(before)):
-            found = self._definite(word, kind, noun, roles, other, ordinal, after, count, bare)
+            found = self._definite(word, kind, noun, roles, other, ordinal, definite, count, bare)
             if found is not None:
                 if not found.ego and found.type == "vehicle" and kind != "vehicle" and kind in MOTOR:
                     found.type, found.typed = kind, True
@@ -440,7 +441,7 @@ class Cast(Pronouns):
         roles: set[str],
         other: bool,
         ordinal: int | None,
-        after: str,
+        definite: bool,
         count: int,
         bare: bool,
     ) -> Entity | None:
@@ -453,6 +454,8 @@ class Cast(Pronouns):
                 ahead = [e for e in candidates if "ahead" in self._hints(e)]
                 if ahead:
                     return ahead[-1]
+            if not definite and roles & {"stationary", "parked", "slow", "turning", "fast"}:
+                return None
             if roles & {"oncoming", "crossing", "lead", "following", "cut_in", "adjacent"} or not candidates:
                 if roles & {"following"} and not self.ego_named and kind == "vehicle":
                     return None

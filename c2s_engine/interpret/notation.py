@@ -47,7 +47,7 @@ def fields(text: str) -> list[Replacement]:
             sentence = f"{match['key'].strip()}: {match['value'].strip()}"
         if sentence is not None:
             start = match.start() + len(match[0]) - len(match[0].lstrip(" \t-*•"))
-            replaced.append((start, match.end(), f"{sentence}." if rows else sentence))
+            replaced.append((start, match.end(), f"{sentence[:1].upper()}{sentence[1:]}."))
     return replaced if told else []
 
 

@@ -28,6 +28,8 @@ class Pronouns:
     def _pronoun(self, word: Word) -> Entity | None:
         data = language.table("actors")["pronouns"]
         norm = word.norm
+        if self._on_foot(word):
+            return self._new(Entity("", "pedestrian", noun=norm, typed=True))
         if norm in data["ego"]:
             return self.ego
         if norm in ("who", "which", "that", "whose", "whom") and word.tag in ("WDT", "WP", "WP$"):
@@ -49,6 +51,17 @@ class Pronouns:
                 return person[-1]
             return self._salient(word, lambda e: e.mover)
         return self._elliptic(word)
+
+    def _on_foot(self, word: Word) -> bool:
+        """Whether a driver or passenger leaves the vehicle: then it is a person of its own."""
+        if word.lemma not in ("driver", "operator", "passenger", "occupant") or word.dep not in ("nsubj", "nsubjpass"):
+            return False
+        verb = self.words[word.head]
+        after = " ".join(w.norm for w in self.words[verb.i : verb.i + 7])
+        return bool(
+            re.match(r"(step|climb|get|got|jump|hop|walk|alight|run|ran)\w* (\w+ )?(out|off|down|from|across|into the (road|street|lane))\b", after)
+            or re.match(r"(exit|leav|left|disembark)\w* (the|his|her|their|its)", after)
+        )
 
     def _obliged(self, word: Word) -> bool:
         """Whether "it" is whom something is demanded of ("it must wait"): that is ego, where ego was spoken of."""
@@ -225,6 +238,16 @@ class Pronouns:
             return vehicles[-1] if vehicles else movers[-1]
         return None
 
+    def _other_driver(self, word: Word) -> Entity | None:
+        """ "The other driver, in a red van": that vehicle, else the one spoken of last."""
+        near = [i for i in sorted(self.of) if self.of[i].type in VEHICLES and not self.of[i].ego]
+        inside = [
+            i for i in near if 0 < i - word.i <= 6 and {"in", "driving", "of"} & {w.norm for w in self.words[word.i + 1 : i]}
+        ]
+        before = [i for i in near if i < word.i]
+        found = inside[:1] or before[-1:] or near[:1]
+        return self.of[found[0]] if found else None
+
     def referent(self, i: int, depth: int = 0) -> Entity | None:
         """Whom a noun means: itself, or the whole that it is a part of ("the driver of V1", "its left front")."""
         if i in self.of:
@@ -279,6 +302,8 @@ class Pronouns:
                             found = self.referent(target, depth + 1)
                             if found:
                                 return found
+            if word.lemma in ("driver", "operator") and any(self.words[c].norm in ("other", "another") for c in word.children):
+                return self._other_driver(word)
             if word.lemma in ("driver", "operator", "system", "passenger", "feature") or word.norm == "brakes":
                 return self.ego if word.lemma != "passenger" else None
         if word.tag.startswith("NN") and word.span is None:

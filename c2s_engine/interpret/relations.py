@@ -134,7 +134,7 @@ class Places(Inferred):
             self._gap(indices, where)
         if (
             i + 1 < len(self.words)
-            and self.words[i + 1].norm == ":"
+            and self.words[i + 1].norm in (":", "-")
             and self.words[i + 1].sentence == word.sentence
             and word.span is not None
         ):
@@ -170,7 +170,7 @@ class Places(Inferred):
             if (
                 after
                 and word.dep == "dobj"
-                and re.match(r"(in|on) the (rear|side|back|front|left|right)", self.clauses.render(after))
+                and re.match(r"(in|on) the (rear|side|back|front|left|right)(?!(-hand|most)? lane)", self.clauses.render(after))
             ):
                 after = []
             if after and self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO"):

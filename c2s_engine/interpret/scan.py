@@ -56,6 +56,8 @@ def _bare() -> re.Pattern[str]:
     return re.compile(
         rf"(?:\b(?:{nouns}|(?:{'|'.join(language.table('ego')['strong'])})|v[12]|straight|left|right|lane|ahead|behind|doing|going|brakes? to|slows? (?:down )?to|accelerates? to)"
         rf"(?: at| drives| doing|:| speed)? (?:about |around |roughly |a steady |only )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)(?=\s*(?:[,.;)]|$|straight\b|and\b|in the\b|same\b|left\b|right\b|but\b|on the\b|behind\b|ahead\b|in (?:left|right)\b))"
+        rf"|\b(?:ego|lead|lv|sv|vut|target) (?P<head>\d{{2,3}})(?= (?!(?:m|s|sec\w*|min\w*|hours?|years?|people|cars|vehicles|trucks|km|ft|feet|degrees|percent|to|of|lanes?|am|pm)\b)[a-z])"
+        rf"|\b(?:(?:north|south|east|west)bound|driv\w+|travel\w*|going|cruis\w+|moving|approach\w*|arriv\w+|rid\w+|coming|runs?)(?: [a-z][\w'-]*){{0,3}} at (?:about |around |roughly |a steady )?(?P<at>[1-9]\d?[05]|(?:{number}))(?=\s*(?:[,.;)]|$|and\b|when\b|in\b|on\b))"
         rf"|(?<=lane )(?P<lane>\d{{2,3}})(?=\s*(?:[,.;)]|$))"
     )
 
@@ -66,7 +68,7 @@ def bare_speeds(text: str) -> list[Span]:
     found = []
     factor = 0.44704 if re.search(r"\bmph\b|miles per hour", text) else 1 / 3.6
     for match in _bare().finditer(text):
-        group = "low" if match["low"] else "lane"
+        group = next(name for name, value in match.groupdict().items() if value)
         value = _value(match[group])
         if 10 <= value <= 200:
             data = {"dimension": "speed", "low": value * factor, "high": value * factor, "bare": True}
@@ -122,7 +124,8 @@ def _ego() -> re.Pattern[str]:
 
 @cache
 def _label() -> re.Pattern[str]:
-    words = "|".join(sorted(language.table("ego")["labels"]["words"], key=len, reverse=True))
+    labels = language.table("ego")["labels"]
+    words = "|".join(sorted([*labels["words"], *labels["typed"]], key=len, reverse=True))
     return re.compile(
         rf"(?<![\w-])(?P<word>{words})(?:(?:\s|-)?(?:no\.?|number|#)?\s?#?\s?)(?P<id>0?[1-9]|one|two|three|four|five|[a-e])(?![\w/%-]|\.\d|\s?(?:st|nd|rd|th|km|m|mph|ft|s)\b)"
     )
@@ -166,7 +169,10 @@ def names(text: str) -> list[Span]:
             continue
         if number in "abcde" and (word in ("v", "u", "d", "driver") or not re.match(r"[\s-]", bare)):
             continue
-        if number == "a" and not re.match(
+        typed = word in language.table("ego")["labels"]["typed"]
+        if typed and number.isalpha() and not re.match(r"\s*(?:$|[.,;:)(-]|(?:is|was|has|and|in|at|on|brakes|drives|turns|cuts|stops|changes|overtakes|follows)\b)", text[match.end() : match.end() + 12]):
+            continue
+        if number == "a" and not typed and not re.match(
             r"\s*(?:$|[.,;:)(']|\w+(?:s|ed|ing)\b|is\b|was\b|did\b|has\b|had\b|and\b|in\b|at\b|on\b|from\b)",
             text[match.end() : match.end() + 20],
         ):
@@ -182,10 +188,11 @@ def names(text: str) -> list[Span]:
                 "label",
                 match.start(),
                 match.end(),
-                {"label": LABEL_NUMBERS.get(number, number.lstrip("0")), "word": word},
+                {"label": f"{word} {number}" if typed else LABEL_NUMBERS.get(number, number.lstrip("0")), "word": word},
             )
         )
     taken = [(s.start, s.end) for s in found]
+    queues = language.table("actors")["queues"]
     for match in _actor().finditer(text):
         start, end = match.span()
         if any(s < end and start < e for s, e in taken):
@@ -193,13 +200,15 @@ def names(text: str) -> list[Span]:
         noun = re.sub(r"[\s-]+", " ", match["noun"])
         if noun in language.makes() and not _stands_for_a_vehicle(text, start, end):
             continue
+        if noun in queues and re.match(r"\s+of\s", text[end : end + 4]) or noun == "bus" and _BUS_STOP.match(text[end : end + 16]):
+            continue
         kind, plural, person = _noun(noun)
         words = re.split(r"[\s]+", match["roles"].strip()) if match["roles"].strip() else []
         known = language.roles()
         found.append(
             Span("actor", start, end, {
                 "type": kind, "plural": plural, "person": person, "noun": noun,
-                "roles": [known[w] for w in _role_words(match["roles"])] + _nominal(noun), "words": words,
+                "roles": [known[w] for w in _role_words(match["roles"])] + _nominal(noun) + ["stationary"] * (noun in queues), "words": words,
             })
         )  # fmt: skip
     found += _letters(text, found)
@@ -212,6 +221,9 @@ def names(text: str) -> list[Span]:
             continue
         kept.append(span)
     return kept
+
+
+_BUS_STOP = re.compile(r"\s+(?:lane|shelter|station|bay)\b|\s+stop(?=\s*(?:[,.;)]|$|on\b|at\b|in\b|and\b|to\b|where\b|with\b|is\b|ahead\b))")
 
 
 def _stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
@@ -231,7 +243,7 @@ def _noun_words() -> str:
 def _letters(text: str, found: list[Span]) -> list[Span]:
     """Bare letters that stand for vehicles called by them elsewhere: "car A follows car B; B brakes"."""
     named = {s.data["label"]: s for s in found if s.kind == "label" and re.search(r"[a-e]$", text[s.start : s.end])}
-    letters = {LABEL_LETTERS[n]: n for n in named}
+    letters = {text[s.end - 1]: n for n, s in named.items()}
     spans = []
     for letter, number in letters.items():
         verb = (
@@ -277,7 +289,6 @@ def _role_words(text: str) -> list[str]:
     return found
 
 
-LABEL_LETTERS = dict(zip("12345", "abcde", strict=True))
 ABBREVIATION = re.compile(
     r"(?:\b(?:e\.g|i\.e|approx|ca|vs|no|st|ave|rd|dr|mr|mrs|min|max|fig|sec|incl|etc|resp|veh)|\b[a-z])\.$"
 )
@@ -306,9 +317,32 @@ def sentences(text: str) -> list[tuple[int, int]]:
     return [(s, e) for s, e in found if s < e]
 
 
+def shorthand(plain: str, sentences: list[tuple[int, int]], names: list[Span]) -> list[tuple[int, int]]:
+    """The sentences, with those of bare notes ("bus at stop, ego 40, car ahead brakes") cut where a new one is spoken of."""
+    found: list[tuple[int, int]] = []
+    for start, end in sentences:
+        piece = plain[start:end]
+        at = start
+        if not re.search(r"\b(?:the|an?|its?|his|her|their)\b", piece):
+            for name in names:
+                comma = re.search(r",\s*$", plain[at : name.start]) if at < name.start <= end else None
+                if comma is None or name.kind == "label":
+                    continue
+                told = len(re.findall(r"\w+", plain[at : name.start])) >= 2
+                says = re.match(r"\s*[\w+-]", plain[name.end : end]) and not re.match(r"\s*(?:and|or)\b", plain[name.end : end])
+                if told and says:
+                    found.append((at, at + comma.start()))
+                    at = name.start
+        found.append((at, end))
+    return found
+
+
 def _trimmed(text: str, start: int, end: int) -> tuple[int, int]:
     while start < end and (text[start].isspace() or text[start] in "-*•"):
         start += 1
+    numbered = re.match(r"(?:\(?(?:\d{1,2}|[a-h]|[ivx]{1,4})[.)]|(?:step|phase|stage|event)\s\d{1,2}\s*[:.)-])\s+(?=\S)", text[start:end], re.IGNORECASE)
+    if numbered:
+        start += numbered.end()
     while end > start and text[end - 1].isspace():
         end -= 1
     return start, end

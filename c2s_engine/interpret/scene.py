@@ -97,6 +97,7 @@ def understand(text: str) -> Scene:
     taken = [(q.start, q.end) for q in quantities]
     names = [n for n in names if not any(s < n.end and n.start < e for s, e in taken)]
     spans = sorted(names + quantities, key=lambda s: s.start)
+    sentences = scan.shorthand(plain, sentences, names)
     road = place.read(plain, sentences, quantities)
     words = syntax.parse(text, plain, sentences, spans)
     cast = Cast(words)
@@ -564,6 +565,7 @@ def _rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             ):
                 event.mode = "hypothetical"
     _waits(cast, clauses)
+    _waits_for_somebody(cast, clauses)
     _echoes(cast, clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:
@@ -645,6 +647,23 @@ def _waits(cast: Cast, clauses: Clauses) -> None:
             )
         )
         return
+
+
+def _waits_for_somebody(cast: Cast, clauses: Clauses) -> None:
+    """ "Ego must wait", where somebody crosses its way: ego gives way to that one."""
+    if any(e.agent.ego and e.done and e.act in ("yield", "collide", "run_red", "run_stop") for e in clauses.events):
+        return
+    for event in clauses.events:
+        if not (event.agent.ego and event.act == "stationary" and event.done and event.text.startswith("wait")):
+            continue
+        crossing = [
+            e.agent
+            for e in clauses.events
+            if e.done and not e.agent.ego and e.agent.mover and e.act in ("cross_road", "cross_path", "go_straight", "approach", "oncoming") and e.word < event.word
+        ]
+        if crossing:
+            event.act, event.patient = "yield", crossing[-1]
+            return
 
 
 def _echoes(cast: Cast, clauses: Clauses) -> None:
@@ -752,6 +771,8 @@ def side(event: Event) -> str | None:
     ):
         for match in re.finditer(pattern, text):
             before = text[max(0, match.start(1) - 12) : match.start(1)]
+            if event.act == "overtake" and re.match(r"in\b", match[0]) and "lane" in text[match.end() : match.end() + 12]:
+                continue
             if re.search(r"from (the |its |@\w+ 's )?$", before):
                 continue
             return match[1]

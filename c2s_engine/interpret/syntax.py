@@ -423,7 +423,7 @@ def _proxies(plain: str, span: Span, before: str) -> list[tuple[str, int, int, S
         or before.isdigit()
     )
     if span.kind == "label":
-        return [("V" + span.data["label"], start, end, span)]
+        return [("V" + span.data["label"].rpartition(" ")[2].upper(), start, end, span)]
     if span.kind == "ego":
         proxy = "I" if plain[start:end] == "i" else "car" if after_determiner or named else "John"
         if named:

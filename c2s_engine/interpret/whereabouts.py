@@ -87,7 +87,8 @@ def _take(
         if where.lane is None and not entity.person and entity.type != "bicycle":
             lane = side if not re.search(r"approach|from|road|street|intersection", text) else None
     if lane == "kerb":
-        lane = "sidewalk" if entity.person else "parked"
+        moving = entity.roles & {"slow", "fast"} or "hug" in text
+        lane = "sidewalk" if entity.person else "partly" if moving else "parked"
     if entity.person and lane == "parked":
         lane = "roadside"
     open_still = where.lane is None or where.weak or (where.lane == "adjacent" and lane in ("left", "right"))

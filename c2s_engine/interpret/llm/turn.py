@@ -27,10 +27,18 @@ KINDS: dict[str, TurnKind] = {"question": "question", "new": "scenario", "undo":
 
 
 async def route(
-    text: str, structure: Structure | None, *, client: OllamaClient, embedded: Any, on_event: OnEvent | None = None
+    text: str,
+    structure: Structure | None,
+    *,
+    client: OllamaClient,
+    embedded: Any,
+    plain: Any = None,
+    on_event: OnEvent | None = None,
 ) -> Turn:
-    """What a turn asks for; never raises ModelError. S is not changed: the edits are."""
-    plain = embedded_turn.route(text, structure)
+    """What a turn asks for; never raises ModelError. S is not changed: the edits are.
+
+    `plain`: what the embedded routing says (kind, edits, reply), where that was asked already."""
+    plain = plain or embedded_turn.route(text, structure)
     if structure is None or plain.kind in ("undo", "redo") or plain.kind == "scenario" and not structure.text:
         return plain
     asker = Asker(client, on_event)

@@ -10,6 +10,7 @@ import pickle
 import random
 import sys
 import tempfile
+from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,7 @@ LIBRARY = (
 )
 _code: dict[tuple[bytes, str], tuple[Any, list, bytes]] = {}
 _networks: dict[tuple, Any] = {}
+_prepare: Callable[[Any], None] | None = None
 may_write = True
 """Whether map caches may be written: false in a confined child."""
 
@@ -52,10 +54,18 @@ def warm(standins: Path, runner: str | None = None) -> None:
         path = str(spec / f"{name.rpartition('.')[2]}.scenic")
         _library_code(Path(path).read_bytes(), path)
     if runner:
-        importlib.import_module(runner.partition(":")[0])
+        global _prepare
+        _prepare = getattr(importlib.import_module(runner.partition(":")[0]), "prepare", None)
+        prepare()
     gc.collect()
     gc.freeze()
     gc.disable()
+
+
+def prepare(network: Any = None) -> None:
+    """Let the runner make what its runs share: once at the start, and for each map that is loaded to be kept."""
+    if _prepare is not None:
+        _prepare(network)
 
 
 def reseed(seed: int) -> None:

@@ -5,10 +5,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-import numpy as np
 import shapely
 from scenic.core.distributions import RejectionException
-from scenic.core.vectors import Orientation, Vector
+from scenic.core.vectors import Vector
+
+from c2s_engine.dryrun.plain import flat_orientation
 
 
 @contextmanager
@@ -67,14 +68,18 @@ class Mirror:
         parent = obj.parentOrientation
         self.parent, self.parent_yaw = parent, float(parent.yaw)
         self.seen: tuple[float, ...] | None = None
+        self.known: set[str] = set()
 
     def write(self) -> None:
         body, obj = self.actor.body, self.obj
         vx, vy = body.velocity()
         state = (body.x, body.y, body.heading, vx, vy, self.actor.elevation, body.yaw_rate)
         values = object.__getattribute__(object.__getattribute__(obj, "_dynamicProxy"), "__dict__")
-        for name in [n for n in values if n.startswith("_cached_")]:
-            del values[name]
+        for name in values.keys() - self.known:
+            if name.startswith("_cached_"):
+                del values[name]
+            else:
+                self.known.add(name)
         if state == self.seen:
             return
         self.seen = state
@@ -87,7 +92,5 @@ class Mirror:
         values["angularVelocity"] = Vector(0.0, 0.0, rate)
         values["yaw"], values["pitch"], values["roll"] = yaw, 0.0, 0.0
         values["elevation"] = elevation
-        values["orientation"] = Orientation.fromQuaternion(
-            np.array([0.0, 0.0, math.sin(heading / 2), math.cos(heading / 2)])
-        )
+        values["orientation"] = flat_orientation(heading)
         values["heading"] = math.remainder(heading, math.tau)

@@ -15,6 +15,7 @@ import carla
 from c2s_engine.maps.extras import ControlPoint, MapExtras
 
 GREEN, YELLOW, ALL_RED = 10.0, 3.0, 2.0
+NAMES = {state: str(state).lower() for state in carla.TrafficLightState}
 HOLD = 15.0
 """s: how long a state that was set lasts before the cycle goes on."""
 
@@ -133,4 +134,4 @@ class Lights:
 
     def states(self) -> dict[tuple[str, str], str]:
         """The state of every approach, in lower case."""
-        return {key: str(light.state).lower() for key, light in self.by_approach.items()}
+        return {key: NAMES[light.state] for key, light in self.by_approach.items()}

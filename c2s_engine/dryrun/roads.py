@@ -125,6 +125,12 @@ class RoadIndex:
             ways.append(self.number[lane._successor.uid])
         info.next = tuple(dict.fromkeys(ways))
 
+    def warm(self) -> None:
+        """Make the parts that are made on first use."""
+        _ = self.junctions, self.off_road, self.walks, self.previous
+        for tree in (self.tree, self.off_road, self.walks):
+            tree.query(shapely.Point(0.0, 0.0))
+
     @cached_property
     def junctions(self) -> dict[str, Any]:
         """Scenic's intersections by the id that the map gives them."""

@@ -7,13 +7,13 @@ from pathlib import Path
 from typing import Any
 
 import scenic
-from scenic.core import dynamics
 from scenic.core.distributions import RejectionException
 from scenic.core.dynamics import GuardViolation, RejectSimulationException
 from scenic.core.dynamics.utils import StuckBehaviorWarning
 from scenic.core.simulators import TerminationType
 from scenic.simulators.carla import blueprints
 
+from c2s_engine.dryrun import plain
 from c2s_engine.dryrun.outline import box_of, map_outline
 from c2s_engine.dryrun.recording import Recording
 from c2s_engine.dryrun.roads import index_of
@@ -24,6 +24,13 @@ from c2s_engine.structure.facts import RunFacts, Track, Trajectories
 STUCK = 3
 """s that a behaviour may compute without taking an action."""
 OURS = (str(Path(scenic.__file__).parent), str(Path(__file__).parent))
+
+
+def prepare(network: Any = None) -> None:
+    """Make what all runs of a process (and of those forked from it) share: Scenic's shortcuts, a network's index."""
+    plain.install()
+    if network is not None:
+        index_of(network).warm()
 
 
 def run_scene(scene: Any, *, names: dict[int, str], components: dict[str, str], seed: int, seconds: float,
@@ -65,10 +72,10 @@ class Run:
 
 def simulate(scene: Any, *, names: dict[int, str], seed: int, seconds: float, map_path: str) -> Run:
     """Run the scene and keep what was recorded, also of a run that was cut short."""
+    prepare()
     run = Run()
     step = min(0.1, max(0.01, float(scene.params.get("timestep", 0.1))))
     simulation: DryRunSimulation | None = None
-    dynamics.stuckBehaviorWarningTimeout = STUCK
     made: list[DryRunSimulation] = []
 
     class Kept(DryRunSimulation):
@@ -78,11 +85,10 @@ def simulate(scene: Any, *, names: dict[int, str], seed: int, seconds: float, ma
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        warnings.simplefilter("error", StuckBehaviorWarning)
         try:
             run.extras = read_extras(map_path) if map_path.endswith(".xodr") else None
             Kept(scene, index=index_of(scene.workspace.network), extras=run.extras, kinds=blueprint_classes(),
-                 seed=seed, seconds=seconds, timestep=step)  # fmt: skip
+                 seed=seed, seconds=seconds, timestep=step, stuck=STUCK)  # fmt: skip
             simulation = made[0]
             run.ended_by = _ending(simulation)
             run.reason = "" if run.ended_by == "time" else str(simulation.result.terminationReason)

@@ -1,6 +1,7 @@
 """The dry-run world on Scenic's simulator interface: fake actors, our own stepping, and why a run ended."""
 
 import random
+import time
 from typing import Any
 
 import carla
@@ -18,6 +19,7 @@ from c2s_engine.dryrun.lights import Lights
 from c2s_engine.dryrun.recording import Recorder
 from c2s_engine.dryrun.roads import RoadIndex
 from c2s_engine.dryrun.streets import Streets
+from c2s_engine.dryrun.stuck import watching
 from c2s_engine.dryrun.traffic import TrafficManager
 from c2s_engine.dryrun.walkers import Guide
 from c2s_engine.maps.extras import MapExtras
@@ -79,7 +81,7 @@ class DryRunSimulation(DrivingSimulation):
     """One run of a scene."""
 
     def __init__(self, scene: Any, *, index: RoadIndex, extras: MapExtras | None, kinds: dict[str, str], seed: int,
-                 seconds: float, timestep: float) -> None:  # fmt: skip
+                 seconds: float, timestep: float, stuck: float = 3.0) -> None:  # fmt: skip
         self.index, self.extras, self.kinds = index, extras, kinds
         self.rng = random.Random(seed)
         self.lights = Lights(extras, self.rng)
@@ -94,7 +96,7 @@ class DryRunSimulation(DrivingSimulation):
         self.ended: TerminationType | None = None
         self.substeps = max(1, round(timestep / SUBSTEP))
         self.mirrors: dict[int, Mirror] = {}
-        with lookups(index.network) as self.found:
+        with lookups(index.network) as self.found, watching(stuck) as self.watch:
             super().__init__(
                 scene, maxSteps=max(1, round(seconds / timestep)), name="dry run", timestep=timestep, enableReplay=False
             )
@@ -175,8 +177,9 @@ class DryRunSimulation(DrivingSimulation):
         for agent in self.agents:
             if not agent.behavior:
                 continue
-            self.acting = agent
+            self.acting, self.watch.begun = agent, time.process_time()
             actions = agent.behavior._step()
+            self.watch.begun = None
             if isinstance(actions, _EndSimulationAction):
                 return actions
             if isinstance(actions, _EndScenarioAction):

@@ -114,7 +114,7 @@ def drift(seen: Seen, situation: Situation) -> int | None:
     limits = definitions()["drift"]
     aside = seen.aside()
     lane = situation.index.lanes[next(int(i) for i in seen.lanes if i != NOWHERE)]
-    turn = np.abs(np.sin(seen.heading - np.array([seen.way.heading_at(s) for s in seen.way.place(seen.xy)[0]])))
+    turn = np.abs(np.sin(seen.heading - seen.way.headings_at(seen.placed(seen)[0])))
     half = 0.5 * (seen.path.width * np.sqrt(1 - turn**2) + seen.path.length * np.minimum(turn, 0.35))
     over = np.abs(aside) + half - lane.width / 2
     inside = over <= 0

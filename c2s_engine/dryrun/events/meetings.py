@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from c2s_engine.dryrun.events.situation import NOWHERE, Seen, Situation, wrap
 from c2s_engine.dryrun.events.table import definitions
@@ -103,19 +104,18 @@ def meeting(one: Seen, other: Seen, situation: Situation) -> Meeting | None:
     if a[:, 0].max() + 2 < b[:, 0].min() or b[:, 0].max() + 2 < a[:, 0].min() \
             or a[:, 1].max() + 2 < b[:, 1].min() or b[:, 1].max() + 2 < a[:, 1].min():  # fmt: skip
         return None
-    distance = np.hypot(a[:, None, 0] - b[None, :, 0], a[:, None, 1] - b[None, :, 1])
-    to_b, to_a = distance.min(axis=1), distance.min(axis=0)
+    (to_b, on_b), (to_a, on_a) = cKDTree(b).query(a), cKDTree(a).query(b)
     k0, j0 = int(np.argmax(at != BEHIND)), int(np.argmax(bt != BEHIND))
     k = _first_on(to_b[k0:], limits)
     if k is not None:
         k += k0
-        j = int(distance[k].argmin())
+        j = int(on_b[k])
     else:
         j = _first_on(to_a[j0:], limits)
         if j is None:
             return None
         j += j0
-        k = int(distance[:, j].argmin())
+        k = int(on_a[j])
     if bt[j] == BEHIND or at[k] == BEHIND:
         return None
     return Meeting(

@@ -73,13 +73,11 @@ def approach(seen: Seen, other: Seen) -> int | None:
 
 def _along(seen: Seen, other: Seen) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
     """(lead of `seen`, its distance from the way, steps) measured on the way that `other` drives."""
-    way = other.way
-    if way is None:
+    if other.way is None:
         return None
     n = min(len(seen.x), len(other.x))
-    s, d = way.place(seen.xy[:n])
-    mine, _ = way.place(other.xy[:n])
-    return s - mine, d, np.arange(n)
+    (s, d), (mine, _) = other.placed(seen), other.placed(other)
+    return s[:n] - mine[:n], d[:n], np.arange(n)
 
 
 def _in_lane(seen: Seen, other: Seen, n: int) -> np.ndarray:

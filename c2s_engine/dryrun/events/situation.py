@@ -36,9 +36,12 @@ class Way:
         """(m along, m to the left) of points."""
         return project(self.points, self.along, np.atleast_2d(xy))
 
+    def headings_at(self, s: np.ndarray) -> np.ndarray:
+        """The line's direction (rad) at distances along it."""
+        return self.headings[np.clip(np.searchsorted(self.along, s, side="right") - 1, 0, len(self.headings) - 1)]
+
     def heading_at(self, s: float) -> float:
-        i = int(np.searchsorted(self.along, s, side="right")) - 1
-        return float(self.headings[min(max(i, 0), len(self.headings) - 1)])
+        return float(self.headings_at(np.asarray(s)))
 
 
 class Seen:
@@ -53,6 +56,7 @@ class Seen:
         self.speed, self.forward = path.speed[:n], path.forward[:n]
         self.vx, self.vy = path.vx[:n], path.vy[:n]
         self.drives = is_vehicle(path)
+        self._placed: dict[Seen, tuple[np.ndarray, np.ndarray]] = {}
 
     @cached_property
     def travelled(self) -> np.ndarray:
@@ -96,9 +100,16 @@ class Seen:
             return []
         return found + self.situation.index.path(found[-1], BEYOND + self.situation.index.lanes[found[-1]].length)[1:]
 
+    def placed(self, other: "Seen") -> tuple[np.ndarray, np.ndarray]:
+        """(m along, m to the left) of another, or of itself, on the way of its own lane at each step of that one."""
+        assert self.way is not None
+        if other not in self._placed:
+            self._placed[other] = self.way.place(other.xy)
+        return self._placed[other]
+
     def aside(self) -> np.ndarray:
         """m to the left of its own lane's line at each step (NaN without a lane)."""
-        return self.way.place(self.xy)[1] if self.way else np.full(len(self.x), np.nan)
+        return self.placed(self)[1] if self.way else np.full(len(self.x), np.nan)
 
 
 class Situation:

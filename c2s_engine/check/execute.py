@@ -3,6 +3,7 @@
 import contextlib
 import importlib
 import io
+import itertools
 import marshal
 import os
 import pickle
@@ -10,6 +11,7 @@ import socket
 import sys
 import time
 import warnings
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from c2s_engine.check import confine, diagnose, reading, sampling, warm, wire, zygote
@@ -17,7 +19,7 @@ from c2s_engine.check.naming import Names
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 
 _prepared: dict[str, Any] = {}
-"""In a snapshot: the namespace in which the preamble was run."""
+"""In a snapshot: the namespace in which the preamble was run, the options, how many modules there were by then."""
 
 
 def handle(conn: socket.socket) -> None:
@@ -83,20 +85,74 @@ def _load_map(conn: socket.socket, job: dict[str, Any]) -> None:
 
 
 def _preamble(conn: socket.socket, job: dict[str, Any], blob: bytes) -> None:
-    """Run the statements up to `model` and stay, so that programs with the same ones start from here."""
+    """Run the statements up to `model` and stay, so that programs with the same ones start from here.
+
+    Tells which params were read: others may have any value in the programs that start from here, which set them again.
+    """
     from scenic.syntax import veneer
 
-    codes, count, _, _ = pickle.loads(blob)
     namespace, options = begin(job)
     try:
-        for code in codes[:count]:
-            _exec(marshal.loads(code), namespace)
+        with _params_read() as read:
+            for code in pickle.loads(blob)[0][: job["count"]]:
+                _exec(marshal.loads(code), namespace)
     except BaseException as error:
         wire.send(conn, {"failed": str(error)})
         return
-    _prepared.update(namespace=namespace, options=options, count=count, veneer=veneer)
-    wire.send(conn, {"ready": True})
-    zygote.serve(conn, handle)
+    _prepared.update(namespace=namespace, options=options, veneer=veneer, modules=_scenic_modules(sys.modules))
+    wire.send(conn, {"ready": True, "read": sorted(read)})
+    zygote.serve(conn, handle, _rehearse)
+
+
+@contextlib.contextmanager
+def _params_read() -> Iterator[set[str]]:
+    """The names of the global parameters that are read meanwhile."""
+    from scenic.syntax import veneer
+
+    read: set[str] = set()
+    table: Any = veneer.ParameterTableProxy
+
+    class Recorded(table):
+        def __getitem__(self, name: str) -> Any:
+            read.add(name)
+            return super().__getitem__(name)
+
+        def __iter__(self) -> Iterator[str]:
+            read.update(self._internal_map)
+            return super().__iter__()
+
+    veneer.ParameterTableProxy = Recorded
+    try:
+        yield read
+    finally:
+        veneer.ParameterTableProxy = table
+
+
+def _scenic_modules(names: Iterable[str]) -> list[str]:
+    from scenic.syntax.translator import ScenicModule
+
+    return [name for name in names if isinstance(sys.modules[name], ScenicModule)]
+
+
+def _unload(names: list[str]) -> None:
+    """Scenic's purgeModulesUnsafeToCache for modules that are known by name: to look through all costs 4 ms here."""
+    for name in names:
+        parent, _, child = name.rpartition(".")
+        if parent in sys.modules:
+            vars(sys.modules[parent]).pop(child, None)
+        del sys.modules[name]
+
+
+def _rehearse() -> None:
+    """Do what most checks do, for nobody: compile and sample a few objects."""
+    from c2s_engine.check.protocol import CheckRequest
+
+    code, requirements, digest = warm.library_code(warm.REHEARSAL.read_bytes(), str(warm.REHEARSAL))
+    job = CheckRequest(program="", filename=str(warm.REHEARSAL)).model_dump(mode="json")
+    blob = pickle.dumps(([marshal.dumps(code)], requirements, digest))
+    listener, conn = socket.socketpair()
+    with listener, conn:
+        _Check(conn, {**job, "settings": [], "count": 0}, blob).run()
 
 
 def begin(job: dict[str, Any]) -> tuple[dict[str, Any], Any]:
@@ -122,7 +178,7 @@ class _Check:
 
     def __init__(self, conn: socket.socket, job: dict[str, Any], blob: bytes) -> None:
         self.conn, self.job = conn, job
-        self.codes, _, self.requirements, self.digest = pickle.loads(blob)
+        self.codes, self.requirements, self.digest = pickle.loads(blob)
         self.program = diagnose.Program(job["program"], job["filename"], job["spans"])
         self.limits = job["limits"]
 
@@ -162,20 +218,22 @@ class _Check:
     def _compile(self) -> Any:
         from scenic.syntax import translator, veneer
 
-        old = list(sys.modules)
+        known = len(sys.modules)
         if _prepared:
-            namespace, options, done = _prepared["namespace"], _prepared["options"], _prepared["count"]
+            namespace, options = _prepared["namespace"], _prepared["options"]
+            codes = [self.codes[i] for i in self.job["settings"]] + self.codes[self.job["count"] :]
         else:
-            (namespace, options), done = begin(self.job), 0
+            (namespace, options), codes = begin(self.job), self.codes
         self.names = Names(self.program)
         try:
             with self.names.watching():
-                for code in self.codes[done:]:
+                for code in codes:
                     _exec(marshal.loads(code), namespace)
                 translator.storeScenarioStateIn(namespace, self.requirements, self.digest, options)
         finally:
             veneer.deactivate()
-            translator.purgeModulesUnsafeToCache(old)
+            new = itertools.islice(reversed(sys.modules), len(sys.modules) - known)
+            _unload(_prepared.get("modules", []) + _scenic_modules(new))
         with self.names.watching():
             scenario = translator.constructScenarioFrom(namespace)
         self.names.gather(namespace, scenario)

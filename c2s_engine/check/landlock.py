@@ -26,7 +26,8 @@ class _Beneath(ctypes.Structure):
 
 
 @functools.cache
-def _always() -> tuple[str, ...]:
+def always() -> tuple[str, ...]:
+    """What every job may read."""
     own = Path(__file__).resolve().parents[1]
     libraries = [p for p in sys.path if p and os.path.isabs(p) and p != str(own.parent)]
     cache = [str(paths.cache_folder() / name) for name in ("maps", "modules")]
@@ -42,7 +43,7 @@ def readable(job: dict[str, Any]) -> list[str]:
         with os.scandir(folder) as entries:
             maps = [e.path for e in entries if e.name.endswith((".xodr", ".snet", ".net"))][:MAPS]
     said = job.get("map") or ""
-    return [*_always(), *maps, *([said] if said and os.path.exists(said) else [])]
+    return [*always(), *maps, *([said] if said and os.path.exists(said) else [])]
 
 
 def restrict(allowed: list[str]) -> bool:

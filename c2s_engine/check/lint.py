@@ -228,23 +228,35 @@ def _contains(name: str, names: tuple[str, ...]) -> str:
 _UNKNOWN = object()
 
 
-def preamble(tree: Any) -> tuple[bool, bool, str | None]:
-    """Of a statement: may it precede a snapshot (params and constants only), is it `model`, which map does it set."""
+@dataclass(frozen=True)
+class Beginning:
+    """What matters of a statement if it stands before `model` or is it."""
+
+    simple: bool  # it may precede a snapshot: constant params, or a sentence
+    model: bool
+    params: tuple[tuple[str, str], ...] = ()  # names and values, the latter as dumps of their trees
+    map: str | None = None  # the map that it sets
+
+
+def beginning(tree: Any) -> Beginning:
+    """The beginning that a statement is part of, or would be."""
     from scenic.syntax import ast as s
 
-    simple, model, path = True, False, None
-    for node in tree.body:
-        if isinstance(node, s.Model):
-            model = True
-        elif isinstance(node, s.Param):
-            for element in node.elts:
-                value = _constant(element.value)
-                simple = simple and value is not _UNKNOWN
-                if element.identifier == "map" and isinstance(value, str):
-                    path = value
-        elif not (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)):
-            simple = False
-    return simple, model, path
+    node = tree.body[0] if len(tree.body) == 1 else None
+    if isinstance(node, s.Model):
+        return Beginning(True, True)
+    if not isinstance(node, s.Param):
+        return Beginning(
+            isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant),
+            any(isinstance(n, s.Model) for n in tree.body),
+        )
+    values = {element.identifier: _constant(element.value) for element in node.elts}
+    return Beginning(
+        simple=_UNKNOWN not in values.values(),
+        model=False,
+        params=tuple((element.identifier, ast.dump(element.value)) for element in node.elts),
+        map=next((v for k, v in values.items() if k == "map" and isinstance(v, str)), None),
+    )
 
 
 def _constant(node: ast.AST) -> Any:

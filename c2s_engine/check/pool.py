@@ -12,6 +12,8 @@ from c2s_engine.check.processes import Child, Zygote
 
 MAPS = 4
 PREAMBLES = 8
+SPARES = 2
+REST = 0.02  # s after a check: its report goes first
 READ_SECONDS = 10.0
 GROW_SECONDS = 300.0  # a large map is parsed for minutes the first time
 
@@ -28,6 +30,8 @@ class Pool:
         self.lost = asyncio.Event()
         self.maps: OrderedDict[Any, asyncio.Task[Zygote | None]] = OrderedDict()
         self.preambles: OrderedDict[Any, asyncio.Task[Zygote | None]] = OrderedDict()
+        self.read_params: OrderedDict[tuple, frozenset[str]] = OrderedDict()
+        self._spared: list[Zygote] = []
         self._reader: Child | None = None
         self._reading = asyncio.Lock()
         self._watch = asyncio.create_task(self._root_gone())
@@ -60,16 +64,58 @@ class Pool:
                     raise TooSlow from None
                 raise wire.Closed from None
 
-    async def nearest(self, map_path: str, preamble: tuple | None, job: dict[str, Any], blob: bytes) -> Zygote:
-        """The zygote that has most of what a program needs; makes those that are missing."""
+    async def nearest(self, map_path: str, header: dict[str, Any], job: dict[str, Any], blob: bytes) -> Zygote:
+        """The zygote that has most of what a program needs, as the reader's header says; makes those that are missing.
+
+        A snapshot after `model` also serves programs that differ in params that were not read by then.
+        """
         zygote = self.root
         key = _file_key(map_path)
         if key is not None:
             zygote = await self._get(self.maps, key, MAPS, self.root, {"kind": "map", "path": map_path}) or self.root
-        if preamble is not None:
-            job = {**job, "kind": "preamble"}
-            zygote = await self._get(self.preambles, (key, *preamble), PREAMBLES, zygote, job, blob) or zygote
+        if not header["preamble"]:
+            return zygote
+        shape = (key, header["preamble"], job["filename"], repr(sorted(job["params"].items())))
+        params = tuple(map(tuple, header["params"]))
+        wanted = self._that_matter(shape, params)
+        job = {**job, "kind": "preamble", "count": header["count"]}
+        found = await self._get(self.preambles, (shape, wanted), PREAMBLES, zygote, job, blob)
+        if found is None:
+            return zygote
+        self.read_params[shape] = self.read_params.get(shape, frozenset()) | frozenset(found.grown["read"])
+        self.read_params.move_to_end(shape)
+        while len(self.read_params) > 4 * PREAMBLES:
+            self.read_params.popitem(last=False)
+        return self._moved((shape, wanted), (shape, self._that_matter(shape, params)), found)
+
+    def _that_matter(self, shape: tuple, params: tuple) -> tuple:
+        """Those params that decide whether a snapshot serves: those that `model` reads, all where that is not known."""
+        read = self.read_params.get(shape)
+        return params if read is None else tuple(pair for pair in params if pair[0] in read)
+
+    def _moved(self, old: tuple, new: tuple, zygote: Zygote) -> Zygote:
+        """Keep a snapshot under its new key; where there is one already, that one serves."""
+        task = self.preambles.pop(old, None) if old != new else None
+        if task is None:
+            return zygote
+        there = self.preambles.setdefault(new, task)
+        if there is not task and there.done() and not there.cancelled() and not there.exception():
+            other = there.result()
+            if other is not None and other.alive:
+                _drop(task)
+                return other
+        self.preambles[new] = task
         return zygote
+
+    def used(self, zygote: Zygote) -> None:
+        """A check is over: fork a child for the next one ahead, where it is likely to start from."""
+        if zygote in self._spared:
+            self._spared.remove(zygote)
+        self._spared.append(zygote)
+        for old in self._spared[:-SPARES]:
+            old.drop_spare()
+        del self._spared[:-SPARES]
+        asyncio.get_running_loop().call_later(REST, zygote.prepare)
 
     async def _get(
         self,
@@ -123,7 +169,7 @@ async def _grow(parent: Zygote, job: dict[str, Any], blob: bytes) -> Zygote | No
     if not header.get("ready"):
         child.kill()
         return None
-    return child.becomes_zygote()
+    return child.becomes_zygote(header)
 
 
 def _file_key(path: str) -> tuple | None:

@@ -9,6 +9,7 @@ import socket
 from typing import Any
 
 from c2s_engine.check import wire
+from c2s_engine.check.zygote import NOW, SPARE
 
 
 class Zygote:
@@ -17,8 +18,9 @@ class Zygote:
     def __init__(self, control: socket.socket, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         self.control, self.reader, self.writer = control, reader, writer
         self.alive = True
+        self.grown: dict[str, Any] = {}
         self.warm = asyncio.Event()
-        self.statuses: dict[int, int] = {}
+        self.spare: asyncio.Task[Child] | None = None
         self._waiting: dict[int, asyncio.Future[int]] = {}
         self._task = asyncio.create_task(self._watch())
 
@@ -45,12 +47,42 @@ class Zygote:
             if not future.done():
                 future.set_result(-1)
 
+    def prepare(self) -> None:
+        """Have a child forked ahead of the next job."""
+        if self.alive and self.spare is None:
+            self.spare = asyncio.create_task(self._fork(SPARE))
+            self.spare.add_done_callback(_seen)
+
+    def drop_spare(self) -> None:
+        """Do without the child that was forked ahead."""
+        spare, self.spare = self.spare, None
+        if spare is not None:
+            spare.cancel() if not spare.done() else _kill(spare)
+
     async def spawn(self, job: dict[str, Any], blob: bytes = b"") -> "Child":
-        """Fork a child and give it a job; raises wire.Closed where the zygote is gone."""
+        """Give a job to the spare child or one that is forked now; raises wire.Closed where the zygote is gone."""
         await self.warm.wait()
+        spare, self.spare = self.spare, None
+        child: Child | None = None
+        if spare is not None:
+            with contextlib.suppress(wire.Closed):
+                child = await spare
+        if child is None or child.gone:
+            child = await self._fork(NOW)
+        try:
+            child.writer.write(wire.encode(job, blob))
+            await child.writer.drain()
+        except BaseException as error:
+            child.kill()
+            if isinstance(error, OSError):
+                raise wire.Closed from None
+            raise
+        return child
+
+    async def _fork(self, when: bytes) -> "Child":
         ours, theirs = socket.socketpair()
         try:
-            socket.send_fds(self.control, [b"f"], [theirs.fileno()])
+            socket.send_fds(self.control, [when], [theirs.fileno()])
         except OSError:
             self.alive = False
             ours.close()
@@ -65,8 +97,6 @@ class Zygote:
             child.pid = int(header["pid"])
             child.ended = asyncio.get_running_loop().create_future()
             self._waiting[child.pid] = child.ended
-            writer.write(wire.encode(job, blob))
-            await writer.drain()
         except BaseException as error:
             child.kill()
             if isinstance(error, OSError | KeyError | ValueError):
@@ -75,9 +105,21 @@ class Zygote:
         return child
 
     def close(self) -> None:
+        self.drop_spare()
         self._task.cancel()
         self.writer.close()
         self.alive = False
+
+
+def _seen(task: "asyncio.Task[Child]") -> None:
+    """Take note of how a task ended, so that nothing is said of an error that nobody waits for."""
+    if not task.cancelled():
+        task.exception()
+
+
+def _kill(task: "asyncio.Task[Child]") -> None:
+    if not task.cancelled() and task.exception() is None:
+        task.result().kill()
 
 
 class Child:
@@ -89,6 +131,10 @@ class Child:
         self.zygote, self.sock, self.reader, self.writer = zygote, sock, reader, writer
         self.pid = 0
         self.ended: asyncio.Future[int] | None = None
+
+    @property
+    def gone(self) -> bool:
+        return self.ended is None or self.ended.done()
 
     def kill(self) -> None:
         """Kill it with all that it started, and close the socket."""
@@ -107,8 +153,9 @@ class Child:
         except TimeoutError:
             return -1
 
-    def becomes_zygote(self) -> Zygote:
-        """The handle on a child that has become a zygote itself."""
+    def becomes_zygote(self, grown: dict[str, Any]) -> Zygote:
+        """The handle on a child that has become a zygote itself, and has said so in the message `grown`."""
         zygote = Zygote(self.sock, self.reader, self.writer)
+        zygote.grown = grown
         zygote.warm.set()
         return zygote

@@ -27,9 +27,7 @@ class Compiled:
     facts: lint.PieceFacts
     unsafe: list[Diagnostic]
     first: int
-    simple: bool
-    model: bool
-    map: str | None = None
+    beginning: lint.Beginning
 
 
 @dataclass
@@ -69,18 +67,9 @@ class Reader:
             if not stages[-1].ok or request["upto"] == "safety":
                 return {"stages": _dump(stages)}, b""
         digest = pieces.ast_hash([p.dump for p in parts])
-        count = next((i + 1 for i, p in enumerate(parts) if p.model), 0)
-        simple = bool(count) and all(p.simple for p in parts[:count])
-        key = hashlib.blake2b(repr([(p.dump, p.first) for p in parts[:count]]).encode(), digest_size=16).hexdigest()
-        maps = [p.map for p in parts[:count] if p.map]
-        header = {
-            "stages": _dump(stages),
-            "ast_hash": digest.hex(),
-            "preamble": key if simple else "",
-            "map": maps[-1] if simple and maps else "",
-        }
+        header = {"stages": _dump(stages), "ast_hash": digest.hex(), **_beginning(parts)}
         requirements = [r for p in parts for r in p.requirements]
-        blob = pickle.dumps(([p.code for p in parts], count, requirements, digest))
+        blob = pickle.dumps(([p.code for p in parts], requirements, digest))
         return header, blob
 
     def _compile(self, where: diagnose.Program) -> list[Compiled]:
@@ -114,7 +103,7 @@ class Reader:
         tree = self._tree(part, filename)
         facts = lint.gather(tree)
         unsafe = safety.examine(tree)
-        simple, model, path = lint.preamble(tree)
+        beginning = lint.beginning(tree)
         python, requirements, syntax_id = pieces.translate(tree, filename, [None] * count, syntax_id, part.first)
         return Compiled(
             code=marshal.dumps(compile(python, filename, "exec")),
@@ -124,9 +113,7 @@ class Reader:
             facts=facts,
             unsafe=unsafe,
             first=part.first,
-            simple=simple,
-            model=model,
-            map=path,
+            beginning=beginning,
         )
 
     def _tree(self, part: pieces.Piece, filename: str) -> Any:
@@ -143,6 +130,24 @@ class Reader:
         else:
             self.trees.move_to_end(part.text)
         return pieces.shifted(pickle.loads(stored), part.first - 1)
+
+
+def _beginning(parts: list[Compiled]) -> dict[str, Any]:
+    """What snapshots are chosen by: the statements up to `model` apart from the params' values, and those values."""
+    count = next((i + 1 for i, p in enumerate(parts) if p.beginning.model), 0)
+    before = [p.beginning for p in parts[:count]]
+    maps = [b.map for b in before if b.map]
+    found: dict[str, Any] = {"map": maps[-1] if maps else "", "preamble": ""}
+    if not before or not all(b.simple for b in before):
+        return found
+    shape = [[name for name, _ in p.beginning.params] or p.dump for p in parts[:count]]
+    return {
+        **found,
+        "preamble": hashlib.blake2b(repr(shape).encode(), digest_size=16).hexdigest(),
+        "params": [pair for b in before for pair in b.params],
+        "count": count,
+        "settings": [i for i, b in enumerate(before) if b.params],
+    }
 
 
 def _stage(name: Any, started: float, found: tuple[Diagnostic, ...]) -> StageResult:

@@ -49,13 +49,17 @@ async def check(pool: Pool, request: CheckRequest, runner: str | None) -> CheckR
         return gathered.report()
     if request.upto == "run" and not runner:
         return gathered.failed("run", started, "no_runner", "this check server was started without a runner")
-    map_path = _map_path(header["map"], request, folder)
-    preamble = (
-        (header["preamble"], job["filename"], repr(sorted(request.params.items()))) if header["preamble"] else None
-    )
-    zygote = await pool.nearest(map_path, preamble, job, blob)
-    child = await zygote.spawn({**job, "kind": "check"}, blob)
-    return await _watch(child, request.limits, gathered)
+    zygote = await pool.nearest(_map_path(header["map"], request, folder), header, job, blob)
+    child = await zygote.spawn({**job, **_begun(header), "kind": "check"}, blob)
+    try:
+        return await _watch(child, request.limits, gathered)
+    finally:
+        pool.used(zygote)
+
+
+def _begun(header: dict[str, Any]) -> dict[str, Any]:
+    """Which of a program's pieces a snapshot has done, and which of these set params."""
+    return {"count": header.get("count", 0), "settings": header.get("settings", [])}
 
 
 def _map_path(said: str, request: CheckRequest, folder: Path) -> str:
@@ -157,7 +161,7 @@ async def places(pool: Pool, request: PlacesRequest) -> PlacesReport:
     if not Path(request.map).is_file():
         raise ValueError(f"there is no map file {request.map}")
     header, blob = await pool.read(job)
-    zygote = await pool.nearest(request.map, (header["preamble"], job["filename"], "[]"), job, blob)
+    zygote = await pool.nearest(request.map, header, job, blob)
     child = await zygote.spawn(
         {**job, "kind": "places", "expressions": request.expressions, "prelude": request.prelude}, b""
     )

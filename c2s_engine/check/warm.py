@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from c2s_engine import paths
+from c2s_engine.check import landlock
 
 LIBRARY = (
     "scenic.domains.driving.behaviors",
@@ -23,6 +24,7 @@ LIBRARY = (
     "scenic.simulators.carla.behaviors",
     "scenic.simulators.carla.model",
 )
+REHEARSAL = Path(__file__).with_name("rehearsal.scenic")
 _code: dict[tuple[bytes, str], tuple[Any, list, bytes]] = {}
 _networks: dict[tuple, Any] = {}
 _prepare: Callable[[Any], None] | None = None
@@ -52,7 +54,9 @@ def warm(standins: Path, runner: str | None = None) -> None:
     for name in LIBRARY:
         spec = Path(importlib.import_module(name.rpartition(".")[0]).__file__ or "").parent
         path = str(spec / f"{name.rpartition('.')[2]}.scenic")
-        _library_code(Path(path).read_bytes(), path)
+        library_code(Path(path).read_bytes(), path)
+    library_code(REHEARSAL.read_bytes(), str(REHEARSAL))
+    landlock.always()
     if runner:
         global _prepare
         _prepare = getattr(importlib.import_module(runner.partition(":")[0]), "prepare", None)
@@ -76,7 +80,7 @@ def reseed(seed: int) -> None:
     numpy.random.seed(seed % (1 << 32))
 
 
-def _library_code(source: bytes, filename: str) -> tuple[Any, list, bytes]:
+def library_code(source: bytes, filename: str) -> tuple[Any, list, bytes]:
     """The compiled code of a Scenic library module, from memory, the disk cache or the compiler."""
     key = (hashlib.blake2b(source, digest_size=16).digest(), filename)
     if key in _code:
@@ -138,7 +142,7 @@ def _compile_stream(stream: Any, namespace: dict, options: Any, filename: str) -
     try:
         exec(compile(translator.preamble, "<veneer>", "exec"), namespace)
         namespace[translator.namespaceReference] = namespace
-        code, requirements, digest = _library_code(stream.read(), filename)
+        code, requirements, digest = library_code(stream.read(), filename)
         translator.executeCodeIn(code, namespace)
         translator.storeScenarioStateIn(namespace, requirements, digest, options)
     finally:

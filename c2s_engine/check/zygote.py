@@ -1,7 +1,8 @@
 """A warm process that forks: it holds what its children share, and does nothing but fork on demand.
 
-The server sends one byte and a socket; the child that is forked talks over that socket. The zygote reports each
-child's end as a JSON line {"pid", "status"} on its own control socket, and ends when that is closed.
+The server sends one byte and a socket; the child that is forked talks over that socket. The byte says whether its job
+follows at once (NOW) or may be a while (SPARE). The zygote reports each child's end as a JSON line {"pid", "status"}
+on its own control socket, and ends when that is closed.
 """
 
 import contextlib
@@ -14,7 +15,10 @@ import socket
 import sys
 from collections.abc import Callable
 
+from c2s_engine.check import prefault
+
 Handler = Callable[[socket.socket], None]
+NOW, SPARE = b"f", b"s"
 
 
 def die_with_parent() -> None:
@@ -24,12 +28,16 @@ def die_with_parent() -> None:
             ctypes.CDLL(None).prctl(1, signal.SIGKILL, 0, 0, 0)
 
 
-def serve(control: socket.socket, handle: Handler) -> None:
-    """Fork a child for each socket that arrives; returns when the control socket is closed."""
+def serve(control: socket.socket, handle: Handler, rehearse: Callable[[], None] | None = None) -> None:
+    """Fork a child for each socket that arrives; returns when the control socket is closed.
+
+    `rehearse` does what a job is likely to do: a spare child copies beforehand the pages that this writes on.
+    """
     wake_read, wake_write = os.pipe2(os.O_NONBLOCK | os.O_CLOEXEC)
     signal.signal(signal.SIGCHLD, lambda *_: None)
     signal.set_wakeup_fd(wake_write, warn_on_full_buffer=False)
     children: set[int] = set()
+    pages: prefault.Ranges | None = None
     control.setblocking(True)
     while True:
         waiting: list = [control, wake_read]
@@ -46,8 +54,12 @@ def serve(control: socket.socket, handle: Handler) -> None:
             message, fds = b"", []
         if not message:
             break
+        if message == SPARE and pages is None:
+            pages = prefault.learn(rehearse) if rehearse else []
         pid = os.fork()
         if pid == 0:
+            if message == SPARE:
+                prefault.populate(pages or [])
             _become_child(control, wake_read, wake_write, fds[0], handle)
         children.add(pid)
         os.close(fds[0])

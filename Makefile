@@ -36,7 +36,7 @@ nightly: $(VENV)/.dev
 lint: $(VENV)/.dev
 	$(BIN)/ruff check .
 	$(BIN)/lint-imports
-	$(BIN)/mypy c2s_engine
+	$(BIN)/mypy c2s_engine c2s_tui
 
 bench: $(STAMP)
 	$(BIN)/c2s bench --method embedded

@@ -4,9 +4,11 @@ import asyncio
 import sys
 from pathlib import Path
 
+from c2s_tui.early import Early
 
-def launch(session: str | None = None, file: Path | None = None) -> int:
-    """Run until the user leaves; the exit status."""
+
+def launch(session: str | None = None, file: Path | None = None, painted: Early | None = None) -> int:
+    """Run until the user leaves; the exit status. `painted`: the terminal with the first frame on it."""
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         print("c2s app needs a terminal; `c2s generate` and `c2s edit` work without one.", file=sys.stderr)
         return 2
@@ -16,6 +18,8 @@ def launch(session: str | None = None, file: Path | None = None) -> int:
 
     with guarded(cache_folder() / "app.log"):
         app = C2SApp(session=session, file=file)
+        if painted is not None:
+            painted.hand_over()
         app.run()
     if app.backend is not None:
         asyncio.run(app.backend.close())

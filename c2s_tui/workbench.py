@@ -99,7 +99,7 @@ class Workbench(Actions, Screen):
         self.chat.entry.put(early)
         self.chat.entry.focus()
         self.show()
-        self.begin()
+        self.call_after_refresh(self.begin)  # the engine is imported behind the panes' first frame
         self.set_interval(DRAFT_SECONDS, self.save_drafts)
         self.set_interval(WATCH_SECONDS, self.watch_file)
 

@@ -15,8 +15,7 @@ import time
 from collections.abc import Iterator
 
 SIZE = (45, 140)  # rows, columns
-PAINTED = b"\x1b[1;1H"
-"""Textual's first frame begins at the upper left."""
+TYPED = b"zqzq"
 
 
 @contextlib.contextmanager
@@ -30,7 +29,7 @@ def running(folder: str) -> Iterator[tuple[int, int, float]]:
     pid, end = pty.fork()
     if pid == 0:
         fcntl.ioctl(0, termios.TIOCSWINSZ, struct.pack("HHHH", *SIZE, 0, 0))
-        os.execve(sys.executable, [sys.executable, "-m", "c2s_engine.cli", "app", "bench"], environment)
+        os.execve(sys.executable, [sys.executable, "-m", "c2s_tui.entry", "app", "bench"], environment)
     try:
         yield pid, end, started
     finally:
@@ -42,17 +41,19 @@ def running(folder: str) -> Iterator[tuple[int, int, float]]:
         os.close(end)
 
 
-def first_paint(starts: int) -> float:
-    """The median time from the start of the process to the first frame on the terminal, s. The first is warm-up."""
-    times = []
+def first_paint(starts: int) -> tuple[float, float]:
+    """Median times from the start of the process, s: to the first frame on the terminal, and until what was typed
+    upon that frame is shown. The first start is warm-up.
+    """
+    painted, typed = [], []
     with tempfile.TemporaryDirectory() as folder:
         for _ in range(starts + 1):
             with running(folder) as (_pid, end, started):
-                seen = b""
-                while b"c2s" not in seen and time.perf_counter() - started < 60:
-                    seen += _read(end, 1.0)
-                times.append(time.perf_counter() - started)
-    return statistics.median(times[1:])
+                painted.append(_until(end, b"c2s", started))
+                time.sleep(0.05)  # the terminal stops echoing right after the frame
+                os.write(end, TYPED)
+                typed.append(_until(end, TYPED, started))
+    return statistics.median(painted[1:]), statistics.median(typed[1:])
 
 
 def idle_cpu(seconds: float) -> float:
@@ -77,6 +78,14 @@ def _processor_time(pid: int) -> float:
                 with open(f"/proc/{one}/task/{task}/children") as children:
                     found += [int(c) for c in children.read().split()]
     return total
+
+
+def _until(end: int, wanted: bytes, started: float) -> float:
+    """When the terminal has been sent some bytes, s since the start of the process."""
+    seen = b""
+    while wanted not in seen and time.perf_counter() - started < 60:
+        seen += _read(end, 1.0)
+    return time.perf_counter() - started
 
 
 def _read(end: int, seconds: float) -> bytes:

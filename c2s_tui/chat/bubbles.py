@@ -5,7 +5,7 @@ from typing import Any
 from textual.app import ComposeResult
 from textual.containers import Vertical
 from textual.content import Content
-from textual.widgets import Markdown, Static
+from textual.widgets import Static
 
 from c2s_engine.structure.progress import Passage
 from c2s_tui.look.kinds import mark, mentions
@@ -31,6 +31,8 @@ class Answer(Vertical):
         self._stream: Any = None
 
     def compose(self) -> ComposeResult:
+        from textual.widgets import Markdown  # its parser is not needed to show a first screen
+
         yield Static("", classes="thinking", markup=False)
         yield Markdown("", open_links=False)
 
@@ -42,6 +44,8 @@ class Answer(Vertical):
             return
         self.text += text
         if self._stream is None:
+            from textual.widgets import Markdown
+
             self._stream = Markdown.get_stream(self.query_one(Markdown))
         await self._stream.write(text)
 

@@ -42,7 +42,7 @@ class Terminal:
 
     def start(self, *arguments: str, size: tuple[int, int] = (140, 45)) -> None:
         """Run `c2s app` in a new tmux session; its exit status is shown when it ends."""
-        command = f"{sys.executable} -m c2s_engine.cli app {' '.join(arguments)}; echo exit-$?; exec cat"
+        command = f"{sys.executable} -m c2s_tui.entry app {' '.join(arguments)}; echo exit-$?; exec cat"
         self.tmux("new-session", "-d", "-s", "a", "-x", str(size[0]), "-y", str(size[1]), command)
 
     @property

@@ -167,3 +167,20 @@ def test_mentions_are_coloured_and_nothing_is_markup():
     content = mentions("[red]O1[/red] cuts in; E brakes at a T-junction")
     assert content.plain == "[red]O1[/red] cuts in; E brakes at a T-junction"
     assert [(s.start, s.end) for s in content.spans] == [(5, 7), (23, 24)]
+
+
+def test_the_first_frame_is_painted_before_anything_is_imported(monkeypatch):
+    import subprocess
+    import sys
+
+    from c2s_tui import early
+
+    code = "import sys, c2s_tui.entry; print([m for m in ('textual', 'asyncio', 'rich', 'typer', 'pydantic') " \
+           "if m in sys.modules])"  # fmt: skip
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.strip() == "[]"
+    assert early.asked(["app"]) is None  # no terminal here
+    monkeypatch.setattr("sys.stdin", type("Tty", (), {"isatty": lambda self: True})())
+    monkeypatch.setattr("sys.stdout", type("Tty", (), {"isatty": lambda self: True})())
+    assert early.asked(["app"]) == (None, None) and early.asked(["app", "work"]) == ("work", None)
+    assert early.asked(["app", "-f", "a.scenic"]) == (None, "a.scenic")
+    assert early.asked(["app", "--help"]) is None and early.asked(["check", "a"]) is None

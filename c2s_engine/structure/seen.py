@@ -76,8 +76,17 @@ def _mark(component: Component, index: int, phase: Phase, ran: list[RunFacts]) -
     if phase.action == "lane_change" and phase.side:
         opposite = "right" if phase.side == "left" else "left"
         events.remove(f"lane_change_{opposite}")
-    seen_in = sum(any(o.shows(e) for o in _objects(f, component.id) for e in events) for f in ran)
+    seen_in = sum(_shown(f, component.id, events, phase.target) for f in ran)
     return (Mark(component.id, f"phases.{index}", phase.action, len(ran), seen_in),)
+
+
+def _shown(facts: RunFacts, cid: str, events: list[str], target: str | None) -> bool:
+    """Whether the component showed one of the events: towards the one it was said about, where both are named."""
+    meant = {o.name for o in _objects(facts, "E" if target in ("ego", "E") else target)} if target else set()
+    return any(
+        e.event in events and (not meant or e.other is None or e.other in meant)
+        for o in _objects(facts, cid) for e in o.events
+    )  # fmt: skip
 
 
 def _objects(facts: RunFacts, cid: str) -> list[ObjectFacts]:

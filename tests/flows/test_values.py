@@ -6,11 +6,11 @@ from hypothesis import strategies as st
 from scripted_engine import Writer, cut_in, run_facts
 from textual.widgets import Input, TextArea
 
-from c2s_engine.structure.edits import EditError, SetField, apply
+from c2s_engine.structure.edits import AddObject, EditError, SetField, apply
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.regenerate import regenerate
 from c2s_engine.structure.seen import marks, score
-from c2s_engine.structure.specs import SPEC_OF
+from c2s_engine.structure.specs import SPEC_OF, ObjectSpec
 from c2s_tui import prefs
 from c2s_tui.clipboard import osc52
 from c2s_tui.code.fragments import changed_fragments, changed_lines, moved_spans
@@ -89,6 +89,16 @@ def test_said_and_seen():
     assert score(marks(cut_in(), (run_facts(False),))) == (0, 1)
     assert score(marks(cut_in(), ())) == (0, 0)
     assert [m.path for m in marks(cut_in(), ())] == ["phases.0"]
+
+
+@pytest.mark.parametrize(("target", "seen"), [(None, 1), ("ego", 1), ("O2", 0)])
+def test_an_action_is_seen_towards_the_one_it_was_said_about(target, seen):
+    structure = apply(cut_in(), AddObject(spec=ObjectSpec(name="bus", type="bus")))
+    structure = apply(structure, SetField(component="O1", path="phases.0.target", value=target))
+    facts = run_facts(True)
+    bus = facts.objects[1].model_copy(update={"name": "bus", "component": "O2", "events": ()})
+    facts = facts.model_copy(update={"objects": (*facts.objects, bus)})
+    assert score(marks(structure, (facts,))) == (seen, 1)
 
 
 def test_highlighting_is_scenics_own_and_imports_no_scenic():

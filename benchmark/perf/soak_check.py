@@ -21,20 +21,21 @@ from c2s_engine.check.protocol import CheckRequest, Limits
 
 TESTS = Path(__file__).resolve().parents[2] / "tests" / "check"
 RESULT = Path(__file__).resolve().parents[1] / "results" / "soak_check.json"
-LIMITS = Limits(wall=2, cpu=2, iterations=300, sample_seconds=2)
+LIMITS = Limits(cpu=3)
+"""Of CPU time, so that a busy machine refuses no good program; everything else as a user has it."""
+PATIENCE = 300.0  # s for one answer
 SAMPLES = 20
 
 
-def programs() -> dict[str, list[str]]:
-    """Good, bad and hostile programs of the tests."""
+def programs() -> dict[str, list[tuple[str, str]]]:
+    """Good, bad and hostile programs of the tests: name and text."""
     table = yaml.safe_load((TESTS / "errors.yaml").read_text(encoding="utf-8"))
-    bad = [("" if r.get("bare") else table["head"]) + r["code"] for r in table["rows"].values()]
-    hostile = [p.read_text(encoding="utf-8") for p in sorted((TESTS / "hostile").glob("*.scenic"))]
-    return {
-        "good": [p.read_text(encoding="utf-8") for p in sorted((TESTS / "programs").glob("*.scenic"))],
-        "bad": bad,
-        "hostile": [t for t in hostile if "# upto: sample" in t],
-    }
+    bad = [(name, ("" if r.get("bare") else table["head"]) + r["code"]) for name, r in table["rows"].items()]
+    good, hostile = (
+        [(p.stem, p.read_text(encoding="utf-8")) for p in sorted((TESTS / folder).glob("*.scenic"))]
+        for folder in ("programs", "hostile")
+    )
+    return {"good": good, "bad": bad, "hostile": [(n, t) for n, t in hostile if "# upto: sample" in t]}
 
 
 def family(pid: int) -> dict[int, int]:
@@ -68,6 +69,7 @@ async def soak(checks: int, workers: int, folder: Path) -> dict:
     kinds = programs()
     rng = random.Random(0)
     verdicts: Counter[str] = Counter()
+    refused: Counter[str] = Counter()
     growth: list[dict[str, float]] = []
     started = time.monotonic()
     async with CheckClient() as client:
@@ -77,13 +79,17 @@ async def soak(checks: int, workers: int, folder: Path) -> dict:
 
         async def one(i: int) -> None:
             kind = rng.choices(["good", "bad", "hostile"], [0.5, 0.3, 0.2])[0]
-            text = rng.choice(kinds[kind]).replace("MARK", str(folder / "mark")).replace("SECRET", str(folder / "none"))
+            name, text = rng.choice(kinds[kind])
+            text = text.replace("MARK", str(folder / "mark")).replace("SECRET", str(folder / "none"))
             request = CheckRequest(program=text, folder=str(paths.shipped("maps")), seed=i, limits=LIMITS)
             try:
-                report = await asyncio.wait_for(client.check(request), 60)
+                report = await asyncio.wait_for(client.check(request), PATIENCE)
                 verdicts[f"{kind} {'passed' if report.ok else 'refused'}"] += 1
+                if kind == "good" and not report.ok:
+                    refused[f"{name}: {report.stages[-1].diagnostics[-1].message}"] += 1
             except (CheckError, TimeoutError) as error:
                 verdicts[f"{kind} {type(error).__name__}"] += 1
+                refused[f"{name}: {error or 'no answer'}"] += 1
 
         done = 0
         step = max(1, checks // SAMPLES)
@@ -108,6 +114,7 @@ async def soak(checks: int, workers: int, folder: Path) -> dict:
         "checks": checks,
         "seconds": round(time.monotonic() - started),
         "verdicts": dict(verdicts),
+        "not answered, or good and refused": dict(refused),
         "growth": growth,
         "processes_left": len(left),
         "files_left": len(list(folder.iterdir())),
@@ -127,7 +134,8 @@ def main() -> int:
     RESULT.write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
     first, last = report["growth"][len(report["growth"]) // 2], report["growth"][-1]
     grown = last["private_mib"] > 1.2 * first["private_mib"] or last["processes"] > first["processes"]
-    return int(bool(grown or report["processes_left"] or report["files_left"]))
+    wrong = report["not answered, or good and refused"]
+    return int(bool(grown or wrong or report["processes_left"] or report["files_left"]))
 
 
 if __name__ == "__main__":

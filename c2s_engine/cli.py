@@ -37,8 +37,10 @@ def _mount(wanted: str | None) -> None:
     app.add_typer(sessions.app, name="sessions")
     everything = wanted is None
     if everything or wanted in ("index", "search"):
+        from c2s_engine.commands.indexing import parts
         from c2s_engine.retrieve import commands as retrieval
 
+        retrieval.decomposer[:] = [parts]
         app.add_typer(retrieval.app, name="index")
         app.command("search")(retrieval.search_command)
     if everything or wanted == "models":

@@ -46,8 +46,8 @@ class Settings(BaseModel):
     """Further (module, name) pairs that checked programs may import."""
 
 
-def load_settings(path: Path | None = None) -> Settings:
-    """The settings of config.toml, else the defaults; raises ConfigError."""
+def load_settings(path: Path | None = None, model: str | None = None) -> Settings:
+    """The settings of config.toml, else the defaults; raises ConfigError. `model`, else C2S_MODEL, replaces theirs."""
     path = path or paths.config_file()
     values: dict = {}
     if path.is_file():
@@ -55,8 +55,8 @@ def load_settings(path: Path | None = None) -> Settings:
             values = tomllib.loads(path.read_text(encoding="utf-8"))
         except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
             raise ConfigError(f"{path} cannot be read: {error}. Mend or remove the file.") from None
-    if model := os.environ.get("C2S_MODEL"):
-        values["model"] = model
+    if chosen := model or os.environ.get("C2S_MODEL"):
+        values["model"] = chosen
     try:
         return Settings.model_validate(values)
     except ValidationError as error:

@@ -8,7 +8,7 @@ from rich.syntax import Syntax
 from rich.text import Text
 
 from c2s_engine.commands import show
-from c2s_engine.commands.console import OK, REFUSED, dump, err, out, sentences, work
+from c2s_engine.commands.console import NO_SERVICE, OK, REFUSED, dump, err, out, sentences, work
 from c2s_engine.commands.reading import read_text
 from c2s_engine.structure.progress import Finished, Say, StageStarted
 
@@ -25,6 +25,10 @@ def generate(
     seed: Annotated[int, typer.Option(help="Of the sampled scene.")] = 0,
     runs: Annotated[int, typer.Option(min=1, max=50, help="Rollouts of the dry run.")] = 1,
     method: Annotated[str | None, typer.Option(help="How it is written; see `c2s doctor` for what is there.")] = None,
+    model: Annotated[str | None, typer.Option(help="The Ollama model, for methods that use one.")] = None,
+    improve: Annotated[
+        bool | None, typer.Option("--improve/--no-improve", help="Let the model change what the run does not show.")
+    ] = None,
     no_run: Annotated[bool, typer.Option("--no-run", help="Compile and sample, but do not run it.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
 ) -> None:
@@ -35,7 +39,8 @@ def generate(
             from c2s_engine.commands.console import InputError
 
             raise InputError(f"There is no folder {output.parent}: make it, or save elsewhere.")
-    done: Finished = work(_generate(description, map_name, seed, runs, method, not no_run, as_json), as_json)
+    options = {"method": method, "map": map_name, "seed": seed, "run": not no_run, "runs": runs, "improve": improve}
+    done: Finished = work(_generate(description, options, model, as_json), as_json)
     if output is not None and done.program.text:
         with sentences(as_json):
             from c2s_engine.api import save
@@ -47,22 +52,27 @@ def generate(
         dump(as_dict(done))
     else:
         _print(done, show_program=output is None)
-    raise typer.Exit(OK if done.ok else REFUSED)
+    raise typer.Exit(exit_code(done))
 
 
-async def _generate(
-    text: str, map_name: str | None, seed: int, runs: int, method: str | None, run: bool, quiet: bool
-) -> Finished:
+def exit_code(done: Finished) -> int:
+    """Done, refused, or stopped because a service (the model's) is not there."""
+    if any(d.code == "model-service" for d in done.diagnostics):
+        return NO_SERVICE
+    return OK if done.ok else REFUSED
+
+
+async def _generate(text: str, options: dict[str, Any], model: str | None, quiet: bool) -> Finished:
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
 
-    settings = load_settings()
-    words = len(text.split())
+    settings = load_settings(model=model)
+    words, method = len(text.split()), options["method"] or settings.method
     if not quiet:
-        err.print(Text(f"c2s: {words} words, method {method or settings.method}", style="dim"))
+        err.print(Text(f"c2s: {words} words, method {method}", style="dim"))
     with err.status("starting") if not quiet and err.is_terminal else _quiet() as status:
         async with Engine(settings) as engine:
-            async for event in engine.generate(text, method=method, map=map_name, seed=seed, run=run, runs=runs):
+            async for event in engine.generate(text, **options):
                 if isinstance(event, StageStarted) and status is not None:
                     status.update(event.stage)
                 elif isinstance(event, Say) and not quiet:
@@ -99,6 +109,9 @@ def as_dict(done: Finished) -> dict[str, Any]:
         ],
         "facts": [f.model_dump(mode="json") for f in done.facts],
         "map": done.details.get("map"),
+        "tokens": done.details.get("tokens", 0),
+        "tokens_by_component": done.details.get("usage", {}),
+        "share_without_fallback": done.details.get("share"),
         "seconds": done.seconds,
     }
 
@@ -113,5 +126,6 @@ def _print(done: Finished, show_program: bool) -> None:
             out.file.write(done.program.text + "\n")
     show.stages(done.stages)
     show.diagnostics(done.diagnostics)
+    show.cost(done.details)
     if done.facts:
         show.runs(done.facts)

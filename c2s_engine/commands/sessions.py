@@ -12,8 +12,9 @@ import typer
 from rich.text import Text
 
 from c2s_engine.commands import show
-from c2s_engine.commands.console import OK, REFUSED, InputError, dump, err, out, sentences
-from c2s_engine.structure.progress import Finished, Say
+from c2s_engine.commands.console import OK, InputError, dump, err, out, sentences
+from c2s_engine.commands.generate import exit_code
+from c2s_engine.structure.progress import Finished, Passage, Say
 
 app = typer.Typer(help="Sessions: list, rename, duplicate, delete, export, import.", no_args_is_help=True)
 
@@ -39,6 +40,10 @@ def edit(
         Path | None, typer.Option("--output", "-o", help="Save the program there, its map beside it.")
     ] = None,
     method: Annotated[str | None, typer.Option(help="How it is written.")] = None,
+    model: Annotated[str | None, typer.Option(help="The Ollama model, for methods that use one.")] = None,
+    improve: Annotated[
+        bool | None, typer.Option("--improve/--no-improve", help="Let the model change what the run does not show.")
+    ] = None,
     seed: Annotated[int, typer.Option(help="Of the sampled scene.")] = 0,
     no_run: Annotated[bool, typer.Option("--no-run", help="Compile and sample, but do not run it.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
@@ -46,8 +51,8 @@ def edit(
     """Work on a session: say something, set fields of S, write code by hand, undo, redo; show where it stands."""
     with sentences(as_json):
         edits = _edits(fields or [], remove or [], code or [])
-        options = {"method": method, "seed": seed, "run": not no_run}
-        session, done = asyncio.run(_work(name, say, edits, (undo, redo, resume), options, as_json))
+        options = {"method": method, "seed": seed, "run": not no_run, "improve": improve}
+        session, done = asyncio.run(_work(name, say, edits, (undo, redo, resume), options, model, as_json))
         if output is not None:
             from c2s_engine.api import save
 
@@ -58,7 +63,7 @@ def edit(
             dump(_as_dict(session, done))
         else:
             _print(session)
-    raise typer.Exit(OK if done is None or done.ok else REFUSED)
+    raise typer.Exit(OK if done is None else exit_code(done))
 
 
 @app.command("list")
@@ -144,14 +149,20 @@ def _edits(fields: list[str], remove: list[str], code: list[str]) -> list[Any]:
 
 
 async def _work(
-    name: str, say: str | None, edits: list[Any], steps: tuple[bool, bool, bool], options: dict[str, Any], quiet: bool
+    name: str,
+    say: str | None,
+    edits: list[Any],
+    steps: tuple[bool, bool, bool],
+    options: dict[str, Any],
+    model: str | None,
+    quiet: bool,
 ) -> tuple[Any, Finished | None]:
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
 
     undo, redo, resume = steps
     done: Finished | None = None
-    engine = Engine(load_settings())
+    engine = Engine(load_settings(model=model))
     async with contextlib.AsyncExitStack() as stack:
         if say or edits or resume:  # looking, undoing and redoing need no check server
             await stack.enter_async_context(engine)
@@ -175,9 +186,14 @@ async def _work(
 
 
 async def _take(events: AsyncIterator[Any], quiet: bool) -> Finished | None:
-    done = None
+    done, number = None, 0
     async for event in events:
-        if isinstance(event, Say) and not quiet:
+        if isinstance(event, Passage) and not quiet:
+            number += 1
+            where = f" ({event.clause})" if event.clause else ""
+            err.print(Text(f"{number} {event.title}{where}", style="bold"))
+            err.print(Text(event.text.strip()))
+        elif isinstance(event, Say) and not quiet:
             err.print(Text(event.text, style={"warning": "yellow", "error": "red"}.get(event.severity, "")))
         elif isinstance(event, Finished):
             done = event

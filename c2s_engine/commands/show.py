@@ -1,6 +1,7 @@
 """How results look on a terminal: S, stages, diagnostics, what was said and what was seen."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from typing import Any
 
 from rich.table import Table
 from rich.text import Text
@@ -42,6 +43,14 @@ def diagnostics(found: Iterable[Diagnostic]) -> None:
             out.print(Text(f"    {d.text.strip()}", style="dim"))
         if d.fix:
             out.print(Text(f"    fix: {d.fix}"))
+
+
+def cost(details: Mapping[str, Any]) -> None:
+    """What a model's turn cost, and how much of S is the model's own."""
+    if details.get("tokens"):
+        share = details.get("share")
+        own = f"; {share:.0%} of the components without fallback" if share is not None else ""
+        out.print(Text(f"{details['tokens']:,} tokens{own}", style="dim"))
 
 
 def runs(facts: Iterable[RunFacts]) -> None:

@@ -14,7 +14,8 @@ from rich.syntax import Syntax
 from rich.table import Table
 from rich.text import Text
 
-from c2s_engine.retrieve.client import Decompose, RetrievalClient
+from c2s_engine.config import ConfigError, load_settings
+from c2s_engine.retrieve.client import Decompose, Describe, RetrievalClient
 from c2s_engine.retrieve.errors import RetrievalError
 from c2s_engine.structure.progress import Passage
 
@@ -22,8 +23,10 @@ NOTHING, FAILED = 1, 2  # exit codes: no answer (or findings), an error
 app = typer.Typer(help="The index of snippets and documents.", no_args_is_help=True)
 Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
-decomposer: list[Callable[[], contextlib.AbstractAsyncContextManager[Decompose]]] = []
-"""The CLI appends what gives `program -> S`, so that `index add` takes .scenic files apart into snippets."""
+Parts = tuple[Decompose, Describe | None]
+decomposer: list[Callable[[], contextlib.AbstractAsyncContextManager[Parts]]] = []
+"""The CLI appends what gives `program -> S` and, where there is a model, `(component, code) -> sentence`, so that
+`index add` takes .scenic files apart into snippets: the rooms of both are above this one."""
 
 
 @contextlib.contextmanager
@@ -43,12 +46,12 @@ def _run(work: Callable[[RetrievalClient], Awaitable[Any]], as_json: bool) -> An
     """Do something with a client; an error is one sentence on stderr and exit code 2."""
 
     async def with_client() -> Any:
-        async with RetrievalClient() as client:
+        async with RetrievalClient(model=load_settings().embedding_model) as client:
             return await work(client)
 
     try:
         return asyncio.run(with_client())
-    except RetrievalError as error:
+    except (RetrievalError, ConfigError) as error:
         if as_json:
             typer.echo(json.dumps({"error": str(error)}))
         else:
@@ -122,8 +125,8 @@ def add(
 
     async def work(client: RetrievalClient, progress: Callable[[str, int, int], None]) -> dict:
         if decomposer:
-            async with decomposer[0]() as decompose:
-                return await client.add(location, progress, decompose=decompose)
+            async with decomposer[0]() as (decompose, describe):
+                return await client.add(location, progress, decompose=decompose, describe=describe)
         return await client.add(location, progress)
 
     with _bar(as_json) as progress:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from c2s_engine.retrieve import snippet_files, sources
+from c2s_engine.retrieve import snippet_files, sources, vectors
 from c2s_engine.retrieve.embedder import Embedder
 from c2s_engine.retrieve.errors import BadDocument, RetrievalError, storage_error
 from c2s_engine.retrieve.lock import exclusive
@@ -29,7 +29,9 @@ def _silent(stage: str, done: int, total: int) -> None:
 class Library:
     """Everything that can be done with the index in a folder. Searching and one writing call may run at once."""
 
-    def __init__(self, folder: Path, model: str | None = None, threads: int | None = None):
+    def __init__(self, folder: Path, model: str | None = None, threads: int | None = None, ready_made: bool = True):
+        """`ready_made`: take the shipped vectors for what is shipped."""
+        self.ready_made = ready_made
         self.store = Store(folder)
         self.embedder = Embedder(model, threads)
         self._opened: Generation | None = None
@@ -238,7 +240,7 @@ class Library:
         tables: dict[Kind, list[Row]] = {kind: [] for kind in TABLES}
         for batch in batches:
             tables[batch.source.kind].extend(batch.rows)
-        known: dict[str, np.ndarray] = {}
+        known: dict[str, np.ndarray] = vectors.known(model) if self.ready_made else {}
         if current and current.manifest.model == model:
             for shelf in current.shelves.values():
                 known.update(zip(shelf.table.column("key").to_pylist(), shelf.vectors, strict=True))

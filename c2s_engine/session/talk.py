@@ -8,6 +8,7 @@ from contextlib import aclosing
 from typing import Any
 
 from c2s_engine.session.citing import description_of, kept, wanted
+from c2s_engine.session.reader import route
 from c2s_engine.session.steps import Emit
 from c2s_engine.session.streams import Result, streamed
 from c2s_engine.session.why import explained
@@ -110,15 +111,16 @@ async def _events(
 
 async def _routed(engine: Any, text: str, structure: Structure | None, method: str, emit: Emit) -> Any:
     """How the turn is taken: by the model where the method has one, else by the embedded routing."""
-    from c2s_engine.interpret.turn import route
-
+    plain = await route(text, structure, engine.tools)
     if structure is None or not uses_model(engine, method):
-        return route(text, structure)
+        return plain
     from c2s_engine.interpret import EmbeddedInterpreter
     from c2s_engine.interpret.llm.turn import route as route_with_model
 
     async with engine.model_client() as client:
-        return await route_with_model(text, structure, client=client, embedded=EmbeddedInterpreter(), on_event=emit)
+        return await route_with_model(
+            text, structure, client=client, embedded=EmbeddedInterpreter(), plain=plain, on_event=emit
+        )
 
 
 def uses_model(engine: Any, method: str) -> bool:

@@ -35,7 +35,7 @@ def test_a_dead_host_is_one_sentence():
     with FakeOllama() as gone:
         host = gone.host
     result = run("list", "--host", host)
-    assert result.exit_code == 1 and "does not answer" in result.output and len(result.output.splitlines()) == 1
+    assert result.exit_code == 3 and "does not answer" in result.output and len(result.output.splitlines()) == 1
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """Phases to a Scenic behaviour: each becomes one `do`, ended by the next phase's trigger or its own completion."""
 
 from c2s_engine.structure.specs import Phase, Trigger
+from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.steps import Step, steps
 from c2s_engine.write.typed.triggers import implicit, stated
@@ -37,7 +38,9 @@ def _steps(course: Course) -> list[Step]:
         if condition:
             if not done:
                 done.append(([course.drive()], ""))
-            done[-1] = (done[-1][0], condition)
+            gaining = course.catching_up(phase) if phase.action == "cut_in" and not phase.trigger else None
+            before = [course.drive(scope.number(gaining))] if gaining and i == 0 else done[-1][0]
+            done[-1] = (before, condition)
         done.extend(steps(course, phase))
     return done
 

@@ -50,6 +50,7 @@ class Course:
         self.lane = actor.lane
         self.speed = actor.speed  # the speed expression now in force
         self.value = actor.value  # m/s
+        self.backwards = False
 
     # What is driven.
 
@@ -109,6 +110,15 @@ class Course:
             return 0 if self.actor.is_ego else plan.ego_speed
         spec = self.actor.structure[phase.target].spec
         return middle(speed_of(spec, plan.place)) if isinstance(spec, ObjectSpec) else 0
+
+    def catching_up(self, phase: Phase) -> float | None:
+        """The speed (m/s) at which it gets ahead of the phase's target, where it starts abreast of or behind it."""
+        placement = getattr(self.actor.spec, "placement", None)
+        along = placement and (placement.along or {"beside": "abreast", "behind": "behind"}.get(placement.position))
+        if along not in ("abreast", "behind") or self.lane is None or placement.of != (phase.target or "ego"):
+            return None
+        needed = self.target_speed(phase) + (4 if along == "abreast" else 7)
+        return needed if self.value < needed else None
 
     @property
     def oncoming(self) -> bool:

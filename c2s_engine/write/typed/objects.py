@@ -3,10 +3,10 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
-from c2s_engine.write.typed import behaviour, scope
+from c2s_engine.write.typed import behaviour, reactions, scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.placement import Spot, place_object
-from c2s_engine.write.typed.plan import Plan, speed_of, turn_of
+from c2s_engine.write.typed.plan import Plan, reach, speed_of, turn_of
 from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS, ROLE, is_static, is_vehicle, is_walker
 
 
@@ -125,6 +125,7 @@ def _driver(
     )
     statements = behaviour.body(actor)
     own = {"collide", "yield", "stop", "run_stop", "wait"} & {p.action for p in spec.phases}
+    statements = reactions.heeding(actor, statements)
     if spot.approach and plan.junction and not own and not standing:
         statements = [_synchronised(s, prefix, _sooner(structure, spec, plan)) for s in statements]
         statements.insert(1, "spot = meeting(line, way(egoLane, egoTurn))")
@@ -155,17 +156,7 @@ def _sooner(structure: Structure, spec: ObjectSpec, plan: Plan) -> float:
     return 3.0 if turning else 1.8
 
 
-def _reach(spec: ObjectSpec, plan: Plan) -> float:
-    """From where somebody stands beside the road to the middle of ego's lane, m."""
-    own = 3.2 if spec.placement.hidden_by else 4.75 if spec.placement.position == "sidewalk" else 3.25
-    two_way = plan.oncoming or plan.place.kind not in ("motorway", "on_ramp", "off_ramp")
-    far = spec.placement.side == "left" and two_way and not spec.placement.hidden_by
-    return own + (3.5 * (plan.place.lanes or 1) if far else 0)
-
-
-def _start_condition(
-    structure: Structure, spec: ObjectSpec, phase: Phase, plan: Plan, walk: float, reach: float
-) -> str:
+def _start_condition(structure: Structure, spec: ObjectSpec, phase: Phase, plan: Plan, walk: float) -> str:
     """When somebody sets out across the road: the stated trigger, or so that ego meets it on its lane."""
     t = phase.trigger
     other = scope.reference(structure, t.of) if t and t.of else "ego"
@@ -177,7 +168,7 @@ def _start_condition(
         return f"(distance from self to {other}) < {scope.number(middle(t.value))}"
     if t and t.kind == "action":
         return f"{other}.speed < 0.5" if t.action in ("stop", "stationary") else f"(distance from self to {other}) < 25"
-    return f"(distance from self to ego) < {scope.number(reach / max(walk, 0.3))} * ego.speed + 4"
+    return f"(distance from self to ego) < {scope.number(reach(spec, plan.place) / max(walk, 0.3))} * ego.speed + 4"
 
 
 def _is_struck(structure: Structure, cid: str, spec: ObjectSpec) -> bool:
@@ -207,8 +198,7 @@ def _walker(
         own = scope.quantity(phase.speed) if phase.speed is not None and i > 0 else pace
         if phase.action in ("cross_road", "enter_road", "collide"):
             if i == 0 and low(speed) == 0 or phase.trigger or i == 0:
-                reach = _reach(spec, plan)
-                lines += [f"while not ({_start_condition(structure, spec, phase, plan, value, reach)}):", "    wait"]
+                lines += [f"while not ({_start_condition(structure, spec, phase, plan, value)}):", "    wait"]
             step = f"do Walk(self.heading, {own})"
         elif phase.action in ("stop", "stationary", "wait"):
             step = "do Walk(self.heading, 0)"
@@ -217,7 +207,7 @@ def _walker(
         ending = f" for {scope.quantity(phase.duration)} seconds" if phase.duration is not None else ""
         if last and struck and phase.action in ("cross_road", "enter_road", "collide"):
             lines += [
-                f"{step} for {scope.number(_reach(spec, plan) / max(value, 0.3))} seconds",
+                f"{step} for {scope.number(reach(spec, plan.place) / max(value, 0.3))} seconds",
                 "do Walk(self.heading, 0)",
             ]
             break
@@ -239,9 +229,8 @@ def _rider_across(
     value = middle(speed) or 4.0
     phase = next(p for p in spec.phases if p.action in ("cross_road", "enter_road"))
     own = f"{prefix}_SPEED" if high(speed) > 0 else scope.number(value)
-    reach = _reach(spec, plan)
     return [
-        f"while not ({_start_condition(structure, spec, phase, plan, value, reach)}):",
+        f"while not ({_start_condition(structure, spec, phase, plan, value)}):",
         "    wait",
         "line = straight_on(self)",
         f"take SetSpeedAction({own})",

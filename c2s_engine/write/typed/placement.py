@@ -288,6 +288,8 @@ def _facing(spec: ObjectSpec, left: bool) -> str:
     crosses = bool(actions & {"cross_road", "enter_road", "collide"}) and (
         is_walker(spec.type) or spec.type == "bicycle"
     )
+    if "reverse" in actions and is_vehicle(spec.type) and spec.placement.facing == "across":  # its back to the road
+        return "90 deg relative to " if left else "-90 deg relative to "
     if spec.placement.facing == "across" or (crosses and spec.placement.facing is None):
         return "-90 deg relative to " if left else "90 deg relative to "
     if spec.placement.facing == "against":
@@ -302,7 +304,11 @@ def _hidden(structure: Structure, spec: ObjectSpec) -> Spot:
     angle = "-90 deg" if left else "90 deg"
     return Spot(
         (),
-        (f"ahead of {hider} by 0.6", f"facing {angle} relative to {hider}", "with regionContainedIn everywhere"),
+        (
+            f"ahead of {hider} by {_member(spec, '0.6')}",
+            f"facing {angle} relative to {hider}",
+            "with regionContainedIn everywhere",
+        ),
         "straight_on(self)",
         off_road=True,
     )

@@ -10,7 +10,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import references
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
-from c2s_engine.write.typed.tables import DEFAULT_SPEED, LENGTH, MOVES_OFF_ROAD, is_static, is_vehicle
+from c2s_engine.write.typed.tables import DEFAULT_SPEED, LENGTH, MOVES_OFF_ROAD, is_static, is_vehicle, is_walker
 
 JUNCTION = {"intersection", "roundabout"}
 RAMP = {"on_ramp", "off_ramp"}
@@ -53,6 +53,7 @@ class Plan:
     ramp: bool = False
     exit_lane: bool = False
     lane_of: dict[str, int | None] = field(default_factory=dict)  # object id -> lane offset at the start
+    leads: dict[str, tuple[str, ...]] = field(default_factory=dict)  # object id -> who is ahead of it in its lane
 
     @property
     def turning(self) -> bool:
@@ -156,6 +157,7 @@ def make_plan(structure: Structure) -> Plan:
         ramp=ramp,
         exit_lane=any(o.placement.position == "intersection_exit" for o in objects.values()),
         lane_of=lane_of,
+        leads=_leads(objects, lane_of, speed, place),
     )
 
 
@@ -220,6 +222,27 @@ def _lane_offset(cid: str, objects: dict[str, ObjectSpec], seen: tuple[str, ...]
     if placement.position == "beside":
         step = -1 if placement.side == "right" else 1
     return None if of is None or step is None else of + step
+
+
+def _leads(
+    objects: dict[str, ObjectSpec], lane_of: dict[str, int | None], speed: float, place: PlaceSpec
+) -> dict[str, tuple[str, ...]]:
+    """Who starts ahead of each moving vehicle in its lane, ego included."""
+    at = {"ego": 0.0}
+    for cid, o in objects.items():  # each is placed by one before it
+        placement = o.placement
+        gap = middle(placement.gap) if placement.gap is not None else default_gap(o, speed, place)
+        behind = placement.along == "behind" or (placement.position == "behind" and placement.along is None)
+        abreast = placement.position == "beside" or placement.along == "abreast"
+        own = gap + LENGTH[o.type] / 2 + 2.5
+        at[cid] = at.get(placement.of, 0.0) + (0.0 if abreast else -own if behind else own)
+    lanes: dict[str, int | None] = {"ego": 0, **lane_of}
+    movers = {c: o for c, o in objects.items() if is_vehicle(o.type) and not is_static(o) and lane_of[c] is not None}
+    return {
+        c: tuple(other for other in at if other != c and lanes[other] == lane_of[c] and at[other] > at[c])
+        for c, o in movers.items()
+        if o.placement.facing != "against"
+    }
 
 
 def _needs_oncoming(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> bool:
@@ -406,7 +429,24 @@ def default_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None = None)
     if position == "intersection_exit":
         return 14.0
     if is_static(o) or not is_vehicle(o.type) or position in MOVES_OFF_ROAD:
-        return max(30.0, min(4.0 * ego_speed, 90.0))
+        return max(30.0, min(4.0 * ego_speed, 90.0), _while_crossing(o, ego_speed, place))
     if position == "behind" or o.placement.along == "behind":
         return max(12.0, 1.2 * ego_speed)
     return max(12.0, min(1.6 * ego_speed, 45.0))
+
+
+def reach(o: ObjectSpec, place: PlaceSpec) -> float:
+    """From where somebody stands beside the road to the middle of ego's lane, m."""
+    own = 3.2 if o.placement.hidden_by else 4.75 if o.placement.position == "sidewalk" else 3.25
+    two_way = place.kind not in {"motorway", *RAMP}
+    far = o.placement.side == "left" and two_way and not o.placement.hidden_by
+    return own + (3.5 * (place.lanes or 1) if far else 0)
+
+
+def _while_crossing(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float:
+    """How far (m) ego drives while somebody comes from beside the road into its lane: they must be that far ahead."""
+    crosses = any(p.action in ("cross_road", "enter_road") for p in o.phases)
+    if place is None or not crosses or not (is_walker(o.type) or o.type == "bicycle"):
+        return 0.0
+    pace = max(middle(speed_of(o, place)), 0.8)
+    return min(reach(o, place) / pace * ego_speed + 8, 150.0)

@@ -17,9 +17,25 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     if spec.reaction != "brake" or not threats:
         return statements
     limit, rate = (4, 8) if spec.hard else (2, 5)
+    if any(p.action == "swerve" and p.trigger is None for p in spec.phases):  # it swerves first
+        limit, rate = 8, 8
     if any(p.action == "collide" for p in spec.phases):  # it brakes, but too little
         limit, rate = 3, 2
     return _around(statements, threats, limit, rate)
+
+
+def heeding(actor: Actor, statements: list[str]) -> list[str]:
+    """Another driver's way, braking for those ahead in its lane, unless it is to hit somebody."""
+    leads = actor.plan.leads.get(actor.cid, ())
+    if not leads or actor.value <= 0 or any(p.action == "collide" for p in actor.spec.phases):
+        return statements
+    return _around(statements, [_every(actor.structure, cid) for cid in leads], 3, 6)
+
+
+def _every(structure: Structure, cid: str) -> str:
+    """The reference to an object, or to all of its members (starred)."""
+    first = scope.reference(structure, cid)
+    return f"*{first.removesuffix('[0]')}" if first.endswith("[0]") else first
 
 
 def _around(statements: list[str], threats: list[str], limit: float, rate: float) -> list[str]:
@@ -61,7 +77,5 @@ def threatening(structure: Structure) -> list[str]:
         if not isinstance(spec, ObjectSpec):
             continue
         if spec.placement.position in IN_WAY or not is_static(spec):
-            name = scope.variables(structure)[c.id]
-            many = spec.count > 1 or spec.type in ("construction_zone", "lane_closure")
-            found.append(f"*{name}" if many else name)
+            found.append(_every(structure, c.id))
     return found

@@ -3,10 +3,11 @@
 from collections.abc import Callable
 
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import Phase
+from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
-from c2s_engine.write.typed.plan import LANE_NAME
+from c2s_engine.write.typed.plan import LANE_NAME, reach
+from c2s_engine.write.typed.tables import MOVES_OFF_ROAD
 
 LANE_WIDTH = 3.5
 """m, of most maps' lanes."""
@@ -16,7 +17,13 @@ Step = tuple[list[str], str]
 
 def steps(course: Course, phase: Phase) -> list[Step]:
     """The steps of one phase; the course is moved on."""
-    return _OF.get(phase.action, _keep_lane)(course, phase)
+    if not course.backwards or phase.action == "reverse":
+        return _OF.get(phase.action, _keep_lane)(course, phase)
+    if phase.action in ("stop", "stationary", "wait"):
+        return [(["do Backwards(0)"], _ending(phase, "for 3 seconds"))]
+    course.backwards = False
+    (first, until), *rest = _OF.get(phase.action, _keep_lane)(course, phase)
+    return [(["take SetReverseAction(False)", *first], until), *rest]
 
 
 def _ending(phase: Phase, natural: str) -> str:
@@ -95,7 +102,12 @@ def _u_turn(c: Course, p: Phase) -> list[Step]:
 
 
 def _reverse(c: Course, p: Phase) -> list[Step]:
-    return [([f"do Backwards({scope.number(c.wanted(p, 2))})"], _ending(p, ""))]
+    c.backwards = True
+    pace = c.wanted(p, c.value or 2)
+    spec = c.actor.spec
+    inward = isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD
+    natural = f"for {scope.number(reach(spec, c.actor.plan.place) / max(pace, 0.5))} seconds" if inward else ""
+    return [([f"do Backwards({scope.number(pace)})"], _ending(p, natural))]
 
 
 # To other lanes.
@@ -154,7 +166,11 @@ def _sideways(c: Course, p: Phase, metres: float, shift: float, seconds: float |
 
 
 def _swerve(c: Course, p: Phase) -> list[Step]:
-    return _sideways(c, p, 2.2, 2.5, 2.5)
+    found = _sideways(c, p, 2.2, 2.5, 2.5)
+    if getattr(c.actor.spec, "reaction", "") == "brake" and p.speed is None and p.trigger is None:  # both at once
+        slower = c.drive(scope.number(0.4 * c.value), 6, scope.number(_side(p, 1) * 2.2), 2.5)
+        return [([slower], found[0][1]), *found[1:]]
+    return found
 
 
 def _lose_control(c: Course, p: Phase) -> list[Step]:
@@ -199,7 +215,7 @@ def _collide(c: Course, p: Phase) -> list[Step]:
     if c.lane is None and not c.actor.is_ego:
         turn = ", egoTurn" if c.actor.plan.turning else ""
         spot = f"spot = meeting(line, way(egoLane{turn}))"
-        return [([spot, f"do Drive(line, lambda: meet(self, {other}, spot, {c.speed}))"], "")]
+        return [([spot, f"do Drive(line, lambda: strike(self, {other}, spot, {c.speed}))"], "")]
     faster = max(goal, c.target_speed(p) + 4) if c.same_lane(p) else goal
     return [([c.drive(scope.number(faster) if faster > goal else None)], "")]
 

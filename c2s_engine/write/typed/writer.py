@@ -69,6 +69,7 @@ class TypedWriter:
         still = [[c.id, c.spec.model_dump(mode="json", include={"type", "placement"})] for c in structure.objects if
                  isinstance(c.spec, ObjectSpec) and is_static(c.spec)]  # fmt: skip
         facts.append([s for s in still if s[0] != cid])
+        facts.append([[o, scope.variables(structure)[o]] for o in plan.leads.get(cid, ())])
         if cid == "E":
             return [*facts, reactions.threatening(structure), structure.settings.spec.model_dump().get("light")]
         return facts

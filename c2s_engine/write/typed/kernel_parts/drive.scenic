@@ -17,7 +17,7 @@ behavior Drive(points, speed, rate=3, offset=0, shift=1.5):
     `offset` m to their left, moving there at `shift` m/s. Pure pursuit, slower in bends."""
     i, last, beside = nearest(self, points), len(points) - 1, 0
     while True:
-        while i < last and (distance from self to points[i + 1]) <= (distance from self to points[i]):
+        while i < last - 1 and (distance from self to points[i + 2]) <= (distance from self to points[i]):
             i += 1
         goal = min(speed() if callable(speed) else speed, bend_speed(points, i))
         if i > last - 3:

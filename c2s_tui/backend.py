@@ -1,7 +1,9 @@
 """How the app comes to the engine and its sessions: everything of theirs runs in the engine's thread."""
 
+import asyncio
 import re
 from collections.abc import AsyncIterator, Callable
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -39,8 +41,13 @@ class Backend:
         await self.thread.do(make)
 
     async def start(self) -> None:
-        """Start the check server."""
-        await self.thread.call(self.engine.start)
+        """Start the engine's processes, and import meanwhile what the first turn needs."""
+
+        async def start() -> None:
+            await self.engine.start()
+            await asyncio.to_thread(import_module, "c2s_engine.session.turns")
+
+        await self.thread.call(start)
 
     async def open(self, name: str) -> Any:
         """Open (or make) a session and close the one before; raises SessionError, and then the old one stays open."""

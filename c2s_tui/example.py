@@ -1,5 +1,6 @@
 """The example session that a first run opens: one exported file, and six lines that explain it."""
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,14 @@ def file() -> Path:
 def lines() -> list[str]:
     """Six lines on what is on the screen and what to do next."""
     return shipped("examples", "session.txt").read_text("utf-8").strip().splitlines()
+
+
+def state() -> Any:
+    """Where the example stands, to be shown while it is being installed (that imports the database's side)."""
+    from c2s_engine.session.state import State
+
+    turns = json.loads(file().read_text("utf-8"))["turns"]
+    return State.model_validate(turns[-1]["state"])
 
 
 def install(sessions: Any, name: str) -> str:

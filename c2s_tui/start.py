@@ -4,6 +4,7 @@ from typing import Any
 
 from textual import work
 
+from c2s_tui import desk as desks
 from c2s_tui.screens.dialogs import Confirm
 
 EXAMPLE = "example"
@@ -46,9 +47,13 @@ class Start:
 
     async def welcome(self: Any) -> None:
         """The first run: the example session, explained in six lines; no model, no network."""
-        from c2s_tui.example import install, lines
+        from c2s_tui.example import install, lines, state
 
         try:
+            if self.session is None:
+                left = state()
+                self.desk = desks.restored(desks.opened(left.structure, left.program), left.stages, left.facts)
+                self.show()
             name = await self.backend.thread.do(lambda: install(self.backend.sessions, EXAMPLE))
         except (OSError, ValueError, RuntimeError) as error:
             await self.chat.note(f"The example could not be opened: {self._sentence(error)}", "warning")

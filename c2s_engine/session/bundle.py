@@ -32,11 +32,11 @@ def unbundle(store: Store, text: str, origin: str, name: str | None) -> str:
     """Make a session of a file's text; returns its name."""
     try:
         data = json.loads(text)
-        turns = [(t, State.model_validate(t["state"])) for t in data["turns"]] if data["format"] == FORMAT else []
+        turns = [(t, State.model_validate(t["state"])) for t in data["turns"]] if data["format"] == FORMAT else None
         wanted = name or str(data["name"])
     except (ValueError, KeyError, TypeError, ValidationError):
         raise SessionError(f"{origin} is no exported session") from None
-    if not turns:
+    if turns is None:
         raise SessionError(f"{origin} is no exported session of this version ({FORMAT})")
     taken = {r.name for r in store.rows()}
     free, number = wanted, 2

@@ -1,15 +1,19 @@
 """One open session: turns upon S that are durable, undone and redone, and what is typed meanwhile."""
 
 import asyncio
+import contextlib
 import fcntl
+import json
 import sqlite3
 from collections.abc import AsyncIterator, Callable, Iterable
 from contextlib import aclosing
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from c2s_engine.session.errors import SessionError
+from c2s_engine.session.files import write_whole
 from c2s_engine.session.journal import Drafts, Journal, Pending
 from c2s_engine.session.state import State, summary
 from c2s_engine.session.store import Row, Store, TurnRow
@@ -21,6 +25,8 @@ from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import Finished, ProgramChanged, Say, StructureChanged
 
 ROOT = "start"
+GLANCE = "head.json"
+"""The state where a session stands, beside the database, so that it can be shown before LangGraph is imported."""
 
 
 @dataclass(frozen=True)
@@ -39,20 +45,27 @@ class Session:
     """Made by `Sessions.open`. One turn at a time; a cancelled turn leaves everything as it was."""
 
     def __init__(self, store: Store, row: Row, folder: Path, engine: Any):
-        from c2s_engine.session.saver import SessionSaver
-        from c2s_engine.session.turns import build_turns
-
-        self._store, self._thread, self._folder = store, row.thread, folder
+        self._store, self._thread, self._folder, self._engine = store, row.thread, folder, engine
         self.name = row.name
         self._lock = _locked(folder, row.name)
         self._journal = Journal(folder / "journal.jsonl")
         self._drafts = Drafts(folder / "drafts")
-        self._saver = SessionSaver(store)
-        self._graph = build_turns(engine, self._saver)
         self._running = False
         row = store.row(row.name) or row
-        self._head, self._redo = row.head or self._root(), list(row.redo)
-        self._state = self._load(self._head)
+        self._head, self._redo = row.head, list(row.redo)
+        self._state = State() if self._head is None else self._glance(self._head) or self._load(self._head)
+
+    @cached_property
+    def _saver(self) -> Any:
+        from c2s_engine.session.saver import SessionSaver  # LangGraph: a second, which opening a session does not wait
+
+        return SessionSaver(self._store)
+
+    @cached_property
+    def _graph(self) -> Any:
+        from c2s_engine.session.turns import build_turns
+
+        return build_turns(self._engine, self._saver)
 
     @property
     def structure(self) -> Structure:
@@ -159,6 +172,8 @@ class Session:
         said: list[str] = []
         try:
             turn = begin()
+            if self._head is None:
+                self._head = await asyncio.to_thread(self._root)
             values = {"request": turn.model_dump(mode="json"), "state": self._state.model_dump(mode="json")}
             stream = self._graph.astream(values, self._config(self._head), stream_mode="custom", durability="exit")
             async with aclosing(stream) as events:  # type: ignore[type-var]
@@ -192,12 +207,14 @@ class Session:
         self._store.add_turn(self._thread, row)
         self._head, self._redo, self._state = row.checkpoint, [], after
         self._store.prune(self._thread)
+        self._keep_glance()
 
     def _go(self, checkpoint: str, redo: list[str]) -> Iterable[Any]:
         before = self._state
         self._state = self._load(checkpoint)
         self._store.move(self._thread, checkpoint, redo)
         self._head, self._redo = checkpoint, redo
+        self._keep_glance()
         rewritten = [c.id for c in self.structure.components if c not in before.structure.components]
         yield StructureChanged(structure=self.structure)
         yield ProgramChanged(program=self.program, rewritten=tuple(rewritten))
@@ -215,6 +232,19 @@ class Session:
         if found is None:
             raise SessionError(f"the session {self.name!r} lacks its checkpoint {checkpoint}: export what is there")
         return State.model_validate(found.checkpoint["channel_values"]["state"])
+
+    def _glance(self, checkpoint: str) -> State | None:
+        """The state of a checkpoint from the copy beside the database; None where that is of another, or broken."""
+        try:
+            copy = json.loads((self._folder / GLANCE).read_text(encoding="utf-8"))
+            return State.model_validate(copy["state"]) if copy["checkpoint"] == checkpoint else None
+        except (OSError, ValueError, KeyError, TypeError):
+            return None
+
+    def _keep_glance(self) -> None:
+        copy = {"checkpoint": self._head, "state": self._state.model_dump(mode="json")}
+        with contextlib.suppress(OSError):  # only the next opening is slower
+            write_whole(self._folder / GLANCE, json.dumps(copy))
 
     def _root(self) -> str:
         """The checkpoint of an empty S, at which every session starts."""

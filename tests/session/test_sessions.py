@@ -2,6 +2,8 @@
 
 import asyncio
 import sqlite3
+import subprocess
+import sys
 
 import pytest
 from langgraph.config import get_stream_writer
@@ -262,3 +264,30 @@ def test_a_file_that_is_no_database_is_one_sentence(tmp_path):
     (tmp_path / "sessions.sqlite").write_bytes(b"nonsense" * 1000)
     with pytest.raises(SessionError, match="cannot be read"):
         Sessions(tmp_path)
+
+
+async def test_opening_reads_the_copy_beside_the_database_and_does_without_a_broken_one(sessions, tmp_path):
+    session = sessions.open("one", FakeEngine())
+    await take(session.say("car"))
+    await take(session.say("truck"))
+    await take(session.undo())
+    state = whole(session)
+    session.close()
+    code = "import sys; from pathlib import Path; from c2s_engine.session.sessions import Sessions; " \
+           "s = Sessions(Path(sys.argv[1])).open('one', None); " \
+           "print(len(s.structure.objects), 'langgraph' in sys.modules)"  # fmt: skip
+    done = subprocess.run([sys.executable, "-c", code, sessions.folder], capture_output=True, text=True)
+    assert done.stdout.split() == ["1", "False"], done.stderr
+    (copy,) = sessions.folder.rglob("head.json")
+    for text in ('{"checkpoint": "other", "state": {}}', '{"checkpoint": "', "[]"):
+        copy.write_text(text)
+        again = sessions.open("one", FakeEngine())
+        assert whole(again) == state
+        again.close()
+
+
+async def test_a_session_in_which_nothing_happened_is_exported_too(sessions, tmp_path):
+    sessions.open("one", FakeEngine()).close()
+    sessions.export("one", tmp_path / "one.c2s")
+    assert sessions.import_file(tmp_path / "one.c2s", "two") == "two"
+    assert sessions.open("two", FakeEngine()).history == []

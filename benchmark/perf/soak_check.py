@@ -74,8 +74,6 @@ async def soak(checks: int, workers: int, folder: Path) -> dict:
     started = time.monotonic()
     async with CheckClient() as client:
         await client.ready()
-        process = client._process
-        assert process is not None
 
         async def one(i: int) -> None:
             kind = rng.choices(["good", "bad", "hostile"], [0.5, 0.3, 0.2])[0]
@@ -104,10 +102,10 @@ async def soak(checks: int, workers: int, folder: Path) -> dict:
             await asyncio.gather(*(worker() for _ in range(workers)))
             done += batch
             await asyncio.sleep(0.2)
-            now = family(process.pid)
+            now = family(client.pid)
             growth.append({"checks": done, "processes": len(now), "private_mib": round(sum(now.values()) / 1024, 1)})
             print(growth[-1], flush=True)
-        last = family(process.pid)
+        last = family(client.pid)
     await asyncio.sleep(2)
     left = [p for p in last if Path(f"/proc/{p}").exists()]
     return {

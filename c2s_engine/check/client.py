@@ -70,6 +70,11 @@ class CheckClient:
             )
             self._reading = asyncio.create_task(self._read(self._process))
 
+    @property
+    def pid(self) -> int:
+        """The server's process; 0 where there is none."""
+        return self._process.pid if self._process is not None else 0
+
     def _gone(self) -> bool:
         return self._reading is None or self._reading.done()
 
@@ -173,6 +178,11 @@ class SyncCheckClient:
 
     def ready(self) -> None:
         self._do(self._client.ready())
+
+    @property
+    def pid(self) -> int:
+        """The server's process."""
+        return self._client.pid
 
     def check(self, request: CheckRequest) -> CheckReport:
         return self._do(self._client.check(request))

@@ -113,7 +113,7 @@ class WalkerActor(Placed, carla.Walker):
 
     def __init__(self, *args: Any) -> None:
         super().__init__(*args)
-        self._control = carla.WalkerControl(direction=carla.Vector3D(), speed=0.0)
+        self._control = carla.WalkerControl()
         self._steered = False
         self.jumping = 0.0
         self.guide: Any = None

@@ -6,9 +6,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import carla
+import shapely
 
 from c2s_engine.dryrun.lights import Lights
 from c2s_engine.dryrun.roads import RoadIndex
+from c2s_engine.maps.controls import ControlPoint
 from c2s_engine.maps.extras import MapExtras
 
 SIGN_TYPES = {"signal": "1000001", "stop": "206", "yield": "205"}
@@ -74,8 +76,6 @@ class Streets(carla.Map):
         if lane is None:
             if not project_to_road:
                 return None
-            import shapely
-
             lane = int(self.index.tree.nearest(shapely.Point(x, y)))
         info = self.index.lanes[lane]
         s = min(max(info.project(x, y)[0], 0.0), info.length)
@@ -99,23 +99,29 @@ class Streets(carla.Map):
             gone += info.length
             if junctions:
                 if gone <= distance:
-                    found += self._signs_of(info.road, junctions, gone, place)
+                    found += self._signs_of(info.road, junctions, gone)
                 break
             lane = self.index.ahead(lane)
         return found
 
-    def _signs_of(self, road: str, junctions: set, distance: float, place: Place) -> list[Sign]:
-        found = []
-        for control in self.extras.controls if self.extras else ():
-            if str(control.road) == road and str(control.junction) in junctions:
-                transform = carla.Transform(carla.Location(control.x, -control.y, 0.0))
-                light = self.lights.by_approach.get((str(control.junction), road))
-                found.append(Sign(f"{control.junction}/{road}", SIGN_TYPES[control.kind], distance, transform,
-                                  light if control.kind == "signal" else None, control.kind))  # fmt: skip
-        return found
+    def _signs_of(self, road: str, junctions: set, distance: float) -> list[Sign]:
+        return [
+            self._sign(control, distance)
+            for control in (self.extras.controls if self.extras else ())
+            if str(control.road) == road and str(control.junction) in junctions
+        ]
+
+    def _sign(self, control: ControlPoint, distance: float) -> Sign:
+        transform = carla.Transform(carla.Location(control.x, -control.y, 0.0))
+        light = self.lights.by_approach.get((str(control.junction), str(control.road)))
+        name = f"{control.junction}/{control.road}"
+        shown = light if control.kind == "signal" else None
+        return Sign(name, SIGN_TYPES[control.kind], distance, transform, shown, control.kind)
 
     def get_all_landmarks_from_id(self, opendrive_id: Any) -> list[Sign]:
-        return []
+        """The signs and lights that have an id in the map's file."""
+        controls = self.extras.controls if self.extras else ()
+        return [self._sign(control, 0.0) for control in controls if control.mark == str(opendrive_id)]
 
     def random_walk(self, rng: random.Random) -> Any:
         """A point on some sidewalk."""

@@ -3,7 +3,7 @@
 import math
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from c2s_engine.maps.opendrive import Road, number
@@ -32,7 +32,8 @@ class Link:
 class ControlPoint:
     """A traffic light, stop or yield sign: where it stands, which way the traffic goes that it faces, and whom.
 
-    `x`, `y`, `s` (along `road`) in m, `heading` in rad; `lanes`: the signed ids of the lanes of `road` that it faces.
+    `x`, `y`, `s` (along `road`) in m, `heading` in rad; `lanes`: the signed ids of the lanes of `road` that it faces;
+    `mark`: the signal's id in the file.
     """
 
     kind: ControlKind
@@ -43,6 +44,7 @@ class ControlPoint:
     lanes: tuple[int, ...]
     junction: int | None
     s: float
+    mark: str = ""
 
 
 def read_controls(elements: list[ET.Element], geometry: dict[int, Road], links: list[Link]) -> tuple[ControlPoint, ...]:
@@ -60,7 +62,7 @@ def read_controls(elements: list[ET.Element], geometry: dict[int, Road], links: 
         for signal in [*element.findall("signals/signal"), *element.findall("signals/signalReference")]:
             mark = signal.get("id", "")
             for point in reader.points(signal, int(number(element, "id")), *placed[mark]) if mark in placed else ():
-                found.setdefault((mark, point.road, point.junction), point)
+                found.setdefault((mark, point.road, point.junction), replace(point, mark=mark))
     return tuple(found.values())
 
 

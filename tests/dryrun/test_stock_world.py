@@ -1,4 +1,4 @@
-"""Every action and behaviour of the stock CARLA model shows its effect in the dry run."""
+"""How what the stock CARLA model offers works out in the dry run: pedals, paths, walkers, lights, collisions, ends."""
 
 import numpy as np
 import pytest
@@ -40,14 +40,16 @@ def test_throttle_brake_and_handbrake(run):
     assert 8.0 < fall < 9.5 and path.speed[-1] == 0
     path = ways(run, "take SetSpeedAction(10)\ntake SetHandBrakeAction(True)")
     assert path.speed[-1] == 0
-    free = ways(run, "take SetSpeedAction(10)")
-    assert 4 < free.speed[-1] < 8, "it rolls on, slowed by drag and by the engine"
 
 
-def test_speed_and_velocity_are_taken_on_at_once(run):
-    assert ways(run, "take SetSpeedAction(30)", seconds=1).speed[1] == pytest.approx(30, abs=0.1)
-    path = ways(run, "while True:\n    take SetVelocityAction(3, 4)", seconds=2)
-    assert moved(path) == pytest.approx(10, rel=0.1)
+@pytest.mark.parametrize(("speed", "least", "most"), [(10, 0.3, 0.8), (30, 0.5, 1.1)])
+def test_coasting_slows_as_a_car_in_gear_does(run, speed, least, most):
+    """Without pedals a car of 1.5 t loses about 0.1-0.15 m/s2 to the tyres, 0.03 (10 m/s) to 0.25 (30 m/s) to the air
+    (half of 1.2 kg/m3 times 0.65 m2 times the speed squared), and 0.2-0.6 to the engine, which is in gear: CARLA's
+    automatic gearbox keeps it so (its engine's damping is far greater at closed throttle than at full)."""
+    path = ways(run, f"take SetSpeedAction({speed})", seconds=2)
+    slowing = (path.speed[5] - path.speed[15]) / 1.0
+    assert least < slowing < most
 
 
 def test_steering_and_its_sign(run):
@@ -70,29 +72,6 @@ def test_regulated_control(run):
     assert ways(run, "while True:\n    take RegulatedControlAction(1, 0, 0)").speed[-1] > 8
     path = ways(run, "take SetSpeedAction(20)\nwhile True:\n    take RegulatedControlAction(-1, 0, 0)", seconds=3)
     assert 0.5 < -np.diff(path.speed).min() / 0.1 < 1.2, "it never brakes: Scenic zeroes the signal before it uses it"
-
-
-def test_positions(run):
-    path = ways(run, "take SetPositionAction(self.position + Vector(5, 0))", seconds=1)
-    assert moved(path) == pytest.approx(5)
-    path = ways(run, "take SetLocationAction(self.position + Vector(0, 5))", seconds=1)
-    assert moved(path) == pytest.approx(5)
-    path = ways(run, "take OffsetAction(Vector(0, 3))", seconds=1)
-    assert moved(path) == pytest.approx(3)
-
-
-@pytest.mark.parametrize("action", ["SetTransformAction(self.position, 0)", "SetAngularVelocityAction(1)"])
-def test_actions_that_are_broken_in_scenic_itself_are_reported_as_in_carla(run, action):
-    done = run(program(f"take {action}"), seconds=1)
-    assert done.ended_by == "error"
-    assert "at 0.0 s, in B of" in done.reason and "Error" in done.reason
-
-
-def test_vehicle_lights_and_jump(run):
-    done = run(program("take SetVehicleLightStateAction(2)\nwait"), seconds=1)
-    assert done.ended_by == "time"
-    walker = program("take SetJumpAction(True)\nwait", kind="Pedestrian", more=", with regionContainedIn everywhere")
-    assert run(walker, seconds=1).ended_by == "time"
 
 
 def test_walking(run):
@@ -161,13 +140,6 @@ ego = new Car following first.orientation from first.centerline[-1] for -30,
         path = run(text.format(kind=kind), seconds=14).recording.paths[0]
         assert turned(path) == pytest.approx(sign * np.pi / 2, abs=0.15)
         assert all(network.drivableRegion.containsPoint((x, y, 0)) for x, y in zip(path.x, path.y, strict=True))
-
-
-def test_waypoints_are_tracked(run):
-    points = "pts = [(self.position.x + 5*i, self.position.y) for i in range(40)]"
-    text = f"{points}\nwhile True:\n    take TrackWaypointsAction(pts, 8)"
-    path = ways(run, text, seconds=8)
-    assert path.x[-1] - path.x[0] > 35 and abs(path.y[-1] - path.y[0]) < 1.0
 
 
 def test_autopilot_drives_and_keeps_its_distance(run):

@@ -3,8 +3,8 @@
 import asyncio
 
 import pytest
-from hosts import host_program
 
+from c2s_bench.perf.snippet_hosts import host_program
 from c2s_engine.check.client import CheckClient
 from c2s_engine.check.protocol import CheckRequest
 from c2s_engine.paths import shipped

@@ -159,6 +159,10 @@ class Agents:
                     and self.words[word.i - 1].norm == "then"
                 ):
                     above = self._governor(above) or above
+            if word.dep == "conj" and above is not None:
+                nearer = [c for c in above.children if above.i < c < word.i and self.words[c].dep == "conj" and self._is_verb(self.words[c])]
+                if nearer and any(self.words[c].dep in ("nsubj", "nsubjpass") for c in self.words[nearer[-1]].children):
+                    above = self.words[nearer[-1]]
             if above is not None and above.i != word.i:
                 if word.dep == "csubj":
                     found = next(

@@ -215,6 +215,8 @@ class Clauses(Timing):
             self.light.add(word.i)
             return
         agent, at, passive = self._subject(word)
+        if agent is None and word.tag.startswith("NN"):
+            agent = next((self.cast.of[c] for c in word.children if c < word.i and c in self.cast.of), None)
         if (
             agent is None
             and word.dep == "conj"
@@ -232,6 +234,8 @@ class Clauses(Timing):
                 if above is not None and above.i in self.by_word
                 else self.by_word[word.head].agent
             )
+        if agent is None and word.tag == "VBG" and word.dep in ("advcl", "pcomp", "xcomp") and word.head in self.by_word and word.head < word.i:
+            agent = self.by_word[word.head].agent
         if agent is None:
             agent = self.topic(word)
         if agent is None:
@@ -253,8 +257,11 @@ class Clauses(Timing):
                 words=[word.i],
             )
             self.events.append(then)
+        if event.act in ("brake", "brake_stop", "stop") and not event.hard:
+            following = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5] if w.sentence == word.sentence)
+            event.hard = bool(re.match(r"((very|quite|rather|so|pretty|really) )?(hard|harder|sharply|abruptly|heavily|strongly|violently)\b", following))
         event.words, event.mode, event.passive = own, self._mode(word), passive
-        if event.act == "stop" and passive and event.agent is agent and not re.search(r"\bby @", whole):
+        if event.act == "stop" and passive and lemma != "bring" and event.agent is agent and not re.search(r"\bby @", whole):
             event.act = "stationary"
         if event.act == "follow" and passive and event.agent is agent and not event.agent.ego and not re.search(r"\bby @", whole):
             event.agent, event.patient = self.cast.ego, agent
@@ -317,6 +324,9 @@ class Clauses(Timing):
     def _event(
         self, lemma: str, word: Word, text: str, whole: str, agent: Entity | None, patient: Entity | None
     ) -> Event | None:
+        said, said_whole = text, whole
+        if agent is not None:
+            text, whole = (re.sub(rf"@{agent.key} 's\b", "its", t) for t in (text, whole))
         for rule, lemmas, patterns in _rules("verbs"):
             if lemma not in lemmas:
                 continue
@@ -370,8 +380,8 @@ class Clauses(Timing):
                 rule["act"],
                 actor,
                 word.i,
-                text,
-                whole,
+                said,
+                said_whole,
                 patient if not rule.get("swap") else None,
                 hard=bool(rule.get("hard")),
                 order=float(word.i),

@@ -70,6 +70,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             ):
                 continue
             elif act != "evade":
+                joined = scene.where(event.patient).lane if event.patient is not None and not towards else None
+                towards = towards or (joined if joined in ("left", "right") else None)
                 phases.append(Phase(action="lane_change", side=towards or _free_side(place), trigger=trigger))
         elif (
             act == "overtake"

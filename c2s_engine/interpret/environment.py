@@ -66,11 +66,30 @@ def time_of_day(plain: str, sentences: list[tuple[int, int]]) -> Found | None:
     """The time of day; the more special word wins (dawn, dusk, night, then day)."""
     hits = _hits("time", plain, sentences)
     if not hits:
-        return None
+        return clock(plain)
     values = [h.value for h in hits]
     if "day" in values and "night" in values:  # "night-time variant of the daytime test": the first that is said
         return min((h for h in hits if h.value in ("day", "night")), key=lambda h: h.span)
     return hits[0]
+
+
+CLOCK = re.compile(
+    r"\b(?:(?P<hour>[01]?\d|2[0-3])[:.h](?P<minute>[0-5]\d)(?!\d)(?: ?(?P<half>[ap])\.?m\b)?|(?P<hour2>1[0-2]|[1-9]) ?(?P<half2>[ap])\.?m\b|(?P<hour3>[01]\d|2[0-3])[0-5]\d (?:hours|hrs|h)\b)"
+)
+
+
+def clock(plain: str) -> Found | None:
+    """The time of day by the clock: night from nine to five, dawn and dusk around six, else day."""
+    match = CLOCK.search(plain)
+    if match is None or re.match(r"\s?(?:m|s|km|ft|g|%)\b", plain[match.end() : match.end() + 4]):
+        return None
+    hour = int(match["hour"] or match["hour2"] or match["hour3"])
+    half = match["half"] or match["half2"]
+    hour = hour % 12 + (12 if half == "p" else 0) if half else hour
+    if match["hour"] and not half and not re.search(r"(?:at|around|about|approximately|approx\.?|time:?)\s+$", plain[max(0, match.start() - 16) : match.start()]):
+        return None
+    value = "night" if hour >= 21 or hour < 5 else "dawn" if hour < 7 else "dusk" if 19 <= hour else "day"
+    return Found(value, 0.8, match.span())
 
 
 def light(plain: str, sentences: list[tuple[int, int]]) -> list[Found]:

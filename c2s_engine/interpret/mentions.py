@@ -228,7 +228,7 @@ class Cast(Pronouns):
             return None
         if "no" in before or previous in ("no", "without", "any"):
             return None
-        if kind == "pedestrian" and self._rides(word):
+        if kind in ("pedestrian", "child") and self._rides(word):
             return None
         if self._is_modifier(word) or noun == "traffic" and not roles or self._proper(word):
             return None
@@ -289,6 +289,10 @@ class Cast(Pronouns):
         definite = bool(DEFINITE & set(before)) or previous in DEFINITE
         other = bool({"other", "another"} & set(before)) or previous in ("other", "another")
         ordinal = next((ORDINALS[b] for b in before if b in ORDINALS), None)
+        if definite and not other and ordinal is None and " " not in noun:
+            named = [e for e in self.entities if e.noun.endswith(f" {noun}") and e.count == count]
+            if named:
+                return named[-1]
         if not other and not ordinal:
             for entity in self.entities:
                 if (

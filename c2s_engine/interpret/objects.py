@@ -32,6 +32,8 @@ def compose_object(scene: Scene, entity: Entity, ids: dict[Entity, str], place: 
     kind = "car" if entity.type in ("vehicle",) else "bicycle" if entity.type == "rider" else entity.type
     if entity.type == "vehicle":
         assumed.append(Assumption(field="type", value="car", reason="the text says only that it is a vehicle"))
+    if "guessed" in entity.roles:
+        assumed.append(Assumption(field="type", value=kind, reason=f"“{entity.noun}” is no known road user: its type is taken from what it does"))
     placement = _placement(scene, entity, ids, place, assumed)
     phases = phases_of(scene, entity, ids, placement, place)
     speed = _speed(scene, entity, kind, phases, ego, placement, place, assumed)

@@ -50,7 +50,26 @@ class Pronouns:
             if person and norm in ("their", "they", "them"):
                 return person[-1]
             return self._salient(word, lambda e: e.mover)
-        return self._elliptic(word)
+        return self._elliptic(word) or self._unknown(word)
+
+    def _unknown(self, word: Word) -> Entity | None:
+        """A noun that no table knows: by what it is said to do it must be a road user or a thing on the road."""
+        if word.tag not in ("NN", "NNP") or len(word.norm) < 3:
+            return None
+        data = language.table("actors")
+        if word.lemma in data["never"] or word.norm in data["parts"]:
+            return None
+        known = next((e for e in self.entities if "guessed" in e.roles and e.noun == word.norm), None)
+        if known is not None:
+            return known
+        if word.dep != "nsubj" or not {"a", "an", "one", "another"} & {self.words[c].norm for c in word.children}:
+            return None
+        verb = self.words[word.head]
+        rest = " ".join("@" if w.span is not None else w.norm for w in self.words[verb.i + 1 : verb.i + 9] if w.sentence == word.sentence)
+        for guess in data["guesses"]:
+            if verb.lemma in guess["verbs"] and re.search(guess["with"], rest):
+                return self._new(Entity("", guess["type"], noun=word.norm, roles={"guessed"}, typed=guess["type"] != "vehicle"))
+        return None
 
     def _on_foot(self, word: Word) -> bool:
         """Whether a driver or passenger leaves the vehicle: then it is a person of its own."""
@@ -173,6 +192,8 @@ class Pronouns:
 
     def _subject_of(self, verb: Word) -> Entity | None:
         current = verb
+        if any(self.words[c].dep == "expl" for c in verb.children):
+            return None
         for _ in range(5):
             for child in current.children:
                 if self.words[child].dep in ("nsubj", "nsubjpass"):

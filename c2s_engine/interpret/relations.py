@@ -11,6 +11,9 @@ from c2s_engine.interpret.whereabouts import STATES, Where, read, side_of_text
 __all__ = ["STATES", "Places", "Where", "read", "side_of_text"]
 
 
+PLACING = frozenset(("facing", "following", "level", "side", "abreast", "alongside", "next", "adjacent"))
+
+
 class Places(Inferred):
     """The start relation of every entity."""
 
@@ -129,6 +132,9 @@ class Places(Inferred):
         known = set(self.cast.of) | set()
         indices = sorted(set(indices))
         text += self.clauses.render(indices)
+        if word.span is not None and self.words[word.head].norm in ("with", "is", "are"):
+            following = self._following(i)
+            read(self.clauses.render(following), where, entity, self.cast, "noun")
         if known and text.strip():
             read(text, where, entity, self.cast, "noun")
             self._gap(indices, where)
@@ -153,27 +159,18 @@ class Places(Inferred):
         if (
             word.span is not None
             and (
-                not indices and word.dep in ("pobj", "conj", "dobj", "attr", "ROOT", "dep", "appos", "nsubj") or counted
+                (not indices or self.words[word.head].norm == "with") and word.dep in ("pobj", "conj", "dobj", "attr", "ROOT", "dep", "appos", "nsubj") or counted
             )
             or word.norm == "another"
         ):
-            after: list[int] = []
-            for other in self.words[i + 1 : i + 14]:
-                if (
-                    other.sentence != word.sentence
-                    or other.norm in (",", ".", ";", "and", "(", ":", "-", "but", "while", "when")
-                    or (other.verb and other.tag != "VBN")
-                    or other.norm in ("that", "which", "who")
-                ):
-                    break
-                after.append(other.i)
+            after = self._following(i)
             if (
                 after
                 and word.dep == "dobj"
                 and re.match(r"(in|on) the (rear|side|back|front|left|right)(?!(-hand|most)? lane)", self.clauses.render(after))
             ):
                 after = []
-            if after and self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO"):
+            if after and (self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO") or self.words[after[0]].norm in PLACING):
                 read(self.clauses.render(after), where, entity, self.cast, "noun")
                 self._gap(after, where)
         if self.clauses.fragment(i):
@@ -187,6 +184,19 @@ class Places(Inferred):
             read(self.clauses.render([r for r in rest if r > i]), where, entity, self.cast, "noun")
             self._gap(rest, where)
 
+    def _following(self, i: int) -> list[int]:
+        """The words right after a noun that may say where it is, up to the end of the phrase."""
+        found: list[int] = []
+        for other in self.words[i + 1 : i + 14]:
+            if (
+                other.sentence != self.words[i].sentence
+                or other.norm in (",", ".", ";", "and", "(", ":", "-", "but", "while", "when", "that", "which", "who")
+                or (other.verb and other.tag != "VBN" and other.norm not in PLACING)
+            ):
+                break
+            found.append(other.i)
+        return found
+
     def _gap(self, indices: list[int], where: Where, only_ahead: bool = False) -> None:
         if where.gap is not None:
             return
@@ -195,6 +205,8 @@ class Places(Inferred):
             before = " ".join(w.norm for w in self.words[max(0, quantity["word"] - 5) : quantity["word"]])
             after = " ".join(w.norm for w in self.words[quantity["word"] + 1 : quantity["word"] + 8])
             if quantity["dimension"] == "distance":
+                if re.match(r"to spare|to go|of (it|the)", after):
+                    continue
                 if (
                     re.search(r"^(high|tall|wide|long|deep|thick)", after)
                     or re.search(
@@ -205,7 +217,7 @@ class Places(Inferred):
                 ):
                     continue
                 if re.search(
-                    r"ahead|in front|behind|away|back|distance|apart|gap|from|at|further|beyond|short|before|#dist (to|of)|least|along|on\b|down",
+                    r"ahead|in front|behind|away|back|distance|apart|gap|headway|clearance|spacing|separation|room|up the|from|at|further|beyond|short|before|#dist (to|of)|least|along|on\b|down",
                     before + " " + after + " " + text,
                 ) and not (only_ahead and re.search(r"(drive|travel)s? (for )?#dist", text)):
                     if re.search(r"(after|for|every) (about |around )?$", before + " ") or re.search(

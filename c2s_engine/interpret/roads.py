@@ -125,7 +125,7 @@ def _ego_on_ramp(scene: Scene) -> bool:
     for event in scene.events(scene.cast.ego):
         if re.search(
             r"on-?ramp|acceleration lane|slip road|entrance ramp|entry ramp|ramp|merg\w+ (on)?to the (motorway|highway|freeway|interstate)|join\w* (the |a )?(motorway|highway|freeway|interstate)",
-            event.whole,
+            re.sub(r"(off|exit)[- ]?ramp", "", event.whole),
         ) and not re.search(r"@a\d", event.whole.split("ramp")[0][-25:]):
             return True
         if (

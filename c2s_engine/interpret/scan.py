@@ -54,10 +54,10 @@ def _bare() -> re.Pattern[str]:
     nouns = language.alternatives(list(language.actor_nouns()))
     number = language.alternatives([w for w, v in language.table("units")["numbers"].items() if 10 <= float(v) <= 200])
     return re.compile(
-        rf"(?:\b(?:{nouns}|(?:{'|'.join(language.table('ego')['strong'])})|v[12]|straight|left|right|lane|ahead|behind|doing|going|brakes? to|slows? (?:down )?to|accelerates? to)"
+        rf"(?:(?:\(ego\)|\b)(?:{nouns}|(?:{'|'.join(language.table('ego')['strong'])})|v[12]|car ?[1-9]|(?<=\(ego\))|straight|left|right|lane|ahead|behind|doing|going|brakes? to|slows? (?:down )?to|accelerates? to)"
         rf"(?: at| drives| doing|:| speed)? (?:about |around |roughly |a steady |only )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)(?=\s*(?:[,.;)]|$|straight\b|and\b|in the\b|same\b|left\b|right\b|but\b|on the\b|behind\b|ahead\b|in (?:left|right)\b))"
         rf"|\b(?:ego|lead|lv|sv|vut|target) (?P<head>\d{{2,3}})(?= (?!(?:m|s|sec\w*|min\w*|hours?|years?|people|cars|vehicles|trucks|km|ft|feet|degrees|percent|to|of|lanes?|am|pm)\b)[a-z])"
-        rf"|\b(?:(?:north|south|east|west)bound|driv\w+|travel\w*|going|cruis\w+|moving|approach\w*|arriv\w+|rid\w+|coming|runs?)(?: [a-z][\w'-]*){{0,3}} at (?:about |around |roughly |a steady )?(?P<at>[1-9]\d?[05]|(?:{number}))(?=\s*(?:[,.;)]|$|and\b|when\b|in\b|on\b))"
+        rf"|\b(?:(?:north|south|east|west)bound|driv\w+|travel\w*|going|cruis\w+|moving|sit\w*|approach\w*|arriv\w+|rid\w+|coming|runs?)(?: [a-z][\w'-]*){{0,3}} at (?:about |around |roughly |a steady )?(?P<at>[1-9]\d?[05]|(?:{number}))(?=\s*(?:[,.;)]|$|and\b|when\b|in\b|on\b|because\b|as\b|while\b|with\b))"
         rf"|(?<=lane )(?P<lane>\d{{2,3}})(?=\s*(?:[,.;)]|$))"
     )
 
@@ -66,7 +66,7 @@ def bare_speeds(text: str) -> list[Span]:
     """Numbers without a unit after a road user or its lane, in the shorthand of tests ("ego 60, lead 40"): mph where
     the text has mph anywhere, else km/h."""
     found = []
-    factor = 0.44704 if re.search(r"\bmph\b|miles per hour", text) else 1 / 3.6
+    factor = 0.44704 if re.search(r"\bmph\b|\bmiles?\b|\bfeet\b|\bfoot\b|\d ?ft\b|\byards?\b", text) else 1 / 3.6
     for match in _bare().finditer(text):
         group = next(name for name, value in match.groupdict().items() if value)
         value = _value(match[group])
@@ -200,6 +200,10 @@ def names(text: str) -> list[Span]:
         noun = re.sub(r"[\s-]+", " ", match["noun"])
         if noun in language.makes() and not _stands_for_a_vehicle(text, start, end):
             continue
+        if noun == "cab" and re.search(r"(?:\b(?:his|her|its|their)|'s)\s+$", text[max(0, start - 8) : start]):
+            continue
+        if noun in ("couple", "flock", "herd", "family", "group") and re.match(r"\s+of\s", text[end : end + 4]):
+            continue
         if noun in queues and re.match(r"\s+of\s", text[end : end + 4]) or noun == "bus" and _BUS_STOP.match(text[end : end + 16]):
             continue
         kind, plural, person = _noun(noun)
@@ -323,6 +327,10 @@ def shorthand(plain: str, sentences: list[tuple[int, int]], names: list[Span]) -
     for start, end in sentences:
         piece = plain[start:end]
         at = start
+        colon = re.search(r":\s+(?=\S)", piece)
+        if colon and not any(start <= n.start < start + colon.start() for n in names) and any(start + colon.end() <= n.start < end for n in names):
+            found.append((start, start + colon.start()))
+            at = start + colon.end()
         if not re.search(r"\b(?:the|an?|its?|his|her|their)\b", piece):
             for name in names:
                 comma = re.search(r",\s*$", plain[at : name.start]) if at < name.start <= end else None

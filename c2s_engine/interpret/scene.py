@@ -254,6 +254,9 @@ def _actors(scene: Scene) -> list[Entity]:
         ):
             kept.append(entity)
             continue
+        if entity.person and where.hidden_by is not None:
+            kept.append(entity)
+            continue
         if (
             not own
             and not passive
@@ -505,10 +508,12 @@ def _rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             sentence = " ".join(w.norm for w in cast.words if abs(w.sentence - cast.words[event.word].sentence) <= 1)
             if re.search(r"stop sign", sentence) and road.stop_sign:
                 event.act, event.mode = "run_stop", "fact"
-            elif re.search(r"red (light|signal)|traffic (light|signal)", event.whole + " " + sentence) and re.search(
+            elif re.search(r"\bred\b|traffic (light|signal)", event.whole + " " + sentence) and re.search(
                 r"(fail|not|never|without).{0,30}stop.{0,30}(red|light|signal)", sentence
             ):
                 event.act, event.mode = "run_red", "fact"
+        if event.mode == "negated" and cast.words[event.word].norm in ("move", "moving") and event.act in ("travel", "start", "move_along"):
+            event.act, event.mode = "stationary", "fact"
         if event.act == "yield" and event.mode == "negated" and not event.agent.ego:
             event.act, event.mode = "cross_path", "fact"
         if event.act == "pass_by":

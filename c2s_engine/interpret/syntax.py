@@ -12,6 +12,7 @@ from typing import Any
 
 import regex
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.scan import Span
 
 WORD = regex.compile(
@@ -131,9 +132,16 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
     parts: list[tuple[int, list[int]]] = []  # (sentence, indices of its pieces): the main part, then each bracket
     for number, piece in enumerate(pieces):
         parts += [(number, part) for part in _brackets(piece)]
-    docs = [Doc(nlp.vocab, words=[pieces[number][i][0] for i in part]) for number, part in parts]
+    docs = list(nlp.pipe([Doc(nlp.vocab, words=[pieces[number][i][0] for i in part]) for number, part in parts]))
+    again = {}
+    for at, ((number, part), doc) in enumerate(zip(parts, docs, strict=True)):
+        verbs = _mistaken(doc, [pieces[number][i] for i in part], plain)
+        if verbs:
+            again[at] = Doc(nlp.vocab, words=[verbs.get(t.i, t.text) for t in doc])
+    for at, doc in zip(again, nlp.pipe(again.values()), strict=True):
+        docs[at] = doc
     parsed: dict[int, list[tuple[list[int], Any]]] = {number: [] for number in range(len(pieces))}
-    for (number, part), doc in zip(parts, nlp.pipe(docs), strict=True):
+    for (number, part), doc in zip(parts, docs, strict=True):
         parsed[number].append((part, doc))
     words: list[Word] = []
     for number, piece in enumerate(pieces):
@@ -144,7 +152,7 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
             for token, i in zip(doc, part, strict=True):
                 proxy, start, end, span = piece[i]
                 norm = plain[start:end]
-                lemma = norm if proxy != norm else token.lemma_.lower()
+                lemma = norm if token.text != norm else token.lemma_.lower()
                 head, dep = part[token.head.i], token.dep_
                 if (
                     part[0] > 0
@@ -172,6 +180,45 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
         if word.head != word.i:
             words[word.head].children.append(word.i)
     return words
+
+
+@cache
+def _verbs() -> frozenset[str]:
+    """The third person singular of every verb of motion."""
+    lemmas = {v for rule in language.table("motions")["verbs"] for v in rule["verbs"]}
+    return frozenset(
+        v[:-1] + "ies" if regex.search("[^aeiou]y$", v) else f"{v}es" if v.endswith(("s", "sh", "ch", "x", "z", "o")) else f"{v}s" for v in lemmas
+    )
+
+
+SUBJECT_ENDS = frozenset(
+    ["ahead", "behind", "front", "left", "right", "side", "lane", "then", "and", "but", "also", "who", "which", "that", "it", "he", "she", ")", ",", "again", "road", "direction", "now"]
+)
+
+
+def _mistaken(doc: Any, piece: list[tuple[str, int, int, Span | None]], plain: str) -> dict[int, str]:
+    """Words taken for plural nouns that can only be the verb of the road user before them ("the car ahead decelerates"),
+    with a verb that the parser knows."""
+    found: dict[int, str] = {}
+    for token in doc:
+        _, start, end, span = piece[token.i]
+        if token.tag_ not in ("NNS", "NN", "NNP", "NNPS") or span is not None or plain[start:end] not in _verbs():
+            continue
+        before = piece[token.i - 1] if token.i else None
+        spoken = any(p[3] is not None and p[3].kind in ("ego", "label", "actor") for p in piece[: token.i])
+        if before is None or not spoken or not (before[3] is not None or before[0].endswith("ly") or plain[before[1] : before[2]] in SUBJECT_ENDS):
+            continue
+        if before[3] is not None and before[3].data.get("plural") or any(t.tag_ in ("VBZ", "VBD", "MD") and t.head.i == token.i for t in doc):
+            continue
+        if any(t.tag_ in ("VBZ", "VBD", "VBP", "MD") and t.i < token.i and not _closed(doc, t.i, token.i) for t in doc):
+            continue
+        found[token.i] = "goes" if FOLLOWS.match(plain[end : end + 16]) else "takes"
+    return found
+
+
+def _closed(doc: Any, verb: int, at: int) -> bool:
+    """Whether a new clause begins between a verb and a later word."""
+    return any(t.text in (",", "and", "but", "then", ";", "while", "when", "as", "because", "who", "which", "that") for t in doc[verb + 1 : at])
 
 
 def _brackets(piece: list[tuple[str, int, int, Span | None]]) -> list[list[int]]:
@@ -342,7 +389,7 @@ MOTION = frozenset(
         "indicate",
     ]
 )
-TRANSITIVE = frozenset(["trails", "leads", "lets"])
+TRANSITIVE = frozenset(["trails", "leads", "lets", "checks", "hits", "strikes", "misses"])
 VERBAL_LEFT = regex.compile(r"left\s+(?:the|its|his|their|a|that|this)\s+(?!side|lane of)")
 
 
@@ -367,7 +414,7 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         before is not None
         and (before.kind != "quantity" or before.data["dimension"] == "speed" and text != "stops")
         and text.endswith("s")
-        and (text in NOUN_LIKE or text[:-1] in MOTION or text[:-2] in MOTION)
+        and (text in NOUN_LIKE or text in TRANSITIVE or text[:-1] in MOTION or text[:-2] in MOTION)
     ):
         if text in TRANSITIVE:
             return "follows" if text != "lets" else text
@@ -422,6 +469,7 @@ def _proxies(plain: str, span: Span, before: str) -> list[tuple[str, int, int, S
         and not before.isdigit()
         or before.isdigit()
     )
+    after_determiner = after_determiner and not (span.kind == "ego" and before.endswith(("way", "city", "country", "day")))
     if span.kind == "label":
         return [("V" + span.data["label"].rpartition(" ")[2].upper(), start, end, span)]
     if span.kind == "ego":

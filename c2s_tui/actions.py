@@ -148,12 +148,19 @@ class Actions(Start, Files, Choices):
             await self.chat.note("Nothing was found.", "note")
 
     async def do_use(self: Any, argument: str) -> None:
+        from c2s_engine.session.citing import description_of
+
         passages = self.chat.passages
         if not argument.isdigit() or not 1 <= int(argument) <= len(passages):
             await self.chat.note(f"Say which: /use 1 to /use {len(passages)}." if passages else
                                  "There is no result to use: /search first.", "error")  # fmt: skip
             return
-        self.chat.entry.put(" ".join(passages[int(argument) - 1].text.split()))
+        chosen = passages[int(argument) - 1]
+        if chosen.kind == "snippet":
+            await self.chat.note("That is code of a component: write it into one in the code.", "error")
+            return
+        siblings = await self.backend.ask("search", chosen.title, kind="doc", limit=10)
+        self.chat.entry.put(description_of(chosen, siblings))
         self.leave_code("chat")
 
     async def do_why(self: Any, argument: str) -> None:

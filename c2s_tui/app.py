@@ -13,6 +13,7 @@ from textual.events import Key
 from textual.widgets import Static
 
 from c2s_tui import prefs as preferences
+from c2s_tui.look.kinds import ascii_only
 from c2s_tui.look.themes import DEFAULT, themes
 
 
@@ -39,7 +40,11 @@ class C2SApp(App[None]):
         for theme in themes():
             self.register_theme(theme)
         wanted = self.prefs.theme if self.prefs.theme in self.available_themes else DEFAULT
-        self.theme = "c2s-mono" if self.no_color else "c2s-ansi" if os.environ.get("TERM") == "linux" else wanted
+        few = os.environ.get("TERM") == "linux" or self.console.color_system == "standard"
+        self.theme = "c2s-mono" if self.no_color else "c2s-ansi" if few and wanted != "c2s-mono" else wanted
+        self.set_class(ascii_only(), "-ascii")
+        if not self.prefs.animation:
+            self.animation_level = "none"
 
     def compose(self) -> ComposeResult:
         yield Static(" c2s", id="top", markup=False)
@@ -93,8 +98,8 @@ class C2SApp(App[None]):
 
     def copy_to_clipboard(self, text: str) -> None:
         """To the terminal's clipboard, through a multiplexer where there is one."""
-        from c2s_tui.clipboard import osc52
+        from c2s_tui.clipboard import copy
 
         self._clipboard = text
         if self._driver is not None:
-            self._driver.write(osc52(text))
+            copy(text, self._driver.write)

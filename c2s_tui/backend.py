@@ -1,6 +1,7 @@
 """How the app comes to the engine and its sessions: everything of theirs runs in the engine's thread."""
 
 import asyncio
+import contextlib
 import re
 from collections.abc import AsyncIterator, Callable
 from importlib import import_module
@@ -9,6 +10,7 @@ from typing import Any
 
 from c2s_tui.engine_thread import EngineThread
 
+CLOSE_SECONDS = 1.0
 EngineFactory = Callable[[], Any]
 
 
@@ -139,13 +141,16 @@ class Backend:
         return save(program, folder, target)
 
     async def close(self) -> None:
-        """Close the session, the engine and its processes, and the thread."""
+        """Close the session, the engine and the thread. A process that is slow to end is not waited for: its pipe is
+        closed, so that it ends by itself.
+        """
         if self.session is not None:
             await self.thread.do(self.session.close)
-        if self.engine is not None:
-            await self.thread.call(self.engine.close)
         if self.sessions is not None:
             await self.thread.do(self.sessions.close)
+        if self.engine is not None:
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(self.thread.call(self.engine.close), CLOSE_SECONDS)
         self.thread.stop()
 
 

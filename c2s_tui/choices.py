@@ -138,6 +138,7 @@ class Choices:
         chosen = await self.app.push_screen_wait(Chooser("Settings", entries, foot=foot))
         if chosen == "animation":
             self.app.remember(animation=not prefs.animation)
+            self.app.animation_level = "full" if prefs.animation else "none"
             self.settings_dialog()
         elif chosen:
             await self.run_command(chosen)

@@ -119,12 +119,11 @@ def text_of(value: Any, unit: str = "") -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, int | float):
-        number, word = (value * KMH, "km/h") if unit == "m/s" else (value, unit)
-        return f"{number:.4g} {word}".rstrip()
+        return f"{value * KMH:.3g} km/h" if unit == "m/s" else f"{value:.4g} {unit}".rstrip()
     if isinstance(value, list):
         if unit and len(value) == 2:
-            low, high = (v * KMH for v in value) if unit == "m/s" else value
-            return f"{low:.4g}-{high:.4g} {'km/h' if unit == 'm/s' else unit}".rstrip()
+            low, high = (text_of(v, unit).removesuffix(unit if unit != "m/s" else "km/h").rstrip() for v in value)
+            return f"{low}-{high} {'km/h' if unit == 'm/s' else unit}".rstrip()
         return ", ".join(text_of(v) for v in value)
     if isinstance(value, dict):
         return summary(value)

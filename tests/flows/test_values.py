@@ -1,7 +1,7 @@
 """The pure parts: typed values, fragments under edit, marks, clipboard, preferences, commands."""
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from scripted_engine import Writer, cut_in, run_facts
 from textual.widgets import Input, TextArea
@@ -12,7 +12,7 @@ from c2s_engine.structure.regenerate import regenerate
 from c2s_engine.structure.seen import marks, score
 from c2s_engine.structure.specs import SPEC_OF, ObjectSpec
 from c2s_tui import prefs
-from c2s_tui.clipboard import osc52
+from c2s_tui.clipboard import copy, osc52
 from c2s_tui.code.fragments import changed_fragments, changed_lines, moved_spans
 from c2s_tui.code.highlight import Blocks, lexer, stale
 from c2s_tui.commands import bindings, commands, split
@@ -65,6 +65,7 @@ def test_every_spec_can_be_shown():
         assert {f.path.split(".")[0] for f in fields(spec())} == set(spec.model_fields) - {"component"}
 
 
+@settings(deadline=None)
 @given(st.data())
 def test_fragments_keep_their_borders_under_any_edit_inside_one(data):
     span = data.draw(st.sampled_from(PROGRAM.spans))
@@ -113,6 +114,7 @@ def test_highlighting_is_scenics_own_and_imports_no_scenic():
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.strip() == "[]"
 
 
+@settings(deadline=None)
 @given(st.text("ab'\"#:\n é", max_size=60))
 def test_highlights_lie_within_their_lines(text):
     lines = text.split("\n")
@@ -126,6 +128,7 @@ PIECES = st.sampled_from(
 )
 
 
+@settings(deadline=None)
 @given(st.lists(PIECES, max_size=14), st.data())
 def test_what_is_not_stale_looks_as_before(lines, data):
     first = data.draw(st.integers(0, len(lines)))
@@ -158,9 +161,23 @@ def test_commands_have_a_method_and_unambiguous_beginnings_will_do():
 
 
 def test_copying_is_wrapped_for_the_multiplexer():
-    assert osc52("é", {}) == "\x1b]52;c;w6k=\x07"
-    assert osc52("é", {"TMUX": "x"}).startswith("\x1bPtmux;\x1b\x1b]52;c;w6k=")
+    plain = "\x1b]52;c;w6k=\x07"
+    assert osc52("é", {}) == plain
+    wrapped = osc52("é", {"TMUX": "x"})
+    assert wrapped.startswith("\x1bPtmux;\x1b\x1b]52;c;w6k=") and wrapped.endswith(plain)
     assert osc52("x" * 1000, {"TERM": "screen"}).count("\x1bP") > 4
+
+
+@pytest.mark.parametrize(("code", "written"), [(0, 0), (1, 1)])
+def test_tmux_itself_is_asked_to_copy_and_where_it_cannot_the_sequence_is_sent(tmp_path, monkeypatch, code, written):
+    tmux = tmp_path / "tmux"
+    tmux.write_text(f'#!/bin/sh\necho "$@" > {tmp_path}/asked\ncat > {tmp_path}/copied\nexit {code}\n')
+    tmux.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
+    sent = []
+    copy("é\n", sent.append, {"TMUX": "x"})
+    assert (tmp_path / "asked").read_text() == "load-buffer -w -\n" and (tmp_path / "copied").read_text() == "é\n"
+    assert len(sent) == written
 
 
 def test_preferences_come_back_and_a_broken_file_is_reported(tmp_path):

@@ -56,7 +56,7 @@ async def resolve(
     named = spec.map if isinstance(spec, SettingsSpec) else None
     assumed: list[Assumption] = []
     try:
-        plan = make_plan(spread(structure))
+        make_plan(spread(structure))
     except ResolveError as error:
         return Resolution(None, diagnostic=_diagnostic(str(error), "contradiction", error.fields))
     for wanted in dict.fromkeys(w for w in (given, named, default or DEFAULT_MAP, SHIPPED) if w):
@@ -69,7 +69,7 @@ async def resolve(
                 assumed.append(Assumption(field="map", value=SHIPPED, reason=f"{wanted} is not on this machine"))
             continue
         writers = {f"room {r}": TypedWriter(choice, room=r) for r in ROOMS}
-        expressions = {name: w.candidates(plan) for name, w in writers.items()}
+        expressions = {name: w.candidates(structure) for name, w in writers.items()}
         report = await check.places(PlacesRequest(map=str(choice.path), expressions=expressions, prelude=PRELUDE))
         if report.errors:
             broken = next(iter(report.errors.values()))
@@ -106,7 +106,7 @@ async def _nearest(structure: Structure, library: MapLibrary, check: CheckClient
     for field, spec in relaxed(place).items():
         changed = structure.with_component(structure.place.model_copy(update={"spec": spec}))
         try:
-            expression = TypedWriter(choice, room=ROOMS[-1]).candidates(make_plan(spread(changed)))
+            expression = TypedWriter(choice, room=ROOMS[-1]).candidates(changed)
         except ResolveError:
             continue
         report = await check.places(
@@ -114,7 +114,23 @@ async def _nearest(structure: Structure, library: MapLibrary, check: CheckClient
         )
         if report.counts.get(field):
             found.append(f"R.{field} left open gives {report.counts[field]} places on {choice.name}")
-    return "; ".join(found) + "." if found else "Change R.kind, or name another map."
+    others = await _maps_with(structure, library, check, given)
+    ways = [*found, *([f"{' and '.join(others)} {'has' if len(others) == 1 else 'have'} it"] if others else [])]
+    return "; ".join(ways) + "." if ways else "Change R.kind, or name another map."
+
+
+async def _maps_with(structure: Structure, library: MapLibrary, check: CheckClient, given: str | None) -> list[str]:
+    """The default map and the shipped town, where they have the place that the given map lacks."""
+    found = []
+    for name in (DEFAULT_MAP, SHIPPED):
+        if given is None or name == given or not library_has(library, name):
+            continue
+        choice = map_choice(library, library.find(name))
+        expressions = {f"room {r}": TypedWriter(choice, room=r).candidates(structure) for r in ROOMS}
+        report = await check.places(PlacesRequest(map=str(choice.path), expressions=expressions, prelude=PRELUDE))
+        if any(report.counts.values()):
+            found.append(name)
+    return found
 
 
 def _diagnostic(message: str, code: str, fields: tuple[str, ...]) -> Diagnostic:

@@ -19,6 +19,9 @@ from c2s_engine.structure.specs import (
     SettingsSpec,
     Trigger,
 )
+from c2s_engine.write.typed import ResolveError, make_plan
+from c2s_engine.write.typed.contradictions import contradictions
+from c2s_engine.write.typed.spread import spread
 
 
 def _one(rng: random.Random, literal: Any) -> Any:
@@ -143,8 +146,28 @@ def restrictions(rng: random.Random, refs: list[str]) -> RestrictionsSpec:
 def structure(
     seed: int, *, position: str | None = None, action: str | None = None, kind: str | None = None
 ) -> Structure:
-    """A structure for a seed; a position, an action of O1 and a kind of place may be prescribed."""
-    rng = random.Random(seed)
+    """A structure for a seed; a position, an action of O1 and a kind of place may be prescribed.
+
+    Those that break a row of data/contradictions.yaml are drawn again, where the prescribed names allow it.
+    """
+    found = None
+    for attempt in range(20):
+        found = _structure(random.Random(f"{seed} {attempt}"), position, action, kind)
+        if _consistent(found):
+            break
+    assert found is not None
+    return found
+
+
+def _consistent(found: Structure) -> bool:
+    try:
+        make_plan(spread(found))
+    except ResolveError as error:
+        return str(error) not in {c.because for c in contradictions()}
+    return True
+
+
+def _structure(rng: random.Random, position: str | None, action: str | None, kind: str | None) -> Structure:
     number = rng.choice([0, 1, 1, 2, 3]) or bool(position or action)
     ids = [f"O{i + 1}" for i in range(number)]
     objects = tuple(

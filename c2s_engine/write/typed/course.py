@@ -113,8 +113,11 @@ class Course:
 
     def catching_up(self, phase: Phase) -> float | None:
         """The speed (m/s) at which it gets ahead of the phase's target, where it starts abreast of or behind it."""
-        placement = getattr(self.actor.spec, "placement", None)
-        along = placement and (placement.along or {"beside": "abreast", "behind": "behind"}.get(placement.position))
+        spec = self.actor.spec
+        if not isinstance(spec, ObjectSpec):
+            return None
+        placement = spec.placement
+        along = placement.along or {"beside": "abreast", "behind": "behind"}.get(placement.position)
         if along not in ("abreast", "behind") or self.lane is None or placement.of != (phase.target or "ego"):
             return None
         needed = self.target_speed(phase) + (4 if along == "abreast" else 7)

@@ -10,6 +10,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import references
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.write.typed import contradictions
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, LENGTH, MOVES_OFF_ROAD, is_static, is_vehicle, is_walker
 
 JUNCTION = {"intersection", "roundabout"}
@@ -94,8 +95,9 @@ def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[floa
     return usual[place.kind if place.kind in usual else "road"]
 
 
-def make_plan(structure: Structure) -> Plan:
-    """Decide what the place must offer; raises ResolveError."""
+def make_plan(structure: Structure, room: float = 1.0) -> Plan:
+    """Decide what the place must offer; raises ResolveError. Where the specs leave the way to a junction open, `room`
+    shortens it for maps with short roads."""
     place, ego = structure.place.spec, structure.ego.spec
     assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
     restrictions = structure.restrictions.spec
@@ -105,16 +107,9 @@ def make_plan(structure: Structure) -> Plan:
     if place.kind == "on_ramp":  # beside a ramp there is the motorway, on the left
         objects = {c: _on_the_left(o) for c, o in objects.items()}
     lane_of = {cid: _lane_offset(cid, objects) for cid in objects}
+    if broken := contradictions.first(place, ego, objects.values()):
+        raise ResolveError(broken.because, broken.fields)
     ramp = any(o.placement.position == "on_ramp" for o in objects.values())
-    if ramp and place.kind not in ("motorway", "on_ramp"):
-        raise ResolveError(
-            "an object on an on-ramp needs a motorway: set R.kind to 'motorway'", ("R.kind", "O.placement.position")
-        )
-    if ramp and place.kind == "on_ramp":
-        raise ResolveError(
-            "ego and an object are both on the on-ramp: place the object ahead or behind",
-            ("R.kind", "O.placement.position"),
-        )
     oncoming = place.oncoming is True or _needs_oncoming(ego, objects)
     if place.kind not in {"motorway", *RAMP} and place.oncoming is None and _beside(objects) == "left":
         oncoming = True  # the far side of a street lies beyond its oncoming lanes
@@ -123,11 +118,6 @@ def make_plan(structure: Structure) -> Plan:
         place, base, offsets = _ramp_lanes(place, offsets, ramp)
     else:
         place, base, offsets = _lanes(place, offsets, "right" if pulls_out(ego) else _beside(objects))
-    if oncoming and place.kind in {"motorway", *RAMP}:
-        raise ResolveError(
-            "a motorway's carriageway has no oncoming lane: choose the kind 'straight', or leave the oncoming lane out",
-            ("R.kind", "R.oncoming"),
-        )
     if oncoming:
         place = place.model_copy(update={"oncoming": True})
     approaches = tuple(
@@ -139,8 +129,6 @@ def make_plan(structure: Structure) -> Plan:
             }
         )
     )
-    if approaches and place.kind not in JUNCTION:
-        raise ResolveError("objects on crossing roads need an intersection: set R.kind to 'intersection'", ("R.kind",))
     speed = middle(speed_of(ego, place))
     duration = getattr(restrictions, "duration", None) or 20.0
     return Plan(
@@ -149,7 +137,7 @@ def make_plan(structure: Structure) -> Plan:
         ego_speed=speed,
         before=_before(ego, objects, speed),
         after=_after(place, speed, duration, ego, objects),
-        distance=_distance(place.model_copy(update={"kind": "on_ramp"}) if ramp else place, speed, objects, ego),
+        distance=_distance(place.model_copy(update={"kind": "on_ramp"}) if ramp else place, speed, objects, room),
         offsets=offsets,
         base=base,
         approaches=approaches,
@@ -259,7 +247,8 @@ def _offsets(
     if place.kind == "off_ramp" and place.ego_lane in ("middle", "leftmost"):
         used.add(-1)
     movers = [(0, ego.phases, ego)] + [(lane_of[c], o.phases, o) for c, o in objects.items()]
-    narrow = place.lanes == 1 or (place.lanes is None and place.oncoming is True)
+    one_lane = place.lanes is None and (place.oncoming is True or place.kind == "roundabout")
+    narrow = place.lanes == 1 or one_lane  # lane changes then go by the oncoming lane or the verge
     for start, phases, spec in movers:
         k = start
         for phase in phases:
@@ -320,8 +309,6 @@ def _ramp_lanes(place: PlaceSpec, offsets: frozenset[int], ramp: bool) -> tuple[
     most_left, most_right = (1, 0) if place.kind == "on_ramp" else (1, 1) if place.kind == "off_ramp" else (2, 0)
     if left > most_left or right > most_right:
         raise ResolveError("at this ramp there is no such neighbouring lane", ("R.kind", "O.placement.position"))
-    if place.oncoming:
-        raise ResolveError("a motorway's ramp has no oncoming lane", ("R.kind", "R.oncoming"))
     if place.kind == "on_ramp":
         offsets |= {1}
     return place.model_copy(update={"ego_lane": None, "lanes": None}), 0, offsets
@@ -375,7 +362,7 @@ def _after(place: PlaceSpec, speed: float, duration: float, ego: EgoSpec, object
 
 
 def _distance(
-    place: PlaceSpec, speed: float, objects: dict[str, ObjectSpec], ego: EgoSpec
+    place: PlaceSpec, speed: float, objects: dict[str, ObjectSpec], room: float
 ) -> float | tuple[float, float] | None:
     """From ego's start to what lies ahead of it, m."""
     if place.kind not in JUNCTION | RAMP | {"crosswalk"}:
@@ -394,8 +381,9 @@ def _distance(
             f"an object would stand {far:.0f} m ahead of ego, approaches have {LONGEST_APPROACH:.0f} m: lessen the gap",
             ("O.placement.gap",),
         )
-    base = max(min(4.0 * speed, 110), 35.0, far + 4)
-    return max(base, 60.0) if place.kind in RAMP else base
+    base = max(min(4.0 * speed, 110), 35.0)
+    base = max(base, 60.0) if place.kind in RAMP else base
+    return round(max(base * max(room, 0.4), far + 4), 1)
 
 
 _BESIDE = {"partly_in_lane", "parked", "roadside", "sidewalk"}

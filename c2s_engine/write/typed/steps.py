@@ -104,9 +104,9 @@ def _u_turn(c: Course, p: Phase) -> list[Step]:
 def _reverse(c: Course, p: Phase) -> list[Step]:
     c.backwards = True
     pace = c.wanted(p, c.value or 2)
-    spec = c.actor.spec
-    inward = isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD
-    natural = f"for {scope.number(reach(spec, c.actor.plan.place) / max(pace, 0.5))} seconds" if inward else ""
+    spec, natural = c.actor.spec, ""
+    if isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD:  # as far as onto the lane
+        natural = f"for {scope.number(reach(spec, c.actor.plan.place) / max(pace, 0.5))} seconds"
     return [([f"do Backwards({scope.number(pace)})"], _ending(p, natural))]
 
 

@@ -53,7 +53,7 @@ class TypedWriter:
         if cid == "G":
             return []
         structure = spread(structure)
-        plan = make_plan(structure)
+        plan = make_plan(structure, self.room)
         return [self._facts(structure, cid, plan), structure[cid].spec.model_dump(mode="json") if cid[0] == "O" else 0]
 
     def _facts(self, structure: Structure, cid: ComponentId, plan: Plan) -> Any:
@@ -90,7 +90,7 @@ class TypedWriter:
         """The component with its fragment; raises ResolveError where specs contradict each other."""
         component = structure[cid]
         structure = spread(structure)
-        plan = make_plan(structure)
+        plan = make_plan(structure, self.room)
         body = self._body(structure, cid, plan)
         border = f"## {cid}: {_one_line(component.description)}".rstrip(": ").rstrip()
         return component.model_copy(update={"code": f"{border}\n{body}\n", "origin": "rendered", "conflict": None})
@@ -113,8 +113,9 @@ class TypedWriter:
         spec = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place
         return place_code(spec, self.map.extras, room=room)
 
-    def candidates(self, plan: Plan) -> str:
+    def candidates(self, structure: Structure) -> str:
         """The list from which the program draws its place; how long it is says how many places there are."""
+        plan = make_plan(spread(structure), self.room)
         return candidates(plan, self.place(plan))
 
     def _kernel(self, structure: Structure, plan: Plan) -> frozenset[str]:

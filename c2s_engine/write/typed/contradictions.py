@@ -1,0 +1,64 @@
+"""What cannot be together in a structure: the rows of data/contradictions.yaml, and the first that one breaks."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+
+import yaml
+
+from c2s_engine.paths import shipped
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
+
+
+@dataclass(frozen=True)
+class Contradiction:
+    """One row: all that is given must hold for it to apply; `places`, `positions` and `actions` are alternatives."""
+
+    because: str
+    fields: tuple[str, ...]
+    places: frozenset[str] = frozenset()
+    positions: frozenset[str] = frozenset()
+    actions: frozenset[str] = frozenset()
+    oncoming: bool = False
+
+    def holds(self, place: PlaceSpec, ego: EgoSpec, objects: Iterable[ObjectSpec]) -> bool:
+        """Whether a structure's specs break it."""
+        if self.places and place.kind not in self.places or self.oncoming and not place.oncoming:
+            return False
+        acting = [(o.placement.position, {p.action for p in o.phases}) for o in objects]
+        if self.positions:
+            return any(
+                position in self.positions and (not self.actions or actions & self.actions)
+                for position, actions in acting
+            )
+        if self.actions:
+            return any(actions & self.actions for _, actions in [("", {p.action for p in ego.phases}), *acting])
+        return True
+
+    def pairs(self, place: str | None = None, position: str | None = None, action: str | None = None) -> bool:
+        """Whether it rules a pair of names out by itself (with everything else open)."""
+        wanted = ((self.places, place), (self.positions, position), (self.actions, action))
+        return not self.oncoming and all(name in names if names else True for names, name in wanted if names or name)
+
+
+@cache
+def contradictions() -> tuple[Contradiction, ...]:
+    """All rows, in the order in which they are looked up."""
+    rows = yaml.safe_load(shipped("contradictions.yaml").read_text(encoding="utf-8"))
+    return tuple(
+        Contradiction(
+            because=row["because"],
+            fields=tuple(row["fields"]),
+            places=frozenset(row.get("places", ())),
+            positions=frozenset(row.get("positions", ())),
+            actions=frozenset(row.get("actions", ())),
+            oncoming=row.get("oncoming", False),
+        )
+        for row in rows
+    )
+
+
+def first(place: PlaceSpec, ego: EgoSpec, objects: Iterable[ObjectSpec]) -> Contradiction | None:
+    """The first row that the specs break."""
+    objects = tuple(objects)
+    return next((c for c in contradictions() if c.holds(place, ego, objects)), None)

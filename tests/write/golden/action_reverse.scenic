@@ -1,0 +1,45 @@
+## G
+param map = localPath('town.xodr')
+param carla_map = None
+param timestep = 0.1
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+
+## R
+import math
+
+egoLane = Uniform(*[lane
+    for road in network.roads for lane in road.lanes
+    if lane.group._opposite is not None and lane.centerline.length > 225])
+EGO_AT = Range(25, 45)  # m along its lane
+
+## E
+EGO_SPEED = 8  # m/s
+
+behavior EgoBehavior():
+    line = way(egoLane)
+    try:
+        take SetSpeedAction(EGO_SPEED)
+        do Drive(line, EGO_SPEED)
+    interrupt when need(self, backer) > 2:
+        do Drive(line, 0, rate=5) until need(self, backer) <= 0
+
+ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+
+## O1
+BACKER_SPEED = 3  # m/s
+BACKER_AT = EGO_AT + 50 + 5  # m along the lane
+
+behavior BackerBehavior():
+    line = way(egoLane)
+    take SetSpeedAction(BACKER_SPEED)
+    do Backwards(3)
+
+backer = new Car at egoLane.centerline.pointAlongBy(BACKER_AT),
+    with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
+    with behavior BackerBehavior()
+
+## T
+terminate after 20 seconds

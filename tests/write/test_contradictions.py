@@ -1,0 +1,60 @@
+"""Which names go together: every pair is drawn or listed as a contradiction, and what is listed is refused."""
+
+import itertools
+import typing
+
+import draws
+import pytest
+
+from c2s_engine.structure import vocabulary as v
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.specs import ObjectSpec, Phase, Placement, PlaceSpec
+from c2s_engine.write.typed import ResolveError, make_plan
+from c2s_engine.write.typed.contradictions import contradictions
+from c2s_engine.write.typed.spread import spread
+
+ACTIONS, POSITIONS, PLACES = (typing.get_args(x) for x in (v.Action, v.Position, v.PlaceKind))
+
+
+def listed(**names: str) -> bool:
+    return any(row.pairs(**names) for row in contradictions())
+
+
+def drawn(seeds, **names: str) -> bool:
+    """Whether a structure with these names can be planned."""
+    for seed in seeds:
+        try:
+            make_plan(spread(draws.structure(seed, **names)))
+            return True
+        except ResolveError:
+            continue
+    return False
+
+
+@pytest.mark.parametrize("action", ACTIONS)
+def test_every_pair_of_an_action_is_drawn_or_listed(action):
+    for position in POSITIONS:
+        assert drawn(range(8), action=action, position=position) != listed(action=action, position=position), position
+    for kind in PLACES:
+        assert drawn(range(8), action=action, kind=kind) != listed(action=action, place=kind), kind
+
+
+@pytest.mark.parametrize("row", contradictions(), ids=lambda row: row.because[:40])
+def test_what_is_listed_is_refused_with_its_reason(row):
+    for kind, position, action in itertools.product(
+        row.places or ("road",), row.positions or ("ahead",), row.actions or ("brake",)
+    ):
+        spec = ObjectSpec(name="a", placement=Placement(position=position), phases=(Phase(action=action),))
+        structure = Structure(
+            place=Component(id="R", spec=PlaceSpec(kind=kind, oncoming=row.oncoming or None)),
+            objects=(Component(id="O1", spec=spec),),
+        )
+        with pytest.raises(ResolveError) as refused:
+            make_plan(structure)
+        assert refused.value.fields and str(refused.value) in {r.because for r in contradictions()}
+
+
+def test_rows_name_only_what_the_vocabulary_has():
+    for row in contradictions():
+        assert row.places <= set(PLACES) and row.positions <= set(POSITIONS) and row.actions <= set(ACTIONS)
+        assert row.because and row.fields

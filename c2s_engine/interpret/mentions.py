@@ -395,6 +395,7 @@ class Cast(Pronouns):
             word.dep in ("compound", "nmod", "amod")
             and following is not None
             and following.sentence == word.sentence
+            and following.norm not in ("level", "side", "abreast", "alongside", "following", "facing")
             and (head.i == following.i or following.norm in ("lane", "stop", "park", "length", "lengths", "width"))
             and head.span is None
             and not head.verb

@@ -293,11 +293,11 @@ def _vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place:
     lane, rel, edge = where.lane, where.rel, where.side
     if junction and lane in ("left", "right") and rel is None and "lane" not in " ".join(t for _, t in where.phrases):
         lane, edge = "crossing", lane
-    direction = _compass(scene, entity) if junction and lane in (None, "same", "crossing") else None
-    if direction in ("left", "right"):
+    direction = _compass(scene, entity) if lane in (None, "same", "crossing") else None
+    if direction in ("left", "right") and junction:
         return {"position": f"crossing_{direction}", "said": True}
-    if direction == "opposite":
-        return {"position": "opposite_approach", "said": True}
+    if direction == "opposite" and (junction or "turn" in acts or rel is None):
+        return {"position": "opposite_approach" if junction else "oncoming_lane", "said": True}
     text = " ".join(t for _, t in where.phrases)
     roles = entity.roles
     moves = [a for a in acts if a not in ("stationary",)]

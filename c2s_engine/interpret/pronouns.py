@@ -76,7 +76,11 @@ class Pronouns:
         if word.lemma not in ("driver", "operator", "passenger", "occupant") or word.dep not in ("nsubj", "nsubjpass"):
             return False
         verb = self.words[word.head]
-        after = " ".join(w.norm for w in self.words[verb.i : verb.i + 7])
+        verbs = [verb, *(self.words[c] for c in verb.children if self.words[c].dep == "conj")]
+        return any(self._leaves_on_foot(" ".join(w.norm for w in self.words[v.i : v.i + 7])) for v in verbs)
+
+    @staticmethod
+    def _leaves_on_foot(after: str) -> bool:
         return bool(
             re.match(r"(step|climb|get|got|jump|hop|walk|alight|run|ran)\w* (\w+ )?(out|off|down|from|across|into the (road|street|lane))\b", after)
             or re.match(r"(exit|leav|left|disembark)\w* (the|his|her|their|its)", after)

@@ -132,7 +132,7 @@ class Places(Inferred):
         known = set(self.cast.of) | set()
         indices = sorted(set(indices))
         text += self.clauses.render(indices)
-        if word.span is not None and self.words[word.head].norm in ("with", "is", "are"):
+        if word.span is not None and (self.words[word.head].norm in ("with", "is", "are") or i + 1 < len(self.words) and self.words[i + 1].norm in PLACING):
             following = self._following(i)
             read(self.clauses.render(following), where, entity, self.cast, "noun")
         if known and text.strip():

@@ -49,6 +49,9 @@ def _quantity() -> re.Pattern[str]:
     )
 
 
+DIGITS = "zero|one|two|three|four|five|six|seven|eight|nine|niner"
+
+
 @cache
 def _bare() -> re.Pattern[str]:
     nouns = language.alternatives(list(language.actor_nouns()))
@@ -58,6 +61,9 @@ def _bare() -> re.Pattern[str]:
         rf"(?: at| drives| doing|:| speed)? (?:about |around |roughly |a steady |only )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)(?=\s*(?:[,.;)]|$|straight\b|and\b|in the\b|same\b|left\b|right\b|but\b|on the\b|behind\b|ahead\b|in (?:left|right)\b))"
         rf"|\b(?:ego|lead|lv|sv|vut|target) (?P<head>\d{{2,3}})(?= (?!(?:m|s|sec\w*|min\w*|hours?|years?|people|cars|vehicles|trucks|km|ft|feet|degrees|percent|to|of|lanes?|am|pm)\b)[a-z])"
         rf"|\b(?:(?:north|south|east|west)bound|driv\w+|travel\w*|going|cruis\w+|moving|sit\w*|approach\w*|arriv\w+|rid\w+|coming|runs?)(?: [a-z][\w'-]*){{0,3}} at (?:about |around |roughly |a steady )?(?P<at>[1-9]\d?[05]|(?:{number}))(?=\s*(?:[,.;)]|$|and\b|when\b|in\b|on\b|because\b|as\b|while\b|with\b))"
+        rf"|\b(?:{nouns}|ego|lead|v[12]) \((?P<bracket>\d{{2,3}})(?=[,)])"
+        rf"|(?:speed|doing|going|at) (?:of )?(?P<spelt>(?:{DIGITS}) (?:{DIGITS})(?: (?:{DIGITS}))?)(?=\s*(?:[,.;)]|$|and\b|in\b|on\b))"
+        rf"|\bthe speed (?P<plain>\d{{2,3}})\b(?! ?(?:km|mph|k|m/))"
         rf"|(?<=lane )(?P<lane>\d{{2,3}})(?=\s*(?:[,.;)]|$))"
     )
 
@@ -79,6 +85,9 @@ def bare_speeds(text: str) -> list[Span]:
 def _value(text: str) -> float:
     text = " ".join(text.split()).lstrip("+")
     words = language.table("units")["numbers"]
+    digits = text.split()
+    if len(digits) > 1 and all(d in DIGITS.split("|") for d in digits):
+        return float("".join(str(min(9, DIGITS.split("|").index(d))) for d in digits))
     if text in words:
         return float(words[text])
     if re.fullmatch(r"-?\d{1,3},\d{3}", text):

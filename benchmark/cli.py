@@ -160,6 +160,7 @@ def table(
     split: SplitOption = SplitName.all,
     runs: Runs = 5,
     jobs: Jobs = CORES,
+    records: Files = None,
     scheduler: Scheduler = "",
     baselines: Annotated[bool, typer.Option(help="Also the two baselines, with the first model.")] = True,
     engine: EngineOption = "",
@@ -176,7 +177,7 @@ def table(
         first = next((m for m in names if m != "embedded"), "")
         if baselines and first:
             setups |= {f"{m} ({first})": Setup(m, first) for m in ("chatscene", "nl2scenic")}
-        chosen, rows = load(split=split.value), {}
+        chosen, rows = load(records, split.value), {}
         for label, setup in setups.items():
             setup = Setup(setup.method, setup.model, None, runs)
             rows[label] = total_of(execute(chosen, setup, jobs=jobs, scheduler=scheduler, engine=engine))
@@ -190,6 +191,7 @@ def ablation(
     split: SplitOption = SplitName.all,
     runs: Runs = 5,
     jobs: Jobs = CORES,
+    records: Files = None,
     scheduler: Scheduler = "",
     engine: EngineOption = "",
 ) -> None:
@@ -204,7 +206,7 @@ def ablation(
         names = [n.strip() for n in only.split(",") if n.strip()] or known
         if wrong := [n for n in names if n not in known]:
             raise BenchmarkError(f"{wrong[0]} is no configuration; there are C1 to C12")
-        chosen = load(split=split.value)
+        chosen = load(records, split.value)
         setups = {name: Setup(f"chat2scenic:{name}", model, None, runs) for name in names}
         rows = {
             name: total_of(execute(chosen, setup, jobs=jobs, scheduler=scheduler, engine=engine))

@@ -15,11 +15,12 @@ REAL = "c2s_bench.host:real_engine"
 
 
 def real_engine(setup: Setup) -> AbstractAsyncContextManager[Any]:
-    """The facade, with the model that is asked for."""
+    """The facade, with the model that is asked for and the user's way to ask it; nothing else of theirs counts."""
     from c2s_engine.api import Engine
-    from c2s_engine.config import Settings
+    from c2s_engine.config import Settings, load_settings
 
-    return Engine(Settings(model=setup.model) if setup.model else Settings())
+    ollama = load_settings().ollama if setup.model else {}
+    return Engine(Settings(model=setup.model or None, ollama=ollama, offers=False))
 
 
 def factory_of(name: str) -> Any:
@@ -104,8 +105,12 @@ class EngineHost:
 
 async def _warm(engine: Any, setup: Setup) -> None:
     """Load what the first text would load, so that starting up counts for no record. Models are left alone."""
+    from c2s_engine.write.methods import retrieves
+
     if hasattr(engine, "check_client"):
         await engine.check_client.ready()
+        if retrieves(setup.method):
+            await (await engine.retrieval()).ready()
         if not setup.model:
             async for _ in engine.generate(WARM_UP, method=setup.method, map=setup.map, run=False):
                 pass

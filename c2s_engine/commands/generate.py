@@ -107,6 +107,7 @@ def as_dict(done: Finished) -> dict[str, Any]:
             for o in f.objects
             for e in o.events
         ],
+        "offers": done.details.get("offers", []),
         "facts": [f.model_dump(mode="json") for f in done.facts],
         "map": done.details.get("map"),
         "tokens": done.details.get("tokens", 0),

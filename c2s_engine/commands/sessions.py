@@ -190,8 +190,7 @@ async def _take(events: AsyncIterator[Any], quiet: bool) -> Finished | None:
     async for event in events:
         if isinstance(event, Passage) and not quiet:
             number += 1
-            where = f" ({event.clause})" if event.clause else ""
-            err.print(Text(f"{number} {event.title}{where}", style="bold"))
+            err.print(Text(f"{number} {event.title}", style="bold"))
             err.print(Text(event.text.strip()))
         elif isinstance(event, Say) and not quiet:
             err.print(Text(event.text, style={"warning": "yellow", "error": "red"}.get(event.severity, "")))

@@ -37,6 +37,11 @@ def description_of(passage: Passage, siblings: Sequence[Passage] = ()) -> str:
     return f"[{source_of(passage)}] {' '.join(said.split())}"
 
 
+def tells_scenario(passage: Passage) -> bool:
+    """Whether the passage tells a scenario that can be taken as it is."""
+    return passage.kind == "doc" and bool(_SCENARIO.search(passage.text))
+
+
 def source_of(passage: Passage) -> str:
     """The document and clause of a passage, in short: "UN R157, Annex 5, 4.4"."""
     document = passage.title.split(" › ")[0].split(":")[0].replace("UN Regulation No. ", "UN R")

@@ -2,6 +2,7 @@
 checkpointer can keep it; typed progress events go out on the custom stream.
 """
 
+import asyncio
 from typing import Any, TypedDict
 
 from langgraph.config import get_stream_writer
@@ -12,6 +13,7 @@ from c2s_engine.session import steps
 from c2s_engine.session.citing import resting_on, uncited
 from c2s_engine.session.improving import can_improve, improved, summed
 from c2s_engine.session.methods import Method, method_named
+from c2s_engine.session.offers import look_up, offered, wanted
 from c2s_engine.session.steps import Tools
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
@@ -123,6 +125,10 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
     async def check(state: State) -> State:
         from c2s_engine.structure.program import Program
 
+        structure = structure_of(state)
+        looking = None
+        if state.get("text") and method_of(state).name == "embedded" and tools.settings.offers and wanted(structure):
+            looking = asyncio.create_task(look_up(structure, tools, get_stream_writer()))
         report = await steps.check(
             Program.model_validate(state["program"]),
             tools,
@@ -135,7 +141,11 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         )
         stages = [*state.get("stages", []), *(s.model_dump(mode="json") for s in report.stages)]
         kept = report.model_dump(mode="json", exclude={"trajectories"})
-        return {"report": kept, "stages": stages}
+        update: State = {"report": kept, "stages": stages}
+        if looking is not None:
+            offers = await offered(looking, get_stream_writer())
+            update["details"] = {**state.get("details", {}), "offers": offers}
+        return update
 
     async def improve(state: State) -> State:
         return await improved(state, tools, method_of(state), get_stream_writer())  # type: ignore[return-value, arg-type]

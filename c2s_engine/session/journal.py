@@ -7,6 +7,7 @@ was interrupted: it is offered again when the session is opened.
 import json
 import os
 import re
+import threading
 import time
 from pathlib import Path
 from typing import Any, Literal
@@ -121,13 +122,15 @@ class Drafts:
 
     def __init__(self, folder: Path):
         self.folder = folder
+        self._writing = threading.Lock()
 
     def save(self, pane: str, text: str) -> None:
-        """Keep a pane's text; empty text removes it."""
-        if text:
-            write_whole(self._file(pane), text)
-        else:
-            self._file(pane).unlink(missing_ok=True)
+        """Keep a pane's text; empty text removes it. From any thread: one after the other."""
+        with self._writing:
+            if text:
+                write_whole(self._file(pane), text)
+            else:
+                self._file(pane).unlink(missing_ok=True)
 
     def load(self, pane: str) -> str:
         try:

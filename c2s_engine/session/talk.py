@@ -7,7 +7,7 @@ from collections.abc import AsyncGenerator, Sequence
 from contextlib import aclosing
 from typing import Any
 
-from c2s_engine.session.citing import description_of, kept, wanted
+from c2s_engine.session.citing import description_of, kept, tells_scenario, wanted
 from c2s_engine.session.reader import route
 from c2s_engine.session.steps import Emit
 from c2s_engine.session.streams import Result, streamed
@@ -15,6 +15,10 @@ from c2s_engine.session.why import explained
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Finished, Passage, Progress, Say, Usage
+from c2s_engine.write.prompted.influence import label
+
+SHOWN = 3
+"""Passages that answer a question."""
 
 WHOLE = ("nl2scenic", "chatscene")
 """Methods that write a program as one: a change is told to them as part of the text."""
@@ -180,18 +184,23 @@ async def answer(
         return
     wants_code = any(w in question.lower() for w in ("show me", "snippet", "scenarios like", "example of", "code"))
     try:
-        found: list[Passage] = await engine.search(question, kind="snippet" if wants_code else "doc", limit=3)
+        near: list[Passage] = await engine.search(question, kind="snippet" if wants_code else "doc", limit=2 * SHOWN)
     except RetrievalError as error:
         yield Say(text=str(error), severity="error")
         return
+    sections: dict[str, Passage] = {}
+    for passage in near:
+        sections.setdefault(passage.title, passage)
+    found = list(sections.values())[:SHOWN]
     if not found:
         yield Say(text="Nothing in the documents answers that. Add some with `c2s index add FILE`.", severity="warning")
         return
     for passage in found:
         yield passage
-    sources = "; ".join(f"{i} {p.title}{f' ({p.clause})' if p.clause else ''}" for i, p in enumerate(found, 1))
-    usable = [p for p in found if p.kind == "doc"]
-    hint = " “use 1” makes the first the description." if usable else ""
+    sources = "; ".join(f"{i} {label(p)}" for i, p in enumerate(found, 1))
+    telling = {p.title for p in near if tells_scenario(p)}
+    usable = [i for i, p in enumerate(found, 1) if p.title in telling]
+    hint = f" “use {usable[0]}” takes its scenario as the description." if usable else ""
     if not uses_model(engine, method):
         yield Say(text=f"From: {sources}.{hint}")
         return

@@ -20,7 +20,7 @@ from c2s_engine.write.baselines.nl2scenic import VARIANTS, Embed, Variant
 from c2s_engine.write.mixed import MixedMethod
 from c2s_engine.write.prompted import PromptedMethod
 from c2s_engine.write.prompted.checking import Check, Fix
-from c2s_engine.write.prompted.configuration import default
+from c2s_engine.write.prompted.configuration import configuration, default
 from c2s_engine.write.prompted.configuration import names as configurations
 from c2s_engine.write.prompted.header import Ground
 from c2s_engine.write.prompted.repair import Search
@@ -104,6 +104,15 @@ def names() -> list[str]:
 def needs_model(name: str) -> bool:
     """Whether a method cannot do without a model."""
     return name not in ("embedded", "chatscene")
+
+
+def retrieves(name: str) -> bool:
+    """Whether a method looks for snippets or documentation."""
+    kind, _, rest = name.partition(":")
+    config, _, extra = rest.partition("+")
+    if kind == "chat2scenic" and not extra:
+        return any(configuration(config).has(block) for block in ("CodeICL", "DocICL"))
+    return kind in ("prompted", "mixed", "chatscene", "chat2scenic") or kind == "nl2scenic" and rest != "zero"
 
 
 def method(name: str, tools: MethodTools) -> Method:

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 from typing import Any
 
 from c2s_engine.check.protocol import CheckReport
+from c2s_engine.session.citing import uncited
 from c2s_engine.structure.components import Assumption, Component, Link, Structure, Unmet
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult, TextEdit
 from c2s_engine.structure.edits import Replace, apply, references
@@ -163,7 +164,7 @@ class ScriptedEngine:
 
     async def say(self, structure: Structure, text: str, **options: Any) -> AsyncIterator[Progress]:
         self.calls.append(("say", text))
-        script = self.scripts.get(text)
+        script = self.scripts.get(uncited(text)[0].strip())
         if script is None:
             yield Say(text="That is not understood: describe who drives where, and what happens.", severity="error")
             yield Finished(ok=False, structure=structure, program=assemble(structure))

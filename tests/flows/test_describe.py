@@ -61,6 +61,21 @@ def test_an_answer_streams_as_markdown(stage, compare):
     assert compare(flow)
 
 
+def test_an_answer_is_shown_while_it_streams(stage, compare):
+    tokens = ("A **cut-in** is", " a lane change", " into ego's lane, and")
+    stage.engine.scripts["Explain."] = Script(events=tuple(Token(text=t) for t in tokens))
+    stage.engine.gate, stage.engine.gated_at = threading.Event(), "say"
+
+    async def flow(pilot):
+        await stage.say(pilot, "Explain.", wait=False)
+        await stage.until(pilot, lambda: stage.bench.query("Answer") and stage.bench.query_one("Answer").text)
+        await stage.until(pilot, lambda: stage.bench.query_one("Answer").text == "".join(tokens))
+        assert stage.bench.busy
+
+    assert compare(flow)
+    stage.engine.gate.set()
+
+
 def test_escape_cancels_and_keeps_what_is_typed(stage, compare):
     stage.engine.scripts["Explain."] = Script(events=(Token(text="It begins "), Token(text="like this")))
     stage.engine.gate, stage.engine.gated_at = threading.Event(), "say"
@@ -117,7 +132,7 @@ def test_search_and_use_a_result(stage, compare):
         await stage.say(pilot, "/use 9", wait=False)
         await stage.until(pilot, lambda: "Say which: /use 1 to /use 2." in stage.said)
         await stage.say(pilot, "/use 1", wait=False)
-        await stage.until(pilot, lambda: stage.bench.chat.entry.text == CUT_IN)
+        await stage.until(pilot, lambda: stage.bench.chat.entry.text == f"[UN R157, 4.5] {CUT_IN}")
         await pilot.press("enter")
         await stage.until(pilot, lambda: stage.bench.desk.program.text and not stage.bench.busy)
         assert "O1" in stage.bench.desk.structure

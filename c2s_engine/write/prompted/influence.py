@@ -18,8 +18,8 @@ def sources(passages: Iterable[Passage], code: str) -> tuple[Link, ...]:
 
 
 def label(passage: Passage) -> str:
-    """How a passage is named as a source."""
-    return f"{passage.title} ({passage.clause})" if passage.clause else passage.title
+    """How a passage is named as a source: its title, with the clause where that does not stand in it."""
+    return f"{passage.title} ({passage.clause})" if passage.clause not in passage.title else passage.title
 
 
 def shows(passage: Passage, code: str) -> bool:

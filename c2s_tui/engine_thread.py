@@ -73,9 +73,16 @@ class EngineThread:
                     pass
 
     def stop(self) -> None:
-        """Stop the loop and wait for its thread."""
-        self.loop.call_soon_threadsafe(self.loop.stop)
+        """Cancel what still runs, stop the loop and wait for its thread."""
+        asyncio.run_coroutine_threadsafe(self._end(), self.loop)
         self._thread.join(timeout=5)
+
+    async def _end(self) -> None:
+        others = asyncio.all_tasks() - {asyncio.current_task()}
+        for task in others:
+            task.cancel()
+        await asyncio.gather(*others, return_exceptions=True)
+        self.loop.stop()
 
 
 class _Failure:

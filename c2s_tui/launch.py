@@ -21,6 +21,6 @@ def launch(session: str | None = None, file: Path | None = None, painted: Early 
         if painted is not None:
             painted.hand_over()
         app.run()
-    if app.backend is not None:
-        asyncio.run(app.backend.close())
+        if app.backend is not None:
+            asyncio.run(app.backend.close())
     return app.return_code or 0

@@ -108,6 +108,7 @@ class Start:
             await self.chat.note(
                 "Hand edits that were not applied are in the code pane again: F5 applies them.", "warning"
             )
+        self.recovered = True
         if session.pending is not None:
             said = session.pending.text[:120]
             await self.chat.note(f"This turn was interrupted: “{said}”. /resume runs it again.", "warning")

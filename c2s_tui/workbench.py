@@ -53,6 +53,7 @@ class Workbench(Actions, Screen):
         self.choice = Choice()
         self.working = ""
         self.ready = False
+        self.recovered = False  # the session's drafts are in the panes again
         self._turn_lock = asyncio.Lock()
         self._waiting_edits: tuple[Any, ...] = ()
         self._typed: set[str] = set()
@@ -124,7 +125,7 @@ class Workbench(Actions, Screen):
 
     def take_session(self, session: Any) -> None:
         """Lay an opened session on the desk."""
-        self.session = session
+        self.session, self.recovered = session, False
         self.desk = desks.opened(session.structure, session.program)
         self.desk = desks.restored(self.desk, getattr(session, "stages", ()), getattr(session, "facts", ()))
         self.chat.border_subtitle = session.name
@@ -306,13 +307,13 @@ class Workbench(Actions, Screen):
     # Drafts.
 
     def save_drafts(self, now: bool = False) -> None:
-        """Swap to disk what was typed and neither sent nor applied."""
-        if self.session is None or not self._typed:
+        """Swap to disk what was typed and neither sent nor applied; `now`: all of it, before this returns."""
+        if self.session is None or not (self._typed or now and self.recovered):
             return
         texts = {"chat": self.chat.entry.text, "code": self.code.area.text if self.code.edited else ""}
         typed, self._typed = self._typed, set()
-        if now:
-            for pane in typed:
+        if now:  # what is being written from a thread at this moment may be older than what is there
+            for pane in texts if self.recovered else typed:
                 self.session.save_draft(pane, texts[pane])
         else:
             self._write_drafts({pane: texts[pane] for pane in typed})

@@ -60,6 +60,15 @@ def test_settings(stage, compare):
     assert compare(flow)
 
 
+def test_doctor(stage, compare):
+    async def flow(pilot):
+        await stage.say(pilot, "/doctor", wait=False)
+        await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Reading")
+        assert "start it: ollama serve" in str(stage.app.screen.body)
+
+    assert compare(flow)
+
+
 async def test_method_and_map_are_chosen_by_name(stage):
     async with stage.make().run_test(size=(140, 45)) as pilot:
         await stage.ready(pilot)
@@ -160,6 +169,15 @@ async def test_what_was_typed_comes_back(stage):
         assert CUT_IN in stage.said
 
 
+async def test_few_colours_choose_the_terminals_own(stage, monkeypatch):
+    monkeypatch.setenv("TERM", "screen")
+    monkeypatch.delenv("COLORTERM", raising=False)
+    monkeypatch.setattr("rich.console.Console.color_system", property(lambda _: "standard"))
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        assert stage.app.theme == "c2s-ansi"
+
+
 async def test_keys_can_be_remapped(stage):
     async with stage.make(prefs=Prefs(welcomed=True, keys={"app.settings": "f12"})).run_test(size=(140, 45)) as pilot:
         await stage.ready(pilot)
@@ -177,6 +195,11 @@ async def test_files_are_saved_and_changes_outside_noticed(stage, tmp_path: Path
         assert target.read_text() == stage.bench.desk.program.text
         target.write_text("ego = new Car\n")
         stage.bench.file_seen -= 1  # as if the clock had gone on
+        told = []
+        stage.app.notify = lambda text, **_: told.append(text)
+        stage.bench.watch_file()
+        stage.bench.watch_file()
+        assert len(told) == 1 and "changed by another program" in told[0]
         await pilot.press("ctrl+s")
         await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Confirm")
         await pilot.press("r")

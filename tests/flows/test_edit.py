@@ -4,7 +4,8 @@ import threading
 
 from scripted_engine import CUT_IN
 
-from c2s_engine.structure.edits import SetField
+from c2s_engine.structure.edits import AddObject, SetField
+from c2s_engine.structure.specs import ObjectSpec, Placement
 
 
 def test_edit_an_object_shows_its_reach_and_rewrites_only_that(stage, compare):
@@ -27,6 +28,27 @@ def test_edit_an_object_shows_its_reach_and_rewrites_only_that(stage, compare):
         assert set(desk.rewritten) == {"E", "O1", "T"}
         assert desk.program.fragment("G") == before.fragment("G")
         assert desk.program.fragment("E") != before.fragment("E")
+
+    assert compare(flow)
+
+
+def test_edit_an_object_rewrites_it_and_what_reads_it(stage, compare):
+    async def flow(pilot):
+        await stage.say(pilot, CUT_IN)
+        bus = ObjectSpec(name="bus", type="bus", placement=Placement(position="behind", of="O1", gap=10.0))
+        await stage.bench.make_edits((AddObject(spec=bus, description="A bus behind O1."),))
+        await stage.until(pilot, lambda: "O2" in stage.bench.desk.structure and not stage.bench.busy)
+        before = stage.bench.desk.program
+        await stage.to_row(pilot, "O1:speed")
+        await pilot.press("enter")
+        await stage.until(pilot, lambda: stage.bench.sheet.editor and stage.bench.sheet.editor.query("Input"))
+        stage.app.focused.value = "36"
+        await stage.until(pilot, lambda: stage.bench.sheet.reached == {"O1", "O2"})
+        await pilot.press("enter")
+        await stage.until(pilot, lambda: stage.bench.desk.structure["O1"].spec.speed == 10.0 and not stage.bench.busy)
+        desk = stage.bench.desk
+        assert set(desk.rewritten) == {"O1", "O2"}
+        assert all(desk.program.fragment(c) == before.fragment(c) for c in ("G", "R", "E", "T"))
 
     assert compare(flow)
 
@@ -201,9 +223,8 @@ def test_compile_error_and_fix(stage, compare):
     assert compare(flow)
 
 
-async def test_the_offered_fix_is_taken(stage):
-    async with stage.make().run_test(size=(140, 45)) as pilot:
-        await stage.ready(pilot)
+def test_the_offered_fix_is_taken(stage, compare):
+    async def flow(pilot):
         await stage.say(pilot, CUT_IN)
         area = stage.bench.code.area
         area.text = area.text.replace("with behavior VanBehavior", "with behavior VanBehaviour")
@@ -215,3 +236,36 @@ async def test_the_offered_fix_is_taken(stage):
         await pilot.press("ctrl+t")
         await stage.until(pilot, lambda: not stage.bench.desk.diagnostics and not stage.bench.busy)
         assert "VanBehaviour" not in stage.bench.session.program.text
+
+    assert compare(flow)
+
+
+def test_compile_error_80x24(stage, compare):
+    async def flow(pilot):
+        await stage.say(pilot, CUT_IN)
+        await pilot.press("f4")
+        await stage.until(pilot, lambda: stage.bench.code.area.has_focus)
+        area = stage.bench.code.area
+        area.text = area.text.replace("with behavior VanBehavior", "with behavior VanBehaviour")
+        await stage.until(pilot, lambda: stage.bench.code.area.problems)
+        await pilot.press("f8")
+        await stage.until(pilot, lambda: stage.bench.code.finding is not None)
+        assert stage.bench.code.finding.component == "O1"
+
+    assert compare(flow, size=(80, 24))
+
+
+def test_a_conflict_80x24(stage, compare):
+    async def flow(pilot):
+        await stage.say(pilot, CUT_IN)
+        area = stage.bench.code.area
+        area.text = area.text.replace("left of ego by 3.5", "left of ego by 4.0")
+        stage.bench.code.commit()
+        await stage.until(pilot, lambda: stage.bench.session.structure["O1"].origin == "by_hand")
+        await stage.idle(pilot)
+        await stage.bench.make_edits((SetField(component="O1", path="placement.gap", value=25.0),))
+        await stage.until(pilot, lambda: stage.bench.desk.structure["O1"].conflict and not stage.bench.busy)
+        await stage.bench.run_command("conflict")
+        await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Conflict")
+
+    assert compare(flow, size=(80, 24))

@@ -3,7 +3,7 @@
 
 import re
 
-from c2s_engine.interpret import describe, objects
+from c2s_engine.interpret import describe, objects, unmet
 from c2s_engine.interpret.drivers import compose_ego
 from c2s_engine.interpret.environment import PRESET_TIME, PRESET_WEATHER
 from c2s_engine.interpret.mentions import ZONES, Entity
@@ -12,7 +12,7 @@ from c2s_engine.interpret.roads import compose_place
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.settings import ACCEPTED, DEFAULTS, Settings
 from c2s_engine.structure.components import Assumption, Component, Link, Structure
-from c2s_engine.structure.specs import RestrictionsSpec, SettingsSpec
+from c2s_engine.structure.specs import EgoSpec, RestrictionsSpec, SettingsSpec
 
 
 def compose(scene: Scene) -> Structure:
@@ -28,6 +28,18 @@ def compose(scene: Scene) -> Structure:
     ego = objects.settle(scene, ego, place, drafts, ids)
     drafts += objects.signs(scene, place, len(drafts))
     place_assumed = _place_assumed(scene, place)
+    untold = unmet.find(scene)
+    ego_assumed += [Assumption(field="reaction", value=_doing(ego), reason=r) for r in unmet.alternatives(scene, scene.cast.ego)]
+    for draft in drafts:
+        if draft.entity is not None:
+            draft.unmet += [u.note for u in untold if u.owner is draft.entity]
+            draft.assumed += [
+                Assumption(field="phases", value=", ".join(p.action for p in draft.spec.phases) or "none", reason=r)
+                for r in unmet.alternatives(scene, draft.entity)
+            ]
+    mine = {d.entity for d in drafts}
+    left = {c: tuple(u.note for u in untold if u.owner == c) for c in ("G", "R", "T")}
+    left["E"] = tuple(u.note for u in untold if u.owner == "E" or isinstance(u.owner, Entity) and u.owner not in mine)
     components = [
         Component(
             id=f"O{n}", spec=d.spec, assumed=tuple(d.assumed), unmet=tuple(d.unmet), links=_links(scene, d.entity)
@@ -43,6 +55,7 @@ def compose(scene: Scene) -> Structure:
             assumed=tuple(settings_assumed),
             description=describe.settings(settings),
             links=_setting_links(scene),
+            unmet=left["G"],
         ),
         place=Component(
             id="R",
@@ -50,10 +63,11 @@ def compose(scene: Scene) -> Structure:
             assumed=tuple(place_assumed),
             description=describe.place(place),
             links=_road_links(scene),
+            unmet=left["R"],
         ),
-        ego=Component(id="E", spec=ego, assumed=tuple(ego_assumed), links=_links(scene, scene.cast.ego)),
+        ego=Component(id="E", spec=ego, assumed=tuple(ego_assumed), links=_links(scene, scene.cast.ego), unmet=left["E"]),
         objects=tuple(components),
-        restrictions=Component(id="T", spec=RestrictionsSpec(), description="No restriction beyond the scene itself."),
+        restrictions=Component(id="T", spec=RestrictionsSpec(), description="No restriction beyond the scene itself.", unmet=left["T"]),
     )
     names = {c.id: c.spec.name for c in structure.objects}  # type: ignore[union-attr]
     described = [c.model_copy(update={"description": describe.obj(c.spec, names)}) for c in structure.objects]  # type: ignore[arg-type]
@@ -61,6 +75,11 @@ def compose(scene: Scene) -> Structure:
         "ego": structure.ego.model_copy(update={"description": describe.ego(ego, place, names)}),
         "objects": tuple(described),
     })  # fmt: skip
+
+
+def _doing(ego: EgoSpec) -> str:
+    """What ego does, in a word or two: its reaction, else its phases."""
+    return ego.reaction if ego.reaction != "none" else ", ".join(p.action for p in ego.phases) or "none"
 
 
 def _blockers_first(scene: Scene, ordered: list[Entity]) -> list[Entity]:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from c2s_engine.interpret import compose, language, scan, scene
+from c2s_engine.interpret import compose, language, scan, scene, unmet
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.spelling import Mended
 from c2s_engine.structure.components import Structure, Unmet
@@ -42,6 +42,16 @@ class EmbeddedInterpreter:
             raise InterpretError(
                 "The text is empty: describe a driving scene, for example “a car cuts in ahead of ego”."
             )
+        try:
+            return self._read(text)
+        except InterpretError:
+            raise
+        except Exception as error:  # any text gives S or a sentence: what defeats the rules must not reach the user as a traceback
+            raise InterpretError(
+                f"This text defeats the embedded interpreter ({type(error).__name__}): say it in shorter, plainer sentences."
+            ) from error
+
+    def _read(self, text: str) -> Interpretation:
         mended = Mended(text[:READ_AT_MOST])
         head = mended.text
         meant = typology(head)
@@ -60,8 +70,14 @@ class EmbeddedInterpreter:
 
 
 def _on_original(structure: Structure, mended: Mended) -> Structure:
-    """The structure with its links on the user's own text."""
+    """The structure with its links and notes on the user's own text."""
     for component in structure.components:
+        notes = []
+        for note in component.unmet:
+            first, last = (mended.back(at) for at in note.span or (0, 0))
+            if first < last <= len(mended.original):
+                notes.append(note.model_copy(update={"span": (first, last), "text": mended.original[first:last]}))
+        component = component.model_copy(update={"unmet": tuple(notes)})
         links = []
         for link in component.links:
             if link.span is not None and link.kind == "text":
@@ -118,6 +134,7 @@ def _missed(found: Scene, text: str, mended: Mended) -> list[Unmet]:
         f.span for f in (found.settings.time, found.settings.map, found.settings.preset, found.settings.ego_model) if f
     ]
     taken += [(s.start, s.end) for s in found.spans if s.kind == "quantity"]
+    taken += [u.note.span for u in unmet.find(found) if u.note.span]
     missed = []
     for start, end in found.sentences:
         if not any(start <= s and e <= end for s, e in taken):

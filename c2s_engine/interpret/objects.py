@@ -36,7 +36,7 @@ def compose_object(scene: Scene, entity: Entity, ids: dict[Entity, str], place: 
         assumed.append(Assumption(field="type", value=kind, reason=f"“{entity.noun}” is no known road user: its type is taken from what it does"))
     placement = _placement(scene, entity, ids, place, assumed)
     phases = phases_of(scene, entity, ids, placement, place)
-    speed = _speed(scene, entity, kind, phases, ego, placement, place, assumed)
+    speed = _speed(scene, entity, kind, phases, ego, placement, place, assumed, ids[entity])
     spec = ObjectSpec(
         name=_name(entity, placement),
         type=kind,
@@ -553,6 +553,7 @@ def _speed(
     placement: Placement,
     place: PlaceSpec,
     assumed: list[Assumption],
+    own_id: str,
 ) -> float | tuple[float, float] | None:  # noqa: ANN001
     said = scene.speeds.get(entity)
     defaults = language.table("defaults")
@@ -625,6 +626,12 @@ def _speed(
     factor = "same"
     if "slow" in entity.roles or re.search(r"\b(crawl|creep|trundle|slow(ly|er)?|dawdle|grind|inch|plod|chug)\b", text):
         factor = "slow"
+    elif any(p.action == "overtake" and p.target == own_id for p in ego.phases) or _passed_by_another(scene, entity):
+        factor = "slow"
+    elif placement.position == "beside" and any(p.action == "cut_in" for p in phases) or placement.along == "abreast" and any(
+        p.action == "cut_in" for p in phases
+    ):
+        factor = "gaining"
     elif (
         placement.along == "behind"
         and placement.position in ("left_lane", "right_lane")
@@ -636,7 +643,7 @@ def _speed(
         factor = "fast"
     elif (
         placement.position == "ahead"
-        and not phases
+        and not any(p.action in ("brake", "stop", "follow") for p in phases)
         and any(
             e.act in ("approach", "overtake", "held_up", "collide") and (e.patient is entity)
             for e in scene.events(scene.cast.ego)
@@ -649,6 +656,11 @@ def _speed(
         return None
     assumed.append(Assumption(field="speed", value=f"{speed * 3.6:.0f} km/h", reason=value["reason"]))
     return speed
+
+
+def _passed_by_another(scene: Scene, entity: Entity) -> bool:
+    """Whether another road user (not ego) overtakes this one: it is slower."""
+    return any(e.act == "overtake" and e.patient is entity and e.done and not e.agent.ego for e in scene.clauses.events)
 
 
 def settle(scene: Scene, ego: EgoSpec, place: PlaceSpec, drafts: list[Draft], ids: dict[Entity, str]) -> EgoSpec:

@@ -14,6 +14,7 @@ from scenic.core.simulators import TerminationType
 from scenic.simulators.carla import blueprints
 
 from c2s_engine.dryrun import plain
+from c2s_engine.dryrun.events.derivation import derive
 from c2s_engine.dryrun.outline import box_of, map_outline
 from c2s_engine.dryrun.recording import Recording
 from c2s_engine.dryrun.roads import index_of
@@ -36,8 +37,6 @@ def prepare(network: Any = None) -> None:
 def run_scene(scene: Any, *, names: dict[int, str], components: dict[str, str], seed: int, seconds: float,
               trajectories: bool, map_path: str) -> tuple[RunFacts, Trajectories | None]:  # fmt: skip
     """Run the scene for `seconds` s. A run that fails is told by `ended_by` and `reason`; nothing is raised for it."""
-    from c2s_engine.dryrun.events.derivation import derive
-
     run = simulate(scene, names=names, seed=seed, seconds=seconds, map_path=map_path)
     if run.recording is None or not run.recording.paths or run.ended_by in ("rejected", "error"):
         facts = RunFacts(seed=seed, duration=run.duration, ended_by=run.ended_by, reason=run.reason)

@@ -11,6 +11,7 @@ from c2s_engine.dryrun.events.road import EgoPath
 from c2s_engine.dryrun.events.situation import Seen, Situation
 from c2s_engine.dryrun.events.starts import hidden_behind, starts
 from c2s_engine.dryrun.events.vru import vru
+from c2s_engine.dryrun.events.works import temporary
 from c2s_engine.dryrun.recording import Recording
 from c2s_engine.dryrun.roads import RoadIndex
 from c2s_engine.maps.extras import MapExtras
@@ -31,7 +32,7 @@ def derive(recording: Recording, index: RoadIndex, extras: MapExtras | None) -> 
         light=path.light(),
         infrastructure=path.infrastructure(),
         speed_limits_kmh=path.limits(),
-        temporary=path.temporary(),
+        temporary=temporary(path),
         weather=weather,
         time=time,
         objects=tuple(_object(seen, situation, meetings) for seen in situation.objects),

@@ -1,21 +1,18 @@
-"""The road on ego's path: lanes, intersections, bends, lights and signs, crosswalks, works."""
+"""The road on ego's path: lanes, intersections, bends, lights and signs, crosswalks."""
 
 import numpy as np
 import shapely
-from scipy.spatial import cKDTree
 
-from c2s_engine.dryrun.contacts import corners
 from c2s_engine.dryrun.events.junctions import faces, is_intersection, state
-from c2s_engine.dryrun.events.kinds import temporary_kind
 from c2s_engine.dryrun.events.situation import NOWHERE, Seen, Situation
 from c2s_engine.structure.facts import RoadFacts
 
 AHEAD = 100.0
 NEAR_LIGHT = 30.0
 BESIDE = 10.0
-TOGETHER = 30.0
-WIDE = 2.0
-FAR = 150.0
+"""m: what is so near to the path is on or beside it."""
+ABREAST = 20.0
+"""m: the widest carriageway, from the path to its far side."""
 
 
 class EgoPath:
@@ -196,6 +193,12 @@ class EgoPath:
                     found.append(seen)
         return found
 
+    def abreast(self, x: float, y: float) -> bool:
+        """Whether a point lies beside the path, not before its start or beyond its end."""
+        point = shapely.Point(x, y)
+        along = self.line.project(point)
+        return 0.0 < along < self.line.length and self.line.distance(point) <= ABREAST
+
     def limits(self) -> tuple[float, ...]:
         """km/h: the map's for ego's road, those on sign props, and a scene parameter `speed_limit` (km/h)."""
         found = []
@@ -211,64 +214,6 @@ class EgoPath:
             if isinstance(value, int | float):
                 found.append(float(value))
         return tuple(dict.fromkeys(found))
-
-    def temporary(self) -> tuple[str, ...]:
-        """construction_zone, cones, barrier, debris, lane_closure, warning_sign."""
-        things = [(o, temporary_kind(o.path)) for o in self.situation.others if o.kind == "prop"]
-        points = {id(o): shapely.Point(o.x[0], o.y[0]) for o, _ in things}
-        found = {kind for o, kind in things if kind and self.line.distance(points[id(o)]) <= FAR}
-        near = [(o, kind) for o, kind in things if kind and self.line.distance(points[id(o)]) <= BESIDE]
-        parts = [o for o, kind in near if kind in ("cones", "barrier")]
-        signs = [o for o, kind in near if kind == "warning_sign"]
-        if self._zone(parts, signs):
-            found.add("construction_zone")
-        if self._closed():
-            found.add("lane_closure")
-        return tuple(sorted(found))
-
-    @staticmethod
-    def _zone(parts: list[Seen], signs: list[Seen]) -> bool:
-        if not parts:
-            return False
-        places = np.array([[o.x[0], o.y[0]] for o in parts])
-        tree = cKDTree(places)
-        if any(len(tree.query_ball_point(p, TOGETHER)) >= 3 for p in places):
-            return True
-        return any(tree.query([o.x[0], o.y[0]])[0] <= TOGETHER for o in signs)
-
-    def _closed(self) -> bool:
-        """Whether what stands in a lane of ego's carriageway leaves less than 2 m of it."""
-        index = self.situation.index
-        lanes = {n for lane in self.lanes for n in ({lane} | index.lanes[lane].left | index.lanes[lane].right)}
-        things = [o for o in self.situation.others if o.kind == "prop" and not o.moves]
-        for lane in lanes:
-            info = index.lanes[lane]
-            taken = []
-            for o in things:
-                box = np.array(corners(o.x[0], o.y[0], o.heading[0], o.path.length, o.path.width))
-                if np.hypot(*(info.point_at(info.project(o.x[0], o.y[0])[0]) - box.mean(axis=0))) > 6.0:
-                    continue
-                s, d = info.project_many(box)
-                if s.min() > -2.0 and s.max() < info.length + 2.0:
-                    taken.append((float(s.mean()), float(d.min()), float(d.max())))
-            if taken and _room(taken, info.width) < WIDE:
-                return True
-        return False
-
-
-def _room(taken: list[tuple[float, float, float]], width: float) -> float:
-    """The widest free part of a lane beside the tightest group of things that stand within 3 m of each other."""
-    least = width
-    for s, _, _ in taken:
-        group = sorted((low, high) for at, low, high in taken if abs(at - s) <= 3.0)
-        edge, best = -width / 2, 0.0
-        for low, high in group:
-            best = max(best, min(low, width / 2) - edge)
-            edge = max(edge, high)
-        best = max(best, width / 2 - edge)
-        inside = any(high > -width / 2 and low < width / 2 for low, high in group)
-        least = min(least, best) if inside else least
-    return least
 
 
 def _spread(headings: list[float]) -> float:

@@ -76,7 +76,7 @@ def _load_map(conn: socket.socket, job: dict[str, Any]) -> None:
     from scenic.domains.driving.roads import Network
 
     try:
-        warm.prepare(Network.fromFile(job["path"]))
+        warm.prepare(Network.fromFile(job["path"]), job["path"])
     except Exception as error:
         wire.send(conn, {"failed": str(error)})
         return

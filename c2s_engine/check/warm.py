@@ -27,7 +27,7 @@ LIBRARY = (
 REHEARSAL = Path(__file__).with_name("rehearsal.scenic")
 _code: dict[tuple[bytes, str], tuple[Any, list, bytes]] = {}
 _networks: dict[tuple, Any] = {}
-_prepare: Callable[[Any], None] | None = None
+_prepare: Callable[[Any, str], None] | None = None
 may_write = True
 """Whether map caches may be written: false in a confined child."""
 
@@ -66,10 +66,10 @@ def warm(standins: Path, runner: str | None = None) -> None:
     gc.disable()
 
 
-def prepare(network: Any = None) -> None:
+def prepare(network: Any = None, path: str = "") -> None:
     """Let the runner make what its runs share: once at the start, and for each map that is loaded to be kept."""
     if _prepare is not None:
-        _prepare(network)
+        _prepare(network, path)
 
 
 def reseed(seed: int) -> None:

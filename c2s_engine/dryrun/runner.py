@@ -1,5 +1,6 @@
 """Run a sampled scene and say what it showed. Runs in the check process (Scenic and the stand-ins are there)."""
 
+import contextlib
 import traceback
 import warnings
 from functools import cache
@@ -15,11 +16,12 @@ from scenic.simulators.carla import blueprints
 
 from c2s_engine.dryrun import plain
 from c2s_engine.dryrun.events.derivation import derive
+from c2s_engine.dryrun.events.table import definitions
 from c2s_engine.dryrun.outline import box_of, map_outline
 from c2s_engine.dryrun.recording import Recording
 from c2s_engine.dryrun.roads import index_of
 from c2s_engine.dryrun.world import DryRunSimulation
-from c2s_engine.maps.extras import MapExtras, read_extras
+from c2s_engine.maps.extras import BrokenMap, MapExtras, read_extras
 from c2s_engine.structure.facts import RunFacts, Track, Trajectories
 
 STUCK = 3
@@ -27,11 +29,15 @@ STUCK = 3
 OURS = (str(Path(scenic.__file__).parent), str(Path(__file__).parent))
 
 
-def prepare(network: Any = None) -> None:
-    """Make what all runs of a process (and of those forked from it) share: Scenic's shortcuts, a network's index."""
+def prepare(network: Any = None, path: str = "") -> None:
+    """Make what all runs of a process (and of its forks) share: Scenic's shortcuts, tables, a map's index."""
     plain.install()
+    definitions()
+    blueprint_classes()
     if network is not None:
         index_of(network).warm()
+        with contextlib.suppress(BrokenMap):
+            read_extras(path)
 
 
 def run_scene(scene: Any, *, names: dict[int, str], components: dict[str, str], seed: int, seconds: float,

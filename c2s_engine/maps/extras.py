@@ -4,6 +4,7 @@ No Scenic here. Positions in m in map coordinates, headings in rad counterclockw
 """
 
 import math
+import os
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass
 from functools import lru_cache
@@ -103,7 +104,7 @@ def read_extras(path: str | Path) -> MapExtras:
         state = path.stat()
     except OSError as error:
         raise BrokenMap(f"{path.name} cannot be read: {error.strerror or error}.") from None
-    return _read(path, state.st_mtime_ns, state.st_size)
+    return _read(Path(os.path.realpath(path)), state.st_mtime_ns, state.st_size)
 
 
 @lru_cache(maxsize=16)

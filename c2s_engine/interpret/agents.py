@@ -160,7 +160,11 @@ class Agents:
                 ):
                     above = self._governor(above) or above
             if word.dep == "conj" and above is not None:
-                nearer = [c for c in above.children if above.i < c < word.i and self.words[c].dep == "conj" and self._is_verb(self.words[c])]
+                nearer = [
+                    c
+                    for c in above.children
+                    if above.i < c < word.i and self.words[c].dep == "conj" and self._is_verb(self.words[c])
+                ]
                 if nearer and any(self.words[c].dep in ("nsubj", "nsubjpass") for c in self.words[nearer[-1]].children):
                     above = self.words[nearer[-1]]
             if above is not None and above.i != word.i:
@@ -257,7 +261,9 @@ class Agents:
             return None
         subjects = {i for i, _ in self.cast.subjects}
         for number in (word.sentence - 1, word.sentence - 2):
-            spoken = [i for i in sorted(self.cast.of) if self.words[i].sentence == number and self.words[i].tag != "PRP$"]
+            spoken = [
+                i for i in sorted(self.cast.of) if self.words[i].sentence == number and self.words[i].tag != "PRP$"
+            ]
             first = next((i for i in reversed(spoken) if i in subjects), spoken[0] if spoken else None)
             if first is not None:
                 return self.cast.of[first]

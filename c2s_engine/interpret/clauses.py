@@ -15,7 +15,9 @@ from c2s_engine.interpret.timing import Timing
 PLACES = {"speed": "#speed", "distance": "#dist", "time": "#time", "acceleration": "#acc", "percent": "#percent"}
 
 
-ATTRIBUTIVE = frozenset(("brake", "stop", "accelerate", "reverse", "swerve", "lose_control", "drift", "u_turn", "cross_road"))
+ATTRIBUTIVE = frozenset(
+    ("brake", "stop", "accelerate", "reverse", "swerve", "lose_control", "drift", "u_turn", "cross_road")
+)
 
 
 @dataclass(eq=False)
@@ -103,7 +105,12 @@ class Clauses(Timing):
         found: list[int] = []
         for word in self.words[i + 1 :]:
             other = self.cast.of.get(word.i)
-            if word.sentence != self.words[i].sentence or other is not None and not other.ego and word.dep not in ("pobj", "poss"):
+            if (
+                word.sentence != self.words[i].sentence
+                or other is not None
+                and not other.ego
+                and word.dep not in ("pobj", "poss")
+            ):
                 break
             found.append(word.i)
         return found
@@ -234,7 +241,13 @@ class Clauses(Timing):
                 if above is not None and above.i in self.by_word
                 else self.by_word[word.head].agent
             )
-        if agent is None and word.tag == "VBG" and word.dep in ("advcl", "pcomp", "xcomp") and word.head in self.by_word and word.head < word.i:
+        if (
+            agent is None
+            and word.tag == "VBG"
+            and word.dep in ("advcl", "pcomp", "xcomp")
+            and word.head in self.by_word
+            and word.head < word.i
+        ):
             agent = self.by_word[word.head].agent
         if agent is None:
             agent = self.topic(word)
@@ -259,11 +272,28 @@ class Clauses(Timing):
             self.events.append(then)
         if event.act in ("brake", "brake_stop", "stop") and not event.hard:
             following = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5] if w.sentence == word.sentence)
-            event.hard = bool(re.match(r"((very|quite|rather|so|pretty|really) )?(hard|harder|sharply|abruptly|heavily|strongly|violently)\b", following))
+            event.hard = bool(
+                re.match(
+                    r"((very|quite|rather|so|pretty|really) )?(hard|harder|sharply|abruptly|heavily|strongly|violently)\b",
+                    following,
+                )
+            )
         event.words, event.mode, event.passive = own, self._mode(word), passive
-        if event.act == "stop" and passive and lemma != "bring" and event.agent is agent and not re.search(r"\bby @", whole):
+        if (
+            event.act == "stop"
+            and passive
+            and lemma != "bring"
+            and event.agent is agent
+            and not re.search(r"\bby @", whole)
+        ):
             event.act = "stationary"
-        if event.act == "follow" and passive and event.agent is agent and not event.agent.ego and not re.search(r"\bby @", whole):
+        if (
+            event.act == "follow"
+            and passive
+            and event.agent is agent
+            and not event.agent.ego
+            and not re.search(r"\bby @", whole)
+        ):
             event.agent, event.patient = self.cast.ego, agent
         late: Event | None = None
         into = (
@@ -420,7 +450,11 @@ class Clauses(Timing):
         lemma = self._lemma(word)
         text = f"{lemma} " + " ".join(w.norm for w in self.words[word.i + 1 : word.head])
         event = self._event(lemma, word, text, text, agent, None)
-        if event is None or event.act not in ATTRIBUTIVE or any(e.act == event.act and e.agent is agent for e in self.events):
+        if (
+            event is None
+            or event.act not in ATTRIBUTIVE
+            or any(e.act == event.act and e.agent is agent for e in self.events)
+        ):
             return
         before = self.words[word.i - 1].norm if word.i else ""
         event.hard = event.hard or before in ("hard", "suddenly", "sharply", "abruptly", "heavily", "strongly")

@@ -29,7 +29,9 @@ def compose(scene: Scene) -> Structure:
     drafts += objects.signs(scene, place, len(drafts))
     place_assumed = _place_assumed(scene, place)
     untold = unmet.find(scene)
-    ego_assumed += [Assumption(field="reaction", value=_doing(ego), reason=r) for r in unmet.alternatives(scene, scene.cast.ego)]
+    ego_assumed += [
+        Assumption(field="reaction", value=_doing(ego), reason=r) for r in unmet.alternatives(scene, scene.cast.ego)
+    ]
     for draft in drafts:
         if draft.entity is not None:
             draft.unmet += [u.note for u in untold if u.owner is draft.entity]
@@ -65,9 +67,13 @@ def compose(scene: Scene) -> Structure:
             links=_road_links(scene),
             unmet=left["R"],
         ),
-        ego=Component(id="E", spec=ego, assumed=tuple(ego_assumed), links=_links(scene, scene.cast.ego), unmet=left["E"]),
+        ego=Component(
+            id="E", spec=ego, assumed=tuple(ego_assumed), links=_links(scene, scene.cast.ego), unmet=left["E"]
+        ),
         objects=tuple(components),
-        restrictions=Component(id="T", spec=RestrictionsSpec(), description="No restriction beyond the scene itself.", unmet=left["T"]),
+        restrictions=Component(
+            id="T", spec=RestrictionsSpec(), description="No restriction beyond the scene itself.", unmet=left["T"]
+        ),
     )
     names = {c.id: c.spec.name for c in structure.objects}  # type: ignore[union-attr]
     described = [c.model_copy(update={"description": describe.obj(c.spec, names)}) for c in structure.objects]  # type: ignore[arg-type]

@@ -274,7 +274,9 @@ def _speed(
             )
             return round((low + high) / 2, 2)
     flow = _speed_among_others(scene, ids, phases)
-    if flow is not None and not (phases and phases[0].action in ("stationary", "enter_road", "start", "wait", "reverse")):
+    if flow is not None and not (
+        phases and phases[0].action in ("stationary", "enter_road", "start", "wait", "reverse")
+    ):
         value, reason = flow
         assumed.append(Assumption(field="speed", value=f"{value * 3.6:.0f} km/h", reason=reason))
         return value
@@ -306,19 +308,33 @@ def _speed_among_others(scene: Scene, ids: dict[Entity, str], phases: list[Phase
     targets = {p.target for p in phases if p.action in ("overtake", "collide")}
     for entity in scene.actors:
         said, where = scene.speeds.get(entity), scene.where(entity)
-        if said is None or entity not in ids or not entity.mover or entity.person or entity.type == "bicycle" or said[1] < 3:
+        if (
+            said is None
+            or entity not in ids
+            or not entity.mover
+            or entity.person
+            or entity.type == "bicycle"
+            or said[1] < 3
+        ):
             continue
         if where.lane in ("oncoming", "crossing", "parked", "roadside") or "oncoming" in entity.roles:
             continue
         acts = scene.events(entity)
         passes = any(e.act == "overtake" and (e.patient is None or e.patient.ego) for e in acts)
         caught = ids[entity] in targets or any(
-            e.act in ("approach", "held_up") and e.patient is entity and e.agent.ego for e in scene.clauses.events if e.done
+            e.act in ("approach", "held_up") and e.patient is entity and e.agent.ego
+            for e in scene.clauses.events
+            if e.done
         )
         if any(e.act in ("turn", "go_straight", "run_red", "cross_path") for e in acts) and where.rel is None:
             continue
         name = "closing" if caught else "passed" if passes or where.rel == "behind" else "flow"
-        if name == "flow" and where.rel is None and where.lane not in ("left", "right", "same") and "lead" not in entity.roles:
+        if (
+            name == "flow"
+            and where.rel is None
+            and where.lane not in ("left", "right", "same")
+            and "lead" not in entity.roles
+        ):
             continue
         factor = factors[name]
         return round(min(50.0, max(3.0, (said[0] + said[1]) / 2 * factor["value"])), 2), factor["reason"]

@@ -46,7 +46,9 @@ class EmbeddedInterpreter:
             return self._read(text)
         except InterpretError:
             raise
-        except Exception as error:  # any text gives S or a sentence: what defeats the rules must not reach the user as a traceback
+        except (
+            Exception
+        ) as error:  # any text gives S or a sentence: what defeats the rules must not reach the user as a traceback
             raise InterpretError(
                 f"This text defeats the embedded interpreter ({type(error).__name__}): say it in shorter, plainer sentences."
             ) from error

@@ -86,7 +86,13 @@ def clock(plain: str) -> Found | None:
     hour = int(match["hour"] or match["hour2"] or match["hour3"])
     half = match["half"] or match["half2"]
     hour = hour % 12 + (12 if half == "p" else 0) if half else hour
-    if match["hour"] and not half and not re.search(r"(?:at|around|about|approximately|approx\.?|time:?)\s+$", plain[max(0, match.start() - 16) : match.start()]):
+    if (
+        match["hour"]
+        and not half
+        and not re.search(
+            r"(?:at|around|about|approximately|approx\.?|time:?)\s+$", plain[max(0, match.start() - 16) : match.start()]
+        )
+    ):
         return None
     value = "night" if hour >= 21 or hour < 5 else "dawn" if hour < 7 else "dusk" if 19 <= hour else "day"
     return Found(value, 0.8, match.span())

@@ -67,7 +67,8 @@ class Inferred:
             if not event.agent.ego or event.act not in ("lane_change", "cut_in") or not event.done:
                 continue
             match = re.search(
-                r"\b(?P<side>left|right)\b.*?\b(?P<rel>behind|in front of|ahead of|between) (?:the |an? )?(?:\w+ )?@(?P<who>a\d+)", event.text
+                r"\b(?P<side>left|right)\b.*?\b(?P<rel>behind|in front of|ahead of|between) (?:the |an? )?(?:\w+ )?@(?P<who>a\d+)",
+                event.text,
             )
             other = next((e for e in self.cast.entities if match and e.key == match["who"]), None)
             if match is None or other is None or self.of[other].lane not in (None, "same") or not other.mover:
@@ -108,7 +109,9 @@ class Inferred:
             "second": 2,
             "third": 3,
         }
-        pattern = re.compile(r"(?:number|lane number|(?<![\w-])lane|no\.?|#) (one|two|three|four|[1-4])(?: lane)?\b(?!-)")
+        pattern = re.compile(
+            r"(?:number|lane number|(?<![\w-])lane|no\.?|#) (one|two|three|four|[1-4])(?: lane)?\b(?!-)"
+        )
         for entity in (self.cast.ego, *self.cast.entities):
             texts = [
                 e.whole
@@ -164,7 +167,12 @@ class Inferred:
             ):
                 continue
             where, whose = self.of[other], self.of[event.agent]
-            if (where.lane == "oncoming" or "oncoming" in other.roles) and whose.lane in (None, "same", "left", "right"):
+            if (where.lane == "oncoming" or "oncoming" in other.roles) and whose.lane in (
+                None,
+                "same",
+                "left",
+                "right",
+            ):
                 whose.lane = "oncoming"
             if where.rel is None and where.lane is None:
                 where.lane, where.rel, where.side = whose.lane, "ahead", whose.side
@@ -188,7 +196,8 @@ class Inferred:
                         break
                 if (
                     re.search(
-                        r"in (that|this|there|it)( very)? lane|\b(in )?there\b(?! (be|come|stand|appear|lie|sit|wait)\b)|in that lane|stand in (it|@)", text
+                        r"in (that|this|there|it)( very)? lane|\b(in )?there\b(?! (be|come|stand|appear|lie|sit|wait)\b)|in that lane|stand in (it|@)",
+                        text,
                     )
                     or event.adverbial == "where"
                     or re.match(r"where", text)

@@ -141,7 +141,9 @@ class Cast(Pronouns):
             host.label = label
             return host
         kind = language.actor_nouns()[data["word"]][0] if " " in label else "vehicle"
-        return self._new(Entity("", kind, noun=data["word"] if " " in label else "", label=label, typed=kind != "vehicle"))
+        return self._new(
+            Entity("", kind, noun=data["word"] if " " in label else "", label=label, typed=kind != "vehicle")
+        )
 
     def _become_ego(self, entity: Entity) -> None:
         if entity.type != "vehicle":
@@ -330,7 +332,8 @@ class Cast(Pronouns):
         back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
         text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
         match = re.search(
-            r"@( ?,)?( ?\(?who (was|is|were))? (operating|driving|riding|at the wheel of|in charge of|in|on) (an?|his|her|the|their)( [\w-]+){0,2} $", text + " "
+            r"@( ?,)?( ?\(?who (was|is|were))? (operating|driving|riding|at the wheel of|in charge of|in|on) (an?|his|her|the|their)( [\w-]+){0,2} $",
+            text + " ",
         )
         if match is None:
             return None

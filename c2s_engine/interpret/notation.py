@@ -9,9 +9,12 @@ from c2s_engine.interpret.rewritten import Replacement
 
 ROW = re.compile(r"^[ \t]*\|(?P<key>[^|\n]+)\|(?P<value>[^|\n]+)\|[ \t]*$", re.MULTILINE)
 RULE = re.compile(r"^[ \t]*\|?[ \t:|-]*-{3,}[ \t:|-]*$", re.MULTILINE)
-FIELD = re.compile(r"(?:^|(?<=[;\n]))[ \t]*(?:[-*•][ \t]*)?(?P<key>[^\W\d_][\w /#-]{1,40}?)[ \t]*[:=][ \t]*(?P<value>[^;\n]+)")
+FIELD = re.compile(
+    r"(?:^|(?<=[;\n]))[ \t]*(?:[-*•][ \t]*)?(?P<key>[^\W\d_][\w /#-]{1,40}?)[ \t]*[:=][ \t]*(?P<value>[^;\n]+)"
+)
 VERBAL = re.compile(
-    r"\s*(?:slowly |suddenly |hard |then |gradually )?(?:to )?(?!(?:across|cross|bus|brakes?$|gas)\b)\w+(?:s|es)\b|.*\b(?:is|has|does)\b", re.I
+    r"\s*(?:slowly |suddenly |hard |then |gradually )?(?:to )?(?!(?:across|cross|bus|brakes?$|gas)\b)\w+(?:s|es)\b|.*\b(?:is|has|does)\b",
+    re.I,
 )
 
 

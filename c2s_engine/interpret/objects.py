@@ -33,7 +33,13 @@ def compose_object(scene: Scene, entity: Entity, ids: dict[Entity, str], place: 
     if entity.type == "vehicle":
         assumed.append(Assumption(field="type", value="car", reason="the text says only that it is a vehicle"))
     if "guessed" in entity.roles:
-        assumed.append(Assumption(field="type", value=kind, reason=f"“{entity.noun}” is no known road user: its type is taken from what it does"))
+        assumed.append(
+            Assumption(
+                field="type",
+                value=kind,
+                reason=f"“{entity.noun}” is no known road user: its type is taken from what it does",
+            )
+        )
     placement = _placement(scene, entity, ids, place, assumed)
     phases = phases_of(scene, entity, ids, placement, place)
     speed = _speed(scene, entity, kind, phases, ego, placement, place, assumed, ids[entity])
@@ -628,8 +634,11 @@ def _speed(
         factor = "slow"
     elif any(p.action == "overtake" and p.target == own_id for p in ego.phases) or _passed_by_another(scene, entity):
         factor = "slow"
-    elif placement.position == "beside" and any(p.action == "cut_in" for p in phases) or placement.along == "abreast" and any(
-        p.action == "cut_in" for p in phases
+    elif (
+        placement.position == "beside"
+        and any(p.action == "cut_in" for p in phases)
+        or placement.along == "abreast"
+        and any(p.action == "cut_in" for p in phases)
     ):
         factor = "gaining"
     elif (

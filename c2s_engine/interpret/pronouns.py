@@ -65,10 +65,16 @@ class Pronouns:
         if word.dep != "nsubj" or not {"a", "an", "one", "another"} & {self.words[c].norm for c in word.children}:
             return None
         verb = self.words[word.head]
-        rest = " ".join("@" if w.span is not None else w.norm for w in self.words[verb.i + 1 : verb.i + 9] if w.sentence == word.sentence)
+        rest = " ".join(
+            "@" if w.span is not None else w.norm
+            for w in self.words[verb.i + 1 : verb.i + 9]
+            if w.sentence == word.sentence
+        )
         for guess in data["guesses"]:
             if verb.lemma in guess["verbs"] and re.search(guess["with"], rest):
-                return self._new(Entity("", guess["type"], noun=word.norm, roles={"guessed"}, typed=guess["type"] != "vehicle"))
+                return self._new(
+                    Entity("", guess["type"], noun=word.norm, roles={"guessed"}, typed=guess["type"] != "vehicle")
+                )
         return None
 
     def _on_foot(self, word: Word) -> bool:
@@ -82,7 +88,10 @@ class Pronouns:
     @staticmethod
     def _leaves_on_foot(after: str) -> bool:
         return bool(
-            re.match(r"(step|climb|get|got|jump|hop|walk|alight|run|ran)\w* (\w+ )?(out|off|down|from|across|into the (road|street|lane))\b", after)
+            re.match(
+                r"(step|climb|get|got|jump|hop|walk|alight|run|ran)\w* (\w+ )?(out|off|down|from|across|into the (road|street|lane))\b",
+                after,
+            )
             or re.match(r"(exit|leav|left|disembark)\w* (the|his|her|their|its)", after)
         )
 
@@ -91,7 +100,10 @@ class Pronouns:
         if word.dep != "nsubj" or word.i == 0:
             return False
         text = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5])
-        if not re.match(r"(therefore |then |now |thus |only )?(must|shall|should|has to|needs to|is to|is (obliged|forced|required|expected|supposed|asked) to)\b", text):
+        if not re.match(
+            r"(therefore |then |now |thus |only )?(must|shall|should|has to|needs to|is to|is (obliged|forced|required|expected|supposed|asked) to)\b",
+            text,
+        ):
             return False
         verb = self._governor(word)
         if any(self.words[c].norm in ("because", "since", "if", "that", "which") for c in verb.children if c < word.i):
@@ -267,7 +279,9 @@ class Pronouns:
         """ "The other driver, in a red van": that vehicle, else the one spoken of last."""
         near = [i for i in sorted(self.of) if self.of[i].type in VEHICLES and not self.of[i].ego]
         inside = [
-            i for i in near if 0 < i - word.i <= 6 and {"in", "driving", "of"} & {w.norm for w in self.words[word.i + 1 : i]}
+            i
+            for i in near
+            if 0 < i - word.i <= 6 and {"in", "driving", "of"} & {w.norm for w in self.words[word.i + 1 : i]}
         ]
         before = [i for i in near if i < word.i]
         found = inside[:1] or before[-1:] or near[:1]
@@ -327,7 +341,9 @@ class Pronouns:
                             found = self.referent(target, depth + 1)
                             if found:
                                 return found
-            if word.lemma in ("driver", "operator") and any(self.words[c].norm in ("other", "another") for c in word.children):
+            if word.lemma in ("driver", "operator") and any(
+                self.words[c].norm in ("other", "another") for c in word.children
+            ):
                 return self._other_driver(word)
             if word.lemma in ("driver", "operator", "system", "passenger", "feature") or word.norm == "brakes":
                 return self.ego if word.lemma != "passenger" else None

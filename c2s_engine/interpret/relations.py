@@ -85,8 +85,21 @@ class Places(Inferred):
                     self._gap(event.words, where, only_ahead=event.act == "cut_in")
             if self.words[event.word].dep == "relcl" and event.adverbial == "where":
                 head = self.words[event.word].head
-                if head not in self.cast.of and self.words[head].norm in ("lane", "approach", "arm", "street", "side", "shoulder"):
-                    read("in " + self.clauses.render([i for i in self.clauses._below(head) if i <= head]), where, entity, self.cast, event.act)
+                if head not in self.cast.of and self.words[head].norm in (
+                    "lane",
+                    "approach",
+                    "arm",
+                    "street",
+                    "side",
+                    "shoulder",
+                ):
+                    read(
+                        "in " + self.clauses.render([i for i in self.clauses._below(head) if i <= head]),
+                        where,
+                        entity,
+                        self.cast,
+                        event.act,
+                    )
         for (
             event
         ) in self.clauses.events:  # "the ego comes upon a van standing in its lane"; "ego has a van in front of it"
@@ -132,7 +145,11 @@ class Places(Inferred):
         known = set(self.cast.of) | set()
         indices = sorted(set(indices))
         text += self.clauses.render(indices)
-        if word.span is not None and (self.words[word.head].norm in ("with", "is", "are") or i + 1 < len(self.words) and self.words[i + 1].norm in PLACING):
+        if word.span is not None and (
+            self.words[word.head].norm in ("with", "is", "are")
+            or i + 1 < len(self.words)
+            and self.words[i + 1].norm in PLACING
+        ):
             following = self._following(i)
             read(self.clauses.render(following), where, entity, self.cast, "noun")
         if known and text.strip():
@@ -159,7 +176,9 @@ class Places(Inferred):
         if (
             word.span is not None
             and (
-                (not indices or self.words[word.head].norm == "with") and word.dep in ("pobj", "conj", "dobj", "attr", "ROOT", "dep", "appos", "nsubj") or counted
+                (not indices or self.words[word.head].norm == "with")
+                and word.dep in ("pobj", "conj", "dobj", "attr", "ROOT", "dep", "appos", "nsubj")
+                or counted
             )
             or word.norm == "another"
         ):
@@ -167,15 +186,24 @@ class Places(Inferred):
             if (
                 after
                 and word.dep == "dobj"
-                and re.match(r"(in|on) the (rear|side|back|front|left|right)(?!(-hand|most)? lane)", self.clauses.render(after))
+                and re.match(
+                    r"(in|on) the (rear|side|back|front|left|right)(?!(-hand|most)? lane)", self.clauses.render(after)
+                )
             ):
                 after = []
-            if after and (self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO") or self.words[after[0]].norm in PLACING):
+            if after and (
+                self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO")
+                or self.words[after[0]].norm in PLACING
+            ):
                 read(self.clauses.render(after), where, entity, self.cast, "noun")
                 self._gap(after, where)
         if self.clauses.fragment(i):
             rest = self.clauses.about(i)
-            text = re.sub(r"(?<!in )(?<!the )\b(left|right|same|own|ego|oncoming|opposite|adjacent|next)(-hand|most)? lane", r"in the \1 lane", self.clauses.render(rest))
+            text = re.sub(
+                r"(?<!in )(?<!the )\b(left|right|same|own|ego|oncoming|opposite|adjacent|next)(-hand|most)? lane",
+                r"in the \1 lane",
+                self.clauses.render(rest),
+            )
             read(text, where, entity, self.cast, "noun")
             self._gap(rest, where)
         # copula without a verb of its own: "V2 in front, 20 m" and following adverbs in headless sentences

@@ -179,11 +179,22 @@ def names(text: str) -> list[Span]:
         if number in "abcde" and (word in ("v", "u", "d", "driver") or not re.match(r"[\s-]", bare)):
             continue
         typed = word in language.table("ego")["labels"]["typed"]
-        if typed and number.isalpha() and not re.match(r"\s*(?:$|[.,;:)(-]|(?:is|was|has|and|in|at|on|brakes|drives|turns|cuts|stops|changes|overtakes|follows)\b)", text[match.end() : match.end() + 12]):
+        if (
+            typed
+            and number.isalpha()
+            and not re.match(
+                r"\s*(?:$|[.,;:)(-]|(?:is|was|has|and|in|at|on|brakes|drives|turns|cuts|stops|changes|overtakes|follows)\b)",
+                text[match.end() : match.end() + 12],
+            )
+        ):
             continue
-        if number == "a" and not typed and not re.match(
-            r"\s*(?:$|[.,;:)(']|\w+(?:s|ed|ing)\b|is\b|was\b|did\b|has\b|had\b|and\b|in\b|at\b|on\b|from\b)",
-            text[match.end() : match.end() + 20],
+        if (
+            number == "a"
+            and not typed
+            and not re.match(
+                r"\s*(?:$|[.,;:)(']|\w+(?:s|ed|ing)\b|is\b|was\b|did\b|has\b|had\b|and\b|in\b|at\b|on\b|from\b)",
+                text[match.end() : match.end() + 20],
+            )
         ):
             continue
         if (
@@ -213,7 +224,12 @@ def names(text: str) -> list[Span]:
             continue
         if noun in ("couple", "flock", "herd", "family", "group") and re.match(r"\s+of\s", text[end : end + 4]):
             continue
-        if noun in queues and re.match(r"\s+of\s", text[end : end + 4]) or noun == "bus" and _BUS_STOP.match(text[end : end + 16]):
+        if (
+            noun in queues
+            and re.match(r"\s+of\s", text[end : end + 4])
+            or noun == "bus"
+            and _BUS_STOP.match(text[end : end + 16])
+        ):
             continue
         kind, plural, person = _noun(noun)
         words = re.split(r"[\s]+", match["roles"].strip()) if match["roles"].strip() else []
@@ -236,7 +252,9 @@ def names(text: str) -> list[Span]:
     return kept
 
 
-_BUS_STOP = re.compile(r"\s+(?:lane|shelter|station|bay)\b|\s+stop(?=\s*(?:[,.;)]|$|on\b|at\b|in\b|and\b|to\b|where\b|with\b|is\b|ahead\b))")
+_BUS_STOP = re.compile(
+    r"\s+(?:lane|shelter|station|bay)\b|\s+stop(?=\s*(?:[,.;)]|$|on\b|at\b|in\b|and\b|to\b|where\b|with\b|is\b|ahead\b))"
+)
 
 
 def _stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
@@ -244,7 +262,10 @@ def _stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
     before, after = text[max(0, start - 24) : start], text[end : end + 40]
     if re.match(r"[\s-]+(?:[\w-]+\s+)?(?:" + _noun_words() + r")\b", after):
         return False
-    named = re.search(r"(?:\b(?:an?|the|his|her|their|my|another|white|black|red|blue|silver|grey|gray|green|yellow|dark|old|new)|\d{4}|^|[.,:;(])\s*(?:[\w-]+\s+)?$", before)
+    named = re.search(
+        r"(?:\b(?:an?|the|his|her|their|my|another|white|black|red|blue|silver|grey|gray|green|yellow|dark|old|new)|\d{4}|^|[.,:;(])\s*(?:[\w-]+\s+)?$",
+        before,
+    )
     return bool(named)
 
 
@@ -337,7 +358,11 @@ def shorthand(plain: str, sentences: list[tuple[int, int]], names: list[Span]) -
         piece = plain[start:end]
         at = start
         colon = re.search(r":\s+(?=\S)", piece)
-        if colon and not any(start <= n.start < start + colon.start() for n in names) and any(start + colon.end() <= n.start < end for n in names):
+        if (
+            colon
+            and not any(start <= n.start < start + colon.start() for n in names)
+            and any(start + colon.end() <= n.start < end for n in names)
+        ):
             found.append((start, start + colon.start()))
             at = start + colon.end()
         if not re.search(r"\b(?:the|an?|its?|his|her|their)\b", piece):
@@ -346,7 +371,9 @@ def shorthand(plain: str, sentences: list[tuple[int, int]], names: list[Span]) -
                 if comma is None or name.kind == "label":
                     continue
                 told = len(re.findall(r"\w+", plain[at : name.start])) >= 2
-                says = re.match(r"\s*[\w+-]", plain[name.end : end]) and not re.match(r"\s*(?:and|or)\b", plain[name.end : end])
+                says = re.match(r"\s*[\w+-]", plain[name.end : end]) and not re.match(
+                    r"\s*(?:and|or)\b", plain[name.end : end]
+                )
                 if told and says:
                     found.append((at, at + comma.start()))
                     at = name.start
@@ -357,7 +384,11 @@ def shorthand(plain: str, sentences: list[tuple[int, int]], names: list[Span]) -
 def _trimmed(text: str, start: int, end: int) -> tuple[int, int]:
     while start < end and (text[start].isspace() or text[start] in "-*•"):
         start += 1
-    numbered = re.match(r"(?:\(?(?:\d{1,2}|[a-h]|[ivx]{1,4})[.)]|(?:step|phase|stage|event)\s\d{1,2}\s*[:.)-])\s+(?=\S)", text[start:end], re.IGNORECASE)
+    numbered = re.match(
+        r"(?:\(?(?:\d{1,2}|[a-h]|[ivx]{1,4})[.)]|(?:step|phase|stage|event)\s\d{1,2}\s*[:.)-])\s+(?=\S)",
+        text[start:end],
+        re.IGNORECASE,
+    )
     if numbered:
         start += numbered.end()
     while end > start and text[end - 1].isspace():

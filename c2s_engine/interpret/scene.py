@@ -512,7 +512,11 @@ def _rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 r"(fail|not|never|without).{0,30}stop.{0,30}(red|light|signal)", sentence
             ):
                 event.act, event.mode = "run_red", "fact"
-        if event.mode == "negated" and cast.words[event.word].norm in ("move", "moving") and event.act in ("travel", "start", "move_along"):
+        if (
+            event.mode == "negated"
+            and cast.words[event.word].norm in ("move", "moving")
+            and event.act in ("travel", "start", "move_along")
+        ):
             event.act, event.mode = "stationary", "fact"
         if event.act == "yield" and event.mode == "negated" and not event.agent.ego:
             event.act, event.mode = "cross_path", "fact"
@@ -664,7 +668,11 @@ def _waits_for_somebody(cast: Cast, clauses: Clauses) -> None:
         crossing = [
             e.agent
             for e in clauses.events
-            if e.done and not e.agent.ego and e.agent.mover and e.act in ("cross_road", "cross_path", "go_straight", "approach", "oncoming") and e.word < event.word
+            if e.done
+            and not e.agent.ego
+            and e.agent.mover
+            and e.act in ("cross_road", "cross_path", "go_straight", "approach", "oncoming")
+            and e.word < event.word
         ]
         if crossing:
             event.act, event.patient = "yield", crossing[-1]
@@ -776,7 +784,11 @@ def side(event: Event) -> str | None:
     ):
         for match in re.finditer(pattern, text):
             before = text[max(0, match.start(1) - 12) : match.start(1)]
-            if event.act == "overtake" and re.match(r"in\b", match[0]) and "lane" in text[match.end() : match.end() + 12]:
+            if (
+                event.act == "overtake"
+                and re.match(r"in\b", match[0])
+                and "lane" in text[match.end() : match.end() + 12]
+            ):
                 continue
             if re.search(r"from (the |its |@\w+ 's )?$", before):
                 continue

@@ -187,12 +187,41 @@ def _verbs() -> frozenset[str]:
     """The third person singular of every verb of motion."""
     lemmas = {v for rule in language.table("motions")["verbs"] for v in rule["verbs"]}
     return frozenset(
-        v[:-1] + "ies" if regex.search("[^aeiou]y$", v) else f"{v}es" if v.endswith(("s", "sh", "ch", "x", "z", "o")) else f"{v}s" for v in lemmas
+        v[:-1] + "ies"
+        if regex.search("[^aeiou]y$", v)
+        else f"{v}es"
+        if v.endswith(("s", "sh", "ch", "x", "z", "o"))
+        else f"{v}s"
+        for v in lemmas
     )
 
 
 SUBJECT_ENDS = frozenset(
-    ["ahead", "behind", "front", "left", "right", "side", "lane", "then", "and", "but", "also", "who", "which", "that", "it", "he", "she", ")", ",", "again", "road", "direction", "now"]
+    [
+        "ahead",
+        "behind",
+        "front",
+        "left",
+        "right",
+        "side",
+        "lane",
+        "then",
+        "and",
+        "but",
+        "also",
+        "who",
+        "which",
+        "that",
+        "it",
+        "he",
+        "she",
+        ")",
+        ",",
+        "again",
+        "road",
+        "direction",
+        "now",
+    ]
 )
 
 
@@ -206,9 +235,17 @@ def _mistaken(doc: Any, piece: list[tuple[str, int, int, Span | None]], plain: s
             continue
         before = piece[token.i - 1] if token.i else None
         spoken = any(p[3] is not None and p[3].kind in ("ego", "label", "actor") for p in piece[: token.i])
-        if before is None or not spoken or not (before[3] is not None or before[0].endswith("ly") or plain[before[1] : before[2]] in SUBJECT_ENDS):
+        if (
+            before is None
+            or not spoken
+            or not (before[3] is not None or before[0].endswith("ly") or plain[before[1] : before[2]] in SUBJECT_ENDS)
+        ):
             continue
-        if before[3] is not None and before[3].data.get("plural") or any(t.tag_ in ("VBZ", "VBD", "MD") and t.head.i == token.i for t in doc):
+        if (
+            before[3] is not None
+            and before[3].data.get("plural")
+            or any(t.tag_ in ("VBZ", "VBD", "MD") and t.head.i == token.i for t in doc)
+        ):
             continue
         if any(t.tag_ in ("VBZ", "VBD", "VBP", "MD") and t.i < token.i and not _closed(doc, t.i, token.i) for t in doc):
             continue
@@ -218,7 +255,10 @@ def _mistaken(doc: Any, piece: list[tuple[str, int, int, Span | None]], plain: s
 
 def _closed(doc: Any, verb: int, at: int) -> bool:
     """Whether a new clause begins between a verb and a later word."""
-    return any(t.text in (",", "and", "but", "then", ";", "while", "when", "as", "because", "who", "which", "that") for t in doc[verb + 1 : at])
+    return any(
+        t.text in (",", "and", "but", "then", ";", "while", "when", "as", "because", "who", "which", "that")
+        for t in doc[verb + 1 : at]
+    )
 
 
 def _brackets(piece: list[tuple[str, int, int, Span | None]]) -> list[list[int]]:
@@ -469,7 +509,9 @@ def _proxies(plain: str, span: Span, before: str) -> list[tuple[str, int, int, S
         and not before.isdigit()
         or before.isdigit()
     )
-    after_determiner = after_determiner and not (span.kind == "ego" and before.endswith(("way", "city", "country", "day")))
+    after_determiner = after_determiner and not (
+        span.kind == "ego" and before.endswith(("way", "city", "country", "day"))
+    )
     if span.kind == "label":
         return [("V" + span.data["label"].rpartition(" ")[2].upper(), start, end, span)]
     if span.kind == "ego":

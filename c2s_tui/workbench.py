@@ -50,6 +50,7 @@ class Workbench(Actions, Screen):
         self.file: Path | None = file
         self.session: Any = None
         self.desk = Desk()
+        self.here: str | None = None  # the component that the cursor of a pane came onto last
         self.choice = Choice()
         self.working = ""
         self.ready = False
@@ -106,6 +107,7 @@ class Workbench(Actions, Screen):
 
     def show(self) -> None:
         """Draw the desk everywhere."""
+        self.chat.show(self.desk.structure, self.here)
         self.sheet.show(self.desk)
         self.code.show(self.desk)
         self.picture.show(self.desk)
@@ -275,6 +277,8 @@ class Workbench(Actions, Screen):
             self.sheet.point(event.cid)
         if event.source != "code":
             self.code.point(event.cid, event.line)
+        self.here = event.cid
+        self.chat.show(self.desk.structure, self.here)
 
     @on(CommandAsked)
     async def _command_asked(self, event: CommandAsked) -> None:

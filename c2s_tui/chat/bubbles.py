@@ -5,10 +5,15 @@ from typing import Any
 from textual.app import ComposeResult
 from textual.containers import Vertical
 from textual.content import Content
+from textual.events import Click
 from textual.widgets import Static
 
 from c2s_engine.structure.progress import Passage
-from c2s_tui.look.kinds import mark, mentions
+from c2s_tui.look.kinds import colour, mark, mentions
+from c2s_tui.messages import Picked
+
+Marked = tuple
+"""Pairs of a component and the span (first, after the last character) of the words that it rests on."""
 
 
 class Line(Static):
@@ -16,8 +21,30 @@ class Line(Static):
 
     def __init__(self, text: str, kind: str):
         sign = {"user": ">", "error": mark("error"), "warning": mark("warning")}.get(kind, " ")
-        self.plain = text
-        super().__init__(Content.assemble((f"{sign} ", "bold"), mentions(text)), classes=f"line -{kind}")
+        self.plain, self.kind = text, kind
+        self._words = Content.assemble((f"{sign} ", "bold"), mentions(text))
+        self._marked: Marked = ()
+        super().__init__(self._words, classes=f"line -{kind}")
+
+    def show_parts(self, parts: Marked, here: str | None) -> None:
+        """Let the words that components rest on be clicked, and mark those of the component that one is at."""
+        shown = tuple((cid, span) for cid, span in parts if cid == here)
+        before, self._marked = self._marked, (parts, shown)
+        if (before[1:] or ((),)) == (shown,):
+            return
+        words, first = self._words, len(self._words.plain) - len(self.plain)
+        for cid, (start, end) in shown:
+            words = words.stylize(f"bold {colour(cid)}", first + start, first + end)
+        self.update(words, layout=False)
+
+    def on_click(self, event: Click) -> None:
+        _, at = self.screen.get_widget_and_offset_at(event.screen_x, event.screen_y)
+        if at is None or not self._marked:
+            return
+        lines = self._words.plain.split("\n")
+        index = sum(len(line) + 1 for line in lines[: at.y]) + at.x - (len(self._words.plain) - len(self.plain))
+        if cid := next((cid for cid, (start, end) in self._marked[0] if start <= index < end), None):
+            self.post_message(Picked(cid, "chat"))
 
 
 class Answer(Vertical):

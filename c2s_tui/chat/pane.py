@@ -6,6 +6,7 @@ from textual.app import ComposeResult
 from textual.containers import Vertical, VerticalScroll
 from textual.widget import Widget
 
+from c2s_engine.structure.components import Structure
 from c2s_engine.structure.progress import Passage, Progress, Say, Token
 from c2s_tui.chat.bubbles import Answer, Line, Sources
 from c2s_tui.chat.entry import Entry
@@ -45,6 +46,16 @@ class ChatPane(Vertical):
 
     def on_mount(self) -> None:
         self.conversation.anchor()
+
+    def show(self, structure: Structure, here: str | None) -> None:
+        """In the text that S was read from, mark the words of the component that one is at."""
+        parts = tuple(
+            (c.id, link.span) for c in structure.components for link in c.links if link.kind == "text" and link.span
+        )
+        said = [line for line in self.query(Line) if line.kind == "user"]
+        read = next((line for line in reversed(said) if line.plain == structure.text), None)
+        for line in said:
+            line.show_parts(parts if line is read else (), here)
 
     async def put(self, entry: Widget) -> None:
         """Add an entry at the end."""

@@ -165,6 +165,20 @@ async def test_the_panes_follow_each_other(stage):
         await stage.until(pilot, lambda: stage.bench.sheet.here.cid == "E")
 
 
+async def test_the_words_of_the_text_follow_and_lead(stage):
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, CUT_IN)
+        await stage.to_row(pilot, "O1")
+        line = next(line for line in stage.bench.query("Line") if line.plain == CUT_IN)
+        marked = [line.content.plain[s.start : s.end] for s in line.content.spans]
+        assert marked[-1] == "A van in the left lane cuts in 15 m ahead"
+        await pilot.click(line, offset=(4, 0))  # on "Ego drives"
+        await stage.until(pilot, lambda: stage.bench.sheet.here.cid == "E" and stage.bench.here == "E")
+        marked = [line.content.plain[s.start : s.end] for s in line.content.spans]
+        assert marked[-1] == "Ego drives at 50 km/h"
+
+
 def test_hand_edit_and_conflict(stage, compare):
     async def flow(pilot):
         await stage.say(pilot, CUT_IN)

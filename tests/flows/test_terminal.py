@@ -40,9 +40,9 @@ class Terminal:
         )
         return done.stdout
 
-    def start(self, *arguments: str, size: tuple[int, int] = (140, 45)) -> None:
-        """Run `c2s app` in a new tmux session; its exit status is shown when it ends."""
-        command = f"{sys.executable} -m c2s_tui.entry app {' '.join(arguments)}; echo exit-$?; exec cat"
+    def start(self, *arguments: str, size: tuple[int, int] = (140, 45), before: str = "") -> None:
+        """Run `c2s app` in a new tmux session; its exit status is shown when it ends. `before`: its environment."""
+        command = f"{before} {sys.executable} -m c2s_tui.entry app {' '.join(arguments)}; echo exit-$?; exec cat"
         self.tmux("new-session", "-d", "-s", "a", "-x", str(size[0]), "-y", str(size[1]), command)
 
     @property
@@ -162,3 +162,33 @@ def test_detach_and_attach_and_a_dropped_line_saves(terminal):
         time.sleep(0.1)
     terminal.start("work", size=(80, 24))
     terminal.shows("not sent")
+
+
+def test_an_editor_outside_copying_and_few_colours(terminal):
+    editor = terminal.home / "editor"
+    editor.write_text('#!/bin/sh\nsed -i "s/^param weather.*/param weather = \'CloudyNoon\'/" "$1"\nread pressed\n')
+    editor.chmod(0o755)
+    terminal.start(before=f"env TERM=screen COLORTERM= EDITOR={editor}")  # the first run: the example
+    terminal.type("ty")  # while it starts
+    terminal.shows("This is an example")
+    terminal.shows(" ty")
+    coloured = terminal.tmux("capture-pane", "-e", "-p", "-t", "a")
+    assert "\x1b[38;2;" not in coloured and "\x1b[34m" in coloured  # the terminal's own colours, not those nearest
+    terminal.keys("BSpace", "BSpace")
+    terminal.type("/copy O1")
+    terminal.keys("Enter")
+    terminal.shows("clipboard")
+    assert terminal.tmux("show-buffer").startswith("## O1:")
+    terminal.type("/editor")
+    terminal.keys("Enter")
+    end = time.monotonic() + PATIENCE
+    while "This is an example" in terminal.screen and time.monotonic() < end:
+        time.sleep(0.1)
+    terminal.keys("Enter")
+    terminal.shows("CloudyNoon")
+    terminal.shows("by hand")
+    end = time.monotonic() + PATIENCE
+    while "Esc cancels" in terminal.screen and time.monotonic() < end:
+        time.sleep(0.1)
+    terminal.keys("C-q")
+    terminal.shows("exit-0")

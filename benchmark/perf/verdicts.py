@@ -94,6 +94,14 @@ def compare(name: str, report: CheckReport, theirs: dict[str, Any]) -> dict[str,
     return row
 
 
+def table(python: str, texts: dict[str, str]) -> list[dict[str, Any]]:
+    """A row for each program: both verdicts and how they relate."""
+    with tempfile.TemporaryDirectory() as name:
+        theirs = scenics(python, Path(name), texts)
+    reports = ours(texts)
+    return [compare(name, reports[name], theirs[name]) for name in texts]
+
+
 def versions(python: str) -> str:
     """The packages of the other environment, as pip lists them."""
     code = "from importlib.metadata import version as v; print(f\"scenic {v('scenic')}, carla {v('carla')}\")"
@@ -108,11 +116,7 @@ def main() -> int:
     parser.add_argument("--out", type=Path, default=RESULT)
     options = parser.parse_args()
     said = versions(options.python)
-    texts = programs(not options.no_writer)
-    with tempfile.TemporaryDirectory() as name:
-        theirs = scenics(options.python, Path(name), texts)
-    reports = ours(texts)
-    rows = [compare(name, reports[name], theirs[name]) for name in texts]
+    rows = table(options.python, programs(not options.no_writer))
     counts = Counter(r["relation"] for r in rows)
     scenes = [r["same_scene"] for r in rows if "same_scene" in r]
     for row in rows:

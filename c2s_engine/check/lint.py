@@ -11,6 +11,7 @@ from c2s_engine.check import world as worlds
 from c2s_engine.structure.diagnostics import Diagnostic
 
 BUILT_IN_PARAMS = frozenset({"map", "map_options", "time_step"})
+TABLE_METHODS = frozenset({"get", "items", "keys", "values"})
 
 
 @dataclass
@@ -172,7 +173,7 @@ def check(facts: list[PieceFacts], where: Any) -> tuple[Diagnostic, ...]:
         found += _misused(facts, world)
         params = frozenset().union(*(f.params for f in facts)) | world.params | BUILT_IN_PARAMS
         for name, line in (p for f in facts for p in f.params_read):
-            if name not in params:
+            if name not in params | TABLE_METHODS:
                 found.append(catalogue.finding("undeclared_param", line, None, name=name, near=_near(name, params)))
     if any(f.objects for f in facts) and not any(f.ego for f in facts):
         found.append(catalogue.finding("no_ego", None, None))

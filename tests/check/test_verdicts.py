@@ -1,44 +1,42 @@
-"""The verdict of a check is Scenic's own, on good and bad programs (what the lint adds is listed)."""
+"""The verdict of a check is Scenic's own, in an environment that has only `scenic` and `carla` from the registry."""
 
-import re
+import shutil
+import subprocess
+import sys
+from importlib.metadata import version
 from pathlib import Path
 
 import pytest
-import yaml
-from tests_of_stock import stock
 
+from c2s_bench.perf import verdicts
 from c2s_engine import paths
-from c2s_engine.check.client import SyncCheckClient
-from c2s_engine.check.protocol import CheckRequest, Limits
 
-HERE = Path(__file__).parent
-STRICTER = {"undefined_name", "take_behavior", "do_action", "wrong_keyword", "undeclared_param", "enumeration"}
-"""Errors in code that a compile and a sample need not reach: Scenic finds them in a run, or never."""
+pytestmark = pytest.mark.nightly
 
 
-@pytest.mark.nightly
-def test_verdicts_are_scenics(server: SyncCheckClient, tmp_path: Path) -> None:
-    table = yaml.safe_load((HERE / "errors.yaml").read_text(encoding="utf-8"))
-    programs: dict[str, str] = {}
-    for folder in (HERE / "programs", paths.shipped("examples", "programs")):
-        programs.update({p.stem: p.read_text(encoding="utf-8") for p in sorted(folder.glob("*.scenic"))})
-    for name, row in table["rows"].items():
-        if row.get("upto", "sample") == "sample" and not row["is"].startswith("import "):
-            programs[re.sub(r"\W+", "_", name)] = ("" if row.get("bare") else table["head"]) + row["code"]
-    source = tmp_path / "programs"
-    source.mkdir()
-    for name, text in programs.items():
-        (source / f"{name}.scenic").write_text(text, encoding="utf-8")
-    (tmp_path / "stock").mkdir()
-    expected = stock(tmp_path / "stock", sorted(source.glob("*.scenic")))
-    differing = []
-    for name, text in programs.items():
-        request = CheckRequest(
-            program=text, folder=str(paths.shipped("maps")), seed=3, limits=Limits(iterations=300, sample_seconds=60)
-        )
-        report = server.check(request)
-        codes = {d.code for s in report.stages for d in s.diagnostics if d.severity == "error"}
-        if report.ok != ("scene" in expected[name]) and not codes & STRICTER:
-            differing.append((name, report.ok, codes, expected[name].get("error")))
-    assert len(programs) >= 40
-    assert differing == []
+@pytest.fixture(scope="module")
+def plain(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The bin folder of such an environment."""
+    folder = tmp_path_factory.mktemp("plain")
+    subprocess.run([sys.executable, "-m", "venv", str(folder)], check=True)
+    command = [folder / "bin" / "pip", "install", "-q", f"scenic=={version('scenic')}", "carla"]
+    if subprocess.run(command, capture_output=True).returncode:
+        pytest.skip("the registry cannot be reached")
+    return folder / "bin"
+
+
+def test_verdicts_are_scenics_and_the_writers_programs_pass(plain: Path) -> None:
+    rows = verdicts.table(str(plain / "python"), verdicts.programs(of_the_writer=True))
+    assert len(rows) > 100
+    assert [r for r in rows if r["relation"] == "different"] == []
+    written = [r for r in rows if r["program"].startswith("written_")]
+    assert len(written) > 35
+    assert [r for r in written if r["scenic"] != "passes" or r["c2s"] != "passes"] == []
+
+
+def test_the_plain_command_samples_an_example(plain: Path, tmp_path: Path) -> None:
+    example = sorted(paths.shipped("examples", "programs").glob("*.scenic"))[0]
+    shutil.copy(example, tmp_path)
+    shutil.copy(paths.shipped("maps", "town.xodr"), tmp_path)
+    command = [plain / "scenic", "--2d", "--gather-stats", "1", example.name]
+    assert subprocess.run(command, cwd=tmp_path, capture_output=True).returncode == 0

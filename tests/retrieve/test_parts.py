@@ -13,8 +13,9 @@ from hypothesis import strategies as st
 from rank_bm25 import BM25Okapi
 
 from c2s_engine.paths import shipped
-from c2s_engine.retrieve import blocks, markdown, readers, scenic_reference, snippet_files
+from c2s_engine.retrieve import blocks, markdown, readers, scenic_reference, snippet_files, sources, vectors
 from c2s_engine.retrieve.bm25 import Postings
+from c2s_engine.retrieve.embedder import Embedder
 from c2s_engine.retrieve.errors import BadDocument
 from c2s_engine.retrieve.fusion import fuse
 from c2s_engine.retrieve.tokens import tokenise
@@ -214,6 +215,15 @@ def test_at_most_three_snippets_share_a_skeleton():
 def test_a_skeleton_ignores_names_and_values():
     first, second, third = (snippet_files.skeleton(ast.parse(c)) for c in ("a = 1 + 2", "b = 3 + 4", "b = 3 - 4"))
     assert first == second != third
+
+
+def test_the_shipped_vectors_are_those_of_the_shipped_data():
+    """What differs was changed since `python -m c2s_engine.retrieve.vectors`, and costs time at the first build."""
+    rows = {r.key for batch in sources.shipped_batches() for r in batch.rows}
+    known = vectors.known(Embedder().name)
+    assert len(rows & known.keys()) > 0.95 * len(rows) and len(known.keys() - rows) < 0.05 * len(rows)
+    assert all(abs(float(np.linalg.norm(v)) - 1) < 1e-5 for v in list(known.values())[:50])
+    assert vectors.known("another model") == {}
 
 
 def test_the_client_imports_neither_torch_nor_lancedb():

@@ -1,23 +1,34 @@
 """The worker behind its client, the stores and the commands, with the real model and LanceDB."""
 
 import asyncio
+import json
 import os
 import resource
 import signal
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from c2s_engine.retrieve import commands
+from c2s_engine.retrieve import commands, sources, vectors
 from c2s_engine.retrieve.client import RetrievalClient
+from c2s_engine.retrieve.embedder import Embedder
 from c2s_engine.retrieve.errors import BadDocument, RetrievalError
 from c2s_engine.retrieve.library import Library
+from c2s_engine.retrieve.wording import plain
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.specs import ObjectSpec
 
 pytestmark = pytest.mark.full
+PROGRAM = """param map = localPath('town.xodr')
+model scenic.simulators.carla.model
+ego = new Car
+stripedWalker = new Pedestrian ahead of ego by 17,
+    with regionContainedIn None
+terminate when simulation().currentTime > 50
+"""
 NOTE = "# House rules\n\n## 7.3 Zebra stripes\n\nThe blue zebra gives way to trams at every depot.\n"
 
 
@@ -73,6 +84,27 @@ async def test_programs_become_snippets(own_index, tmp_path):
         await client.add(str(tmp_path), decompose=decompose)
         [first, *_] = await client.search("tram at the blue depot", kind="snippet", component="O")
         assert "tram = new Truck" in first.text
+
+
+async def test_the_shipped_vectors_are_the_model_s(own_index):
+    shipped = vectors.known(Embedder().name)
+    rows = [r for batch in sources.shipped_batches() for r in batch.rows if r.key in shipped][::150]
+    async with RetrievalClient(own_index) as client:
+        made = await client.embed([plain(r.embedded) for r in rows])
+    for row, vector in zip(rows, made, strict=True):
+        assert np.dot(shipped[row.key], vector) > 0.9999
+
+
+async def test_all_who_wait_for_the_index_share_one_build(tmp_path):
+    told: list[str] = []
+    async with RetrievalClient(tmp_path / "index") as client:
+        impatient = asyncio.create_task(client.ready(lambda stage, done, total: told.append(stage)))
+        waiting = asyncio.create_task(client.ready())
+        await asyncio.sleep(0.2)
+        impatient.cancel()
+        await waiting
+        assert impatient.cancelled() and await client.search("lane change", kind="snippet")
+        assert len(list((tmp_path / "index").glob("generation-*"))) == 1
 
 
 async def test_refusals_are_sentences(own_index, tmp_path):
@@ -191,6 +223,26 @@ def test_a_pdf_of_300_pages(own_index, tmp_path):
     assert report["added"][0]["items"] == 300
     [first, *_] = library.search("5.217 crane over the quay")
     assert (first.clause, first.page) == ("5.217", 217)
+
+
+def test_users_programs_are_taken_apart_by_the_command(own_index, tmp_path):
+    """`c2s index add` as it is typed: the check server's importer gives the components, their specs the words."""
+    (tmp_path / "data" / "c2s").mkdir(parents=True)
+    own_index.rename(tmp_path / "data" / "c2s" / "index")
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "zebra.scenic").write_text(PROGRAM)
+    (tmp_path / "mine" / "broken.scenic").write_text("ego = = new Car\n")
+    environment = os.environ | {f"XDG_{n}_HOME": str(tmp_path / n.lower()) for n in ("DATA", "CONFIG", "CACHE")}
+
+    def c2s(*arguments):
+        command = [sys.executable, "-m", "c2s_engine.cli", *map(str, arguments)]
+        return subprocess.run(command, capture_output=True, text=True, env=environment, timeout=280)
+
+    added = c2s("index", "add", tmp_path / "mine")
+    assert added.returncode == 1 and "broken.scenic could not be taken apart" in added.stderr, added.stderr
+    found = c2s("search", "pedestrian", "--component", "O", "--limit", "50", "--all", "--json")
+    mine = [p for p in json.loads(found.stdout) if "stripedWalker" in p["text"]]
+    assert mine and mine[0]["component"] == "O" and "ego = new Car" not in mine[0]["text"]
 
 
 def test_commands(own_index, tmp_path, monkeypatch):

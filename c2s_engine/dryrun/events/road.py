@@ -194,10 +194,9 @@ class EgoPath:
         return found
 
     def abreast(self, x: float, y: float) -> bool:
-        """Whether a point lies beside the path, not before its start or beyond its end."""
+        """Whether a point lies beside the path or just beyond its end, and not before its start."""
         point = shapely.Point(x, y)
-        along = self.line.project(point)
-        return 0.0 < along < self.line.length and self.line.distance(point) <= ABREAST
+        return self.line.project(point) > 0.0 and self.line.distance(point) <= ABREAST
 
     def limits(self) -> tuple[float, ...]:
         """km/h: the map's for ego's road, those on sign props, and a scene parameter `speed_limit` (km/h)."""

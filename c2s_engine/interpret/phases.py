@@ -203,7 +203,9 @@ def _phases(
                 return [
                     Phase(
                         action="cut_in"
-                        if placement.along != "behind" or re.search("front|ahead|@ego", event.whole)
+                        if placement.along != "behind"
+                        or re.search("front|ahead|@ego", event.whole)
+                        or any(p.action == "overtake" and p.target == ego for p in before)
                         else "lane_change",
                         side=toward_ego,
                         target=ego,

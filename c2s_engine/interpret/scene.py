@@ -4,7 +4,7 @@
 import re
 from dataclasses import dataclass, field
 
-from c2s_engine.interpret import environment, place, scan, syntax
+from c2s_engine.interpret import environment, language, place, scan, syntax
 from c2s_engine.interpret.clauses import Clauses, Event
 from c2s_engine.interpret.mentions import MOTOR, VEHICLES, ZONES, Cast, Entity
 from c2s_engine.interpret.place import Road
@@ -242,7 +242,7 @@ def _actors(scene: Scene) -> list[Entity]:
         own = scene.events(entity)
         where = scene.where(entity)
         passive = [e for e in scene.clauses.events if e.patient is entity and e.done]
-        if "group" in entity.roles:
+        if "group" in entity.roles or _mere_background(scene, entity):
             continue
         if (
             entity.label
@@ -336,6 +336,21 @@ def _actors(scene: Scene) -> list[Entity]:
     return kept
 
 
+def _mere_background(scene: Scene, entity: Entity) -> bool:
+    """Whether a queue is only the setting ("in a jam") or its cars are named one by one."""
+    if entity.noun not in language.table("actors")["queues"]:
+        return False
+    for mention in entity.mentions:
+        head = scene.words[scene.words[mention.word].head]
+        if scene.words[mention.word].dep == "pobj" and head.norm in ("in", "during", "within"):
+            return True
+    return any(
+        e is not entity and e.type in VEHICLES and (e.count > 1 or "stationary" in e.roles) and e.noun not in language.table("actors")["queues"]
+        and ("stationary" in e.roles or any(v.act in ("stationary", "stop") for v in scene.events(e)))
+        for e in scene.cast.entities
+    )
+
+
 def _pass_on(scene: Scene, generic: Entity, members: list[Entity]) -> None:
     """What was said of "two obstacles" holds for those that are then named one by one."""
     where = scene.where(generic)
@@ -388,7 +403,9 @@ def _speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         unit = word
         owner = _before(scene, span) or _beside(scene, span) or _speed_owner(scene, unit.i)
         value = (span.data["low"], span.data["high"], span.start, span.end)
-        near = scene.plain[max(0, span.start - 40) : span.start]
+        if owner is not None and owner.noun in language.table("actors")["queues"]:
+            owner = None
+        near = scene.plain[max(0, span.start - 60) : span.start]
         both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(
             re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20])
         )
@@ -467,7 +484,7 @@ def _speeds(scene: Scene, quantities: list[scan.Span]) -> None:
 def _before(scene: Scene, span: scan.Span) -> Entity | None:
     """The owner that stands before a speed in the same stretch between commas, where the verb's subject comes later."""
     near = scene.plain[max(0, span.start - 60) : span.start]
-    if re.search(r"set[- ]speed[^.;]*$|\b(system|alks|dcas|aebs|acc|cruise control)\b[^,.;]*$", near) and not re.search(
+    if re.search(r"set[- ]speed[^.;]*$|\b(system|alks|dcas|aebs|acc|cruise control)\b(?! (vehicle|car))[^,.;]*$", near) and not re.search(
         r"whose", near[-20:]
     ):
         return scene.cast.ego
@@ -486,6 +503,8 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
         ):
             verb = scene.clauses._governor(word)
             event = scene.clauses.by_word.get(verb.i) if verb is not None else None
+            if event is not None and event.agent is not entity and _below_verb(scene, word, verb):
+                return None
             return (
                 None
                 if event is not None
@@ -499,6 +518,18 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
                 else entity
             )
     return None
+
+
+def _below_verb(scene: Scene, word: syntax.Word, verb: syntax.Word | None) -> bool:
+    """Whether a noun hangs on a verb by prepositions alone ("runs out from behind the van"), not on another noun."""
+    current = word
+    for _ in range(5):
+        current = scene.words[current.head]
+        if verb is None or current.i == verb.i:
+            return verb is not None
+        if current.i in scene.cast.of or current.tag.startswith("NN"):
+            return False
+    return False
 
 
 def _rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:

@@ -29,7 +29,16 @@ RESULT = Path(__file__).resolve().parents[1] / "results" / "verdicts.json"
 SCRIPT = Path(__file__).with_name("plain_scenic.py")
 SEED, ITERATIONS = 3, 300
 STRICTER = frozenset(
-    {"undefined_name", "take_behavior", "do_action", "wrong_keyword", "undeclared_param", "enumeration", "no_ego"}
+    {
+        "undefined_name",
+        "take_behavior",
+        "do_action",
+        "wrong_keyword",
+        "undeclared_param",
+        "enumeration",
+        "no_ego",
+        "verifai",
+    }
 )
 """Errors in code that compiling and sampling need not reach: Scenic finds them in a run, or never."""
 

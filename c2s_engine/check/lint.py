@@ -2,8 +2,10 @@
 
 import ast
 import difflib
+import functools
 import math
 from dataclasses import dataclass, field
+from importlib.metadata import PackageNotFoundError, distribution
 from typing import Any
 
 from c2s_engine.check import catalogue
@@ -170,7 +172,7 @@ def check(facts: list[PieceFacts], where: Any) -> tuple[Diagnostic, ...]:
     if world is not None:
         if not any(f.stars for f in facts):
             found += _undefined(facts, defined | world.names)
-        found += _misused(facts, world)
+        found += _misused(facts, world) + _verifai(facts, defined)
         params = frozenset().union(*(f.params for f in facts)) | world.params | BUILT_IN_PARAMS
         for name, line in (p for f in facts for p in f.params_read):
             if name not in params | TABLE_METHODS:
@@ -193,10 +195,27 @@ def _undefined(facts: list[PieceFacts], known: frozenset[str]) -> list[Diagnosti
                 continue
             if name in params:
                 found.append(catalogue.finding("bare_param", line, column, name=name))
-            elif name.startswith("Verifai"):
-                found.append(catalogue.finding("verifai", line, column, name=name, near=name.removeprefix("Verifai")))
             else:
                 found.append(catalogue.finding("undefined_name", line, column, name=name, near=_near(name, known)))
+    return found
+
+
+@functools.cache
+def _has_verifai() -> bool:
+    """Whether VerifAI itself is installed: the stand-in draws in its place, but Scenic alone would not compile."""
+    try:
+        return bool(distribution("verifai"))
+    except PackageNotFoundError:
+        return False
+
+
+def _verifai(facts: list[PieceFacts], defined: frozenset[str]) -> list[Diagnostic]:
+    found: list[Diagnostic] = []
+    for name, line, column in (use for f in facts for use in f.free):
+        if name.startswith("Verifai") and name not in defined and not _has_verifai():
+            near = name.removeprefix("Verifai")
+            values = {"name": name, "near": near if near in worlds.language() else ""}
+            found.append(catalogue.finding("verifai", line, column, **values))
     return found
 
 

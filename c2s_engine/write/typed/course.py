@@ -8,6 +8,9 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.plan import LANE_NAME, Plan, speed_of
 
+EDGE = 1.6
+"""m from the lane's middle to where those partly in it start, and riders stay."""
+
 
 @dataclass
 class Actor:
@@ -51,6 +54,7 @@ class Course:
         self.speed = actor.speed  # the speed expression now in force
         self.value = actor.value  # m/s
         self.backwards = False
+        self.aside = _aside(actor)  # m to the left of its lane's middle that it keeps to
 
     # What is driven.
 
@@ -60,6 +64,7 @@ class Course:
         """The `do Drive` at a speed (the one in force), rate (m/s2), offset (m to the left), shift (m/s)."""
         goal = speed if speed is not None else self.cruise()
         extra = f", rate={scope.number(rate)}" if rate else ""
+        offset = offset or (scope.number(self.aside) if self.aside else "")
         extra += f", offset={offset}" if offset else ""
         extra += f", shift={scope.number(shift)}" if shift else ""
         return f"do Drive(line, {goal}{extra})"
@@ -85,6 +90,7 @@ class Course:
     def onto(self, step: int) -> str:
         """The statement that makes the lane `step` lanes to the left the line to follow (the other way if none)."""
         plan = self.actor.plan
+        self.aside = 0.0
         if self.lane is None:  # from a ramp, the kerb or a parking lane onto ego's lane
             self.lane = 0
         else:
@@ -136,3 +142,13 @@ class Course:
             return actor.plan.place.kind == "on_ramp" and self.lane == 0
         placement = getattr(actor.spec, "placement", None)
         return bool(placement and placement.position == "on_ramp" and self.lane is None)
+
+
+def _aside(actor: Actor) -> float:
+    """Riders who start at the edge of the lane stay there."""
+    spec = actor.spec
+    if not isinstance(spec, ObjectSpec) or spec.placement.position != "partly_in_lane":
+        return 0.0
+    if spec.type not in ("bicycle", "motorcycle"):
+        return 0.0
+    return EDGE if spec.placement.side == "left" else -EDGE

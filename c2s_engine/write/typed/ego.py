@@ -7,6 +7,7 @@ from c2s_engine.write.typed import behaviour, reactions, scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.plan import Plan, pulls_out, speed_of
 from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS
+from c2s_engine.write.typed.threats import threatening
 
 DEFAULT_MODEL = "vehicle.lincoln.mkz_2017"
 
@@ -28,7 +29,7 @@ def write_ego(structure: Structure, plan: Plan) -> str:
     said = spec = structure.ego.spec
     assert isinstance(said, EgoSpec) and isinstance(spec, EgoSpec)
     speed = speed_of(spec, plan.place)
-    others = reactions.threatening(structure)
+    others = threatening(structure)
     spec = spec.model_copy(update={"phases": reactions.reacting_phases(spec, others, plan)})
     actor = Actor(
         cid="E",
@@ -39,10 +40,9 @@ def write_ego(structure: Structure, plan: Plan) -> str:
         lane=0,
         speed="EGO_SPEED",
         value=middle(speed),
-        others=[o.lstrip("*") + ("[0]" if o.startswith("*") else "") for o in others],
+        others=[scope.reference(structure, o) for o in others],
     )
     statements = behaviour.body(actor)
-    actor.others = others
     statements = reactions.reaction(actor, statements)
     model = spec.model or (DEFAULT_MODEL if spec.type == "car" else BLUEPRINTS[spec.type][0])
     lines = [

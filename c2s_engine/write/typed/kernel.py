@@ -6,7 +6,7 @@ from importlib.resources import files
 
 ORDER = (
     "way", "approach", "along", "bend_start", "straight_on",
-    "need", "most_need", "passed", "ttc", "pace", "meeting", "meet", "strike", "lead_on",
+    "need", "most_need", "passed", "ttc", "pace", "meeting", "meet", "strike", "lurk", "lead_on",
     "drive", "turn_round", "backwards", "walk",
 )  # fmt: skip
 _NAMES = {"drive": "Drive", "turn_round": "TurnRound", "backwards": "Backwards", "walk": "Walk"}

@@ -127,17 +127,26 @@ def _driver(
     own = {"collide", "yield", "stop", "run_stop", "wait"} & {p.action for p in spec.phases}
     statements = reactions.heeding(actor, statements)
     if spot.approach and plan.junction and not own and not standing:
-        statements = [_synchronised(s, prefix, _sooner(structure, spec, plan)) for s in statements]
+        struck = any(
+            p.action == "collide" and p.target in (cid, None) for p in getattr(structure.ego.spec, "phases", ())
+        )
+        sooner = None if struck else _sooner(structure, spec, plan)
+        statements = [_synchronised(s, prefix, sooner) for s in statements]
         statements.insert(1, "spot = meeting(line, way(egoLane, egoTurn))")
     if any(p.action == "run_red" for p in spec.phases):
         statements.insert(1, "take SetTrafficLightAction('red', distance=150)")
     return statements
 
 
-def _synchronised(statement: str, prefix: str, sooner: float) -> str:
-    """On a crossing way it arrives when ego does, or a little sooner."""
+def _synchronised(statement: str, prefix: str, sooner: float | None) -> str:
+    """On a crossing way it arrives when ego does, or a little sooner (s); None: ego is to hit it."""
     early = f", {scope.number(sooner)}" if sooner else ""
-    met = f"do Drive(line, lambda: meet(self, ego, spot, {prefix}_SPEED{early}))"
+    timed = (
+        f"strike(self, ego, spot, {prefix}_SPEED)"
+        if sooner is None
+        else f"meet(self, ego, spot, {prefix}_SPEED{early})"
+    )
+    met = f"do Drive(line, lambda: {timed})"
     return statement.replace(f"do Drive(line, {prefix}_SPEED)", met)
 
 

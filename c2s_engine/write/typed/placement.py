@@ -6,6 +6,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.course import EDGE
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import APPROACH_ANGLE, LANE_NAME, Plan, default_gap, speed_of, turn_of
 from c2s_engine.write.typed.tables import LENGTH, is_vehicle, is_walker
@@ -162,7 +163,7 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
     point = f"{lane}.centerline.pointAlongBy({reached})"
     specifiers: tuple[str, ...] = (f"at {point}",)
     if spec.placement.position == "partly_in_lane":
-        side = -1.6 if spec.placement.side == "left" else 1.6
+        side = -EDGE if spec.placement.side == "left" else EDGE
         specifiers = (
             f"at (new OrientedPoint at {point}, facing roadDirection) offset by {scope.number(side)} @ 0",
             "with regionContainedIn everywhere",

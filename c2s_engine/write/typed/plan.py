@@ -381,9 +381,18 @@ def _distance(
             f"an object would stand {far:.0f} m ahead of ego, approaches have {LONGEST_APPROACH:.0f} m: lessen the gap",
             ("O.placement.gap",),
         )
-    base = max(min(4.0 * speed, 110), 35.0)
+    base = max(min(4.0 * speed, 110), 35.0, *(_to_pass(o, speed, place) for o in objects.values()))
     base = max(base, 60.0) if place.kind in RAMP else base
     return round(max(base * max(room, 0.4), far + 4), 1)
+
+
+def _to_pass(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
+    """How far (m) ego drives until it is well past a slower rider at the edge of its lane."""
+    if o.placement.position != "partly_in_lane" or is_static(o) or not is_vehicle(o.type) or ego_speed <= 0:
+        return 0
+    gap = middle(o.placement.gap) if o.placement.gap is not None else default_gap(o, ego_speed, place)
+    closing = 1 - middle(speed_of(o, place)) / ego_speed
+    return min((gap + 12) / closing, 90.0) if closing > 0.2 else 0
 
 
 _BESIDE = {"partly_in_lane", "parked", "roadside", "sidewalk"}
@@ -420,6 +429,8 @@ def default_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None = None)
         return max(30.0, min(4.0 * ego_speed, 90.0), _while_crossing(o, ego_speed, place))
     if position == "behind" or o.placement.along == "behind":
         return max(12.0, 1.2 * ego_speed)
+    if position in ("left_lane", "right_lane") and any(p.action == "cut_in" for p in o.phases) and o.speed != 0:
+        return 10.0
     return max(12.0, min(1.6 * ego_speed, 45.0))
 
 

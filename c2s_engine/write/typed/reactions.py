@@ -1,45 +1,49 @@
 """Reactions: what drivers do when others force them to, laid around what they do of their own accord."""
 
-from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import is_static
-from c2s_engine.write.typed.triggers import IN_WAY
+from c2s_engine.write.typed.threats import every, once_seen, threatening
 
 
 def reaction(actor: Actor, statements: list[str]) -> list[str]:
     """Ego's reaction laid around its own way: what it does when something forces it to."""
     spec = actor.spec
     assert isinstance(spec, EgoSpec)
-    threats = [scope.reference(actor.structure, spec.react_to)] if spec.react_to else list(actor.others)
-    if spec.reaction != "brake" or not threats:
+    cids = threatening(actor.structure)
+    if spec.reaction != "brake" or not cids:
         return statements
+    threats = [every(actor.structure, spec.react_to)] if spec.react_to else once_seen(actor.structure, cids)
     limit, rate = (4, 8) if spec.hard else (2, 5)
-    if any(p.action == "swerve" and p.trigger is None for p in spec.phases):  # it swerves first
-        limit, rate = 8, 8
+    forced = {p.action for p in spec.phases if p.trigger is None}
+    if forced & {"swerve", "lane_change"}:  # it gets past first
+        limit, rate = (8, 8) if "swerve" in forced else (5, 8)
     if any(p.action == "collide" for p in spec.phases):  # it brakes, but too little
         limit, rate = 3, 2
-    return _around(statements, threats, limit, rate)
+    return _around(statements, threats, limit, rate, 2 if "lane_change" in forced else 0)
 
 
 def heeding(actor: Actor, statements: list[str]) -> list[str]:
     """Another driver's way, braking for those ahead in its lane, unless it is to hit somebody."""
-    leads = actor.plan.leads.get(actor.cid, ())
+    leads = [c for c in actor.plan.leads.get(actor.cid, ()) if not _gets_past(actor, c)]
     if not leads or actor.value <= 0 or any(p.action == "collide" for p in actor.spec.phases):
         return statements
-    return _around(statements, [_every(actor.structure, cid) for cid in leads], 3, 6)
+    return _around(statements, [every(actor.structure, cid) for cid in leads], 3, 6)
 
 
-def _every(structure: Structure, cid: str) -> str:
-    """The reference to an object, or to all of its members (starred)."""
-    first = scope.reference(structure, cid)
-    return f"*{first.removesuffix('[0]')}" if first.endswith("[0]") else first
+def _gets_past(actor: Actor, cid: str) -> bool:
+    """Whether it means to get past what stands ahead of it."""
+    if cid == "ego" or not {"cut_out", "lane_change", "swerve", "overtake"} & {p.action for p in actor.spec.phases}:
+        return False
+    spec = actor.structure[cid].spec
+    return isinstance(spec, ObjectSpec) and is_static(spec)
 
 
-def _around(statements: list[str], threats: list[str], limit: float, rate: float) -> list[str]:
-    """The statements, interrupted by braking at `rate` while the need (m/s2) for one of the threats is over `limit`."""
+def _around(statements: list[str], threats: list[str], limit: float, rate: float, release: float = 0) -> list[str]:
+    """The statements, interrupted by braking at `rate` when the need (m/s2) for one of the threats is over `limit`,
+    until it is no more than `release`."""
     force = f"need(self, {threats[0]})"
     if len(threats) > 1 or threats[0].startswith("*"):
         force = f"most_need(self, [{', '.join(threats)}])"
@@ -49,7 +53,7 @@ def _around(statements: list[str], threats: list[str], limit: float, rate: float
         "try:",
         *(f"    {s}" for s in rest),
         f"interrupt when {force} > {scope.number(limit)}:",
-        f"    do Drive(line, 0, rate={scope.number(rate)}) until {force} <= 0",
+        f"    do Drive(line, 0, rate={scope.number(rate)}) until {force} <= {scope.number(release)}",
     ]
 
 
@@ -67,15 +71,3 @@ def reacting_phases(spec: EgoSpec, others: list[str], plan: Plan) -> tuple[Phase
     if spec.reaction == "evade" and others and not actions & {"lane_change", "swerve", "overtake", "oncoming"}:
         return (*spec.phases, Phase(action="lane_change", side="left", target=spec.react_to))
     return spec.phases
-
-
-def threatening(structure: Structure) -> list[str]:
-    """The objects that may come into ego's way: all that move, and what stands in its lane."""
-    found = []
-    for c in structure.objects:
-        spec = c.spec
-        if not isinstance(spec, ObjectSpec):
-            continue
-        if spec.placement.position in IN_WAY or not is_static(spec):
-            found.append(_every(structure, c.id))
-    return found

@@ -21,6 +21,10 @@ def steps(course: Course, phase: Phase) -> list[Step]:
         return _OF.get(phase.action, _keep_lane)(course, phase)
     if phase.action in ("stop", "stationary", "wait"):
         return [(["do Backwards(0)"], _ending(phase, "for 3 seconds"))]
+    if phase.action in ("leave_road", "drift"):
+        steer = scope.number(0.25 * _side(phase, -1 if phase.action == "drift" else 1) * -1)
+        out = f"do Backwards({scope.number(course.wanted(phase, course.value or 2))}, {steer})"
+        return [([out], _ending(phase, "for 4 seconds")), (["do Backwards(0)"], "for 3 seconds")]
     course.backwards = False
     (first, until), *rest = _OF.get(phase.action, _keep_lane)(course, phase)
     return [(["take SetReverseAction(False)", *first], until), *rest]
@@ -104,7 +108,7 @@ def _u_turn(c: Course, p: Phase) -> list[Step]:
 def _reverse(c: Course, p: Phase) -> list[Step]:
     c.backwards = True
     pace = c.wanted(p, c.value or 2)
-    spec, natural = c.actor.spec, ""
+    spec, natural = c.actor.spec, "for 3 seconds"
     if isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD:  # as far as onto the lane
         natural = f"for {scope.number(reach(spec, c.actor.plan.place) / max(pace, 0.5))} seconds"
     return [([f"do Backwards({scope.number(pace)})"], _ending(p, natural))]
@@ -113,17 +117,22 @@ def _reverse(c: Course, p: Phase) -> list[Step]:
 # To other lanes.
 
 
+def _moving(c: Course) -> float:
+    """Its speed, or that at which somebody who stood moves off, m/s."""
+    return c.value or 8.0
+
+
 def _lane_change(c: Course, p: Phase) -> list[Step]:
     if c.lane is not None and len(c.actor.plan.offsets) == 1 and not c.on_ramp:  # by the oncoming lane or the verge
-        drive = c.drive(c.set(c.wanted(p, c.value)), offset=scope.number(_side(p, 1) * LANE_WIDTH))
+        drive = c.drive(c.set(c.wanted(p, _moving(c))), offset=scope.number(_side(p, 1) * LANE_WIDTH))
         return [([drive], _ending(p, "for 6 seconds"))]
     line = c.onto(_side(p, 1))
-    return [([line, c.drive(c.set(c.wanted(p, c.value)))], _ending(p, "for 5 seconds"))]
+    return [([line, c.drive(c.set(c.wanted(p, _moving(c))))], _ending(p, "for 5 seconds"))]
 
 
 def _cut_in(c: Course, p: Phase) -> list[Step]:
     c.lane = c.target_lane(p) or 0
-    change = [f"line = way({LANE_NAME[c.lane]})", c.drive(c.set(c.wanted(p, c.value)))]
+    change = [f"line = way({LANE_NAME[c.lane]})", c.drive(c.set(c.wanted(p, _moving(c))))]
     plan, ego = c.actor.plan, c.actor.structure.ego.spec
     forces = getattr(ego, "reaction", "") == "brake" and c.value > plan.ego_speed - 1
     if forces and p == c.actor.spec.phases[-1]:  # ego has to brake for it, so it does not pull away
@@ -212,12 +221,19 @@ def _collide(c: Course, p: Phase) -> list[Step]:
     other = c.actor.ref(p.target)
     goal = c.wanted(p, c.value)
     c.set(goal)
+    spec = c.actor.spec
+    if isinstance(spec, ObjectSpec) and spec.placement.position == "oncoming_lane":  # head-on, in the other's lane
+        return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], "")]
     if c.lane is None and not c.actor.is_ego:
         turn = ", egoTurn" if c.actor.plan.turning else ""
         spot = f"spot = meeting(line, way(egoLane{turn}))"
         return [([spot, f"do Drive(line, lambda: strike(self, {other}, spot, {c.speed}))"], "")]
-    faster = max(goal, c.target_speed(p) + 4) if c.same_lane(p) else goal
-    return [([c.drive(scope.number(faster) if faster > goal else None)], "")]
+    if c.same_lane(p):
+        faster = max(goal, c.target_speed(p) + 4)
+        return [([c.drive(scope.number(faster) if faster > goal else None)], "")]
+    if c.lane is not None and not c.actor.is_ego:  # beside it: close behind until it comes over
+        return [([f"do Drive(line, lambda: lurk(self, {other}, {c.speed}))"], "")]
+    return [([c.drive()], "")]
 
 
 _OF: dict[str, Callable[[Course, Phase], list[Step]]] = {

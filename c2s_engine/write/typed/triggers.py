@@ -6,13 +6,13 @@ from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.tables import is_static
+from c2s_engine.write.typed.threats import IN_WAY, shown, standing
 
 FORCED = {"brake", "stop", "swerve", "lane_change"}
 DELAYED = {
     "brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road",
     "accelerate", "oncoming",
 }  # fmt: skip
-IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
 
 
 def stated(course: Course, phase: Phase) -> str:
@@ -40,10 +40,11 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     if phase.action in ("lane_change", "cut_in") and course.on_ramp:
         return "until self._lane is accelerationLane"
     if a.is_ego and phase.action in FORCED and _confronted(course, phase):
-        other = a.ref(phase.target or getattr(a.spec, "react_to", None))
+        cid = phase.target or getattr(a.spec, "react_to", None) or standing(a.structure, a.plan.lane_of)
         hard = getattr(a.spec, "hard", False) or (phase.rate is not None and middle(phase.rate) >= 4)
         limit = 1.2 if phase.action in ("swerve", "lane_change") else 4 if hard else 2
-        return f"until need(self, {other}) > {limit}"
+        seen = shown(a.structure, cid) if cid else ""
+        return f"until {seen + ' and ' if seen else ''}need(self, {a.ref(cid)}) > {limit}"
     if phase.action == "cut_in":
         return f"until 5 < lead_on(self, {a.ref(phase.target)}) - self.length < {scope.number(_cut_in_gap(course))}"
     if phase.action == "overtake" and course.lane is not None and course.same_lane(phase):
@@ -53,7 +54,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     if not first or phase.action not in DELAYED or a.value <= 0:
         return ""
     if course.oncoming:
-        return f"until (distance from self to ego) < {scope.number(2.8 * (a.value + a.plan.ego_speed))}"
+        ahead = 5.5 if phase.action == "drift" else 2.8  # s that it takes to be over
+        return f"until (distance from self to ego) < {scope.number(ahead * (a.value + a.plan.ego_speed))}"
     return "for 3 seconds"
 
 
@@ -110,7 +112,8 @@ def _confronted(course: Course, phase: Phase) -> bool:
     a = course.actor
     cid = phase.target or getattr(a.spec, "react_to", None)
     if cid is None:
-        return bool(a.others)
+        specs = [c.spec for c in a.structure.objects if isinstance(c.spec, ObjectSpec)]
+        return bool(a.others) and not all("behind" in (s.placement.position, s.placement.along) for s in specs)
     if cid == "ego" or cid not in a.structure:
         return False
     spec = a.structure[cid].spec

@@ -10,7 +10,7 @@ from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.quantity import high
 from c2s_engine.structure.regenerate import spec_references
 from c2s_engine.structure.specs import ObjectSpec
-from c2s_engine.write.typed import kernel, reactions, scope
+from c2s_engine.write.typed import kernel, scope
 from c2s_engine.write.typed.ego import write_ego
 from c2s_engine.write.typed.objects import write_object
 from c2s_engine.write.typed.place import candidates, write_place
@@ -19,6 +19,7 @@ from c2s_engine.write.typed.restrictions import write_restrictions
 from c2s_engine.write.typed.settings import write_settings
 from c2s_engine.write.typed.spread import spread
 from c2s_engine.write.typed.tables import is_static
+from c2s_engine.write.typed.threats import threatening
 
 
 @dataclass(frozen=True)
@@ -71,7 +72,11 @@ class TypedWriter:
         facts.append([s for s in still if s[0] != cid])
         facts.append([[o, scope.variables(structure)[o]] for o in plan.leads.get(cid, ())])
         if cid == "E":
-            return [*facts, reactions.threatening(structure), structure.settings.spec.model_dump().get("light")]
+            return [
+                *facts,
+                [[o, scope.variables(structure)[o]] for o in threatening(structure)],
+                structure.settings.spec.model_dump().get("light"),
+            ]
         return facts
 
     def _place_facts(self, plan: Plan) -> list[Any]:

@@ -1,4 +1,4 @@
-behavior Backwards(speed):
-    """Reverse straight back at a speed (m/s)."""
+behavior Backwards(speed, steer=0):
+    """Reverse at a speed (m/s); `steer` over 0 takes the tail to the right."""
     while True:
-        take SetReverseAction(True), SetSteerAction(0), SetSpeedAction(-speed)
+        take SetReverseAction(True), SetSteerAction(steer), SetSpeedAction(-speed)

@@ -15,7 +15,9 @@ def bend_speed(points, i):
 behavior Drive(points, speed, rate=3, offset=0, shift=1.5):
     """Follow points at `speed` (m/s, or a function that gives it), changing it by at most `rate` (m/s2);
     `offset` m to their left, moving there at `shift` m/s. Pure pursuit, slower in bends."""
-    i, last, beside = nearest(self, points), len(points) - 1, 0
+    i, last = nearest(self, points), len(points) - 1
+    left = (points[min(i + 1, last)] - points[min(i, last - 1)]).normalized().rotatedBy(90 deg)
+    beside = max(-abs(offset), min(abs(offset), (self.position - points[i]).dot(left)))
     while True:
         while i < last - 1 and (distance from self to points[i + 2]) <= (distance from self to points[i]):
             i += 1

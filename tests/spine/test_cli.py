@@ -1,5 +1,6 @@
 """The command line as a user meets it: the main job, its JSON, and one clear sentence for each bad input."""
 
+import ctypes
 import json
 import os
 import stat
@@ -11,12 +12,13 @@ import pytest
 TEXT = "The ego follows a truck at 40 km/h on a straight road. The truck brakes hard and the ego brakes."
 
 
-def c2s(*arguments, stdin=None, **environment):
+def c2s(*arguments, stdin=None, before=None, **environment):
     return subprocess.run(
         [sys.executable, "-m", "c2s_engine.cli", *arguments],
         input=stdin,
         capture_output=True,
         timeout=280,
+        preexec_fn=before,
         env=os.environ | {"OLLAMA_HOST": "http://127.0.0.1:9"} | environment,
     )
 
@@ -78,11 +80,16 @@ def test_a_broken_program_says_where(tmp_path):
     assert "line 3" in done.stdout.decode()
 
 
-@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
 def test_no_permission(tmp_path):
     tmp_path.chmod(stat.S_IRUSR | stat.S_IXUSR)
-    done = c2s("generate", TEXT, "--no-run", "-o", str(tmp_path / "a.scenic"))
+    done = c2s("generate", TEXT, "--no-run", "-o", str(tmp_path / "a.scenic"), before=obey_permissions)
     assert "permission" in one_sentence(done, 3)
+
+
+def obey_permissions():
+    """Root, too: gives up the capability to write everywhere (prctl PR_CAPBSET_DROP, CAP_DAC_OVERRIDE)."""
+    if os.geteuid() == 0:
+        ctypes.CDLL(None).prctl(24, 1, 0, 0, 0)
 
 
 def test_a_full_disk_loses_nothing():

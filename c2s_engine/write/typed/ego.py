@@ -25,6 +25,17 @@ def _start(spec: EgoSpec, said: EgoSpec) -> list[str]:
     ]
 
 
+BEARING = {"left": "90 deg", "right": "-90 deg", "u_turn": "180 deg"}
+"""Where ego leaves a roundabout, to the left of where it came from."""
+
+
+def _way(plan: Plan) -> str:
+    if not plan.turning:
+        return "way(egoLane)"
+    bearing = BEARING.get(plan.place.manoeuvre or "") if plan.place.kind == "roundabout" else None
+    return f"way(egoLane, egoTurn, {bearing})" if bearing else "way(egoLane, egoTurn)"
+
+
 def write_ego(structure: Structure, plan: Plan) -> str:
     said = spec = structure.ego.spec
     assert isinstance(said, EgoSpec) and isinstance(spec, EgoSpec)
@@ -36,7 +47,7 @@ def write_ego(structure: Structure, plan: Plan) -> str:
         spec=spec,
         structure=structure,
         plan=plan,
-        line="way(egoLane, egoTurn)" if plan.turning else "way(egoLane)",
+        line=_way(plan),
         lane=0,
         speed="EGO_SPEED",
         value=middle(speed),

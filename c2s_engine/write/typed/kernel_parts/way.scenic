@@ -1,11 +1,16 @@
-def way(lane, turn=ManeuverType.STRAIGHT):
-    """Points 2 m apart along a lane and on over the next junctions: by `turn` (a manoeuvre or its type) at the
-    first, then straight on."""
-    points = []
-    for _ in range(3):
+def begin(lane):
+    """The direction in which a lane begins."""
+    return lane.centerline[1] - lane.centerline[0]
+
+def way(lane, turn=ManeuverType.STRAIGHT, bearing=0):
+    """Points 2 m apart along a lane and on over the next junctions: by `turn` (a manoeuvre or its type) at the first,
+    then straight on, or where that is not possible nearest to `bearing` (rad, to the left) from the first lane."""
+    points, goal = [], (lane.centerline[-1] - lane.centerline[-2]).rotatedBy(bearing)
+    while len(points) < 400:
         points += lane.centerline.pointsSeparatedBy(2)
         onward = [m for m in lane.maneuvers if turn in (m, m.type)]
-        onward = onward or [m for l in lane.group.lanes for m in l.maneuvers if m.type is turn] or list(lane.maneuvers)
+        onward = onward or [m for l in lane.group.lanes for m in l.maneuvers if m.type is turn]
+        onward = onward or sorted(lane.maneuvers, key=lambda m: abs(goal.angleWith(begin(m.endLane))))
         if not onward:
             break
         if onward[0].connectingLane:

@@ -1,33 +1,24 @@
-"""Who does it and to whom: agents and patients by the grammatical relations, with passives, relatives and inversions."""
-# ruff: noqa: E501  (patterns and tables of cases stay on one line)
+"""Who does it: agents by the grammatical relations, with passives, relatives and inversions."""
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 
 from c2s_engine.interpret.mentions import Cast, Entity
+from c2s_engine.interpret.patients import Patients
 from c2s_engine.interpret.syntax import Word
 
 if TYPE_CHECKING:
-    from c2s_engine.interpret.clauses import Event
-
-CLAUSAL = frozenset(("advcl", "relcl", "ccomp", "acl", "csubj", "csubjpass", "parataxis", "pcomp", "xcomp"))
+    from c2s_engine.interpret.event import Event
 
 
-class Agents:
+class Agents(Patients):
     """The part of Clauses that finds the parties of a verb or noun."""
 
     words: list[Word]
     cast: Cast
     events: list[Event]
     by_word: dict[int, Event]
-
-    def _is_verb(self, word: Word) -> bool:
-        raise NotImplementedError
-
-    def _lemma(self, word: Word) -> str:
-        raise NotImplementedError
 
     def _subject(self, word: Word, depth: int = 0) -> tuple[Entity | None, int | None, bool]:
         """(agent, its word, whether the verb is passive)."""
@@ -88,13 +79,6 @@ class Agents:
                 if self.words[child].dep in ("attr", "dobj"):
                     return self.cast.referent(child), child, False
         return self._inherited(word, depth)
-
-    def _everything(self, i: int) -> list[int]:
-        """All words below a word, in order."""
-        found = [i]
-        for child in self.words[i].children:
-            found += self._everything(child)
-        return sorted(found)
 
     def _inherited(self, word: Word, depth: int) -> tuple[Entity | None, int | None, bool]:
         head = self.words[word.head]
@@ -294,211 +278,3 @@ class Agents:
             ):
                 return self.cast.of[i]
         return None
-
-    def _also(self, at: int | None) -> list[Entity]:
-        """The others of a joint subject ("V1 and V3 met")."""
-        if at is None:
-            return []
-        found = self._pair(at)
-        for child in self.words[at].children:
-            if self.words[child].dep == "conj":
-                other = self.cast.referent(child)
-                if other is not None:
-                    found.append(other)
-                    found += self._also(child)
-        return found
-
-    def _pair(self, at: int) -> list[Entity]:
-        """The other of two whom "both", "both of them" or "the two" mean."""
-        near = [w.norm for w in self.words[max(0, at - 1) : at + 3]]
-        if not {"both", "two"} & set(near[:2]) or self.words[at].span is not None:
-            return []
-        one = self.cast.referent(at)
-        earlier = [self.cast.of[i] for i in sorted(self.cast.of) if i < at and self.cast.of[i] is not one]
-        movers = [e for e in earlier if e.mover and not e.ego]
-        return movers[-1:] if one is not None and not one.ego else []
-
-    def _patient(self, word: Word, own: list[int], agent: Entity | None, passive: bool) -> Entity | None:
-        if passive:
-            for child in word.children:
-                if self.words[child].dep == "nsubjpass":
-                    found = self.cast.referent(child)
-                    if found is not None and found is not agent:
-                        return found
-            if word.dep in ("acl", "relcl"):
-                found = self.cast.referent(word.head)
-                if found is not None and found is not agent:
-                    return found
-            inherited = self._inherited(word, 0)[0]
-            if inherited is not None and inherited is not agent:
-                return inherited
-        direct = [c for c in word.children if self.words[c].dep in ("dobj", "dative", "oprd")]
-        for child in direct:
-            found = self.cast.referent(child)
-            if found is not None and found is not agent:
-                return found
-        for child in direct:
-            if self.words[child].tag in ("WDT", "WP"):
-                continue
-            for i in self._below(child):
-                found = self.cast.of.get(i)
-                if found is not None and found is not agent:
-                    return found
-        if word.dep == "relcl" and any(self.words[c].dep in ("nsubj",) for c in word.children):
-            head = self.cast.of.get(word.head)
-            if head is not None and head is not agent:
-                return head
-        for i in own:
-            if (
-                i > word.i
-                and i in self.cast.of
-                and self.cast.of[i] is not agent
-                and (self.cast.of[i].mover or self.cast.of[i].type not in ("construction_zone",))
-            ):
-                return self.cast.of[i]
-        for child in word.children:
-            if (
-                self.words[child].dep in ("ccomp", "advcl")
-                and self._is_verb(self.words[child])
-                and word.lemma in ("let", "allow", "wait", "permit", "lets")
-            ):
-                found = self._subject(self.words[child])[0]
-                if found is not None and found is not agent:
-                    return found
-        return None
-
-    def _below(self, i: int) -> list[int]:
-        found = [i]
-        for child in self.words[i].children:
-            if self.words[child].dep not in CLAUSAL:
-                found += self._below(child)
-        return sorted(found)
-
-    def _default_agent(self, word: Word, act: str) -> Entity | None:
-        """An imperative, or a passive without an agent: what is asked for is asked of ego."""
-        subjects = [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass")]
-        if (
-            subjects
-            and act == "collide"
-            and self.words[subjects[0]].norm in ("two", "both", "they", "vehicles", "cars", "all")
-        ):
-            return self.cast.ego
-        if subjects and self.words[subjects[0]].lemma not in (
-            "braking",
-            "brake",
-            "brakes",
-            "manoeuvre",
-            "maneuver",
-            "movement",
-            "speed",
-            "turn",
-            "turning",
-            "driver",
-            "system",
-            "response",
-            "pedal",
-            "merging",
-            "crossing",
-        ):
-            return None
-        if not subjects and word.dep not in ("ROOT", "conj", "csubj", "xcomp", "advcl", "ccomp", "pcomp"):
-            return None
-        if act == "follow" and word.tag == "VBN":
-            followed = [self.cast.referent(c) for c in subjects]
-            return self.cast.ego if self.cast.ego_named and followed and followed[0] is not self.cast.ego else None
-        if act in (
-            "brake",
-            "stop",
-            "brake_stop",
-            "turn",
-            "lane_change",
-            "overtake",
-            "yield",
-            "keep_lane",
-            "follow",
-            "go_straight",
-            "reverse",
-            "u_turn",
-            "swerve",
-            "accelerate",
-            "evade",
-            "start",
-        ):
-            return self.cast.ego
-        return None
-
-    def _was_off_road(self, actor: Entity) -> bool:
-        if "parked" in actor.roles:
-            return True
-        near = " ".join(w.norm for m in actor.mentions for w in self.words[m.word : m.word + 8])
-        if re.search(r"parked|parking|lay-?by|driveway|bus stop", near):
-            return True
-        return any(
-            e.agent is actor and re.search(r"park|kerb|curb|driveway|shoulder|bay|lay-by|side of the road", e.whole)
-            for e in self.events
-        )
-
-    def _noun_agent(self, word: Word, verb: Word | None) -> tuple[Entity | None, Entity | None]:
-        patient = None
-        for child in word.children:
-            other = self.words[child]
-            if other.dep == "poss" or other.tag == "PRP$":
-                return self.cast.referent(child), None
-            if other.dep in ("prep", "agent") and other.norm in ("of", "by", "from"):
-                for target in other.children:
-                    found = self.cast.referent(target)
-                    if found:
-                        return found, None
-            if other.dep == "prep" and other.norm in ("with", "between"):
-                for target in other.children:
-                    patient = patient or self.cast.referent(target)
-            if other.dep == "compound" and child in self.cast.of:
-                return self.cast.of[child], None
-        for i in range(word.i - 1, max(-1, word.i - 4), -1):
-            other = self.words[i]
-            if (
-                other.sentence != word.sentence
-                or other.norm in (",", ";", ".", ":")
-                or other.verb
-                and other.dep != "amod"
-            ):
-                break
-            if i in self.cast.of and other.span is not None and other.dep not in ("pobj",):
-                return self.cast.of[i], patient
-        if verb is not None:
-            agent, at, passive = self._subject(verb)
-            if (
-                agent is not None
-                and not passive
-                and self._lemma(verb)
-                in (
-                    "make",
-                    "perform",
-                    "execute",
-                    "do",
-                    "begin",
-                    "start",
-                    "initiate",
-                    "carry",
-                    "take",
-                    "undertake",
-                    "complete",
-                    "attempt",
-                    "apply",
-                    "have",
-                    "be",
-                    "need",
-                    "require",
-                    "respond",
-                    "react",
-                    "manage",
-                    "come",
-                    "go",
-                    "answer",
-                    "result",
-                    "end",
-                    "use",
-                )
-            ):
-                return agent, patient
-        return None, patient

@@ -1,5 +1,4 @@
 """Sixth stage: the scene becomes S: places, positions, phases, reactions, with defaults named in `assumed`."""
-# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 
@@ -11,6 +10,7 @@ from c2s_engine.interpret.objects import Draft
 from c2s_engine.interpret.roads import compose_place
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.settings import ACCEPTED, DEFAULTS, Settings
+from c2s_engine.interpret.settling import settle
 from c2s_engine.structure.components import Assumption, Component, Link, Structure
 from c2s_engine.structure.specs import EgoSpec, RestrictionsSpec, SettingsSpec
 
@@ -25,7 +25,7 @@ def compose(scene: Scene) -> Structure:
     place = compose_place(scene)
     ego, ego_assumed = compose_ego(scene, ids, place)
     drafts: list[Draft] = [objects.compose_object(scene, entity, ids, place, ego) for entity in ordered]
-    ego = objects.settle(scene, ego, place, drafts, ids)
+    ego = settle(scene, ego, place, drafts, ids)
     drafts += objects.signs(scene, place, len(drafts))
     place_assumed = _place_assumed(scene, place)
     untold = unmet.find(scene)
@@ -77,10 +77,12 @@ def compose(scene: Scene) -> Structure:
     )
     names = {c.id: c.spec.name for c in structure.objects}  # type: ignore[union-attr]
     described = [c.model_copy(update={"description": describe.obj(c.spec, names)}) for c in structure.objects]  # type: ignore[arg-type]
-    return structure.model_copy(update={
-        "ego": structure.ego.model_copy(update={"description": describe.ego(ego, place, names)}),
-        "objects": tuple(described),
-    })  # fmt: skip
+    return structure.model_copy(
+        update={
+            "ego": structure.ego.model_copy(update={"description": describe.ego(ego, place, names)}),
+            "objects": tuple(described),
+        }
+    )
 
 
 def _doing(ego: EgoSpec) -> str:
@@ -132,7 +134,7 @@ def compose_settings(found: Settings, scene: Scene) -> tuple[SettingsSpec, list[
 
 
 def _ego_light(scene: Scene) -> str | None:
-    """The state of the light that ego faces: of several, the one in a clause with ego; red for one who runs it elsewhere."""
+    """The state of the light that ego faces: of several, the first that is not the one another runs."""
     ego = scene.cast.ego
     runner = next((e for e in scene.clauses.events if e.act == "run_red" and e.done and not e.agent.ego), None)
     if scene.does(ego, "run_red") is not None:

@@ -1,26 +1,68 @@
 """One sentence for each component, in plain words (shown in the panes, and the query of the retrieval)."""
-# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, SettingsSpec
 
 POSITIONS = {
-    "ahead": "ahead of {of} in the same lane", "behind": "behind {of} in the same lane", "beside": "beside {of} on the {side}", "left_lane": "{along} {of} in the lane to the left",
-    "right_lane": "{along} {of} in the lane to the right", "oncoming_lane": "in the oncoming lane", "crossing_left": "on the road that crosses from the left",
-    "crossing_right": "on the road that crosses from the right", "opposite_approach": "on the opposite approach of the intersection", "roadside": "at the {side} roadside", "sidewalk": "on the {side} sidewalk",
-    "parked": "parked on the {side}", "partly_in_lane": "partly in the lane at its {side} edge", "hidden": "out of sight", "on_ramp": "on the on-ramp", "intersection_exit": "behind the intersection, where ego turns in",
-}  # fmt: skip
+    "ahead": "ahead of {of} in the same lane",
+    "behind": "behind {of} in the same lane",
+    "beside": "beside {of} on the {side}",
+    "left_lane": "{along} {of} in the lane to the left",
+    "right_lane": "{along} {of} in the lane to the right",
+    "oncoming_lane": "in the oncoming lane",
+    "crossing_left": "on the road that crosses from the left",
+    "crossing_right": "on the road that crosses from the right",
+    "opposite_approach": "on the opposite approach of the intersection",
+    "roadside": "at the {side} roadside",
+    "sidewalk": "on the {side} sidewalk",
+    "parked": "parked on the {side}",
+    "partly_in_lane": "partly in the lane at its {side} edge",
+    "hidden": "out of sight",
+    "on_ramp": "on the on-ramp",
+    "intersection_exit": "behind the intersection, where ego turns in",
+}
 ACTIONS = {
-    "stationary": "stands still", "keep_lane": "keeps its lane", "accelerate": "accelerates", "brake": "brakes", "stop": "stops", "wait": "waits", "start": "moves off", "lane_change": "changes lane",
-    "cut_in": "cuts in ahead of {target}", "cut_out": "leaves the lane of {target}", "overtake": "overtakes {target}", "follow": "follows {target}", "swerve": "swerves", "drift": "drifts out of its lane",
-    "turn_left": "turns left", "turn_right": "turns right", "go_straight": "goes straight on", "u_turn": "turns round", "cross_road": "crosses the road", "move_along": "moves along the road",
-    "enter_road": "comes onto the road", "leave_road": "leaves the road", "reverse": "reverses", "oncoming": "gets into the opposite lane", "run_red": "runs the red light", "run_stop": "runs the stop sign",
-    "yield": "gives way to {target}", "lose_control": "loses control for a moment", "collide": "hits {target}",
-}  # fmt: skip
+    "stationary": "stands still",
+    "keep_lane": "keeps its lane",
+    "accelerate": "accelerates",
+    "brake": "brakes",
+    "stop": "stops",
+    "wait": "waits",
+    "start": "moves off",
+    "lane_change": "changes lane",
+    "cut_in": "cuts in ahead of {target}",
+    "cut_out": "leaves the lane of {target}",
+    "overtake": "overtakes {target}",
+    "follow": "follows {target}",
+    "swerve": "swerves",
+    "drift": "drifts out of its lane",
+    "turn_left": "turns left",
+    "turn_right": "turns right",
+    "go_straight": "goes straight on",
+    "u_turn": "turns round",
+    "cross_road": "crosses the road",
+    "move_along": "moves along the road",
+    "enter_road": "comes onto the road",
+    "leave_road": "leaves the road",
+    "reverse": "reverses",
+    "oncoming": "gets into the opposite lane",
+    "run_red": "runs the red light",
+    "run_stop": "runs the stop sign",
+    "yield": "gives way to {target}",
+    "lose_control": "loses control for a moment",
+    "collide": "hits {target}",
+}
 PLACES = {
-    "road": "a road", "straight": "a straight road", "curve": "a curve", "intersection": "an intersection", "roundabout": "a roundabout", "motorway": "a motorway", "on_ramp": "an on-ramp of a motorway",
-    "off_ramp": "a motorway exit", "crosswalk": "a road with a crosswalk",
-}  # fmt: skip
+    "road": "a road",
+    "straight": "a straight road",
+    "curve": "a curve",
+    "intersection": "an intersection",
+    "roundabout": "a roundabout",
+    "motorway": "a motorway",
+    "on_ramp": "an on-ramp of a motorway",
+    "off_ramp": "a motorway exit",
+    "crosswalk": "a road with a crosswalk",
+}
 CONTROLS = {
     "signal": "with traffic lights",
     "stop": "with a stop sign",

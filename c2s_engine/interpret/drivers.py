@@ -1,13 +1,21 @@
-"""E: how ego drives of its own accord, and how it reacts to the others."""
-# ruff: noqa: E501  (patterns and tables of cases stay on one line)
+"""E: what ego does of its own accord, and how it reacts."""
 
 import re
 
-from c2s_engine.interpret import language
-from c2s_engine.interpret.clauses import Event
+from c2s_engine.interpret.ego_others import (
+    ahead,
+    faces_red,
+    for_sign,
+    free_side,
+    in_lane_conflict,
+    last_actor,
+    passed,
+    yielded,
+)
+from c2s_engine.interpret.ego_pace import ego_pace
 from c2s_engine.interpret.mentions import MOTOR, Entity
-from c2s_engine.interpret.phases import duration_of, rate_of, target_speed, trigger_of
 from c2s_engine.interpret.scene import Scene, side
+from c2s_engine.interpret.steps import duration_of, rate_of, target_speed, trigger_of
 from c2s_engine.structure.components import Assumption
 from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec
 
@@ -30,12 +38,12 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         trigger = trigger_of(event)
         if act == "yield":
             reaction, said_reaction = "yield", True
-            react_to = react_to or who or _yielded(scene, event, ids)
+            react_to = react_to or who or yielded(scene, event, ids)
         elif act in RESPONSES:
             stop = act != "brake"
             if (
                 stop
-                and _for_sign(scene, event, place)
+                and for_sign(scene, event, place)
                 or not others
                 or "turn" in event.text
                 and not event.hard
@@ -57,7 +65,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                 reaction = "brake" if reaction == "none" or event.hard or stop and rate_of(event) else reaction
             hard = hard or event.hard or bool(rate_of(event) and rate_of(event) >= 4)  # type: ignore[operator]
         elif act == "follow":
-            phases.append(Phase(action="follow", target=who or _ahead(scene, ids)))
+            phases.append(Phase(action="follow", target=who or ahead(scene, ids)))
             if phases[-1].target is None:
                 phases.pop()
         elif act in ("lane_change", "cut_out", "evade"):
@@ -72,7 +80,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             elif act != "evade":
                 joined = scene.where(event.patient).lane if event.patient is not None and not towards else None
                 towards = towards or (joined if joined in ("left", "right") else None)
-                phases.append(Phase(action="lane_change", side=towards or _free_side(place), trigger=trigger))
+                phases.append(Phase(action="lane_change", side=towards or free_side(place), trigger=trigger))
         elif (
             act == "overtake"
             and event.patient is not None
@@ -83,8 +91,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             if event.patient is not None and (
                 scene.where(event.patient).lane == "oncoming" or "oncoming" in event.patient.roles
             ):
-                who = _passed(scene, ids) or who
-            phases.append(Phase(action="overtake", target=who or _passed(scene, ids), side=towards, trigger=trigger))
+                who = passed(scene, ids) or who
+            phases.append(Phase(action="overtake", target=who or passed(scene, ids), side=towards, trigger=trigger))
             if phases[-1].target is None:
                 phases.pop()
         elif act == "cut_in":
@@ -114,7 +122,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                 )
             )  # type: ignore[arg-type]
         elif act == "collide":
-            target = who or _last_actor(scene, ids)
+            target = who or last_actor(scene, ids)
             for actor in event.also:
                 target = ids.get(actor, target)
             if target:
@@ -140,12 +148,12 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     if (
         scene.road.signal
         and not any(p.action in ("run_red", "stop", "wait", "stationary") for p in phases)
-        and _faces_red(scene)
+        and faces_red(scene)
         and any(p.action in ("turn_right", "turn_left", "go_straight") for p in phases)
         and not any(e.act in (*RESPONSES, "stationary", "yield") for e in events)
     ):
         phases.insert(0, Phase(action="run_red"))
-    speed = _speed(scene, ids, place, phases, assumed)
+    speed = ego_pace(scene, ids, place, phases, assumed)
     if (
         reaction == "none"
         and not said_reaction
@@ -168,7 +176,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             )
             for p in phases
         )
-        and _in_lane_conflict(scene, place)
+        and in_lane_conflict(scene, place)
     ):
         reaction = "brake"
         assumed.append(
@@ -186,21 +194,6 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         type=kind, model=model, speed=speed, phases=tuple(phases[:8]), reaction=reaction, react_to=react_to, hard=hard
     )  # type: ignore[arg-type]
     return spec, assumed
-
-
-def _faces_red(scene: Scene) -> bool:
-    """Whether the light that ego faces is red while it goes on (a right turn on red)."""
-    for event in scene.events(scene.cast.ego):
-        if re.search(
-            r"\bred\b",
-            " ".join(
-                scene.words[i].norm
-                for i in range(max(0, event.word - 8), min(len(scene.words), event.word + 9))
-                if scene.words[i].sentence == scene.words[event.word].sentence
-            ),
-        ):
-            return True
-    return bool(re.search(r"right turn on red|turn(s|ing)? right on red", scene.plain))
 
 
 def _tidy(phases: list[Phase], place: PlaceSpec, reaction: str) -> list[Phase]:
@@ -246,171 +239,3 @@ def _tidy(phases: list[Phase], place: PlaceSpec, reaction: str) -> list[Phase]:
     if turns and place.kind == "intersection":
         found = [p for p in found if p.action != "go_straight"]
     return [p for p in found if p.action != "keep_lane" or len(found) == 1]
-
-
-def _speed(
-    scene: Scene, ids: dict[Entity, str], place: PlaceSpec, phases: list[Phase], assumed: list[Assumption]
-) -> float | tuple[float, float] | None:
-    said = scene.speeds.get(scene.cast.ego)
-    if said is not None:
-        low, high = said[0], said[1]
-        return round(low, 2) if high - low < 0.05 else (round(low, 2), round(high, 2))
-    lead = next(
-        (
-            e
-            for e in scene.actors
-            for p in phases
-            if p.action == "follow" and ids.get(e) == p.target and e in scene.speeds
-        ),
-        None,
-    )
-    if lead is not None:
-        low, high = scene.speeds[lead][0], scene.speeds[lead][1]
-        if not any(e.act in ("approach", "brake") and e.agent.ego for e in scene.clauses.events):
-            assumed.append(
-                Assumption(
-                    field="speed", value=f"{low * 3.6:.0f} km/h", reason="it follows at the speed of the one ahead"
-                )
-            )
-            return round((low + high) / 2, 2)
-    flow = _speed_among_others(scene, ids, phases)
-    if flow is not None and not (
-        phases and phases[0].action in ("stationary", "enter_road", "start", "wait", "reverse")
-    ):
-        value, reason = flow
-        assumed.append(Assumption(field="speed", value=f"{value * 3.6:.0f} km/h", reason=reason))
-        return value
-    if phases and phases[0].action in ("stationary", "enter_road", "start", "wait"):
-        assumed.append(Assumption(field="speed", value="0 km/h", reason="it stands at first"))
-        return 0.0
-    table = language.table("defaults")["speeds"]
-    key = (
-        place.kind if place.kind in table and place.kind not in ("road", "curve") else scene.road.setting or place.kind
-    )
-    if place.kind in ("straight",):
-        key = scene.road.setting or "road"
-    entry = table.get(key, table["road"])
-    value, reason = float(entry["value"]), entry["reason"]
-    if place.speed_limit and place.kind not in ("intersection", "roundabout"):
-        value, reason = (
-            round(min(value * 1.4, place.speed_limit), 2),
-            language.table("defaults")["limits"]["maximum_from_limit"]["reason"],
-        )
-    if any(p.action == "reverse" for p in phases[:1]):
-        value, reason = 3.0, "a usual speed backwards"
-    assumed.append(Assumption(field="speed", value=f"{value * 3.6:.0f} km/h", reason=reason))
-    return value
-
-
-def _speed_among_others(scene: Scene, ids: dict[Entity, str], phases: list[Phase]) -> tuple[float, str] | None:
-    """Ego's speed as what happens with the others needs it, whose speeds are told: (m/s, why)."""
-    factors = language.table("defaults")["factors"]
-    targets = {p.target for p in phases if p.action in ("overtake", "collide")}
-    for entity in scene.actors:
-        said, where = scene.speeds.get(entity), scene.where(entity)
-        if (
-            said is None
-            or entity not in ids
-            or not entity.mover
-            or entity.person
-            or entity.type == "bicycle"
-            or said[1] < 3
-        ):
-            continue
-        if where.lane in ("oncoming", "crossing", "parked", "roadside") or "oncoming" in entity.roles:
-            continue
-        acts = scene.events(entity)
-        passes = any(e.act == "overtake" and (e.patient is None or e.patient.ego) for e in acts)
-        caught = ids[entity] in targets or any(
-            e.act in ("approach", "held_up") and e.patient is entity and e.agent.ego
-            for e in scene.clauses.events
-            if e.done
-        )
-        if any(e.act in ("turn", "go_straight", "run_red", "cross_path") for e in acts) and where.rel is None:
-            continue
-        name = "closing" if caught else "passed" if passes or where.rel == "behind" else "flow"
-        if (
-            name == "flow"
-            and where.rel is None
-            and where.lane not in ("left", "right", "same")
-            and "lead" not in entity.roles
-        ):
-            continue
-        factor = factors[name]
-        return round(min(50.0, max(3.0, (said[0] + said[1]) / 2 * factor["value"])), 2), factor["reason"]
-    return None
-
-
-def _yielded(scene: Scene, event: Event, ids: dict[Entity, str]) -> str | None:
-    """Whom ego lets pass, where the clause does not name it: the other in conflict with it."""
-    near = [e for e in scene.actors if e in ids and e.mover]
-    before = [e for e in near if e.mentions and e.mentions[0].word < event.word]
-    conflicts = [
-        e
-        for e in before or near
-        if scene.where(e).lane in ("crossing", "oncoming", "left", "right")
-        or scene.where(e).rel == "behind"
-        or "oncoming" in e.roles
-        or e.person
-    ]
-    pick = conflicts or before or near
-    return ids[pick[-1]] if pick else None
-
-
-def _ahead(scene: Scene, ids: dict[Entity, str]) -> str | None:
-    ahead = [e for e in scene.actors if e in ids and (scene.where(e).rel == "ahead" or "lead" in e.roles)]
-    return ids[ahead[0]] if ahead else None
-
-
-def _passed(scene: Scene, ids: dict[Entity, str]) -> str | None:
-    """What ego gets past, where the clause does not name it: what is in its lane ahead."""
-    ahead = [
-        e
-        for e in scene.actors
-        if e in ids
-        and (
-            scene.where(e).rel == "ahead"
-            or scene.where(e).lane in ("same", "partly")
-            or scene.where(e).lane is None
-            and scene.where(e).rel is None
-        )
-    ]
-    vehicles = [e for e in ahead if e.mover]
-    pick = vehicles or ahead
-    return ids[pick[0]] if pick else None
-
-
-def _last_actor(scene: Scene, ids: dict[Entity, str]) -> str | None:
-    movers = [e for e in scene.actors if e in ids]
-    return ids[movers[-1]] if movers else None
-
-
-def _for_sign(scene: Scene, event: Event, place: PlaceSpec) -> bool:
-    """A stop that a sign or a red light asks for, not another road user."""
-    near = event.whole
-    sentence = " ".join(w.norm for w in scene.words if w.sentence == scene.words[event.word].sentence)
-    if re.search(
-        r"stop sign|stop line|red light|traffic (light|signal)|at (the|a) (red|sign|line|intersection|junction)|where the cross street",
-        near,
-    ):
-        return True
-    if event.adverbial == "after" and place.kind == "intersection" and place.control in ("signal", "stop"):
-        return True
-    return (
-        scene.road.stop_sign
-        and "stop sign" in sentence
-        or event.act == "stop"
-        and place.kind == "intersection"
-        and bool(re.search(r"full stop|complete stop", near))
-        and any(
-            e.act in ("start", "go_straight", "turn") and e.order > event.order for e in scene.events(scene.cast.ego)
-        )
-    )
-
-
-def _free_side(place: PlaceSpec) -> str:
-    return "right" if place.ego_lane == "leftmost" else "left"
-
-
-def _in_lane_conflict(scene: Scene, place: PlaceSpec) -> bool:
-    return any(e.mover or e.type not in ("warning_sign",) for e in scene.actors)

@@ -1,12 +1,11 @@
 """The embedded interpreter: text to S by rules over a parsed text, without a language model."""
-# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from c2s_engine.interpret import compose, language, scan, scene, unmet
+from c2s_engine.interpret import compose, language, scan, understanding, unmet
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.spelling import Mended
 from c2s_engine.structure.components import Structure, Unmet
@@ -50,17 +49,19 @@ class EmbeddedInterpreter:
             Exception
         ) as error:  # any text gives S or a sentence: what defeats the rules must not reach the user as a traceback
             raise InterpretError(
-                f"This text defeats the embedded interpreter ({type(error).__name__}): say it in shorter, plainer sentences."
+                f"This text defeats the embedded interpreter ({type(error).__name__}): say it in shorter, "
+                f"plainer sentences."
             ) from error
 
     def _read(self, text: str) -> Interpretation:
         mended = Mended(text[:READ_AT_MOST])
         head = mended.text
         meant = typology(head)
-        understood = scene.understand(f"{head} {meant}" if meant and _adds(head) else meant or head)
+        understood = understanding.understand(f"{head} {meant}" if meant and _adds(head) else meant or head)
         if not _has_scene(understood):
             raise InterpretError(
-                "Nothing in the text tells of a driving scene: name the vehicles or people, where they are and what they do."
+                "Nothing in the text tells of a driving scene: name the vehicles or people, where they "
+                "are and what they do."
             )
         result = compose.compose(understood)
         missed = _missed(understood, text, mended)
@@ -165,20 +166,59 @@ def _stages(found: Scene) -> dict[str, list[dict[str, Any]]]:
     text = found.text
     return {
         "sentences": [{"text": text[s:e], "span": (s, e)} for s, e in found.sentences],
-        "quantities": [{"text": text[s.start : s.end], "span": (s.start, s.end), **s.data} for s in found.spans if s.kind == "quantity"],
+        "quantities": [
+            {"text": text[s.start : s.end], "span": (s.start, s.end), **s.data}
+            for s in found.spans
+            if s.kind == "quantity"
+        ],
         "actors": [
-            {"key": e.key, "type": e.type, "count": e.count, "label": e.label, "roles": sorted(e.roles), "kept": e.ego or e in found.actors, "mentions": [text[m.start : m.end] for m in e.mentions], "span": (e.mentions[0].start, e.mentions[0].end) if e.mentions else None}
+            {
+                "key": e.key,
+                "type": e.type,
+                "count": e.count,
+                "label": e.label,
+                "roles": sorted(e.roles),
+                "kept": e.ego or e in found.actors,
+                "mentions": [text[m.start : m.end] for m in e.mentions],
+                "span": (e.mentions[0].start, e.mentions[0].end) if e.mentions else None,
+            }
             for e in [found.cast.ego, *found.cast.entities]
         ],
         "events": [
-            {"agent": e.agent.key, "act": e.act, "hard": e.hard, "mode": e.mode, "patient": e.patient.key if e.patient else None, "order": round(e.order, 2), "trigger": e.trigger, "text": text[e.start : e.end], "span": (e.start, e.end)}
+            {
+                "agent": e.agent.key,
+                "act": e.act,
+                "hard": e.hard,
+                "mode": e.mode,
+                "patient": e.patient.key if e.patient else None,
+                "order": round(e.order, 2),
+                "trigger": e.trigger,
+                "text": text[e.start : e.end],
+                "span": (e.start, e.end),
+            }
             for e in found.clauses.events
         ],
         "relations": [
-            {"key": e.key, "rel": w.rel, "lane": w.lane, "side": w.side, "of": w.of.key if w.of else None, "gap": w.gap, "hidden_by": w.hidden_by.key if w.hidden_by else None}
-            for e, w in found.places.of.items() if w.rel or w.lane or w.side or w.hidden_by or w.gap
+            {
+                "key": e.key,
+                "rel": w.rel,
+                "lane": w.lane,
+                "side": w.side,
+                "of": w.of.key if w.of else None,
+                "gap": w.gap,
+                "hidden_by": w.hidden_by.key if w.hidden_by else None,
+            }
+            for e, w in found.places.of.items()
+            if w.rel or w.lane or w.side or w.hidden_by or w.gap
         ],
         "speeds": [{"key": e.key, "low": v[0], "high": v[1], "span": (v[2], v[3])} for e, v in found.speeds.items()],
         "road": [{k: v for k, v in vars(found.road).items() if v not in (None, False, {})}],
-        "environment": [{"value": f.value, "confidence": f.confidence, "span": f.span, "text": text[f.span[0] : f.span[1]]} for f in (*found.settings.weather, *filter(None, (found.settings.time, found.settings.map, found.settings.preset)), *found.light)],
-    }  # fmt: skip
+        "environment": [
+            {"value": f.value, "confidence": f.confidence, "span": f.span, "text": text[f.span[0] : f.span[1]]}
+            for f in (
+                *found.settings.weather,
+                *filter(None, (found.settings.time, found.settings.map, found.settings.preset)),
+                *found.light,
+            )
+        ],
+    }

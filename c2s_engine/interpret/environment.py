@@ -74,7 +74,9 @@ def time_of_day(plain: str, sentences: list[tuple[int, int]]) -> Found | None:
 
 
 CLOCK = re.compile(
-    r"\b(?:(?P<hour>[01]?\d|2[0-3])[:.h](?P<minute>[0-5]\d)(?!\d)(?: ?(?P<half>[ap])\.?m\b)?|(?P<hour2>1[0-2]|[1-9]) ?(?P<half2>[ap])\.?m\b|(?P<hour3>[01]\d|2[0-3])[0-5]\d (?:hours|hrs|h)\b)"
+    r"\b(?:(?P<hour>[01]?\d|2[0-3])[:.h](?P<minute>[0-5]\d)(?!\d)(?: ?(?P<half>[ap])\.?m\b)?"
+    r"|(?P<hour2>1[0-2]|[1-9]) ?(?P<half2>[ap])\.?m\b|(?P<hour3>[01]\d|2[0-3])[0-5]\d (?:hours"
+    r"|hrs|h)\b)"
 )
 
 
@@ -94,7 +96,7 @@ def clock(plain: str) -> Found | None:
         )
     ):
         return None
-    value = "night" if hour >= 21 or hour < 5 else "dawn" if hour < 7 else "dusk" if 19 <= hour else "day"
+    value = "night" if hour >= 21 or hour < 5 else "dawn" if hour < 7 else "dusk" if hour >= 19 else "day"
     return Found(value, 0.8, match.span())
 
 
@@ -124,14 +126,25 @@ def named(plain: str) -> dict[str, Found]:
 def preset_name(sky: str, sun: str) -> str:
     """CARLA's spelling of a weather preset."""
     names: dict[str, Any] = {
-        "clear": "Clear", "cloudy": "Cloudy", "wet": "Wet", "wetcloudy": "WetCloudy", "softrain": "SoftRain",
-        "midrain": "MidRain", "midrainy": "MidRainy", "hardrain": "HardRain",
-    }  # fmt: skip
+        "clear": "Clear",
+        "cloudy": "Cloudy",
+        "wet": "Wet",
+        "wetcloudy": "WetCloudy",
+        "softrain": "SoftRain",
+        "midrain": "MidRain",
+        "midrainy": "MidRainy",
+        "hardrain": "HardRain",
+    }
     return names.get(sky, sky.capitalize()) + sun.capitalize()
 
 
 PRESET_WEATHER = {
-    "Clear": ("clear",), "Cloudy": ("cloudy",), "Wet": ("wet",), "WetCloudy": ("wet", "cloudy"), "SoftRain": ("rain",),
-    "MidRainy": ("rain",), "HardRain": ("heavy_rain",),
-}  # fmt: skip
+    "Clear": ("clear",),
+    "Cloudy": ("cloudy",),
+    "Wet": ("wet",),
+    "WetCloudy": ("wet", "cloudy"),
+    "SoftRain": ("rain",),
+    "MidRainy": ("rain",),
+    "HardRain": ("heavy_rain",),
+}
 PRESET_TIME = {"Noon": "day", "Sunset": "dusk", "Night": "night"}

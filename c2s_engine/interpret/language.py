@@ -93,6 +93,12 @@ def roles() -> dict[str, str]:
 
 
 @cache
+def word_list(name: str) -> frozenset[str]:
+    """A list of data/language/parsing.yaml."""
+    return frozenset(table("parsing")[name])
+
+
+@cache
 def units() -> dict[str, tuple[str, float]]:
     """Unit as written -> (dimension, factor to SI)."""
     return {

@@ -13,7 +13,10 @@ FIELD = re.compile(
     r"(?:^|(?<=[;\n]))[ \t]*(?:[-*•][ \t]*)?(?P<key>[^\W\d_][\w /#-]{1,40}?)[ \t]*[:=][ \t]*(?P<value>[^;\n]+)"
 )
 VERBAL = re.compile(
-    r"\s*(?:slowly |suddenly |hard |then |gradually )?(?:to )?(?!(?:across|cross|bus|brakes?$|gas)\b)\w+(?:s|es)\b|.*\b(?:is|has|does)\b",
+    (
+        r"\s*(?:slowly |suddenly |hard |then |gradually )?(?:to )?(?!(?:across|cross|bus|brakes?$"
+        r"|gas)\b)\w+(?:s|es)\b|.*\b(?:is|has|does)\b"
+    ),
     re.I,
 )
 

@@ -1,5 +1,4 @@
 """The road that a text describes: kind, junction, control, lanes, oncoming traffic, limits."""
-# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 from dataclasses import dataclass, field
@@ -179,7 +178,11 @@ def _lanes(plain: str, sentences: list[tuple[int, int]], road: Road, data: dict[
             ):
                 road.lanes = least
     stated = re.search(
-        r"\b(?P<n>two|three|four|2|3|4)( \w+)? lanes (of|in|for|going|heading|travell?ing|running)( \w+){0,2}( the)?( same| each| this| one| direction| way)|\b(?P<n2>two|three|four) (\w+ )?lanes\b",
+        (
+            r"\b(?P<n>two|three|four|2|3|4)( \w+)? lanes (of|in|for|going|heading|travell?ing"
+            r"|running)( \w+){0,2}( the)?( same| each| this| one| direction| way)|\b(?P<n2>two|three"
+            r"|four) (\w+ )?lanes\b"
+        ),
         plain,
     )
     if stated and road.lanes is None:
@@ -215,7 +218,13 @@ def is_limit(before: str, after: str) -> bool:
     pattern = _re(language.table("places")["speed_limit"])
     near = re.search(pattern.pattern + r"(\s+(?!and\b|but\b)[\w-]+){0,4}[:\s]*$", before)
     follows = re.match(
-        r"\s*(or (more|above|higher|less|over|faster) (is |are |was )?(allowed|permitted|may)|(is|was|being) (the )?(posted |speed )*(limit|allowed|permitted)|(speed )?(limit|zone)|or (more|higher|above) may|(are|is) (allowed|permitted)|(city|urban|residential) (street|road)?\s?(limit)|(is|was) posted|may be (driven|done)|posted|max\b|tops?\b)",
+        (
+            r"\s*(or (more|above|higher|less|over|faster) (is |are |was )?(allowed|permitted|may)|(is"
+            r"|was|being) (the )?(posted |speed )*(limit|allowed|permitted)|(speed )?(limit|zone)"
+            r"|or (more|higher|above) may|(are|is) (allowed|permitted)|(city|urban"
+            r"|residential) (street|road)?\s?(limit)|(is|was) posted|may be (driven|done)|posted|max\b"
+            r"|tops?\b)"
+        ),
         after,
     )
     return bool(near or follows) and not re.search(r"travel|driving|drove|going at|cruis|set speed", before[-25:])

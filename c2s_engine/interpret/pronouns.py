@@ -1,16 +1,16 @@
 """Whom pronouns, "another", "the latter" and parts ("its left front") mean."""
-# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 from __future__ import annotations
 
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import PERSONS, VEHICLES, Entity
+from c2s_engine.interpret.entities import VEHICLES, Entity
+from c2s_engine.interpret.parts import Parts
 from c2s_engine.interpret.syntax import Word
 
 
-class Pronouns:
+class Pronouns(Parts):
     """The part of Cast that resolves words without a noun of their own."""
 
     words: list[Word]
@@ -52,56 +52,16 @@ class Pronouns:
             return self._salient(word, lambda e: e.mover)
         return self._elliptic(word) or self._unknown(word)
 
-    def _unknown(self, word: Word) -> Entity | None:
-        """A noun that no table knows: by what it is said to do it must be a road user or a thing on the road."""
-        if word.tag not in ("NN", "NNP") or len(word.norm) < 3:
-            return None
-        data = language.table("actors")
-        if word.lemma in data["never"] or word.norm in data["parts"]:
-            return None
-        known = next((e for e in self.entities if "guessed" in e.roles and e.noun == word.norm), None)
-        if known is not None:
-            return known
-        if word.dep != "nsubj" or not {"a", "an", "one", "another"} & {self.words[c].norm for c in word.children}:
-            return None
-        verb = self.words[word.head]
-        rest = " ".join(
-            "@" if w.span is not None else w.norm
-            for w in self.words[verb.i + 1 : verb.i + 9]
-            if w.sentence == word.sentence
-        )
-        for guess in data["guesses"]:
-            if verb.lemma in guess["verbs"] and re.search(guess["with"], rest):
-                return self._new(
-                    Entity("", guess["type"], noun=word.norm, roles={"guessed"}, typed=guess["type"] != "vehicle")
-                )
-        return None
-
-    def _on_foot(self, word: Word) -> bool:
-        """Whether a driver or passenger leaves the vehicle: then it is a person of its own."""
-        if word.lemma not in ("driver", "operator", "passenger", "occupant") or word.dep not in ("nsubj", "nsubjpass"):
-            return False
-        verb = self.words[word.head]
-        verbs = [verb, *(self.words[c] for c in verb.children if self.words[c].dep == "conj")]
-        return any(self._leaves_on_foot(" ".join(w.norm for w in self.words[v.i : v.i + 7])) for v in verbs)
-
-    @staticmethod
-    def _leaves_on_foot(after: str) -> bool:
-        return bool(
-            re.match(
-                r"(step|climb|get|got|jump|hop|walk|alight|run|ran)\w* (\w+ )?(out|off|down|from|across|into the (road|street|lane))\b",
-                after,
-            )
-            or re.match(r"(exit|leav|left|disembark)\w* (the|his|her|their|its)", after)
-        )
-
     def _obliged(self, word: Word) -> bool:
         """Whether "it" is whom something is demanded of ("it must wait"): that is ego, where ego was spoken of."""
         if word.dep != "nsubj" or word.i == 0:
             return False
         text = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5])
         if not re.match(
-            r"(therefore |then |now |thus |only )?(must|shall|should|has to|needs to|is to|is (obliged|forced|required|expected|supposed|asked) to)\b",
+            (
+                r"(therefore |then |now |thus |only )?(must|shall|should|has to|needs to|is to|is (obliged"
+                r"|forced|required|expected|supposed|asked) to)\b"
+            ),
             text,
         ):
             return False
@@ -116,7 +76,11 @@ class Pronouns:
         text = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 6])
         return head.lemma in ("rain", "snow", "drizzle", "pour") or bool(
             re.match(
-                r"(is|was|were|has been|'s|gets|got|becomes|became)( \w+)? (night|day|dark|dusk|dawn|raining|snowing|foggy|clear|sunny|daylight|daytime|daytime|rainy|cloudy|early|late|morning|evening|noon|midnight|wet|windy|for|up|necessary|not until|only)",
+                (
+                    r"(is|was|were|has been|'s|gets|got|becomes|became)( \w+)? (night|day|dark|dusk|dawn"
+                    r"|raining|snowing|foggy|clear|sunny|daylight|daytime|daytime|rainy|cloudy|early|late"
+                    r"|morning|evening|noon|midnight|wet|windy|for|up|necessary|not until|only)"
+                ),
                 text,
             )
         )
@@ -273,110 +237,4 @@ class Pronouns:
         if norm in ("other", "others") and self.words[word.i - 1].norm == "the":
             vehicles = [e for e in movers if e.type in VEHICLES]
             return vehicles[-1] if vehicles else movers[-1]
-        return None
-
-    def _other_driver(self, word: Word) -> Entity | None:
-        """ "The other driver, in a red van": that vehicle, else the one spoken of last."""
-        near = [i for i in sorted(self.of) if self.of[i].type in VEHICLES and not self.of[i].ego]
-        inside = [
-            i
-            for i in near
-            if 0 < i - word.i <= 6 and {"in", "driving", "of"} & {w.norm for w in self.words[word.i + 1 : i]}
-        ]
-        before = [i for i in near if i < word.i]
-        found = inside[:1] or before[-1:] or near[:1]
-        return self.of[found[0]] if found else None
-
-    def referent(self, i: int, depth: int = 0) -> Entity | None:
-        """Whom a noun means: itself, or the whole that it is a part of ("the driver of V1", "its left front")."""
-        if i in self.of:
-            return self.of[i]
-        word = self.words[i]
-        if depth > 3:
-            return None
-        if word.span is not None and word.span.kind == "actor" and word.span.data["type"] in PERSONS:
-            for child in word.children:
-                other = self.words[child]
-                if other.norm in ("in", "on", "driving", "riding"):
-                    for target in other.children:
-                        if target in self.of and self.of[target].type in VEHICLES:
-                            return self.of[target]
-        parts = language.table("actors")["parts"]
-        if (
-            word.lemma in parts
-            or word.norm in parts
-            or word.lemma
-            in (
-                "side",
-                "one",
-                "group",
-                "pair",
-                "couple",
-                "line",
-                "row",
-                "queue",
-                "pile",
-                "number",
-                "first",
-                "last",
-                "two",
-                "three",
-                "none",
-                "both",
-                "each",
-                "neither",
-            )
-        ):
-            for child in word.children:
-                other = self.words[child]
-                if other.dep == "poss" or other.tag == "PRP$":
-                    found = self.referent(child, depth + 1)
-                    if found:
-                        return found
-            for child in word.children:
-                other = self.words[child]
-                if other.dep == "prep" and other.norm in ("of", "on", "in"):
-                    for target in other.children:
-                        if self.words[target].dep == "pobj":
-                            found = self.referent(target, depth + 1)
-                            if found:
-                                return found
-            if word.lemma in ("driver", "operator") and any(
-                self.words[c].norm in ("other", "another") for c in word.children
-            ):
-                return self._other_driver(word)
-            if word.lemma in ("driver", "operator", "system", "passenger", "feature") or word.norm == "brakes":
-                return self.ego if word.lemma != "passenger" else None
-        if word.tag.startswith("NN") and word.span is None:
-            for child in word.children:
-                other = self.words[child]
-                if (
-                    other.dep == "prep"
-                    and other.norm in ("in", "on")
-                    or other.norm in ("driving", "riding")
-                    and other.dep == "acl"
-                ):
-                    for target in other.children:
-                        if target in self.of and self.of[target].type in VEHICLES and self.words[target].tag != "PRP":
-                            return self.of[target]
-            for child in word.children:
-                other = self.words[child]
-                if other.dep == "prep" and other.norm == "of":
-                    for target in other.children:
-                        if target in self.of and self.of[target].count > 1:
-                            return self.of[target]
-        if word.lemma in (
-            "feature",
-            "function",
-            "motorist",
-            "dcas",
-            "alks",
-            "aebs",
-            "aeb",
-            "system",
-            "driver",
-            "operator",
-            "acc",
-        ):
-            return self.ego
         return None

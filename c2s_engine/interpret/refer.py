@@ -1,5 +1,4 @@
 """Which component of S a phrase means: "the lead", "O2", "the second car", "the pedestrian's", "it"."""
-# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 
@@ -9,10 +8,14 @@ from c2s_engine.structure.specs import ObjectSpec
 
 ORDINALS = {"first": 0, "1st": 0, "second": 1, "2nd": 1, "third": 2, "3rd": 2, "last": -1}
 FAMILY = {
-    "vehicle": ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle"), "rider": ("bicycle", "motorcycle"),
-    "pedestrian": ("pedestrian", "child"), "obstacle": ("obstacle", "box", "debris", "container", "barrel"), "car": ("car", "police_car"),
-    "child": ("child", "pedestrian"), "truck": ("truck", "fire_truck"),
-}  # fmt: skip
+    "vehicle": ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle"),
+    "rider": ("bicycle", "motorcycle"),
+    "pedestrian": ("pedestrian", "child"),
+    "obstacle": ("obstacle", "box", "debris", "container", "barrel"),
+    "car": ("car", "police_car"),
+    "child": ("child", "pedestrian"),
+    "truck": ("truck", "fire_truck"),
+}
 
 
 def objects_of(structure: Structure, kind: str) -> list[Component]:
@@ -29,7 +32,7 @@ def spec_of(component: Component) -> ObjectSpec:
 
 
 def refer(text: str, structure: Structure, *, alone: bool = True) -> Component | None:
-    """The component that the first noun of a phrase means; None where nothing fits. `alone`: "it" means the only object."""
+    """The component that the first noun of a phrase means, or None. `alone`: "it" means the only object."""
     plain = scan.normalised(text)
     match = re.search(r"\bo([1-9][0-9]?)\b", plain)
     if match and f"O{match[1]}" in structure:

@@ -1,5 +1,4 @@
 """Refinements without a model: the common forms of change become edits that touch only what was meant."""
-# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 from typing import Any
@@ -58,7 +57,11 @@ def clauses_of(text: str) -> list[str]:
     plain = " ".join(scan.normalised(text).replace("?", " ").replace("!", " ").split())
     plain = re.sub(r"^(can|could|would|will) (you|we) (please )?", "", plain)
     plain = re.sub(r"^(please|now|then|also|ok|okay|so|well)[, ]+", "", plain)
-    starts = r"(?:make|change|turn|replace|swap|remove|delete|drop|add|put|move|let|set|use|have|increase|reduce|slow|speed|start|the \w+ (?:should|must|drives?|is|brakes?|stops?)|ego (?:should|must|drives?|is|brakes?|stops?)|at night|in the|it (?:should|is))"
+    starts = (
+        r"(?:make|change|turn|replace|swap|remove|delete|drop|add|put|move|let|set|use|have"
+        r"|increase|reduce|slow|speed|start|the \w+ (?:should|must|drives?|is|brakes?|stops?)"
+        r"|ego (?:should|must|drives?|is|brakes?|stops?)|at night|in the|it (?:should|is))"
+    )
     parts = re.split(rf"(?:[.;]\s+|,?\s+(?:and|then|but)\s+(?={starts}\b)|,\s+(?={starts}\b))", plain)
     return [p.strip(" .,;") for p in parts if p.strip(" .,;")]
 

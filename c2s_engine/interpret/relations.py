@@ -1,9 +1,9 @@
 """Where entities are at the start: relations read from noun phrases and from clauses."""
-# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 
-from c2s_engine.interpret.clauses import Clauses, Event
+from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.inferred import Inferred
 from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.whereabouts import STATES, Where, read, side_of_text
@@ -26,7 +26,10 @@ class Places(Inferred):
         for where in self.of.values():
             text = " ; ".join(t for _, t in where.phrases)
             match = re.search(
-                r"(?:directly|immediately|just|right) (?:in front of|ahead of|behind) (?:the )?@ego in the (left|right)",
+                (
+                    r"(?:directly|immediately|just|right) (?:in front of|ahead of"
+                    r"|behind) (?:the )?@ego in the (left|right)"
+                ),
                 text,
             )
             if match and where.rel in ("ahead", "behind"):
@@ -135,7 +138,10 @@ class Places(Inferred):
         before = [w for w in self.words[max(0, i - 9) : i] if w.sentence == word.sentence]
         front = self.clauses.render([w.i for w in before])
         fronted = re.search(
-            r"(?:^|, |and |: )((?:from|to|on|at) (?:the |its |@\w+ 's )+(?:left|right)(?: side)?)(?: a| an| another| the| \w+){0,3}$",
+            (
+                r"(?:^|, |and |: )((?:from|to|on|at) (?:the |its |@\w+ 's )+(?:left|right)(?: side)?)(?: a"
+                r"| an| another| the| \w+){0,3}$"
+            ),
             front,
         )
         if fronted and word.span is not None:
@@ -151,7 +157,7 @@ class Places(Inferred):
             and self.words[i + 1].norm in PLACING
         ):
             following = self._following(i)
-            read(self.clauses.render(following), where, entity, self.cast, "noun")
+            read(" ".join([*lead, self.clauses.render(following)]), where, entity, self.cast, "noun")
         if known and text.strip():
             read(text, where, entity, self.cast, "noun")
             self._gap(indices, where)
@@ -238,14 +244,20 @@ class Places(Inferred):
                 if (
                     re.search(r"^(high|tall|wide|long|deep|thick)", after)
                     or re.search(
-                        r"visib|wide|radius|sideways|lateral|by (more|less)|long|off the|width|height|past the (intersection|junction)|within (a|an)?",
+                        (
+                            r"visib|wide|radius|sideways|lateral|by (more|less)|long|off the|width|height"
+                            r"|past the (intersection|junction)|within (a|an)?"
+                        ),
                         before + " " + after,
                     )
                     and not re.search(r"ahead|in front|behind|back|away", after)
                 ):
                     continue
                 if re.search(
-                    r"ahead|in front|behind|away|back|distance|apart|gap|headway|clearance|spacing|separation|room|up the|from|at|further|beyond|short|before|#dist (to|of)|least|along|on\b|down",
+                    (
+                        r"ahead|in front|behind|away|back|distance|apart|gap|headway|clearance|spacing|separation"
+                        r"|room|up the|from|at|further|beyond|short|before|#dist (to|of)|least|along|on\b|down"
+                    ),
                     before + " " + after + " " + text,
                 ) and not (only_ahead and re.search(r"(drive|travel)s? (for )?#dist", text)):
                     if re.search(r"(after|for|every) (about |around )?$", before + " ") or re.search(

@@ -1,5 +1,4 @@
 """R: the place, from what is said of the road and from what happens there."""
-# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 
@@ -30,7 +29,10 @@ def compose_place(scene: Scene) -> PlaceSpec:
             sides = [side(e) for e in scene.events(ego) if e.act == "turn"]
             manoeuvre = "u_turn" if turn.act == "u_turn" else next((s for s in sides if s), "left")
         named = re.search(
-            r"(?:un)?protected (left|right)|\b(left|right) turn\b(?! lane)|\bego,?( [^.;]{0,25})?, (left|right)\b(?! lane)",
+            (
+                r"(?:un)?protected (left|right)|\b(left|right) turn\b(?! lane)"
+                r"|\bego,?( [^.;]{0,25})?, (left|right)\b(?! lane)"
+            ),
             scene.plain,
         )
         others_turn = any(e.act == "turn" and not e.agent.ego and e.done for e in scene.clauses.events)
@@ -124,7 +126,11 @@ def _ends_before(scene: Scene) -> bool:
 def _ego_on_ramp(scene: Scene) -> bool:
     for event in scene.events(scene.cast.ego):
         if re.search(
-            r"on-?ramp|acceleration lane|slip road|entrance ramp|entry ramp|ramp|merg\w+ (on)?to the (motorway|highway|freeway|interstate)|join\w* (the |a )?(motorway|highway|freeway|interstate)",
+            (
+                r"on-?ramp|acceleration lane|slip road|entrance ramp|entry ramp|ramp"
+                r"|merg\w+ (on)?to the (motorway|highway|freeway|interstate)|join\w* (the |a )?(motorway"
+                r"|highway|freeway|interstate)"
+            ),
             re.sub(r"(off|exit)[- ]?ramp", "", event.whole),
         ) and not re.search(r"@a\d", event.whole.split("ramp")[0][-25:]):
             return True

@@ -4,7 +4,7 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language, notation
-from c2s_engine.interpret.clauses import _irregular
+from c2s_engine.interpret.motions import irregular
 from c2s_engine.interpret.rewritten import Replacement, Rewritten
 
 WORD = re.compile(r"[A-Za-z]{4,}")
@@ -60,7 +60,7 @@ def vocabulary() -> frozenset[str]:
     for rule in language.table("motions")["verbs"]:
         for verb in rule["verbs"]:
             words |= {verb, f"{verb}s", *(_stem(verb) + ending for ending in ("ed", "ing"))}
-    words |= {w for form in _irregular() for w in re.findall(r"[a-z]+", form)}
+    words |= {w for form in irregular() for w in re.findall(r"[a-z]+", form)}
     for name in ("environment", "places"):
         words |= set(re.findall(r"[a-z]{5,}", re.sub(r"\\+[a-z]", " ", str(language.table(name)))))
     return frozenset(w for w in words if len(w) >= 4 and w.isalpha())

@@ -1,9 +1,7 @@
 """Second stage: each sentence's words with their parts of speech and grammatical relations.
 
 Spans that mean one thing (a name, a road user, a unit) reach the parser as one plain word, which makes it robust
-against the shorthand of the trade.
-"""
-# ruff: noqa: E501  (patterns and tables of cases stay on one line)
+against the shorthand of the trade."""
 
 import sys
 from dataclasses import dataclass, field
@@ -13,73 +11,8 @@ from typing import Any
 import regex
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.proxies import FOLLOWS, pieces_of
 from c2s_engine.interpret.scan import Span
-
-WORD = regex.compile(
-    r"\p{L}+(?=n't\b)|n't\b|'(?:m|re|ve|ll|d)\b|\p{L}[\p{L}\p{M}\p{N}]*(?:[-/]\p{L}[\p{L}\p{M}\p{N}]*)*|'s\b|'(?=\s)|\d+(?:[.,]\d+)*|[^\s\w]|\S"
-)
-PROXY = {
-    "bicycle": "bike", "pedestrian": "man", "child": "boy", "animal": "dog", "truck": "truck", "bus": "bus", "van": "van",
-    "motorcycle": "bike", "debris": "stone", "construction_zone": "building", "rider": "man",
-}  # fmt: skip
-DETERMINERS = frozenset(
-    [
-        "a",
-        "an",
-        "the",
-        "this",
-        "that",
-        "these",
-        "those",
-        "another",
-        "other",
-        "each",
-        "every",
-        "one",
-        "two",
-        "three",
-        "four",
-        "five",
-        "six",
-        "its",
-        "his",
-        "her",
-        "their",
-        "our",
-        "my",
-        "your",
-        "any",
-        "some",
-        "several",
-        "no",
-        "both",
-        "s",
-        "second",
-        "third",
-        "fourth",
-        "first",
-        "last",
-        "single",
-        "same",
-        "all",
-        "which",
-        "whose",
-        "crashed",
-        "red",
-        "blue",
-        "white",
-        "black",
-        "big",
-        "large",
-        "small",
-        "broken",
-        "heavy",
-        "stolen",
-    ]
-)
-LETTERS_AFTER = regex.compile(
-    r"\s*(?:\w+(?:s|ed|ing)|is|was|has|had|must|should|will|can|may|then|did|cut|hit|ran|went|came)\b"
-)
 
 
 @dataclass
@@ -128,7 +61,7 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
     nlp = parser()
     from spacy.tokens import Doc
 
-    pieces = [_pieces(plain, start, end, spans) for start, end in sentences]
+    pieces = [pieces_of(plain, start, end, spans) for start, end in sentences]
     parts: list[tuple[int, list[int]]] = []  # (sentence, indices of its pieces): the main part, then each bracket
     for number, piece in enumerate(pieces):
         parts += [(number, part) for part in _brackets(piece)]
@@ -196,37 +129,8 @@ def _verbs() -> frozenset[str]:
     )
 
 
-SUBJECT_ENDS = frozenset(
-    [
-        "ahead",
-        "behind",
-        "front",
-        "left",
-        "right",
-        "side",
-        "lane",
-        "then",
-        "and",
-        "but",
-        "also",
-        "who",
-        "which",
-        "that",
-        "it",
-        "he",
-        "she",
-        ")",
-        ",",
-        "again",
-        "road",
-        "direction",
-        "now",
-    ]
-)
-
-
 def _mistaken(doc: Any, piece: list[tuple[str, int, int, Span | None]], plain: str) -> dict[int, str]:
-    """Words taken for plural nouns that can only be the verb of the road user before them ("the car ahead decelerates"),
+    """Words taken for nouns that can only be the verb of the road user before ("the car ahead decelerates"), each
     with a verb that the parser knows."""
     found: dict[int, str] = {}
     for token in doc:
@@ -238,7 +142,11 @@ def _mistaken(doc: Any, piece: list[tuple[str, int, int, Span | None]], plain: s
         if (
             before is None
             or not spoken
-            or not (before[3] is not None or before[0].endswith("ly") or plain[before[1] : before[2]] in SUBJECT_ENDS)
+            or not (
+                before[3] is not None
+                or before[0].endswith("ly")
+                or plain[before[1] : before[2]] in language.word_list("subject_ends")
+            )
         ):
             continue
         if (
@@ -276,259 +184,3 @@ def _brackets(piece: list[tuple[str, int, int, Span | None]]) -> list[list[int]]
         main.append(i)
         i += 1
     return [main, *inner] if main else [list(range(len(piece)))]
-
-
-def _pieces(plain: str, start: int, end: int, spans: list[Span]) -> list[tuple[str, int, int, Span | None]]:
-    inside = [s for s in spans if start <= s.start and s.end <= end]
-    found: list[tuple[str, int, int, Span | None]] = []
-    at = start
-    last: Span | None = None
-    for span in [*inside, None]:
-        stop = span.start if span else end
-        for number, match in enumerate(WORD.finditer(plain[at:stop])):
-            near = last if number == 0 or number == 1 and found and found[-1][0].endswith("ly") else None
-            found.append((_word(match[0], near, plain, at + match.start()), at + match.start(), at + match.end(), None))
-        last = span
-        if span:
-            found += _proxies(plain, span, found[-1][0] if found else "")
-            at = span.end
-    return found
-
-
-NOUN_LIKE = frozenset(
-    [
-        "brakes",
-        "stops",
-        "turns",
-        "slides",
-        "drifts",
-        "cuts",
-        "starts",
-        "backs",
-        "swerves",
-        "moves",
-        "slows",
-        "runs",
-        "walks",
-        "crawls",
-        "pulls",
-        "heads",
-        "parks",
-        "rides",
-        "races",
-        "pedals",
-        "shoots",
-        "lands",
-        "steps",
-        "trots",
-        "sweeps",
-        "swings",
-        "returns",
-        "steers",
-        "leads",
-        "trails",
-        "ends",
-        "merges",
-        "veers",
-        "switches",
-        "changes",
-        "creeps",
-        "rolls",
-        "skids",
-        "slips",
-        "spins",
-        "cruises",
-        "lets",
-        "drives",
-        "brake",
-        "stop",
-        "turn",
-        "merge",
-        "cross",
-        "swerve",
-    ]
-)
-MOTION = frozenset(
-    [
-        "slam",
-        "brake",
-        "decelerate",
-        "accelerate",
-        "merge",
-        "emerge",
-        "appear",
-        "swing",
-        "veer",
-        "drift",
-        "slide",
-        "skid",
-        "crawl",
-        "creep",
-        "trundle",
-        "pedal",
-        "pull",
-        "cut",
-        "cruise",
-        "come",
-        "go",
-        "travel",
-        "drive",
-        "step",
-        "dart",
-        "dash",
-        "jump",
-        "speed",
-        "slow",
-        "weave",
-        "approach",
-        "turn",
-        "reverse",
-        "back",
-        "stop",
-        "stall",
-        "halt",
-        "start",
-        "wait",
-        "yield",
-        "overtake",
-        "run",
-        "walk",
-        "jog",
-        "cycle",
-        "cross",
-        "enter",
-        "leave",
-        "exit",
-        "switch",
-        "change",
-        "filter",
-        "close",
-        "arrive",
-        "proceed",
-        "continue",
-        "head",
-        "lurch",
-        "spin",
-        "hydroplane",
-        "wander",
-        "stray",
-        "roll",
-        "coast",
-        "park",
-        "stand",
-        "sit",
-        "lie",
-        "intrude",
-        "encroach",
-        "invade",
-        "return",
-        "tailgate",
-        "back",
-        "signal",
-        "wait",
-        "indicate",
-    ]
-)
-TRANSITIVE = frozenset(["trails", "leads", "lets", "checks", "hits", "strikes", "misses"])
-VERBAL_LEFT = regex.compile(r"left\s+(?:the|its|his|their|a|that|this)\s+(?!side|lane of)")
-
-
-BOUND = frozenset(f"{way}{end}" for way in ("north", "south", "east", "west") for end in ("bound", "wards", "ward"))
-FOLLOWS = regex.compile(
-    r"\s*(?:[.,;:!?)]|$|(?:at|in|into|onto|on|off|out|over|across|along|towards?|from|to|through|behind|past|with|without|for|and|then|while|when|as|because|due|hard|sharply|"
-    r"suddenly|abruptly|heavily|slowly|left|right|straight|away|up|down|back|ahead|around|again|gradually|before|after|but|so|too|immediately|quickly|by|under|until|because|between|beside|just|directly|unexpectedly|strongly)\b)"
-)
-BASE = frozenset(
-    ["travel", "drive", "approach", "brake", "stop", "turn", "crawl", "creep", "cruise", "head", "move", "ride", "walk"]
-)
-
-
-def _word(text: str, before: Span | None, plain: str, start: int) -> str:
-    """The word that the parser sees in place of one that it would take for another part of speech."""
-    if text in BOUND:
-        return "east"
-    if text == "left" and not VERBAL_LEFT.match(plain[start : start + 24]):
-        return "right"
-    follows = FOLLOWS.match(plain[start + len(text) : start + len(text) + 14])
-    if (
-        before is not None
-        and (before.kind != "quantity" or before.data["dimension"] == "speed" and text != "stops")
-        and text.endswith("s")
-        and (text in NOUN_LIKE or text in TRANSITIVE or text[:-1] in MOTION or text[:-2] in MOTION)
-    ):
-        if text in TRANSITIVE:
-            return "follows" if text != "lets" else text
-        if follows:
-            return "goes"
-    elif (
-        text == "closes"
-        and regex.match(r"\s+(?:in|up|on)\b", plain[start + 6 : start + 12])
-        or follows
-        and text.endswith("s")
-        and (text in NOUN_LIKE or text in ("waits", "signals", "stops"))
-        and regex.search(
-            r"(?:in front|ahead|behind|on the (?:left|right)|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly)\s*$",
-            plain[max(0, start - 9) : start],
-        )
-        or before is not None
-        and before.kind != "quantity"
-        and text in ("decel", "accel", "decelerating", "accelerating")
-        and text[-2:] != "ng"
-    ):
-        return "goes"
-    elif (
-        follows
-        and text in BASE
-        and (
-            before is not None
-            and before.kind != "quantity"
-            or regex.search(r"\blanes\b|\bthey\s*$", plain[max(0, start - 28) : start])
-        )
-    ):
-        return "go"
-    return text
-
-
-def _proxies(plain: str, span: Span, before: str) -> list[tuple[str, int, int, Span | None]]:
-    start, end = span.start, span.end
-    if span.kind == "quantity":
-        number = regex.match(r"[+-]?[\d.,]+|\w+", plain[start:end])
-        cut = start + number.end() if number else start + 1
-        unit = {"speed": "mph", "distance": "meters", "time": "seconds", "acceleration": "mph", "percent": "percent"}[
-            span.data["dimension"]
-        ]
-        if cut >= end:
-            return [(unit, start, end, span)]
-        return [(plain[start:cut], start, cut, span), (unit, cut, end, span)]
-    if span.kind == "word":
-        return [(span.data["proxy"], start, end, span)]
-    named = plain[start:end].startswith("the ")
-    after_determiner = (
-        before in DETERMINERS
-        or before.endswith(("ing", "ed", "y", "-", "en", "al", "ow"))
-        and not before.isdigit()
-        or before.isdigit()
-    )
-    after_determiner = after_determiner and not (
-        span.kind == "ego" and before.endswith(("way", "city", "country", "day"))
-    )
-    if span.kind == "label":
-        return [("V" + span.data["label"].rpartition(" ")[2].upper(), start, end, span)]
-    if span.kind == "ego":
-        proxy = "I" if plain[start:end] == "i" else "car" if after_determiner or named else "John"
-        if named:
-            return [("the", start, start + 3, None), (proxy, start + 4, end, span)]
-        return [(proxy, start, end, span)]
-    kind = span.data["type"]
-    if named:
-        start += 4
-        return [("the", start - 4, start - 1, None), ("car", start, end, span)]
-    if span.data.get("plural"):
-        return [
-            ("bikes" if kind == "bicycle" else "men" if kind in ("pedestrian", "child") else "trucks", start, end, span)
-        ]
-    verb_follows = LETTERS_AFTER.match(plain[end : end + 20])
-    proxy = "man" if span.data.get("person") else PROXY.get(kind, "car")
-    if not after_determiner and verb_follows and kind not in ("debris", "construction_zone", "obstacle"):
-        proxy = "Mary" if kind in ("pedestrian", "child", "bicycle", "rider") else "Mark"
-    return [(proxy, start, end, span)]

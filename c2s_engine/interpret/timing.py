@@ -1,5 +1,4 @@
 """When it happens: the order of events and what triggers them."""
-# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 from __future__ import annotations
 
@@ -10,14 +9,11 @@ from c2s_engine.interpret.modes import Modes
 from c2s_engine.interpret.syntax import Word
 
 if TYPE_CHECKING:
-    from c2s_engine.interpret.clauses import Event
+    from c2s_engine.interpret.event import Event
 
 
 class Timing(Modes):
     """The part of Clauses that orders the events."""
-
-    def render(self, indices: list[int], verb: int | None = None) -> str:
-        raise NotImplementedError
 
     def _quantities(self, indices: list[int]) -> list[dict[str, Any]]:
         found = []
@@ -101,7 +97,10 @@ class Timing(Modes):
             if event.trigger is None:
                 for quantity in event.quantities:
                     if quantity["dimension"] == "time" and re.search(
-                        r"#time (later|into|in\b|after the start|after start)|(^|, )(after|at) (about |around |roughly |t ?= ?)?#time",
+                        (
+                            r"#time (later|into|in\b|after the start|after start)|(^|, )(after|at) (about |around "
+                            r"|roughly |t ?= ?)?#time"
+                        ),
                         own,
                     ):
                         event.trigger = {"kind": "time", "value": quantity["low"]}

@@ -1,5 +1,4 @@
 """What a turn of the chat asks for: a question, an edit of S, a new scenario, undo or redo. No model."""
-# ruff: noqa: E501  (patterns and tables of cases stay on one line)
 
 import re
 from dataclasses import dataclass, field
@@ -33,6 +32,10 @@ def route(text: str, structure: Structure | None) -> Turn:
         return Turn("undo", span=whole)
     if re.match(table["redo"], plain):
         return Turn("redo", span=whole)
+    if structure is not None and (supposed := _supposed(plain)):
+        edits, said = refine.edits_of(supposed, structure)
+        if edits:
+            return Turn("edit", edits, "; ".join(said), whole)
     if _asks(plain, table):
         return Turn("question", span=whole)
     if structure is None or not structure.text and not structure.objects:
@@ -47,10 +50,22 @@ def route(text: str, structure: Structure | None) -> Turn:
         return Turn(
             "edit",
             [],
-            f"I did not understand “{text.strip()[:80]}” as a change: name what is to change and how, such as “make the lead a truck”.",
+            (
+                f"I did not understand “{text.strip()[:80]}” as a change: name what is to change and how, "
+                f"such as “make the lead a truck”."
+            ),
             whole,
         )
     return Turn("scenario", span=whole)
+
+
+def _supposed(plain: str) -> str:
+    """What a "what if" supposes, as a demand; empty where the text is none."""
+    match = re.match(r"(?:and |but |so |then )?what if (?P<said>[^?]+)\??$", plain)
+    if not match:
+        return ""
+    said = re.sub(r"^there (?:were|was|is|are) (?:also )?", "add ", match["said"].strip())
+    return re.sub(r"^(?!add )(?P<what>.+?) (?:were|was|is|are) (?P<how>.+)$", r"make \g<what> \g<how>", said)
 
 
 def _asks(plain: str, table: dict[str, str]) -> bool:

@@ -49,11 +49,12 @@ def _whose(scene: Scene, start: int) -> Entity:
 
 def _sides(scene: Scene, entity: Entity) -> list[str]:
     """ "From the left or the right", in a sentence about the entity."""
-    found = []
-    for match in re.finditer(r"\b(left|right) or (?:from |to |on )?(?:the |its )?(left|right)\b", scene.plain):
-        if _whose(scene, match.start()) is entity:
-            found.append(scene.text[match.start() : match.end()])
-    return found
+    pattern = r"\b(left|right) or (?:from |to |on )?(?:the |its )?(left|right)\b"
+    return [
+        scene.text[match.start() : match.end()]
+        for match in re.finditer(pattern, scene.plain)
+        if _whose(scene, match.start()) is entity
+    ]
 
 
 def alternatives(scene: Scene, entity: Entity) -> list[str]:

@@ -26,13 +26,18 @@ STRANGE = [
     "km/h m s ft mph 50 60 - 70 to 80 and 90 or 100",
 ]
 WORDS = st.sampled_from(
-    "ego the a an it which where who both V1 V2 D1 truck A B car van bus jam moose granny Ford BMW ambulance driver door "
-    "brakes slows stops turns left right crosses merges cuts in front of ahead behind into lane lanes 2 intersection "
-    "roundabout ramp kerb at 50 60 km/h mph 20 m s % + - -> / : ; , . ( ) | = < and or but while when after before until "
-    "not no never must has to waits yields red green light stop sign night rain fog westbound northbound second first "
-    "another other them parked stopped slow oncoming decelerating following collision with manoeuvre departure five zero "
-    "\n- \n1. \n|".split(" ")
-)
+    [
+        "ego", "the", "a", "an", "it", "which", "where", "who", "both", "V1", "V2", "D1", "truck", "A", "B", "car",
+        "van", "bus", "jam", "moose", "granny", "Ford", "BMW", "ambulance", "driver", "door", "brakes", "slows",
+        "stops", "turns", "left", "right", "crosses", "merges", "cuts", "in", "front", "of", "ahead", "behind",
+        "into", "lane", "lanes", "2", "intersection", "roundabout", "ramp", "kerb", "at", "50", "60", "km/h", "mph",
+        "20", "m", "s", "%", "+", "-", "->", "/", ":", ";", ",", ".", "(", ")", "|", "=", "<", "and", "or", "but",
+        "while", "when", "after", "before", "until", "not", "no", "never", "must", "has", "to", "waits", "yields",
+        "red", "green", "light", "stop", "sign", "night", "rain", "fog", "westbound", "northbound", "second", "first",
+        "another", "other", "them", "parked", "stopped", "slow", "oncoming", "decelerating", "following", "collision",
+        "with", "manoeuvre", "departure", "five", "zero", "\n-", "\n1.", "\n|",
+    ]
+)  # fmt: skip
 
 
 @pytest.mark.parametrize("text", STRANGE)

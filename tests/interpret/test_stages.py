@@ -3,12 +3,12 @@
 
 import pytest
 
-from c2s_engine.interpret import scan, scene
+from c2s_engine.interpret import amounts, division, scan, understanding
 from c2s_engine.interpret.spelling import Mended
 
 
 def quantity(text: str) -> tuple[str, float, float]:
-    found = scan.quantities(scan.normalised(text))
+    found = amounts.quantities(scan.normalised(text))
     assert len(found) == 1, found
     return found[0].data["dimension"], round(found[0].data["low"], 2), round(found[0].data["high"], 2)
 
@@ -32,7 +32,7 @@ def test_the_normalised_text_keeps_every_offset(text: str) -> None:
 
 def test_sentences_do_not_end_at_abbreviations_and_numbers() -> None:
     text = "V1 drove approx. 3.5 m/s on Main St. in the rain, e.g. slowly. V2 stopped; it waited.\n- It left"
-    assert [text[s:e] for s, e in scan.sentences(text)] == [
+    assert [text[s:e] for s, e in division.sentences(text)] == [
         "V1 drove approx. 3.5 m/s on Main St. in the rain, e.g. slowly.", "V2 stopped;", "it waited.", "It left",
     ]  # fmt: skip
 
@@ -51,7 +51,7 @@ def test_words_that_are_right_stay_as_they_are() -> None:
 
 
 def acts(text: str) -> list[tuple[str, str, str, str | None]]:
-    found = scene.understand(text)
+    found = understanding.understand(text)
     return [(e.agent.key, e.act, e.mode, e.patient.key if e.patient else None) for e in found.clauses.events]
 
 

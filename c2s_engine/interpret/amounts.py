@@ -1,0 +1,111 @@
+"""First stage: numbers with a unit, in SI, and bare numbers that can only be speeds."""
+
+import re
+from functools import cache
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.scan import Span
+
+
+@cache
+def _number() -> str:
+    words = language.alternatives(list(language.table("units")["numbers"]))
+    return rf"(?:\d+(?:[.,]\d+)?|\b(?:{words})\b)"
+
+
+@cache
+def _quantity() -> re.Pattern[str]:
+    number = _number()
+    unit = "|".join(re.escape(u).replace(r"\ ", r"\s+") for u in sorted(language.units(), key=len, reverse=True))
+    return re.compile(
+        rf"(?<![\w.])(?P<low>[+-]?{number})(?:\s*(?P<lowunit>{unit})(?![\w/]))?(?:\s*(?:-|to|and"
+        rf"|\.\.\.?|or)\s*(?P<high>{number}))?"
+        rf"(?:\s*|-)(?P<unit>{unit})(?![\w/²^])(?:\s+(?P<half>and a half))?"
+    )
+
+
+DIGITS = "zero|one|two|three|four|five|six|seven|eight|nine|niner"
+
+
+@cache
+def _bare() -> re.Pattern[str]:
+    nouns = language.alternatives(list(language.actor_nouns()))
+    number = language.alternatives([w for w, v in language.table("units")["numbers"].items() if 10 <= float(v) <= 200])
+    return re.compile(
+        rf"(?:(?:\(ego\)|\b)(?:{nouns}|(?:{'|'.join(language.table('ego')['strong'])})|v[12]"
+        rf"|car ?[1-9]|straight|left|right|lane|ahead|behind|doing|going|brakes? to"
+        rf"|slows? (?:down )?to|accelerates? to)"
+        rf"(?: at| drives| doing|:| speed)? (?:about |around |roughly |a steady "
+        rf"|only )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)(?=\s*(?:[,.;)]|$|straight\b|and\b"
+        rf"|in the\b|same\b|left\b|right\b|but\b|on the\b|behind\b|ahead\b|in (?:left|right)\b))"
+        rf"|\b(?:ego|lead|lv|sv|vut|target) (?P<head>\d{{2,3}})(?= (?!(?:m|s|sec\w*|min\w*|hours?"
+        rf"|years?|people|cars|vehicles|trucks|km|ft|feet|degrees|percent|to|of|lanes?|am"
+        rf"|pm)\b)[a-z])"
+        rf"|\b(?:(?:north|south|east|west)bound|driv\w+|travel\w*|going|cruis\w+|moving|sit\w*"
+        rf"|approach\w*|arriv\w+|rid\w+|coming|runs?)(?: [a-z][\w'-]*){{0,3}} at (?:about |around "
+        rf"|roughly |a steady )?(?P<at>[1-9]\d?[05]|(?:{number}))(?=\s*(?:[,.;)]|$|and\b|when\b"
+        rf"|in\b|on\b|because\b|as\b|while\b|with\b))"
+        rf"|\b(?:{nouns}|ego|lead|v[12]) \((?P<bracket>\d{{2,3}})(?=[,)])"
+        rf"|(?:speed|doing|going|at) (?:of )?(?P<spelt>(?:{DIGITS}) (?:{DIGITS})(?: "
+        rf"(?:{DIGITS}))?)(?=\s*(?:[,.;)]|$|and\b|in\b|on\b))"
+        rf"|\bthe speed (?P<plain>\d{{2,3}})\b(?! ?(?:km|mph|k|m/))"
+        rf"|(?<=lane )(?P<lane>\d{{2,3}})(?=\s*(?:[,.;)]|$))"
+    )
+
+
+def bare_speeds(text: str) -> list[Span]:
+    """Numbers without a unit after a road user or its lane, in the shorthand of tests ("ego 60, lead 40"): mph where
+    the text has mph anywhere, else km/h."""
+    found = []
+    factor = 0.44704 if re.search(r"\bmph\b|\bmiles?\b|\bfeet\b|\bfoot\b|\d ?ft\b|\byards?\b", text) else 1 / 3.6
+    for match in _bare().finditer(text):
+        group = next(name for name, value in match.groupdict().items() if value)
+        value = _value(match[group])
+        if 10 <= value <= 200:
+            data = {"dimension": "speed", "low": value * factor, "high": value * factor, "bare": True}
+            found.append(Span("quantity", match.start(group), match.end(group), data))
+    return found
+
+
+def _value(text: str) -> float:
+    text = " ".join(text.split()).lstrip("+")
+    words = language.table("units")["numbers"]
+    digits = text.split()
+    if len(digits) > 1 and all(d in DIGITS.split("|") for d in digits):
+        return float("".join(str(min(9, DIGITS.split("|").index(d))) for d in digits))
+    if text in words:
+        return float(words[text])
+    if re.fullmatch(r"-?\d{1,3},\d{3}", text):
+        return float(text.replace(",", ""))
+    return float(text.replace(",", "."))
+
+
+def quantities(text: str) -> list[Span]:
+    """Numbers with a unit, in SI; a range has `low` and `high`."""
+    found = []
+    for match in _quantity().finditer(text):
+        dimension, factor = language.units()[" ".join(match["unit"].split())]
+        if match["unit"] in ("'", "mi", "g") and not match["low"][-1:].isdigit():
+            continue
+        if match["unit"] == "m" and not match["low"][-1:].isdigit():
+            continue
+        low = _value(match["low"]) * (
+            language.units()[" ".join(match["lowunit"].split())][1] if match["lowunit"] else factor
+        )
+        first = low
+        joined = (
+            re.search(r"(-|to|and|\.\.|or)\s*$", text[match.end("low") : match.start("high")])
+            if match["high"]
+            else None
+        )
+        high = _value(match["high"]) * factor if match["high"] else low
+        before = text[max(0, match.start() - 30) : match.start()]
+        if joined and joined[1] == "and" and "between" not in before:
+            low = high
+        if high < low:
+            low, high = high, low
+        found.append(Span("quantity", match.start(), match.end(), {"dimension": dimension, "low": low, "high": high}))
+        if joined and joined[1] == "to" and re.search(r"from\s*$", before):
+            second = _value(match["high"]) * factor
+            found[-1].data.update({"first": first, "second": second})
+    return found

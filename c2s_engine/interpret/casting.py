@@ -1,0 +1,163 @@
+"""Which of those spoken of belong to the scene."""
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.mentions import VEHICLES, ZONES, Entity
+from c2s_engine.interpret.scene import Scene
+
+
+def actors(scene: Scene) -> list[Entity]:
+    """The entities that belong to the scene: those that do something, are somewhere, or have something done to them."""
+    kept = []
+    for entity in scene.cast.entities:
+        own = scene.events(entity)
+        where = scene.where(entity)
+        passive = [e for e in scene.clauses.events if e.patient is entity and e.done]
+        if "group" in entity.roles or _mere_background(scene, entity):
+            continue
+        if (
+            entity.label
+            and len(scene.cast.entities) <= 6
+            and (len(scene.cast.entities) == 1 or own or passive or where.rel or where.lane or entity.roles)
+            or entity.person
+            and entity.noun not in ("somebody", "someone", "people")
+            and _seen(scene, entity)
+        ):
+            kept.append(entity)
+            continue
+        if entity.person and where.hidden_by is not None:
+            kept.append(entity)
+            continue
+        if (
+            not own
+            and not passive
+            and not entity.roles
+            and where.rel is None
+            and where.lane is None
+            and not _mentioned_alone(scene, entity)
+        ):
+            continue
+        if entity.noun == "traffic" and any(
+            e is not entity and (e.roles & entity.roles or scene.where(e).lane == where.lane is not None)
+            for e in scene.cast.entities
+        ):
+            continue
+        if (
+            not own
+            and entity.type in ("vehicle", "pedestrian")
+            and entity.count > 1
+            and where.rel is None
+            and where.lane is None
+        ):
+            continue
+        only_denied = [e for e in scene.clauses.events if e.agent is entity or e.patient is entity]
+        if (
+            only_denied
+            and not own
+            and not passive
+            and where.rel is None
+            and where.lane is None
+            and not entity.roles
+            and entity.type not in ZONES
+        ):
+            continue
+        kept.append(entity)
+    for entity in list(kept):
+        blocker = scene.where(entity).hidden_by
+        if blocker is not None and blocker not in kept:
+            if not scene.events(blocker):
+                blocker.roles.add("stationary")
+            kept.append(blocker)
+    generic = [
+        e
+        for e in kept
+        if e.noun
+        in (
+            "obstacle",
+            "obstruction",
+            "hazard",
+            "object",
+            "obstacles",
+            "objects",
+            "hazards",
+            "road user",
+            "blockage",
+            "stationary object",
+            "vehicle",
+            "vehicles",
+            "road users",
+            "actor",
+            "obstacle vehicle",
+        )
+    ]
+    for entity in generic:
+        specific = [
+            e
+            for e in kept
+            if e is not entity and (e.type != "vehicle" or entity.noun != "vehicle") and e not in generic
+        ]
+        same = [e for e in specific if entity.type == "obstacle" or e.type in VEHICLES]
+        if (
+            same
+            and not [e for e in scene.events(entity) if e.act not in ("travel", "approach", "stationary")]
+            and (entity.type == "obstacle" or entity.count > 1)
+        ):
+            kept.remove(entity)
+            _pass_on(scene, entity, [e for e in same if e.mentions[0].word > entity.mentions[0].word])
+    return kept
+
+
+def _mere_background(scene: Scene, entity: Entity) -> bool:
+    """Whether a queue is only the setting ("in a jam") or its cars are named one by one."""
+    if entity.noun not in language.table("actors")["queues"]:
+        return False
+    for mention in entity.mentions:
+        head = scene.words[scene.words[mention.word].head]
+        if scene.words[mention.word].dep == "pobj" and head.norm in ("in", "during", "within"):
+            return True
+    return any(
+        e is not entity
+        and e.type in VEHICLES
+        and (e.count > 1 or "stationary" in e.roles)
+        and e.noun not in language.table("actors")["queues"]
+        and ("stationary" in e.roles or any(v.act in ("stationary", "stop") for v in scene.events(e)))
+        for e in scene.cast.entities
+    )
+
+
+def _pass_on(scene: Scene, generic: Entity, members: list[Entity]) -> None:
+    """What was said of "two obstacles" holds for those that are then named one by one."""
+    where = scene.where(generic)
+    for number, member in enumerate(members):
+        own = scene.where(member)
+        if any(e.act == "stationary" for e in scene.events(generic)) and not scene.events(member):
+            member.roles.add("stationary")
+        if own.lane is None and own.rel is None:
+            own.lane, own.rel = where.lane, where.rel or "ahead"
+        if number == 0 and own.gap is None and where.gap is not None:
+            own.gap = where.gap
+
+
+def _seen(scene: Scene, entity: Entity) -> bool:
+    """Whether a person is the object of seeing ("did not see the child")."""
+    return any(
+        scene.words[scene.words[m.word].head].lemma
+        in ("see", "notice", "detect", "spot", "observe", "recognize", "recognise", "overlook", "perceive", "identify")
+        for m in entity.mentions
+    )
+
+
+def _mentioned_alone(scene: Scene, entity: Entity) -> bool:
+    """A thing that is only named ("debris on the road") is there all the same; a vehicle in passing is not."""
+    return (
+        entity.type in ZONES
+        or any(scene.clauses.fragment(m.word) for m in entity.mentions)
+        and (scene.where(entity).rel is not None or scene.where(entity).lane is not None or entity in scene.speeds)
+        or (not entity.mover and entity.type not in ("obstacle",))
+        or any(
+            scene.words[m.word].dep in ("ROOT", "attr", "conj", "nsubj") and scene.words[m.word].span is not None
+            for m in entity.mentions
+        )
+        and (entity.person or entity.type in ("bicycle", "motorcycle"))
+        or any(scene.words[m.word].dep == "attr" and scene.words[m.word].span is not None for m in entity.mentions)
+        and entity.type in VEHICLES
+    )

@@ -1,0 +1,210 @@
+"""Changes of how somebody moves: speed, distance, side, behaviour."""
+
+import re
+from typing import Any
+
+from c2s_engine.interpret.change_forms import VEHICLES, Found, name_of, quantity_of, value_of
+from c2s_engine.interpret.refer import refer, spec_of
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.edits import Edit, SetField, SetSpec
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import Placement
+
+
+def speed(clause: str, structure: Structure) -> Found | None:
+    """ "Ego at 50 km/h", "the lead drives 20 km/h", "faster", "10 km/h slower", "twice as fast"."""
+    quantity = quantity_of(clause, "speed")
+    relative = re.search(
+        r"\b(faster|slower|quicker|speed up|slow(er)? down|twice as fast|half as fast|double|halve)\b", clause
+    )
+    if quantity is None and not relative or re.search(r"\blimit\b", clause):
+        return None
+    component = refer(clause, structure, alone=True) or (
+        structure.ego if not structure.objects or not re.search(r"\b(it|its)\b", clause) else None
+    )
+    if component is None:
+        return None
+    spec: Any = component.spec
+    now = spec.speed
+    if relative is None and quantity is not None:
+        value = value_of(quantity)
+    else:
+        base = middle(now) if now is not None else 10.0
+        word = relative[1] if relative else ""
+        down = word in ("slower", "half as fast", "halve") or word.startswith("slow")
+        if quantity is not None:
+            value = base - quantity["low"] if down else base + quantity["low"]
+        else:
+            value = base * (
+                2
+                if word in ("twice as fast", "double")
+                else 0.5
+                if word in ("half as fast", "halve")
+                else 0.75
+                if down
+                else 1.3
+            )
+        value = round(max(0.5, value), 2)
+    edits: list[Edit] = [SetField(component=component.id, path="speed", value=value)]
+    shown = value if isinstance(value, float | int) else sum(value) / 2
+    return edits, f"{name_of(component)} at {shown * 3.6:.0f} km/h"
+
+
+def distance(clause: str, structure: Structure) -> Found | None:
+    """ "20 m further away", "10 m closer", "at 30 m", "set the gap to 40 m", "twice as far"."""
+    quantity = quantity_of(clause, "distance")
+    relative = re.search(
+        (
+            r"\b(further|farther|more distant|closer|nearer|less|more|twice as far|double the (?:gap"
+            r"|distance)|half the (?:gap|distance))\b"
+        ),
+        clause,
+    )
+    if quantity is None and (
+        relative is None or not re.search(r"away|closer|nearer|gap|distance|far|ahead|behind", clause)
+    ):
+        return None
+    component = refer(clause, structure)
+    if component is None or component.id == "E":
+        component = _only_one(structure)
+    if component is None:
+        return None
+    spec = spec_of(component)
+    now = spec.placement.gap
+    base = middle(now) if now is not None else 25.0
+    if relative is None and quantity is not None:
+        value: Any = value_of(quantity)
+    else:
+        word = relative[1] if relative else ""
+        nearer = word in ("closer", "nearer", "less") or word.startswith("half")
+        if quantity is not None:
+            value = base - quantity["low"] if nearer else base + quantity["low"]
+        else:
+            value = base * (
+                2
+                if word.startswith(("twice", "double"))
+                else 0.5
+                if word.startswith("half")
+                else 0.6
+                if nearer
+                else 1.6
+            )
+        value = round(max(2.0, value), 1)
+    return [
+        SetField(component=component.id, path="placement.gap", value=value)
+    ], f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
+
+
+def _only_one(structure: Structure) -> Component | None:
+    return structure.objects[0] if structure.objects else None
+
+
+MIRROR = {
+    "left": {"right_lane": "left_lane", "crossing_right": "crossing_left"},
+    "right": {"left_lane": "right_lane", "crossing_left": "crossing_right"},
+}
+
+
+def sides(clause: str, structure: Structure) -> Found | None:
+    """ "Start from the left", "the pedestrian comes from the right", "on the other side"."""
+    match = re.search(
+        r"\b(?:from|on|to|at|in)(?: the| its)? (left|right|other|opposite)(?:-hand)?(?: side| lane| hand)?\b", clause
+    )
+    if not match or re.search(r"\bturn|\bchange", clause):
+        return None
+    component = refer(clause, structure)
+    if component is None or component.id == "E":
+        sided = [
+            c
+            for c in structure.objects
+            if spec_of(c).placement.side or spec_of(c).placement.position in (*MIRROR["left"], *MIRROR["right"])
+        ]
+        component = sided[0] if sided else _only_one(structure)
+    if component is None:
+        return None
+    spec = spec_of(component)
+    place = spec.placement
+    now = place.side or ("left" if "left" in place.position else "right" if "right" in place.position else "right")
+    side = match[1] if match[1] in ("left", "right") else ("left" if now == "right" else "right")
+    update: dict[str, Any] = {"position": MIRROR[side].get(place.position, place.position)}
+    if place.side is not None or place.position in (
+        "roadside",
+        "sidewalk",
+        "parked",
+        "partly_in_lane",
+        "beside",
+        "intersection_exit",
+    ):
+        update["side"] = side
+    if update["position"] in ("ahead", "behind"):
+        update |= (
+            {"position": f"{side}_lane", "along": place.position}
+            if spec.type in VEHICLES
+            else {"position": "roadside", "side": side}
+        )
+    swapped = {"left": "right", "right": "left"}
+    turned = side != now
+    phases = tuple(p.model_copy(update={"side": swapped[p.side]}) if p.side and turned else p for p in spec.phases)
+    changed = spec.model_copy(
+        update={"placement": Placement.model_validate(place.model_dump() | update), "phases": phases}
+    )
+    return [SetSpec(component=component.id, spec=changed)], f"{name_of(component)} on the {side}"
+
+
+def behaviour(clause: str, structure: Structure) -> Found | None:
+    """ "The lead should stop", "let the car turn left instead", "ego does not brake", "it runs the red light"."""
+    from c2s_engine.interpret.embedded import EmbeddedInterpreter, InterpretError
+
+    body = re.sub(r"^(?:let|have|make)\s+", "", clause)
+    body = re.sub(r"\b(should|shall|must|has to|is to|will|now|instead)\b ?", "", body).strip()
+    component = refer(body, structure)
+    if component is None:
+        return None
+    if component.id == "E":
+        if re.search(r"(not|n't|never|without) (brak|react|stop)|no reaction|ignores", clause):
+            return [
+                SetField(component="E", path="reaction", value="none"),
+                SetField(component="E", path="hard", value=False),
+            ], "ego does not react"
+        if re.search(r"evade|swerve|steer|avoid|change lane|lane change", body):
+            return [SetField(component="E", path="reaction", value="evade")], "ego evades"
+        if re.search(r"\bbrak|\bstop", body):
+            hard = bool(re.search(r"hard|emergency|sharply|suddenly|full", body))
+            return [
+                SetField(component="E", path="reaction", value="brake"),
+                SetField(component="E", path="hard", value=hard),
+            ], f"ego brakes{' hard' if hard else ''}"
+        if re.search(r"\bfollow", body):
+            return [SetField(component="E", path="reaction", value="follow")], "ego follows"
+        if re.search(r"yield|give way|wait", body):
+            return [SetField(component="E", path="reaction", value="yield")], "ego yields"
+        if (
+            turn := re.search(r"\bturns? (left|right)|go(?:es)? (straight)", body)
+        ) and structure.place.spec.kind == "intersection":  # type: ignore[union-attr]
+            return [SetField(component="R", path="manoeuvre", value=turn[1] or turn[2])], f"ego: {turn[1] or turn[2]}"
+        return None
+    spec = spec_of(component)
+    noun = spec.type.replace("_", " ")
+    action = re.sub(
+        (
+            r"^(the |o\d+\b|it\b|that )?([\w-]+ ){0,2}?(?=\b(brak|stop|turn|cut|chang|swerv|drift"
+            r"|cross|run|walk|accelerat|overtak|revers|stand|stay|wait|go|driv|leav|enter|pull|yield"
+            r"|collid|hit|slow))"
+        ),
+        "",
+        body,
+    )
+    setting_words = "at an intersection with traffic lights " if structure.place.spec.kind == "intersection" else ""  # type: ignore[union-attr]
+    try:
+        read = (
+            EmbeddedInterpreter().interpret(f"Ego drives {setting_words}. The {noun} ahead of ego {action}.").structure
+        )
+    except InterpretError:
+        return None
+    same = [c for c in read.objects if spec_of(c).type == spec.type and spec_of(c).phases]
+    if not same:
+        return None
+    phases = spec_of(same[0]).phases
+    return [
+        SetSpec(component=component.id, spec=spec.model_copy(update={"phases": phases}))
+    ], f"{name_of(component)}: {', then '.join(p.action.replace('_', ' ') for p in phases)}"

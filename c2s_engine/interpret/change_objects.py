@@ -1,0 +1,234 @@
+"""Changes of who is there: removed, replaced, added."""
+
+import re
+from typing import Any
+
+from c2s_engine.interpret import environment, language, scan
+from c2s_engine.interpret.change_forms import VEHICLES, Found, name_of
+from c2s_engine.interpret.refer import objects_of, refer, spec_of
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.edits import AddObject, Edit, RemoveObject, SetField, SetSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+
+REMOVE = (
+    r"^(?:please )?(?:remove|delete|drop|get rid of|take (?:out|away)|without|no more"
+    r"|leave out|scrap|eliminate|no|there (?:is|are) no|stop)\b (?:the |any |all |that "
+    r"|those )?"
+)
+
+
+def remove(clause: str, structure: Structure) -> Found | None:
+    """ "Remove the rain", "without the cyclist", "delete O2"."""
+    match = re.match(REMOVE, clause)
+    if not match:
+        return None
+    rest = clause[match.end() :]
+    sky = environment.weather(rest, [(0, len(rest))])
+    if sky and not scan.names(rest):
+        return _without_weather([f.value for f in sky], structure)
+    if re.match(r"(traffic )?lights?|signals?$", rest):
+        return [SetField(component="R", path="control", value="none")], "no traffic lights"
+    if re.match(r"weather", rest):
+        return [SetField(component="G", path="weather", value=[])], "clear weather"
+    component = refer(rest, structure)
+    if component is None or component.id == "E":
+        return None
+    return [*_release(component, structure), RemoveObject(component=component.id)], f"{name_of(component)} removed"
+
+
+def _without_weather(values: list[str], structure: Structure) -> Found:
+    wet = {"rain": {"rain", "heavy_rain", "wet"}, "heavy_rain": {"rain", "heavy_rain", "wet"}}
+    gone = set().union(*(wet.get(v, {v}) for v in values))
+    left = [w for w in structure.settings.spec.weather if w not in gone]  # type: ignore[union-attr]
+    edits: list[Edit] = [SetField(component="G", path="weather", value=left)]
+    if structure.settings.spec.preset:  # type: ignore[union-attr]
+        edits.append(SetField(component="G", path="preset", value=None))
+    return edits, f"no {' or '.join(v.replace('_', ' ') for v in values)}"
+
+
+def _release(component: Component, structure: Structure) -> list[Edit]:
+    """Edits that make the others refer to ego instead of a component that goes."""
+    edits: list[Edit] = []
+    for other in structure.components:
+        if other.id == component.id or not isinstance(other.spec, ObjectSpec | EgoSpec):
+            continue
+        spec = other.spec
+        phases = tuple(
+            p.model_copy(
+                update={
+                    "target": None if p.target == component.id else p.target,
+                    "trigger": None if p.trigger and p.trigger.of == component.id else p.trigger,
+                }
+            )
+            for p in spec.phases
+            if not (
+                p.target == component.id
+                and p.action in ("follow", "overtake", "collide", "yield")
+                and isinstance(spec, EgoSpec)
+            )
+        )
+        update: dict[str, Any] = {"phases": phases}
+        if isinstance(spec, EgoSpec):
+            if spec.react_to == component.id:
+                update |= {"react_to": None}
+        else:
+            place = spec.placement
+            update["placement"] = place.model_copy(
+                update={
+                    "of": "ego" if place.of == component.id else place.of,
+                    "hidden_by": None if place.hidden_by == component.id else place.hidden_by,
+                }
+            )
+        changed = spec.model_copy(update=update)
+        if changed != spec:
+            edits.append(SetSpec(component=other.id, spec=changed))
+    return edits
+
+
+def retype(clause: str, structure: Structure) -> Found | None:
+    """ "Make the lead a truck", "a bus instead of the van", "two cyclists instead", "replace O1 with a deer"."""
+    known = [s for s in scan.names(clause) if s.kind == "actor" and (s.data["type"] not in ("vehicle", "rider"))]
+    patterns = (
+        (
+            r"^(?:make|turn|change|have|let)\s+(?P<who>.+?)\s+(?:in)?(?:to |be )?(?:into "
+            r"|be )?(?P<what>(?:an?|two|three|four|five|\d) [\w -]+)$"
+        ),
+        r"^(?:replace|swap|substitute|exchange)\s+(?P<who>.+?)\s+(?:with|by|for|to)\s+(?P<what>.+)$",
+        r"^(?:use |have |make it |put )?(?P<what>(?:an?|two|three|four|five|\d+) [\w -]+?) instead of (?P<who>.+)$",
+        (
+            r"^(?P<who>(?:the |o\d|ego|it)[\w -]*?) (?:should be|is|becomes|shall be|must be|are"
+            r"|should become|now is) (?P<what>(?:an?|two|three|four) [\w -]+?)(?: now| instead)?$"
+        ),
+        (
+            r"^(?:use |have |make it |make that |make them |with |now )?(?P<what>(?:an?|two|three|four"
+            r"|five|six|\d+) [\w -]+?)(?: instead| rather)$"
+        ),
+        r"^(?:make it |make that |make them )(?P<what>(?:an?|two|three|four|five|six|\d+) [\w -]+?)$",
+    )
+    for pattern in patterns:
+        match = re.match(pattern, clause)
+        if not match:
+            continue
+        named = [s for s in known if match.start("what") <= s.start < match.end("what")]
+        if not named:
+            continue
+        kind, plural = named[0].data["type"], named[0].data["plural"]
+        who = match.groupdict().get("who")
+        component = refer(who, structure) if who else _akin(kind, structure)
+        if component is None:
+            return None
+        if component.id == "E":
+            if kind not in VEHICLES:
+                return None
+            return [
+                SetField(component="E", path="type", value=kind),
+                SetField(component="E", path="model", value=None),
+            ], f"ego is a {kind.replace('_', ' ')}"
+        edits: list[Edit] = [SetSpec(component=component.id, spec=_typed(spec_of(component), kind))]
+        count = _count_of(match["what"]) if plural else 1
+        if count != spec_of(component).count:
+            edits.append(SetField(component=component.id, path="count", value=count))
+        return (
+            edits,
+            f"{component.id} is now {count if count > 1 else 'a'} {kind.replace('_', ' ')}{'s' if count > 1 else ''}",
+        )
+    return None
+
+
+def _count_of(what: str) -> int:
+    first = what.split()[0]
+    return min(8, int(first) if first.isdigit() else int(language.table("actors")["counts"].get(first, 2)))
+
+
+def _akin(kind: str, structure: Structure) -> Component | None:
+    """The object that most likely is replaced: of the same type, else of the same sort, else the only one."""
+    same = objects_of(structure, kind)
+    if same:
+        return same[0]
+    persons = ("pedestrian", "child", "animal", "bicycle")
+    sort = [c for c in structure.objects if (spec_of(c).type in persons) == (kind in persons)]
+    pick = sort or list(structure.objects)
+    return pick[0] if pick else None
+
+
+def _typed(spec: ObjectSpec, kind: str) -> ObjectSpec:
+    """The spec with another type; actions and places that the new type cannot do become their like."""
+    walks = kind in ("pedestrian", "child", "animal")
+    walked = spec.type in ("pedestrian", "child", "animal")
+    update: dict[str, Any] = {"type": kind, "model": None}
+    if (
+        spec.name == spec.type
+        or spec.name in language.actor_nouns()
+        or spec.name.replace("_", " ") in language.actor_nouns()
+    ):
+        update["name"] = kind
+    if kind not in (*VEHICLES, "pedestrian", "child", "animal"):
+        update |= {"phases": (), "speed": None}
+    elif walks != walked:
+        turned = (
+            {"cross_road": "enter_road", "move_along": "keep_lane"}
+            if walked
+            else {
+                "enter_road": "cross_road",
+                "keep_lane": "move_along",
+                "cut_in": "cross_road",
+                "go_straight": "cross_road",
+            }
+        )
+        keep = {"stationary", "wait", "stop", "start", "collide"}
+        phases = tuple(
+            p.model_copy(update={"action": turned.get(p.action, p.action)})
+            for p in spec.phases
+            if p.action in turned or p.action in keep
+        )
+        if kind == "bicycle":
+            phases = spec.phases
+        update["phases"] = phases
+        speeds = language.table("defaults")["types"]
+        update["speed"] = float(speeds.get(kind, {"value": 8.0})["value"]) if spec.speed is not None else None
+    return spec.model_copy(update=update)
+
+
+def more(clause: str, structure: Structure) -> Found | None:
+    """ "Add a cyclist on the right", "another car behind ego": what the clause says is read like a scene."""
+    match = re.match(
+        (
+            r"^(?:add|include|insert|introduce|bring in|put(?: in)?|place|there (?:is|are) also"
+            r"|also(?: add)?|plus|and|with|have)\s+(?=(?:an?|another|two|three|four|some|several|more"
+            r"|one more)\b)"
+        ),
+        clause,
+    )
+    if not match and not re.match(r"^(another|one more)\b", clause):
+        return None
+    from c2s_engine.interpret.embedded import EmbeddedInterpreter, InterpretError
+
+    rest = re.sub(r"^(one more|more)\b", "another", clause[match.end() :] if match else clause)
+    rest = re.sub(r"^another\b", "a", rest)
+    sentence = (
+        f"There is {rest}." if not re.search(r"\b(that|which|who|crosses|drives|stands|is)\b", rest) else f"{rest}."
+    )
+    try:
+        read = EmbeddedInterpreter().interpret(f"Ego drives along. {sentence}").structure
+    except InterpretError:
+        return None
+    edits: list[Edit] = []
+    number = int(structure.next_object_id()[1:])
+    for component in read.objects:
+        spec = spec_of(component)
+        taken = {spec_of(c).name for c in structure.objects}
+        name = spec.name if spec.name not in taken else f"{spec.name}_{number}"
+        edits.append(
+            AddObject(
+                spec=spec.model_copy(
+                    update={
+                        "name": name,
+                        "placement": spec.placement.model_copy(update={"of": "ego", "hidden_by": None}),
+                    }
+                ),
+                description=component.description,
+                component=f"O{number}",
+            )
+        )
+        number += 1
+    return (edits, ", ".join(f"{e.component} added" for e in edits if isinstance(e, AddObject))) if edits else None

@@ -1,0 +1,113 @@
+"""Changes of the scene itself: settings, road, length."""
+
+import re
+from typing import Any
+
+from c2s_engine.interpret import amounts, environment, scan
+from c2s_engine.interpret.change_forms import Found, quantity_of
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import Edit, SetField, SetSpec
+from c2s_engine.structure.specs import PlaceSpec
+
+
+def setting(clause: str, structure: Structure) -> Found | None:
+    """ "At night", "in heavy rain", "add fog", "in Town03", "the light is red"."""
+    edits: list[Edit] = []
+    said = []
+    whole = [(0, len(clause))]
+    named = environment.named(clause)
+    if "map" in named:
+        edits.append(SetField(component="G", path="map", value=named["map"].value))
+        said.append(named["map"].value)
+    if "preset" in named:
+        edits.append(SetField(component="G", path="preset", value=named["preset"].value))
+        said.append(named["preset"].value)
+    sky, time, light = (
+        environment.weather(clause, whole),
+        environment.time_of_day(clause, whole),
+        environment.light(clause, whole),
+    )
+    if re.search(r"\b(clear|sunny|dry|fine|nice)\b", clause) and not sky:
+        sky = [environment.Found("clear", 0.9, (0, 1))]
+    if len(scan.names(clause)) > 1 or (
+        scan.names(clause) and not light and not re.search(r"weather|rain|fog|night|day|snow", clause)
+    ):
+        sky, time = [], None
+    if sky and "preset" not in named:
+        values = [f.value for f in sky]
+        old = [w for w in structure.settings.spec.weather if w != "clear"]  # type: ignore[union-attr]
+        also = re.search(r"\b(add|also|and|plus|as well|too)\b", clause)
+        new = ["clear"] if values == ["clear"] else list(dict.fromkeys([*(old if also else []), *values]))
+        if "heavy_rain" in new and "rain" in new:
+            new.remove("rain")
+        edits.append(SetField(component="G", path="weather", value=new))
+        said.append(", ".join(w.replace("_", " ") for w in new))
+    if time is not None and "preset" not in named:
+        edits.append(SetField(component="G", path="time", value=time.value))
+        said.append(time.value)
+    if (sky or time is not None) and structure.settings.spec.preset and "preset" not in named:  # type: ignore[union-attr]
+        edits.append(SetField(component="G", path="preset", value=None))
+    if light and re.search(r"light|signal|red|green", clause) and structure.place.spec.kind == "intersection":  # type: ignore[union-attr]
+        edits.append(SetField(component="G", path="light", value=light[0].value))
+        if structure.place.spec.control != "signal":  # type: ignore[union-attr]
+            edits.append(SetField(component="R", path="control", value="signal"))
+        said.append(f"ego's light {light[0].value}")
+    return (edits, "; ".join(said)) if edits else None
+
+
+def road(clause: str, structure: Structure) -> Found | None:
+    """ "On a motorway", "at a T-junction with traffic lights", "three lanes", "in a left bend", "limit 50 km/h"."""
+    from c2s_engine.interpret import place
+
+    if len(scan.names(clause)) > 0 and not re.search(r"^(on|at|in|put it|move it|make it|let it|it )", clause):
+        return None
+    found = place.read(clause, [(0, len(clause))], amounts.quantities(clause))
+    old = structure.place.spec
+    assert isinstance(old, PlaceSpec)
+    update: dict[str, Any] = {}
+    kind = found.kind or ("crosswalk" if found.crosswalk else None)
+    if kind and not (kind == "intersection" and old.kind == "intersection"):
+        update["kind"] = kind
+        if kind != "intersection":
+            update |= {"arms": None, "control": None, "manoeuvre": None}
+        else:
+            update["manoeuvre"] = old.manoeuvre or "straight"
+        if kind == "motorway":
+            update |= {"lanes": max(2, old.lanes or 2), "oncoming": None, "crosswalk": None, "sidewalk": None}
+        update["curve"] = found.curve if kind == "curve" else None
+    if found.arms:
+        update["arms"] = found.arms
+    if found.control and (kind or old.kind) == "intersection":
+        update["control"] = found.control
+    lanes = re.search(r"\b(one|two|three|four|[1-4]) lanes?\b", clause)
+    if found.lanes or lanes:
+        words = {"one": 1, "two": 2, "three": 3, "four": 4}
+        update["lanes"] = found.lanes or words.get(lanes[1]) or int(lanes[1])  # type: ignore[index]
+    if found.speed_limit:
+        update["speed_limit"] = round(found.speed_limit, 2)
+    if found.oncoming is not None:
+        update["oncoming"] = found.oncoming
+    if found.crosswalk and kind != "crosswalk":
+        update["crosswalk"] = True
+    turn = re.search(r"\bego (?:should |must |shall )?(?:turns?|goes|go) (left|right|straight)", clause)
+    if turn and old.kind == "intersection":
+        update["manoeuvre"] = turn[1]
+    update = {k: v for k, v in update.items() if getattr(old, k) != v}
+    if not update:
+        return None
+    return [
+        SetSpec(component="R", spec=PlaceSpec.model_validate(old.model_dump() | update))
+    ], "the place: " + ", ".join(f"{k} {v}" for k, v in update.items() if v is not None)
+
+
+def length(clause: str, structure: Structure) -> Found | None:
+    """ "Run for 30 s", "stop after 20 seconds"."""
+    quantity = quantity_of(clause, "time")
+    if (
+        quantity is None
+        or not re.search(r"\b(run|last|simulate|duration|end|terminate|stop|length|scenario)\b", clause)
+        or scan.names(clause)
+    ):
+        return None
+    value = min(120.0, max(1.0, quantity["high"]))
+    return [SetField(component="T", path="duration", value=value)], f"the run lasts {value:g} s"

@@ -1,0 +1,130 @@
+"""What hides whom: said of it, or following from who drives ahead."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.mentions import Cast
+from c2s_engine.interpret.syntax import Word
+from c2s_engine.interpret.whereabouts import Where
+
+
+class Concealed:
+    """The part of Places that finds what blocks ego's view."""
+
+    cast: Cast
+    clauses: Clauses
+    of: dict[Entity, Where]
+    words: list[Word]
+
+    def _hidden(self) -> None:
+        for entity in self.cast.entities:
+            where = self.of[entity]
+            for mention in entity.mentions:
+                sentence = [w.i for w in self.words if w.sentence == self.words[mention.word].sentence]
+                text = self.clauses.render(sentence)
+                match = (
+                    re.search(
+                        (
+                            rf"(?:hidden|hide|concealed|conceal|obscured|obscure|occluded|occlude|masked|mask"
+                            rf"|blocked) by (the |a |an )?(\w+ )?@(?P<by>a\d+)[^.;]{{0,40}}, (the |a "
+                            rf"|an )?(\w+ )?@{entity.key}\b"
+                        ),
+                        text,
+                    )
+                    or re.search(
+                        (
+                            rf"(?:not|unable to|n't|cannot|hardly) (?:\w+ )?(?:see|notice|spot"
+                            rf"|detect)[^.;]*@{entity.key}\b[^.;]*(?:because of|due to|behind|as|for) (the |a "
+                            rf"|an )?(\w+ )?@(?P<by>a\d+)"
+                        ),
+                        text,
+                    )
+                    or re.search(
+                        rf"@(?P<by>a\d+) (conceal|hide|obscure|block|mask)\w* be (the |a |an )?@{entity.key}\b", text
+                    )
+                    or re.search(
+                        (
+                            rf"@{entity.key}\b.*?(from behind|from between|out from behind|(?:hidden|hide|concealed"
+                            rf"|conceal|obscured|obscure|occluded|occlude|masked|mask|screened|screen|blocked"
+                            rf"|block) (by|behind)|behind|in front of|between) (the |a |an |two |some |row of "
+                            rf"|line of )*(\w+ ){{0,2}}@(?P<by>a\d+)"
+                        ),
+                        text,
+                    )
+                )
+                if match is None:
+                    match = re.search(
+                        (
+                            rf"@(?P<by>a\d+)[^.;]*?(hide|hides|hid|conceal\w*|obscure\w*|block\w*|occlude\w*|mask\w*"
+                            rf"|obstruct\w*|screen\w*|shield\w*)( the view (of|to|on))?( @ego ''?s)?( view (of"
+                            rf"|to))? (the |a |an |any )?(\w+ )?@{entity.key}\b"
+                        ),
+                        text,
+                    )
+                    if match is None:
+                        continue
+                elif match.re.groups > 2 and self._only_beside(entity, match[1] or "", text):
+                    continue
+                blocker = next((e for e in self.cast.entities if e.key == match["by"]), None)
+                if blocker is not None and blocker is not entity and not (blocker.person):
+                    where.hidden_by = blocker
+                    if where.of is blocker and where.rel == "behind":
+                        where.rel, where.of = None, None
+
+    @staticmethod
+    def _only_beside(entity: Entity, words: str, text: str) -> bool:
+        """Whether "behind", "between" or "in front of" says where one is, not that it is hidden."""
+        if words not in ("behind", "in front of", "between"):
+            return False
+        if words == "behind" and not re.search(r"parked|stand|stop|stationary|emerge|step|appear|run|dart", text):
+            return True
+        if words == "in front of" and not re.search(r"(parked|stopped|stationary)", text):
+            return True
+        return not entity.person
+
+    def _revealed(self) -> None:
+        """What stands ahead of one who leaves the lane in front of ego is hidden by it until then."""
+        leavers = (
+            [
+                e.agent
+                for e in self.clauses.events
+                if e.done
+                and e.act in ("cut_out", "lane_change", "swerve")
+                and not e.agent.ego
+                and self.of[e.agent].lane in (None, "same")
+                and self.of[e.agent].rel in (None, "ahead")
+                and e.agent.mover
+            ]
+            if self.clauses.events
+            else []
+        )
+        plain = " ".join(w.norm for w in self.words)
+        if not leavers or not re.search(
+            (
+                r"only (then|now)|come into view|comes into view|into (its |@?\w+ 's )?view"
+                r"|becomes? visible|reveal|expos|suddenly confronted|cannot see|can not see|hidden|conceal"
+                r"|uncover|appears? (in front|ahead)|see past|unseen|until then|behind it|reveals"
+            ),
+            plain,
+        ):
+            return
+        for entity in self.cast.entities:
+            where = self.of[entity]
+            stands = (
+                any(e.agent is entity and e.act == "stationary" for e in self.clauses.events)
+                or "stationary" in entity.roles
+                or not entity.mover
+            )
+            if (
+                stands
+                and where.hidden_by is None
+                and entity is not leavers[0]
+                and where.lane in (None, "same")
+                and entity.type not in ("construction_zone", "lane_closure")
+            ):
+                where.hidden_by = leavers[0]
+                if where.of is None or where.of.ego:
+                    where.of, where.rel = leavers[0], "ahead"

@@ -1,0 +1,28 @@
+"""What verbs and nouns of motion mean (data/language/motions.yaml), and their irregular forms."""
+
+import re
+from functools import cache
+from typing import Any
+
+from c2s_engine.interpret import language
+
+
+@cache
+def rules(section: str) -> list[tuple[dict[str, Any], frozenset[str], dict[str, re.Pattern[str]]]]:
+    found = []
+    for rule in language.table("motions")[section]:
+        patterns = {k: re.compile(rule[k]) for k in ("after", "any", "not") if k in rule}
+        found.append((rule, frozenset(rule.get("verbs", rule.get("nouns", ()))), patterns))
+    return found
+
+
+@cache
+def irregular() -> dict[str, str]:
+    """Forms of verbs that no rule takes back to their base form."""
+    forms: dict[str, str] = language.table("parsing")["irregular"]
+    return forms
+
+
+@cache
+def verb_lemmas() -> frozenset[str]:
+    return frozenset(v for rule in language.table("motions")["verbs"] for v in rule["verbs"])

@@ -1,0 +1,242 @@
+"""Nouns that name road users and things: a new one, or one spoken of before."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, VEHICLES, ZONES, Entity, fits
+from c2s_engine.interpret.reference import Reference
+from c2s_engine.interpret.syntax import Word
+
+
+class Nouns(Reference):
+    """The part of Cast that reads nouns."""
+
+    def _apposed(self, word: Word) -> Entity | None:
+        raise NotImplementedError
+
+    def _copula(self, word: Word) -> Entity | None:
+        raise NotImplementedError
+
+    def _actor(self, word: Word) -> Entity | None:
+        data = word.span.data  # type: ignore[union-attr]
+        kind, noun, roles = data["type"], data.get("noun", ""), set(data.get("roles", ()))
+        if data.get("label"):
+            for entity in self.entities:
+                if entity.label == data["label"] or (roles & entity.roles):
+                    return entity
+            return self._new(Entity("", "vehicle", label=data["label"], roles=roles))
+        before = self._modifiers(word)
+        previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
+        if previous in ("other",) and "no" in self._near(word):
+            return None
+        if "no" in before or previous in ("no", "without", "any"):
+            return None
+        if kind in ("pedestrian", "child") and self._rides(word):
+            return None
+        if self._is_modifier(word) or noun == "traffic" and not roles or self._proper(word):
+            return None
+        count = self._count(word, before, data)
+        if re.search(
+            r"(queue|line|row|jam|tailback|column|string) of( \w+)?$", " ".join(self._near(word)[-3:])
+        ) and re.search(
+            r"stationary|standing|stopped|waiting|queue|jam|tailback",
+            " ".join(w.norm for w in self.words[max(0, word.i - 5) : word.i]),
+        ):
+            roles.add("stationary")
+        known = language.roles()
+        roles |= {known[b] for b in before if b in known}
+        host = self._copula(word)
+        if (
+            host is not None
+            and (host.type == "vehicle" or kind in ("vehicle", host.type) or host.ego or host.label)
+            and (host.mover or not MOVERS & {kind})
+        ):
+            return self._retyped(host, kind, roles, noun)
+        host = self._apposed(word)
+        if (
+            host is None
+            and word.dep == "appos"
+            and word.head in self.of
+            and self.of[word.head].type in ("vehicle", kind)
+            and {"a", "an"} & set(before)
+        ):
+            host = self.of[word.head]
+        if (
+            host is None
+            and word.dep == "nsubj"
+            and {"a", "an"} & set(before)
+            and word.i + 1 < len(self.words)
+            and self.words[word.i + 1].norm == ","
+        ):
+            twins = [
+                c
+                for c in self.words[word.head].children
+                if c < word.i and self.words[c].dep == "nsubj" and c in self.of and not self.of[c].ego
+            ]
+            if twins and self.of[twins[-1]].type in ("vehicle", kind):
+                return self._retyped(self.of[twins[-1]], kind, roles, noun)
+        bracket = word.i and any(w.norm in ("(", "--", "-", ":") for w in self.words[max(0, word.i - 4) : word.i])
+        if (
+            host is not None
+            and (word.dep in ("appos", "attr") or bracket or (bool(host.label) and not host.typed))
+            and self.words[word.i - 1].norm not in ("and", "or")
+            and (fits(host, kind) or host.type == "vehicle" or (host.ego and not self.ego.typed and kind in MOTOR))
+            and not (word.dep == "conj" and not host.label and not host.ego)
+        ):
+            return self._retyped(host, kind, roles, noun)
+        host = self._driven_by(word)
+        if host is not None and kind in VEHICLES:
+            return self._retyped(host, kind, roles, noun)
+        pronominal = self._type_of_definite(word, before, kind)
+        definite = bool(DEFINITE & set(before)) or previous in DEFINITE
+        other = bool({"other", "another"} & set(before)) or previous in ("other", "another")
+        ordinal = next((ORDINALS[b] for b in before if b in ORDINALS), None)
+        if definite and not other and ordinal is None and " " not in noun:
+            named = [e for e in self.entities if e.noun.endswith(f" {noun}") and e.count == count]
+            if named:
+                return named[-1]
+        if not other and not ordinal:
+            for entity in self.entities:
+                if (
+                    entity.type == kind
+                    and len(entity.mentions) == 1
+                    and count == entity.count
+                    and self._heading(self.words[entity.mentions[0].word].sentence)
+                    and self.words[entity.mentions[0].word].sentence < word.sentence
+                ):
+                    return entity
+        if kind != "vehicle" and previous in ("a", "an") or {"a", "an"} & set(before):
+            named = self._revealed(word, kind)
+            if named is not None:
+                return self._retyped(named, kind, roles, noun)
+        if noun == "road works" or kind in ZONES:
+            for entity in self.entities:
+                if entity.type == kind:
+                    return entity
+        if pronominal is not None:
+            return pronominal
+        bare = not before and previous not in ("a", "an") and not data.get("plural")
+        if definite or bare or (roles and not {"a", "an", "another", "second", "third"} & set(before)):
+            found = self._definite(word, kind, noun, roles, other, ordinal, definite, count, bare)
+            if found is not None:
+                if not found.ego and found.type == "vehicle" and kind != "vehicle" and kind in MOTOR:
+                    found.type, found.typed = kind, True
+                found.roles |= roles
+                return found
+        return self._new(
+            Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
+        )
+
+    def _driven_by(self, word: Word) -> Entity | None:
+        """Whose vehicle it is in "the defendant, operating a dump truck": the driver and the vehicle are one."""
+        back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
+        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
+        match = re.search(
+            (
+                r"@( ?,)?( ?\(?who (was|is|were))? (operating|driving|riding|at the wheel of|in charge of"
+                r"|in|on) (an?|his|her|the|their)( [\w-]+){0,2} $"
+            ),
+            text + " ",
+        )
+        if match is None:
+            return None
+        owner = next(self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None)
+        if match[4] in ("in", "on") and not re.search(r"driver|motorist|party|defendant|respondent|rider", owner.noun):
+            return None
+        return owner if owner.type in ("vehicle", "rider") or owner.ego else None
+
+    def _heading(self, sentence: int) -> bool:
+        """Whether a sentence is a title: without a finite verb."""
+        return not any(w.sentence == sentence and w.tag in ("VBZ", "VBD", "VBP", "MD") for w in self.words)
+
+    def _revealed(self, word: Word, kind: str) -> Entity | None:
+        """The bare label that a colon explains: "V3 came into view: a disabled car"."""
+        sentence = [w for w in self.words[: word.i] if w.sentence == word.sentence]
+        if not any(w.norm == ":" for w in sentence[-4:]):
+            return None
+        labels = [
+            self.of[w.i]
+            for w in sentence
+            if w.i in self.of and self.of[w.i].label and self.of[w.i].type == "vehicle" and not self.of[w.i].ego
+        ]
+        return labels[-1] if labels and kind in MOTOR else None
+
+    def _rides(self, word: Word) -> bool:
+        """Whether a person is only the one inside a vehicle ("a man in a white van"), who stands for it."""
+        following = [w for w in self.words[word.i + 1 : word.i + 6] if w.sentence == word.sentence]
+        if not following or following[0].norm not in ("in", "on", "driving", "riding"):
+            return False
+        for other in following[1:]:
+            if other.span is not None:
+                return (
+                    other.span.kind == "actor"
+                    and other.span.data["type"] in VEHICLES - {"vehicle"}
+                    and not other.span.data.get("person")
+                )
+            if other.tag in ("NN", "NNS", "IN") or other.verb:
+                return False
+        return False
+
+    def _proper(self, word: Word) -> bool:
+        """Whether the noun is part of a name ("Van Ness", "Ford")."""
+        if not word.text[:1].isupper() or word.text.isupper() or word.i + 1 >= len(self.words) or word.i == 0:
+            return False
+        before, after = self.words[word.i - 1], self.words[word.i + 1]
+        return (
+            before.sentence == word.sentence
+            and after.text[:1].isupper()
+            and not after.text.isupper()
+            and after.span is None
+            and before.norm not in (".", ":", ";", "a", "the", "(", "an")
+        )
+
+    def _is_modifier(self, word: Word) -> bool:
+        """Whether the noun only qualifies another ("truck lane", "bus stop", "car park", "dog walker")."""
+        head = self.words[word.head]
+        following = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
+        return bool(
+            word.dep in ("compound", "nmod", "amod")
+            and following is not None
+            and following.sentence == word.sentence
+            and following.norm not in ("level", "side", "abreast", "alongside", "following", "facing")
+            and (head.i == following.i or following.norm in ("lane", "stop", "park", "length", "lengths", "width"))
+            and head.span is None
+            and not head.verb
+        )
+
+    def _count(self, word: Word, before: list[str], data: dict) -> int:
+        counts = language.table("actors")["counts"]
+        if not data.get("plural"):
+            return 1
+        for text in [*before, *self._near(word)]:
+            if text.isdigit() and 1 <= int(text) <= 8:
+                return int(text)
+            if text in counts:
+                return int(counts[text])
+        return 2
+
+    def _retyped(self, host: Entity, kind: str, roles: set[str], noun: str) -> Entity:
+        if host.ego:
+            if kind in MOTOR and kind != "vehicle":
+                host.type, host.typed = kind, True
+        elif (host.type == "vehicle" or not host.typed) and kind != "vehicle":
+            host.type, host.typed = kind, True
+        host.roles |= roles
+        if noun and not host.noun:
+            host.noun = noun
+        return host
+
+    def _modifiers(self, word: Word) -> list[str]:
+        found = []
+        for i in range(max(0, word.i - 5), word.i):
+            other = self.words[i]
+            if other.sentence == word.sentence and (
+                i in word.children
+                or other.head in word.children
+                and other.i < word.i
+                and other.tag in ("RB", "CD", "JJ", "DT", "PDT")
+            ):
+                found.append(other.norm)
+        return found

@@ -1,0 +1,107 @@
+"""The whole that a part means: the driver of V1, its left front, the end of the queue."""
+
+from __future__ import annotations
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import PERSONS, VEHICLES, Entity
+from c2s_engine.interpret.strangers import Strangers
+
+
+class Parts(Strangers):
+    """The part of Cast that finds whom a part belongs to."""
+
+    ego: Entity
+
+    def referent(self, i: int, depth: int = 0) -> Entity | None:
+        """Whom a noun means: itself, or the whole that it is a part of ("the driver of V1", "its left front")."""
+        if i in self.of:
+            return self.of[i]
+        word = self.words[i]
+        if depth > 3:
+            return None
+        if word.span is not None and word.span.kind == "actor" and word.span.data["type"] in PERSONS:
+            for child in word.children:
+                other = self.words[child]
+                if other.norm in ("in", "on", "driving", "riding"):
+                    for target in other.children:
+                        if target in self.of and self.of[target].type in VEHICLES:
+                            return self.of[target]
+        parts = language.table("actors")["parts"]
+        if (
+            word.lemma in parts
+            or word.norm in parts
+            or word.lemma
+            in (
+                "side",
+                "one",
+                "group",
+                "pair",
+                "couple",
+                "line",
+                "row",
+                "queue",
+                "pile",
+                "number",
+                "first",
+                "last",
+                "two",
+                "three",
+                "none",
+                "both",
+                "each",
+                "neither",
+            )
+        ):
+            for child in word.children:
+                other = self.words[child]
+                if other.dep == "poss" or other.tag == "PRP$":
+                    found = self.referent(child, depth + 1)
+                    if found:
+                        return found
+            for child in word.children:
+                other = self.words[child]
+                if other.dep == "prep" and other.norm in ("of", "on", "in"):
+                    for target in other.children:
+                        if self.words[target].dep == "pobj":
+                            found = self.referent(target, depth + 1)
+                            if found:
+                                return found
+            if word.lemma in ("driver", "operator") and any(
+                self.words[c].norm in ("other", "another") for c in word.children
+            ):
+                return self._other_driver(word)
+            if word.lemma in ("driver", "operator", "system", "passenger", "feature") or word.norm == "brakes":
+                return self.ego if word.lemma != "passenger" else None
+        if word.tag.startswith("NN") and word.span is None:
+            for child in word.children:
+                other = self.words[child]
+                if (
+                    other.dep == "prep"
+                    and other.norm in ("in", "on")
+                    or other.norm in ("driving", "riding")
+                    and other.dep == "acl"
+                ):
+                    for target in other.children:
+                        if target in self.of and self.of[target].type in VEHICLES and self.words[target].tag != "PRP":
+                            return self.of[target]
+            for child in word.children:
+                other = self.words[child]
+                if other.dep == "prep" and other.norm == "of":
+                    for target in other.children:
+                        if target in self.of and self.of[target].count > 1:
+                            return self.of[target]
+        if word.lemma in (
+            "feature",
+            "function",
+            "motorist",
+            "dcas",
+            "alks",
+            "aebs",
+            "aeb",
+            "system",
+            "driver",
+            "operator",
+            "acc",
+        ):
+            return self.ego
+        return None

@@ -1,0 +1,132 @@
+"""Who is ego where nobody is called so."""
+
+import re
+
+from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.mentions import MOTOR, VEHICLES, Cast
+
+ROLE_WORDS = frozenset(("lead", "oncoming", "parked", "stationary", "crossing", "adjacent", "cut_in", "slow"))
+
+
+EGO_LIKE = frozenset(
+    (
+        "travel",
+        "turn",
+        "go_straight",
+        "lane_change",
+        "lose_control",
+        "leave_road",
+        "run_red",
+        "run_stop",
+        "reverse",
+        "follow",
+        "overtake",
+        "drift",
+        "approach",
+        "collide",
+        "keep_lane",
+        "brake",
+        "yield",
+        "oncoming",
+        "u_turn",
+        "brake_stop",
+        "stop",
+        "swerve",
+        "enter_road",
+        "start",
+        "accelerate",
+    )
+)
+
+
+def choose_ego(cast: Cast, clauses: Clauses) -> None:
+    """Where nobody is called ego: the vehicle that the text is about, if there is one besides the others."""
+    if cast.ego.mentions:
+        return
+    vehicles = [e for e in cast.entities if e.type in MOTOR and e.count == 1]
+    acting = {e: [v for v in clauses.events if v.agent is e and v.done] for e in vehicles}
+    candidates = []
+    for entity in vehicles:
+        first = " ".join(w.norm for w in cast.words[entity.mentions[0].word : entity.mentions[0].word + 7])
+        if (
+            entity.roles & ROLE_WORDS
+            or any(
+                v.act == "overtake" and (v.patient is None or v.patient.type not in VEHICLES) for v in acting[entity]
+            )
+            or "following" not in entity.roles
+            and re.search(
+                (
+                    r"^\S+( \S+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)|coming"
+                    r"|approaching|oncoming|from (the|its|behind))"
+                ),
+                first,
+            )
+        ):
+            continue
+        head = cast.words[entity.mentions[0].word]
+        before = cast.words[head.i - 1].norm if head.i else ""
+        if before in ("another", "other") or any(cast.words[c].norm in ("another", "other") for c in head.children):
+            continue
+        acts = [v.act for v in acting[entity]]
+        if not acts and not any(v.patient is entity for v in clauses.events):
+            continue
+        if acts and not EGO_LIKE & set(acts):
+            continue
+        if (
+            {"cut_in", "enter_road"} & set(acts)
+            or (acts and all(a == "stationary" for a in acts))
+            or any(v.act == "reverse" and re.search(r"driveway|parking|garage", v.whole) for v in acting[entity])
+        ):
+            continue
+        if (
+            any(
+                v.passive and v.patient is not None
+                for v in clauses.events
+                if v.agent is entity and v.act == "stationary"
+            )
+            or cast.words[entity.mentions[0].word - 1 if entity.mentions[0].word else 0].norm == "by"
+        ):
+            continue
+        if (
+            cast.words[entity.mentions[0].word].dep == "pobj"
+            and cast.words[cast.words[entity.mentions[0].word].head].dep == "agent"
+            and not acts
+        ):
+            continue
+        candidates.append(entity)
+    if not candidates:
+        return
+    generic = [e for e in candidates if e.noun == "vehicle"]
+    if generic and "the" in [
+        w.norm for w in cast.words[max(0, generic[0].mentions[0].word - 2) : generic[0].mentions[0].word]
+    ]:
+        candidates = generic
+    others = [e for e in cast.entities if e not in candidates]
+    best = next((e for e in candidates if "following" in e.roles), candidates[0])
+    hit = {v.patient for v in clauses.events if v.act in ("collide", "overtake", "follow", "yield") and v.agent is best}
+    if (
+        len(candidates) == 1
+        and not others
+        and any(v.act in ("brake", "cut_in", "enter_road") for v in acting[best])
+        and not hit
+    ) and re.search(r"\b(in front|ahead)\b", " ".join(w.norm for w in cast.words)):
+        return
+    plain = " ".join(w.norm for w in cast.words)
+    implied = re.search(
+        r"\b(coming|comes) (the other way|towards)|\boncoming\b|opposite (direction|lane)|other direction", plain
+    )
+    if implied and best.mentions[0].word > 6 and best is not (generic[0] if generic else None):
+        return
+    cast.entities.remove(best)
+    if best.type != "vehicle":
+        cast.ego.type, cast.ego.typed = best.type, True
+    cast.ego.mentions = best.mentions
+    for i, entity in list(cast.of.items()):
+        if entity is best:
+            cast.of[i] = cast.ego
+    for event in clauses.events:
+        event.text = re.sub(rf"@{best.key}\b", "@ego", event.text)
+        event.whole = re.sub(rf"@{best.key}\b", "@ego", event.whole)
+        event.agent = cast.ego if event.agent is best else event.agent
+        event.patient = cast.ego if event.patient is best else event.patient
+        event.also = [cast.ego if a is best else a for a in event.also]

@@ -1,0 +1,145 @@
+"""The words that the parser is shown: plain ones for names, road users, units and verbs that it would mistake."""
+
+import regex
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.scan import Span
+
+WORD = regex.compile(
+    r"\p{L}+(?=n't\b)|n't\b|'(?:m|re|ve|ll|d)\b"
+    r"|\p{L}[\p{L}\p{M}\p{N}]*(?:[-/]\p{L}[\p{L}\p{M}\p{N}]*)*|'s\b|'(?=\s)|\d+(?:[.,]\d+)*"
+    r"|[^\s\w]|\S"
+)
+
+
+LETTERS_AFTER = regex.compile(
+    r"\s*(?:\w+(?:s|ed|ing)|is|was|has|had|must|should|will|can|may|then|did|cut|hit|ran|went|came)\b"
+)
+
+
+def pieces_of(plain: str, start: int, end: int, spans: list[Span]) -> list[tuple[str, int, int, Span | None]]:
+    inside = [s for s in spans if start <= s.start and s.end <= end]
+    found: list[tuple[str, int, int, Span | None]] = []
+    at = start
+    last: Span | None = None
+    for span in [*inside, None]:
+        stop = span.start if span else end
+        for number, match in enumerate(WORD.finditer(plain[at:stop])):
+            near = last if number == 0 or number == 1 and found and found[-1][0].endswith("ly") else None
+            found.append((_word(match[0], near, plain, at + match.start()), at + match.start(), at + match.end(), None))
+        last = span
+        if span:
+            found += _proxies(plain, span, found[-1][0] if found else "")
+            at = span.end
+    return found
+
+
+VERBAL_LEFT = regex.compile(r"left\s+(?:the|its|his|their|a|that|this)\s+(?!side|lane of)")
+
+
+BOUND = frozenset(f"{way}{end}" for way in ("north", "south", "east", "west") for end in ("bound", "wards", "ward"))
+
+
+FOLLOWS = regex.compile(
+    r"\s*(?:[.,;:!?)]|$|(?:at|in|into|onto|on|off|out|over|across|along|towards?|from|to"
+    r"|through|behind|past|with|without|for|and|then|while|when|as|because|due|hard|sharply|"
+    r"suddenly|abruptly|heavily|slowly|left|right|straight|away|up|down|back|ahead|around"
+    r"|again|gradually|before|after|but|so|too|immediately|quickly|by|under|until|because"
+    r"|between|beside|just|directly|unexpectedly|strongly)\b)"
+)
+
+
+def _word(text: str, before: Span | None, plain: str, start: int) -> str:
+    """The word that the parser sees in place of one that it would take for another part of speech."""
+    if text in BOUND:
+        return "east"
+    if text == "left" and not VERBAL_LEFT.match(plain[start : start + 24]):
+        return "right"
+    follows = FOLLOWS.match(plain[start + len(text) : start + len(text) + 14])
+    if (
+        before is not None
+        and (before.kind != "quantity" or before.data["dimension"] == "speed" and text != "stops")
+        and text.endswith("s")
+        and (
+            text in language.word_list("noun_like")
+            or text in language.word_list("transitive")
+            or text[:-1] in language.word_list("motion")
+            or text[:-2] in language.word_list("motion")
+        )
+    ):
+        if text in language.word_list("transitive"):
+            return "follows" if text != "lets" else text
+        if follows:
+            return "goes"
+    elif (
+        text == "closes"
+        and regex.match(r"\s+(?:in|up|on)\b", plain[start + 6 : start + 12])
+        or follows
+        and text.endswith("s")
+        and (text in language.word_list("noun_like") or text in ("waits", "signals", "stops"))
+        and regex.search(
+            r"(?:in front|ahead|behind|on the (?:left|right)|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly)\s*$",
+            plain[max(0, start - 9) : start],
+        )
+        or before is not None
+        and before.kind != "quantity"
+        and text in ("decel", "accel", "decelerating", "accelerating")
+        and text[-2:] != "ng"
+    ):
+        return "goes"
+    elif (
+        follows
+        and text in language.word_list("base")
+        and (
+            before is not None
+            and before.kind != "quantity"
+            or regex.search(r"\blanes\b|\bthey\s*$", plain[max(0, start - 28) : start])
+        )
+    ):
+        return "go"
+    return text
+
+
+def _proxies(plain: str, span: Span, before: str) -> list[tuple[str, int, int, Span | None]]:
+    start, end = span.start, span.end
+    if span.kind == "quantity":
+        number = regex.match(r"[+-]?[\d.,]+|\w+", plain[start:end])
+        cut = start + number.end() if number else start + 1
+        unit = {"speed": "mph", "distance": "meters", "time": "seconds", "acceleration": "mph", "percent": "percent"}[
+            span.data["dimension"]
+        ]
+        if cut >= end:
+            return [(unit, start, end, span)]
+        return [(plain[start:cut], start, cut, span), (unit, cut, end, span)]
+    if span.kind == "word":
+        return [(span.data["proxy"], start, end, span)]
+    named = plain[start:end].startswith("the ")
+    after_determiner = (
+        before in language.word_list("determiners")
+        or before.endswith(("ing", "ed", "y", "-", "en", "al", "ow"))
+        and not before.isdigit()
+        or before.isdigit()
+    )
+    after_determiner = after_determiner and not (
+        span.kind == "ego" and before.endswith(("way", "city", "country", "day"))
+    )
+    if span.kind == "label":
+        return [("V" + span.data["label"].rpartition(" ")[2].upper(), start, end, span)]
+    if span.kind == "ego":
+        proxy = "I" if plain[start:end] == "i" else "car" if after_determiner or named else "John"
+        if named:
+            return [("the", start, start + 3, None), (proxy, start + 4, end, span)]
+        return [(proxy, start, end, span)]
+    kind = span.data["type"]
+    if named:
+        start += 4
+        return [("the", start - 4, start - 1, None), ("car", start, end, span)]
+    if span.data.get("plural"):
+        return [
+            ("bikes" if kind == "bicycle" else "men" if kind in ("pedestrian", "child") else "trucks", start, end, span)
+        ]
+    verb_follows = LETTERS_AFTER.match(plain[end : end + 20])
+    proxy = "man" if span.data.get("person") else language.table("parsing")["proxies"].get(kind, "car")
+    if not after_determiner and verb_follows and kind not in ("debris", "construction_zone", "obstacle"):
+        proxy = "Mary" if kind in ("pedestrian", "child", "bicycle", "rider") else "Mark"
+    return [(proxy, start, end, span)]

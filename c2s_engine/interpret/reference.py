@@ -1,0 +1,170 @@
+"""Whom a definite noun phrase means of those spoken of before."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret.entities import VEHICLES, Entity, fits
+from c2s_engine.interpret.pronouns import Pronouns
+from c2s_engine.interpret.syntax import Word
+
+
+class Reference(Pronouns):
+    """The part of Cast that resolves definite nouns."""
+
+    ego_named: bool
+    strong_ego: bool
+
+    def _type_of_definite(self, word: Word, before: list[str], kind: str) -> Entity | None:
+        for child in word.children:
+            if (
+                self.words[child].tag == "PRP$"
+                and child in self.of
+                and self.of[child].ego
+                and kind in VEHICLES
+                and word.span is not None
+                and not word.span.data.get("words")
+            ):
+                return self.ego
+        if before and before[0] in ("our", "my"):
+            return self.ego if kind in VEHICLES else None
+        return None
+
+    def _definite(
+        self,
+        word: Word,
+        kind: str,
+        noun: str,
+        roles: set[str],
+        other: bool,
+        ordinal: int | None,
+        definite: bool,
+        count: int,
+        bare: bool,
+    ) -> Entity | None:
+        candidates = [e for e in self.entities if fits(e, kind)]
+        if roles:
+            same = [e for e in candidates if e.roles & roles]
+            if same:
+                return same[-1]
+            if roles & {"lead"}:
+                ahead = [e for e in candidates if "ahead" in self._hints(e)]
+                if ahead:
+                    return ahead[-1]
+            if not definite and roles & {"stationary", "parked", "slow", "turning", "fast"}:
+                return None
+            if roles & {"oncoming", "crossing", "lead", "following", "cut_in", "adjacent"} or not candidates:
+                if roles & {"following"} and not self.ego_named and kind == "vehicle":
+                    return None
+                return None
+        if kind == "vehicle" and noun == "vehicle" and not self.ego_named and not bare and not other:
+            generic = [e for e in candidates if e.noun == "vehicle"]
+            plain = [e for e in candidates if e.noun != "vehicle" and not e.roles]
+            if not generic and (len(candidates) != 1 or not plain):
+                return None
+        if bare and not roles and self._distinguished(word):
+            return None
+        if bare and not roles:
+            return next((e for e in reversed(candidates) if e.noun == noun), None)
+        if other:
+            vehicles = [e for e in candidates if not e.ego]
+            group = [e for e in vehicles if e.count == 2]
+            if group and self.ego_named and len(vehicles) == 1 and count == 1:
+                group[0].roles.add("group")
+                return None
+            single = [e for e in vehicles if e.count == 1 and "group" not in e.roles]
+            return single[-1] if single else None
+        if ordinal is not None and len(candidates) > 1 and ordinal < len(candidates):
+            return candidates[ordinal]
+        if self._distinguished(word) and not any(e.noun == noun or e.type == kind for e in candidates):
+            return None
+        if self._distinguished(word) and kind in ("vehicle", "car") and not self._matching_relation(word, candidates):
+            return None if candidates or self._relative_to_ego(word) else None
+        if count > 1:
+            many = [e for e in candidates if e.count > 1]
+            if many:
+                return many[-1]
+            return None
+        scored = []
+        never = noun in (
+            "target",
+            "adversary",
+            "opponent",
+            "challenger",
+            "npc",
+            "pov",
+            "principal other vehicle",
+            "challenging vehicle",
+            "target vehicle",
+            "vehicle target",
+            "traffic",
+        )
+        for entity in [
+            *candidates,
+            *(
+                [self.ego]
+                if self.ego_named and not never and (kind == "vehicle" or kind == self.ego.type and self._ego_by(noun))
+                else []
+            ),
+        ]:
+            score = entity.mentions[-1].word / 1000 if entity.mentions else 0
+            score += 2 if entity.noun == noun else 0
+            score += 1.5 if entity.ego and self._ego_by(noun) else 0
+            score += 1 if entity.type == kind and not entity.ego else 0
+            score -= 0.5 if entity.count > 1 else 0
+            scored.append((score, id(entity), entity))
+        if not scored and kind == self.ego.type and self.ego.typed:
+            return self.ego
+        return max(scored)[2] if scored else None
+
+    def _ego_by(self, noun: str) -> bool:
+        """Whether ego was called by that noun ("the DCAS vehicle" makes "the vehicle" ego)."""
+        return any(
+            noun and self.words[m.word].norm.split(" ")[-1].split("-")[-1] == noun for m in self.ego.mentions
+        ) or (noun == "vehicle" and self.strong_ego and not any(e.type == "vehicle" for e in self.entities))
+
+    def _distinguished(self, word: Word) -> bool:
+        """Whether the noun phrase goes on to say which one: "the car in front of it", "the van that ..."."""
+        for child in word.children:
+            other = self.words[child]
+            if child > word.i and other.dep in ("prep", "acl", "relcl", "advmod") and other.norm not in ("of",):
+                return True
+        return False
+
+    def _relative_to_ego(self, word: Word) -> bool:
+        return True
+
+    def _matching_relation(self, word: Word, candidates: list[Entity]) -> bool:
+        text = " ".join(w.norm for w in self.words[word.i : word.i + 8] if w.sentence == word.sentence)
+        ahead = re.search(r"ahead|in front", text)
+        return any(ahead and "ahead" in self._hints(e) for e in candidates)
+
+    def _hints(self, entity: Entity) -> set[str]:
+        """What the words after an entity's mentions say about its place, as far as reference needs it."""
+        found = set()
+        for mention in entity.mentions:
+            near = " ".join(
+                w.norm
+                for w in self.words[mention.word : mention.word + 9]
+                if w.sentence == self.words[mention.word].sentence
+            )
+            if re.search(r"ahead|in front|slow|before it|precedes|\bleads\b|\bleading\b", near):
+                found.add("ahead")
+            before = " ".join(
+                w.norm
+                for w in self.words[max(0, mention.word - 6) : mention.word]
+                if w.sentence == self.words[mention.word].sentence
+            )
+            if re.search(r"behind|follow|tail|trail|ahead|in front", before):
+                found.add("ahead")
+        return found
+
+    def _new(self, entity: Entity) -> Entity:
+        entity.key = f"a{sum(1 for _ in self.entities) + 1}"
+        while any(e.key == entity.key for e in self.entities):
+            entity.key = f"a{int(entity.key[1:]) + 1}"
+        self.entities.append(entity)
+        return entity
+
+    def _near(self, word: Word) -> list[str]:
+        return [w.norm for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]

@@ -1,0 +1,247 @@
+"""What single clauses cannot tell: denied stops before signs, waiting for another, echoes of other clauses."""
+
+import re
+
+from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.event import Event
+from c2s_engine.interpret.mentions import Cast
+from c2s_engine.interpret.place import Road
+
+
+def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
+    """What single clauses cannot tell: a stop that is denied before a stop sign, a pass that is waited for."""
+    for event in list(clauses.events):
+        if event.act == "stop" and event.mode == "negated":
+            sentence = " ".join(w.norm for w in cast.words if abs(w.sentence - cast.words[event.word].sentence) <= 1)
+            if re.search(r"stop sign", sentence) and road.stop_sign:
+                event.act, event.mode = "run_stop", "fact"
+            elif re.search(r"\bred\b|traffic (light|signal)", event.whole + " " + sentence) and re.search(
+                r"(fail|not|never|without).{0,30}stop.{0,30}(red|light|signal)", sentence
+            ):
+                event.act, event.mode = "run_red", "fact"
+        if (
+            event.mode == "negated"
+            and cast.words[event.word].norm in ("move", "moving")
+            and event.act in ("travel", "start", "move_along")
+        ):
+            event.act, event.mode = "stationary", "fact"
+        if event.act == "yield" and event.mode == "negated" and not event.agent.ego:
+            event.act, event.mode = "cross_path", "fact"
+        if event.act == "pass_by":
+            junction = road.kind == "intersection" and not re.search(r"lane|left|right|behind", event.whole)
+            event.act = (
+                "travel"
+                if junction or event.agent.ego and event.patient is None and event.adverbial in ("as", "when", "while")
+                else "overtake"
+            )
+        elif (
+            event.act == "overtake"
+            and event.patient is None
+            and road.kind == "intersection"
+            and event.text.startswith("pass")
+        ):
+            event.act = "travel"
+        passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")
+        if passes and not event.agent.ego and event.agent.mover and event.mode == "fact":
+            word = cast.words[event.word]
+            before = " ".join(
+                w.norm for w in cast.words[max(0, event.word - 9) : event.word] if w.sentence == word.sentence
+            )
+            waits = re.search(
+                (
+                    r"(only (after|once|when)|not (before|until|till)|wait(s|ing)? (for|until|till)|must wait"
+                    r"|have to wait|has to wait)\b"
+                ),
+                before,
+            )
+            gone = re.search(
+                r"pass|clear|gone|go(es)? (by|past)|cross|through",
+                event.text + " " + word.norm + " " + " ".join(w.norm for w in cast.words[event.word : event.word + 4]),
+            )
+            if waits and gone and not any(e.act == "yield" and e.agent.ego for e in clauses.events):
+                clauses.events.append(
+                    Event(
+                        "yield",
+                        cast.ego,
+                        event.word,
+                        event.text,
+                        event.whole,
+                        event.agent,
+                        order=event.order - 0.1,
+                        words=[event.word],
+                        start=event.start,
+                        end=event.end,
+                    )
+                )
+    for event in clauses.events:
+        if event.agent.ego and event.mode == "intended" and event.act in ("lane_change", "overtake", "turn", "cut_in"):
+            later = " ".join(
+                w.norm for w in cast.words if w.i > event.word and w.sentence - cast.words[event.word].sentence <= 1
+            )
+            if re.search(
+                (
+                    r"\b(abort|abandon|cancel|gives? up|gave up|stays? in (its|the) (own )?lane"
+                    r"|remains? in (its|the) lane|refrain|not possible|impossible)"
+                ),
+                later,
+            ):
+                event.mode = "hypothetical"
+    _waits(cast, clauses)
+    _waits_for_somebody(cast, clauses)
+    _echoes(cast, clauses)
+    contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
+    for event in clauses.events:
+        if (
+            event.mode == "purpose"
+            and event.act == "overtake"
+            and any(c.order > event.order and (c.agent is event.agent or event.agent in c.also) for c in contact)
+        ):
+            event.mode = "hypothetical"
+    clauses.events.sort(key=lambda e: e.order)
+
+
+WAITS = re.compile(
+    r"(?:wait|stays? put|hold|remain|pause|stops?|(?:not|n't|never) (?:\w+ )?(?:move|start"
+    r"|turn|go|proceed|pull|enter|set|begin))[^.;]*?\b(?:until|till|for)\b"
+    r" (?:\S+ ){0,7}?@(?P<who>a\d+)[^.;]*?\b(?:pass\w*|clear|cross\w*|by|through|past|gone|go"
+    r"|goes|first|over|finish\w*)\b"
+)
+
+
+PRIORITY = re.compile(
+    r"@(?P<who>a\d+)[^.;]{0,60}?\b(?:have|has|had|with|enjoys?) (?:the )?(?:priority"
+    r"|right of way|right-of-way|precedence)"
+    r"|(?:priority|precedence|right of way) (?:belongs? to|is with|lies with|of) (?:the |an? )?@(?P<of>a\d+)"
+)
+
+
+def _waits(cast: Cast, clauses: Clauses) -> None:
+    """Ego waits until another has passed, or another has priority over it: ego gives way, in whatever words."""
+    own = [e for e in clauses.events if e.agent.ego and e.done]
+    if any(e.act in ("yield", "run_red", "run_stop", "collide") for e in own):
+        return
+    by_key = {e.key: e for e in cast.entities}
+    numbers = sorted({w.sentence for w in cast.words})
+    for number in numbers:
+        sentence = [w.i for w in cast.words if w.sentence == number]
+        text = clauses.render(sentence)
+        match = WAITS.search(text)
+        if (
+            match
+            and "@ego" not in text[: match.start() + 4]
+            and not any(cast.of.get(i) is cast.ego for i in sentence[:3])
+        ):
+            match = None
+        right = None if match else PRIORITY.search(text)
+        if right and (
+            re.search(r"in spite|despite|without|just (as|when)|fail|ignor", text)
+            or not any(e.act in ("turn", "go_straight", "stop", "brake", "travel") for e in own)
+        ):
+            right = None
+        found = match or right
+        if found is None:
+            continue
+        who = by_key.get(found.groupdict().get("who") or found.groupdict().get("of") or "")
+        if (
+            who is None
+            or not who.mover
+            or any(e.act in ("run_red", "run_stop") and e.agent is who for e in clauses.events)
+        ):
+            continue
+        for event in own:
+            if event.act == "stationary" and cast.words[event.word].sentence == number:
+                event.mode = "hypothetical"
+        first = cast.words[sentence[0]]
+        order = (
+            min(
+                (e.order for e in own if e.act in ("turn", "go_straight", "overtake", "lane_change", "start")),
+                default=float(first.i),
+            )
+            - 0.2
+        )
+        clauses.events.append(
+            Event(
+                "yield",
+                cast.ego,
+                first.i,
+                text,
+                text,
+                who,
+                order=order,
+                words=[first.i],
+                start=first.start,
+                end=first.end,
+            )
+        )
+        return
+
+
+def _waits_for_somebody(cast: Cast, clauses: Clauses) -> None:
+    """ "Ego must wait", where somebody crosses its way: ego gives way to that one."""
+    if any(e.agent.ego and e.done and e.act in ("yield", "collide", "run_red", "run_stop") for e in clauses.events):
+        return
+    for event in clauses.events:
+        if not (event.agent.ego and event.act == "stationary" and event.done and event.text.startswith("wait")):
+            continue
+        crossing = [
+            e.agent
+            for e in clauses.events
+            if e.done
+            and not e.agent.ego
+            and e.agent.mover
+            and e.act in ("cross_road", "cross_path", "go_straight", "approach", "oncoming")
+            and e.word < event.word
+        ]
+        if crossing:
+            event.act, event.patient = "yield", crossing[-1]
+            return
+
+
+def _echoes(cast: Cast, clauses: Clauses) -> None:
+    """What is said by reference to another clause: "and so must ego", "the two collided"."""
+    words = cast.words
+    for i, word in enumerate(words[:-2]):
+        ahead = " ".join(w.norm for w in words[i : i + 7] if w.sentence == word.sentence)
+        if re.match(r"so (must|does|do|did|has|should|will|had)\b", ahead):
+            target = next((cast.of[w.i] for w in words[i : i + 6] if w.i in cast.of), None)
+            earlier = [e for e in clauses.events if e.word < i and e.agent is not target and e.mode == "fact"]
+            if target is not None and earlier:
+                last = max(earlier, key=lambda e: e.word)
+                clauses.events.append(
+                    Event(
+                        last.act,
+                        target,
+                        i,
+                        last.text,
+                        last.whole,
+                        None,
+                        hard=last.hard,
+                        order=i,
+                        words=[i],
+                        start=word.start,
+                        end=word.end,
+                    )
+                )
+        if re.match(
+            (
+                r"(the |they |)(two|both|they)( vehicles| cars| of them)? (then )?(collide|collided|crash"
+                r"|crashed|meet|met|came into contact|made contact)\b"
+            ),
+            ahead,
+        ) and not any(e.act == "collide" and abs(e.word - i) < 6 for e in clauses.events):
+            before = [cast.of[j] for j in sorted(cast.of) if j < i and cast.of[j].mover and not cast.of[j].ego]
+            if before:
+                clauses.events.append(
+                    Event(
+                        "collide",
+                        before[-1],
+                        i,
+                        ahead,
+                        ahead,
+                        cast.ego,
+                        order=i,
+                        words=[i],
+                        start=word.start,
+                        end=word.end,
+                    )
+                )

@@ -1,0 +1,205 @@
+"""Whose each speed is."""
+
+import re
+
+from c2s_engine.interpret import language, scan, syntax
+from c2s_engine.interpret.event import Event
+from c2s_engine.interpret.mentions import VEHICLES, Entity
+from c2s_engine.interpret.scene import Scene
+
+
+def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
+    """Whose each speed is: the agent of the clause it stands in, the noun that it describes, or both parties."""
+    clauses, cast = scene.clauses, scene.cast
+    by_span = {id(w.span): w for w in scene.words if w.span is not None and w.span.kind == "quantity"}
+    for span in quantities:
+        if span.data["dimension"] != "speed" or span.data.get("role") == "limit":
+            continue
+        word = by_span.get(id(span))
+        if word is None:
+            continue
+        unit = word
+        owner = _before(scene, span) or _beside(scene, span) or _speed_owner(scene, unit.i)
+        value = (span.data["low"], span.data["high"], span.start, span.end)
+        if owner is not None and owner.noun in language.table("actors")["queues"]:
+            owner = None
+        near = scene.plain[max(0, span.start - 60) : span.start]
+        both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(
+            re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20])
+        )
+        like = re.search(r"like (it|the \w+|ego)[^.;,]*$", near)
+        if re.search(
+            (
+                r"(both lanes|all lanes|traffic|jam|queue)\b[^.;,]*(creep|crawl|mov|flow|travel|driv|runs?"
+                r"|progress)[^.;,]*$"
+            ),
+            near,
+        ) and (owner is None or not re.search(rf"\b{re.escape(owner.noun or '@@')}\b", near)):
+            for other in (cast.ego, *scene.actors):
+                if other.ego or other.type in VEHICLES and other.type not in ("motorcycle", "bicycle"):
+                    scene.speeds.setdefault(other, value)
+            continue
+        if owner is None:
+            continue
+        event = _event_of(scene, unit.i)
+        changing = [
+            e
+            for e in clauses.events
+            if e.agent is owner
+            and e.act in ("brake", "brake_stop", "accelerate")
+            and e.word < unit.i
+            and scene.words[e.word].sentence == word.sentence
+        ]
+        if "second" in span.data and changing:
+            changing[-1].quantities = [
+                *changing[-1].quantities,
+                {
+                    "dimension": "speed",
+                    "low": span.data["second"],
+                    "high": span.data["second"],
+                    "role": "target",
+                    "start": span.start,
+                },
+            ]
+            scene.speeds.setdefault(owner, (span.data["first"], span.data["first"], span.start, span.end))
+            continue
+        if changing and (
+            event is None or event.act not in ("brake", "brake_stop", "accelerate") or changing[-1].word > event.word
+        ):
+            event = changing[-1]
+            if re.search(r"(to|down to)\s*(about |around |roughly )?$", near[-16:]) and not any(
+                q["start"] == span.start for q in event.quantities
+            ):
+                event.quantities = [*event.quantities, {**span.data, "start": span.start, "role": "target"}]
+        if (
+            event is not None
+            and event.agent is owner
+            and event.act in ("brake", "brake_stop", "accelerate")
+            and re.search(r"(to|down to|from)\s*(about |around |roughly )?$", near[-16:]) is not None
+            and "from" not in near[-16:]
+        ):
+            event.quantities = [{**q, "role": "target"} if q["start"] == span.start else q for q in event.quantities]
+            continue
+        if owner in scene.speeds:
+            between = [
+                j
+                for j in sorted(cast.of)
+                if scene.speeds[owner][3] <= scene.words[j].start < span.start
+                and cast.of[j] is not owner
+                and (cast.of[j].mover or cast.of[j].ego)
+            ]
+            if between and scene.words[between[-1]].sentence == word.sentence:
+                scene.speeds.setdefault(cast.of[between[-1]], value)
+                continue
+        scene.speeds.setdefault(owner, value)
+        subject_also = event.also if event is not None else []
+        for other in subject_also:
+            scene.speeds.setdefault(other, value)
+        if both or like:
+            scene.speeds.setdefault(cast.ego, value)
+            others = [e for e in scene.actors if e.type in VEHICLES]
+            for other in others[:1]:
+                scene.speeds.setdefault(other, value)
+
+
+def _before(scene: Scene, span: scan.Span) -> Entity | None:
+    """The owner that stands before a speed in the same stretch between commas, where the verb's subject comes later."""
+    near = scene.plain[max(0, span.start - 60) : span.start]
+    if re.search(
+        r"set[- ]speed[^.;]*$|\b(system|alks|dcas|aebs|acc|cruise control)\b(?! (vehicle|car))[^,.;]*$", near
+    ) and not re.search(r"whose", near[-20:]):
+        return scene.cast.ego
+    return None
+
+
+def _beside(scene: Scene, span: scan.Span) -> Entity | None:
+    """The road user right before a speed: "in front of the ego at 100 km/h"."""
+    for i, entity in scene.cast.of.items():
+        word = scene.words[i]
+        if word.span is None or word.end > span.start or span.start - word.end > 24:
+            continue
+        if re.fullmatch(
+            (
+                r"\s*,?\s*(at|doing|going|travell?ing at|driving at|moving at)\s*(about |around |roughly "
+                r"|approximately |only |just )?"
+            ),
+            scene.plain[word.end : span.start],
+        ):
+            verb = scene.clauses._governor(word)
+            event = scene.clauses.by_word.get(verb.i) if verb is not None else None
+            if event is not None and event.agent is not entity and _below_verb(scene, word, verb):
+                return None
+            return (
+                None
+                if event is not None
+                and event.agent is not entity
+                and (
+                    event.act in ("collide", "overtake", "follow", "approach")
+                    or event.act in ("travel", "lead")
+                    and word.dep == "pobj"
+                    and verb.dep in ("relcl", "ROOT", "acl")
+                )
+                else entity
+            )
+    return None
+
+
+def _below_verb(scene: Scene, word: syntax.Word, verb: syntax.Word | None) -> bool:
+    """Whether a noun hangs on a verb by prepositions alone ("runs out from behind the van"), not on another noun."""
+    current = word
+    for _ in range(5):
+        current = scene.words[current.head]
+        if verb is None or current.i == verb.i:
+            return verb is not None
+        if current.i in scene.cast.of or current.tag.startswith("NN"):
+            return False
+    return False
+
+
+def _event_of(scene: Scene, i: int) -> Event | None:
+    return next((e for e in scene.clauses.events if i in e.words), None)
+
+
+def _speed_owner(scene: Scene, i: int) -> Entity | None:
+    words, cast = scene.words, scene.cast
+    current = words[i]
+    for _ in range(8):
+        if current.i in scene.clauses.by_word:
+            event = scene.clauses.by_word[current.i]
+            agent, _, passive = scene.clauses._subject(current) if current.verb else (event.agent, None, False)
+            return (
+                event.patient if event.passive and event.patient is not None and event.act == "travel" else event.agent
+            )
+        if current.verb or scene.clauses._is_verb(current):
+            agent, _, passive = scene.clauses._subject(current)
+            if agent is not None:
+                return agent
+        owner = cast.referent(current.i) if current.i != i else None
+        if owner is not None and (owner.mover or owner.ego):
+            return owner
+        if current.norm in ("speed", "pace", "velocity"):
+            for child in current.children:
+                if words[child].dep in ("poss",) or words[child].tag in ("PRP$", "WP$"):
+                    found = cast.referent(child)
+                    if found is not None:
+                        return found
+            if any(words[c].norm == "set" for c in current.children) or "set speed" in " ".join(
+                w.norm for w in words[max(0, current.i - 2) : current.i + 1]
+            ):
+                return cast.ego
+        if current.head == current.i:
+            break
+        current = words[current.head]
+    before = [
+        j
+        for j in sorted(cast.of)
+        if j < i and words[j].sentence == words[i].sentence and (cast.of[j].mover or cast.of[j].ego)
+    ]
+    if before:
+        return cast.of[before[-1]]
+    after = [
+        j
+        for j in sorted(cast.of)
+        if j > i and words[j].sentence == words[i].sentence and (cast.of[j].mover or cast.of[j].ego)
+    ]
+    return cast.of[after[0]] if after else cast.ego

@@ -1,0 +1,41 @@
+"""All stages up to the scene, in their order."""
+
+from c2s_engine.interpret import amounts, division, environment, place, scan, syntax
+from c2s_engine.interpret.casting import actors
+from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.mentions import Cast
+from c2s_engine.interpret.protagonist import choose_ego
+from c2s_engine.interpret.relations import Places
+from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.sense import rules_of_sense
+from c2s_engine.interpret.settings import SettingsDetector
+from c2s_engine.interpret.speeds import speeds
+
+
+def understand(text: str) -> Scene:
+    """All stages up to the scene."""
+    plain = scan.normalised(text)
+    sentences = division.sentences(text)
+    quantities = amounts.quantities(plain)
+    quantities += [
+        b for b in amounts.bare_speeds(plain) if not any(q.start < b.end and b.start < q.end for q in quantities)
+    ]
+    quantities.sort(key=lambda s: s.start)
+    names = scan.names(plain)
+    taken = [(q.start, q.end) for q in quantities]
+    names = [n for n in names if not any(s < n.end and n.start < e for s, e in taken)]
+    spans = sorted(names + quantities, key=lambda s: s.start)
+    sentences = division.shorthand(plain, sentences, names)
+    road = place.read(plain, sentences, quantities)
+    words = syntax.parse(text, plain, sentences, spans)
+    cast = Cast(words)
+    clauses = Clauses(words, cast)
+    choose_ego(cast, clauses)
+    places = Places(cast, clauses)
+    rules_of_sense(cast, clauses, road)
+    settings = SettingsDetector().detect(plain, sentences)
+    light = environment.light(plain, sentences)
+    scene = Scene(text, plain, sentences, words, cast, clauses, places, road, settings, light, spans=spans)
+    scene.actors = actors(scene)
+    speeds(scene, quantities)
+    return scene

@@ -88,7 +88,8 @@ class Start:
                 return
             session = await self.backend.open(f"{name}-2")
         changed = self.session is not session
-        typed = self.chat.entry.text if self.session is None else ""
+        typed = self.chat.entry.text if self.session is None else ""  # while the session was being opened
+        self.chat.entry.put(session.draft("chat") + typed)
         if changed:
             await self.chat.clear()
         self.take_session(session)
@@ -97,11 +98,10 @@ class Start:
             await self.chat.note(turn.text, "user" if turn.kind == "say" else "note")
             for reply in turn.replies:
                 await self.chat.note(reply, "say")
-        await self._recover(session, typed)
+        await self._recover(session)
 
-    async def _recover(self: Any, session: Any, typed: str) -> None:
-        """Put back drafts; offer a turn that a crash interrupted."""
-        self.chat.entry.put(session.draft("chat") + typed)
+    async def _recover(self: Any, session: Any) -> None:
+        """Put back a draft of the code; offer a turn that a crash interrupted."""
         code = session.draft("code")
         if code and code != session.program.text:
             self.code.area.text = code

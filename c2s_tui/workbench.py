@@ -355,4 +355,4 @@ class Workbench(Actions, Screen):
         target = {"chat": self.chat.entry, "sheet": self.sheet, "code": self.code.area, "picture": self.picture}[name]
         if self.has_class("-narrow"):  # what is still hidden cannot take the focus
             self.app.stylesheet.update(self.query_one("#panes"))
-        target.focus()
+        self.set_focus(target)  # at once: what is typed next is meant for it

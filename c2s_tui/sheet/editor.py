@@ -30,6 +30,9 @@ class FieldEditor(Vertical):
     class Left(Message):
         pass
 
+    class Opened(Message):
+        """The line is there."""
+
     class Typed(Message):
         """What is typed so far is a valid edit (or is not: None)."""
 
@@ -53,7 +56,7 @@ class FieldEditor(Vertical):
         yield Static(self._hint(), markup=False)
 
     def on_mount(self) -> None:
-        self.query_one(Input).focus()
+        self.post_message(self.Opened())
 
     def _choices(self) -> tuple[str, ...]:
         if self._appends:

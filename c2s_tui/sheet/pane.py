@@ -5,7 +5,7 @@ from typing import Any, get_args
 from textual import on
 from textual.binding import Binding
 from textual.containers import VerticalScroll
-from textual.events import Click
+from textual.events import Click, Key
 from textual.widgets import Input
 
 from c2s_engine.structure.edits import AddObject, MoveObject, RemoveObject, SetCode, SetField
@@ -53,6 +53,7 @@ class SheetPane(VerticalScroll):
         self.reached: frozenset[str] = frozenset()
         self.cursor = 0
         self.views: list[RowView] = []  # one a row, reused from drawing to drawing
+        self._ahead = ""  # typed after a line to edit was asked for, and before it was there
 
     # What it shows.
 
@@ -132,16 +133,16 @@ class SheetPane(VerticalScroll):
             self.focus()
             self._go(index)
             if again or event.chain > 1:
-                self.action_enter()
+                await self.action_enter()
 
     # Editing.
 
-    def action_enter(self) -> None:
+    async def action_enter(self) -> None:
         row = self.here
         if row is None:
             return
         if row.kind == ADD:
-            self.action_add()
+            await self.action_add()
         elif row.kind == CONFLICT:
             self.post_message(CommandAsked("conflict", row.cid))
         elif row.kind == HEAD or (row.kind == FIELD and row.field and not row.field.leaf and not row.field.many):
@@ -156,12 +157,34 @@ class SheetPane(VerticalScroll):
             self.unfolded ^= {row.cid}
             self._lay()
 
+    @property
+    def editing(self) -> bool:
+        """Whether a line is being edited: keys are text then, not commands."""
+        return bool(self.query("FieldEditor, #new-object"))
+
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        return not self.editing
+
+    def pass_on(self) -> None:
+        """Put what was typed ahead into the line to edit, once that is there."""
+        for line in self.query(Input):
+            if line.is_mounted:
+                self.screen.set_focus(line)
+                line.insert_text_at_cursor(self._ahead)
+                self._ahead = ""
+
     def _edit(self, row: Row) -> None:
         if self.editor:
             return
         views = self.views
+        self._ahead = ""
         self.mount(FieldEditor(row, self.desk.structure[row.cid].spec), after=views[self.cursor])
         views[self.cursor].add_class("-edited")
+
+    @on(FieldEditor.Opened)
+    def _opened(self, event: FieldEditor.Opened) -> None:
+        event.stop()
+        self.pass_on()
 
     @on(FieldEditor.Typed)
     def _typed(self, event: FieldEditor.Typed) -> None:
@@ -187,7 +210,7 @@ class SheetPane(VerticalScroll):
         await self.query("#new-object").remove()
         self.query(RowView).remove_class("-edited")
         self.show_reach(frozenset())
-        self.focus()
+        self.screen.set_focus(self)
 
     def refuse(self, why: str) -> bool:
         """Show at the field why an edit was refused; whether there is one."""
@@ -196,13 +219,14 @@ class SheetPane(VerticalScroll):
             return True
         return False
 
-    def action_add(self) -> None:
+    async def action_add(self) -> None:
         if self.query("#new-object"):
             return
+        self._ahead = ""
         line = Input(placeholder="a type (car, pedestrian, cone ...) or a sentence", id="new-object", compact=True)
-        self.mount(line)
+        await self.mount(line)
         self.scroll_end(animate=False)
-        line.focus()
+        self.pass_on()
 
     @on(Input.Submitted, "#new-object")
     async def _new_object(self, event: Input.Submitted) -> None:
@@ -215,10 +239,23 @@ class SheetPane(VerticalScroll):
         elif text:
             self.post_message(Said(f"Add an object: {text}"))
 
-    async def on_key(self, event: Any) -> None:
-        if event.key == "escape" and self.query("#new-object"):
+    async def on_key(self, event: Key) -> None:
+        """Keys one after the other: what follows a key that opens a line to edit is text, however fast it is typed."""
+        focused = self.screen.focused
+        if focused is not None and self not in focused.ancestors_with_self:  # the key before this one went elsewhere
+            event.stop()
+            focused.post_message(Key(event.key, event.character))
+        elif event.key == "escape" and self.query("#new-object"):
             event.stop()
             await self.close_editor()
+        elif self.editing:
+            if event.is_printable:
+                event.stop()
+                self._ahead += event.character or ""
+                self.pass_on()
+        elif (bound := self.screen.active_bindings.get(event.key)) is not None and bound.node in (self, self.screen):
+            event.stop()
+            await self.app.run_action(bound.binding.action, bound.node)
 
     def action_remove(self) -> None:
         row = self.here

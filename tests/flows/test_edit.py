@@ -3,6 +3,7 @@
 import threading
 
 from scripted_engine import CUT_IN
+from textual.events import Key
 
 from c2s_engine.structure.edits import AddObject, SetField
 from c2s_engine.structure.specs import ObjectSpec, Placement
@@ -163,6 +164,23 @@ async def test_the_panes_follow_each_other(stage):
         await stage.until(pilot, lambda: area.has_focus)
         area.move_cursor((stage.bench.desk.program.span_of("E").first, 0))
         await stage.until(pilot, lambda: stage.bench.sheet.here.cid == "E")
+
+
+async def test_what_is_typed_ahead_is_text_and_no_command(stage):
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, CUT_IN)
+        await stage.to_row(pilot, "O1:name")
+        for key in ("enter", "x", "a", "u"):  # all of it before the app has done any
+            stage.app.post_message(Key(key, key if len(key) == 1 else "\r"))
+        await stage.until(pilot, lambda: stage.bench.sheet.editor and stage.bench.sheet.editor.query("Input"))
+        await stage.until(pilot, lambda: stage.bench.sheet.editor.query_one("Input").value == "vanxau")
+        await pilot.press("escape")
+        await stage.until(pilot, lambda: stage.bench.sheet.has_focus)
+        for key in ("f2", "x", "a"):
+            stage.app.post_message(Key(key, key if len(key) == 1 else None))
+        await stage.until(pilot, lambda: stage.bench.chat.entry.text == "xa")
+        assert len(stage.bench.session.history) == 1
 
 
 async def test_the_words_of_the_text_follow_and_lead(stage):

@@ -44,6 +44,12 @@ def test_who_has_not_come_and_stands_only_later_was_not_there(town):
     assert stands > 17 and not shows(facts, "cross_path", "a", "ego"), "ego was through over 10 s before"
 
 
+@pytest.mark.parametrize("before", np.arange(2.0, 7.5, 0.6))
+def test_who_stands_from_the_start_is_halted_too(town, before):
+    facts = crossing(town, 0.0, 8.0, before=before)
+    assert shows(facts, "cross_path", "a", "ego") and shows(facts, "passes_first", "a", "ego")
+
+
 def test_yielding_by_a_stop(town):
     facts = crossing(town, halts(27, again=12), 8.0, start=70)
     assert shows(facts, "yield", "ego", "a") and not shows(facts, "yield", "a", "ego")

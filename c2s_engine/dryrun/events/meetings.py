@@ -143,8 +143,8 @@ def _nearest(seen: Seen, point: np.ndarray) -> int:
 
 
 def _missing(steps: np.ndarray, k: int) -> float:
-    driven = np.flatnonzero(steps >= 0)
-    return max(0.0, float(k - driven[-1])) if steps[k] == AHEAD else 0.0
+    """m from where it is at the end to the k-th point, if that is still ahead (the points lie 1 m apart)."""
+    return float(k - np.flatnonzero(steps[:k] != AHEAD).max(initial=-1)) if steps[k] == AHEAD else 0.0
 
 
 class Meetings:

@@ -122,6 +122,8 @@ class Nominal(Timing):
             own = sorted(set(self._below(word.i)) | (set(self.own(verb)) if verb is not None else set()))
             text = " ".join(self.words[i].norm if i not in self.cast.of else "@" + self.cast.of[i].key for i in own)
             event = Event(rule["act"], agent, word.i, text, text, patient, mode, bool(rule.get("hard")), float(word.i))
+            if event.act == "brake" and re.search(r"\bto (a )?(full |complete )?(stop|standstill|halt)\b", text):
+                event.act = "stop"
             event.words, event.start, event.end = own, word.start, word.end
             event.quantities = self._quantities(self._below(word.i))
             if (

@@ -10,7 +10,11 @@ from c2s_engine.interpret.rewritten import Replacement
 ROW = re.compile(r"^[ \t]*\|(?P<key>[^|\n]+)\|(?P<value>[^|\n]+)\|[ \t]*$", re.MULTILINE)
 RULE = re.compile(r"^[ \t]*\|?[ \t:|-]*-{3,}[ \t:|-]*$", re.MULTILINE)
 FIELD = re.compile(
-    r"(?:^|(?<=[;\n]))[ \t]*(?:[-*•][ \t]*)?(?P<key>[^\W\d_][\w /#-]{1,40}?)[ \t]*[:=][ \t]*(?P<value>[^;\n]+)"
+    r"(?:^|(?<=[;\n])|(?<=[.:][ \t]))[ \t]*(?:[-*•][ \t]*)?(?P<key>[^\W\d_][\w /#-]{1,40}?)[ \t]*[:=][ \t]*"
+    r"(?P<value>(?:[^;\n.:]|[.:](?=\d))+)"
+)
+NAMED = re.compile(
+    r"(?:an? |the |one )?(?P<noun>[\w -]+?)(?= (?:at|with|on|in|from|behind|ahead|doing) |\s*[,(]|$)", re.IGNORECASE
 )
 VERBAL = re.compile(
     (
@@ -63,9 +67,11 @@ def _sentence(key: str, value: str, names: dict[str, str]) -> str | None:
     plain = " ".join(re.sub(r"[_#]", " ", key.lower()).split())
     whole = plain
     if re.sub(r"\s*\d+$", "", plain) in data["others"]:
-        first, _, rest = value.partition(",")
+        parts = NAMED.match(value)
+        first, rest = (parts["noun"], value[parts.end("noun") :].lstrip(", ")) if parts else (value, "")
         names[plain] = _noun(first)
-        return f"{names[plain]}: {rest.strip()}" if rest.strip() else f"there is a {names[plain]}"
+        return f"{names[plain]}: {_named(rest, names)}" if rest else f"there is a {names[plain]}"
+    value = _named(value, names)
     who, attribute = _split(plain, data)
     entry = _keys().get(attribute)
     if entry is None:
@@ -89,6 +95,14 @@ def _sentence(key: str, value: str, names: dict[str, str]) -> str | None:
     if entry["say"].startswith("{who} drives at") and not re.search(r"\d", value):
         return f"{subject}: {value}"
     return str(entry["say"]).format(who=_the(subject), value=said, other=other)
+
+
+def _named(text: str, names: dict[str, str]) -> str:
+    """The text with "actor 1" and the like replaced by what they are."""
+    for name, noun in names.items():
+        if name[-1:].isdigit():
+            text = re.sub(rf"\b{re.escape(name)}\b", f"the {noun}", text, flags=re.IGNORECASE)
+    return text
 
 
 def _split(key: str, data: dict[str, Any]) -> tuple[str | None, str]:

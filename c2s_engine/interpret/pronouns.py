@@ -9,6 +9,8 @@ from c2s_engine.interpret.entities import VEHICLES, Entity
 from c2s_engine.interpret.parts import Parts
 from c2s_engine.interpret.syntax import Word
 
+STRIKES = frozenset(("hit", "strike", "clip", "ram", "bump", "contact", "touch", "graze", "scrape", "sideswipe"))
+
 
 class Pronouns(Parts):
     """The part of Cast that resolves words without a noun of their own."""
@@ -121,6 +123,8 @@ class Pronouns(Parts):
             clash = self._subject_of(self.words[verb.head])
         if word.dep in ("dobj", "pobj") and word.norm not in ("its", "itself"):
             clash = self._subject_of(verb)
+        if word.dep == "poss" and verb.lemma in STRIKES and self.words[word.head].dep in ("dobj", "pobj"):
+            clash = self._subject_of(verb)
         above = self.words[word.head]
         holder = self.of.get(above.head) if word.dep == "pobj" and above.head != above.i else None
         if holder is not None and holder is not clash and above.head < word.i:
@@ -140,7 +144,7 @@ class Pronouns(Parts):
             ]
             if its and its[-1] is not own and "another" in self._near(word):
                 return its[-1]
-            if own is not None and accept(own):
+            if own is not None and accept(own) and own is not clash:
                 return own
         if word.dep in ("dobj", "pobj", "poss"):
             near = [i for i in last if self.words[i].sentence == word.sentence]

@@ -49,10 +49,16 @@ FOLLOWS = regex.compile(
 )
 
 
+CROSSES = regex.compile(r"\s+(?:the|a|from|in front|at the|over|on|behind|with|slowly|against|his|her|its)\b")
+
+
 def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     """The word that the parser sees in place of one that it would take for another part of speech."""
     if text in BOUND:
         return "east"
+    person = before is not None and before.data.get("type") in ("pedestrian", "child", "animal")
+    if text == "crossing" and person and CROSSES.match(plain[start + 8 : start + 20]):
+        return "walking"
     if text == "left" and not VERBAL_LEFT.match(plain[start : start + 24]):
         return "right"
     follows = FOLLOWS.match(plain[start + len(text) : start + len(text) + 14])

@@ -161,6 +161,7 @@ def names(text: str) -> list[Span]:
             )
         )
     found += _letters(text, found)
+    found += _shortened(text, found)
     found.sort(key=lambda s: (s.start, -s.end))
     kept: list[Span] = []
     for span in found:
@@ -196,6 +197,23 @@ def _stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
 @cache
 def _noun_words() -> str:
     return language.alternatives([n for n in language.actor_nouns() if n not in language.makes()])
+
+
+def _shortened(text: str, found: list[Span]) -> list[Span]:
+    """The last word of a longer name, where the text goes on with it: "a snow plough ... the plough stops"."""
+    never = (
+        set(language.table("actors")["never"]) | set(language.table("actors")["parts"]) | set(language.actor_nouns())
+    )
+    spans = []
+    for span in [s for s in found if s.kind == "actor" and " " in s.data.get("noun", "")]:
+        last = span.data["noun"].split()[-1]
+        if last in never or len(last) < 4:
+            continue
+        for match in re.finditer(rf"\bthe (?P<noun>{re.escape(last)})\b", text[span.end :]):
+            start, end = span.end + match.start("noun"), span.end + match.end("noun")
+            if not any(s.start < end and start < s.end for s in [*found, *spans]):
+                spans.append(Span("actor", start, end, {**span.data, "noun": last, "roles": [], "words": []}))
+    return spans
 
 
 def _letters(text: str, found: list[Span]) -> list[Span]:

@@ -25,6 +25,12 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and event.act in ("travel", "start", "move_along")
         ):
             event.act, event.mode = "stationary", "fact"
+        if (
+            event.act == "overtake"
+            and not event.agent.ego
+            and re.search(r"\bboth\b|\bthem all\b|\ball of them\b", event.text)
+        ):
+            event.patient = cast.ego
         if event.act == "yield" and event.mode == "negated" and not event.agent.ego:
             event.act, event.mode = "cross_path", "fact"
         if event.act == "pass_by":

@@ -29,9 +29,12 @@ class Strangers:
         known = next((e for e in self.entities if "guessed" in e.roles and e.noun == word.norm), None)
         if known is not None:
             return known
-        if word.dep != "nsubj" or not {"a", "an", "one", "another"} & {self.words[c].norm for c in word.children}:
+        if not {"a", "an", "one", "another"} & {self.words[c].norm for c in word.children}:
             return None
-        verb = self.words[word.head]
+        told = next((self.words[c] for c in word.children if self.words[c].dep in ("acl", "relcl")), None)
+        verb = told if told is not None else self.words[word.head]
+        if told is None and word.dep != "nsubj":
+            return None
         rest = " ".join(
             "@" if w.span is not None else w.norm
             for w in self.words[verb.i + 1 : verb.i + 9]

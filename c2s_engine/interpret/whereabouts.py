@@ -102,7 +102,8 @@ def _take(
         side = fact["side"]
     if side and lane not in ("left", "right") and where.side is None:
         where.side = side
-    if fact.get("rel") and where.rel is None:
+    mutual = fact.get("rel") == "beside" and entity.count > 1 and other is None
+    if fact.get("rel") and where.rel is None and not mutual:
         where.rel = fact["rel"]
         if other is not None:
             where.of = where.of if where.of is not None and lane else other

@@ -12,6 +12,8 @@ import numpy as np
 from c2s_engine.retrieve.errors import RetrievalError
 
 BATCH = 64
+FEW = 8
+"""Texts up to which one thread embeds them."""
 
 
 class Embedder:
@@ -44,11 +46,8 @@ class Embedder:
             if self._model is None:
                 os.environ.setdefault("HF_HUB_OFFLINE", "1")
                 os.environ.setdefault("TOKENIZERS_PARALLELISM", "false")
-                import torch
                 from sentence_transformers import SentenceTransformer
 
-                if self.threads:
-                    torch.set_num_threads(self.threads)
                 try:
                     self._model = SentenceTransformer(self.source, device=os.environ.get("C2S_EMBEDDING_DEVICE", "cpu"))
                 except (OSError, ValueError, KeyError) as error:
@@ -61,7 +60,11 @@ class Embedder:
 
     def embed(self, texts: Sequence[str], progress: Callable[[int, int], None] | None = None) -> np.ndarray:
         """One unit vector a text. Long lists go in batches of like length; `progress(done, all)` after each."""
+        import torch
+
         model = self.load()
+        if self.threads:  # for a query a second thread only costs: on a busy machine each layer would wait for it
+            torch.set_num_threads(1 if len(texts) <= FEW else self.threads)
         order = sorted(range(len(texts)), key=lambda i: len(texts[i]))
         vectors: np.ndarray | None = None
         for start in range(0, len(order), BATCH):

@@ -55,6 +55,9 @@ class Library:
 
     def opened(self, progress: Progress = _silent) -> Generation:
         """The generation in force, built first where it must be; raises RetrievalError."""
+        opened = self._opened
+        if opened is not None and opened.name == self.store.current_name():
+            return opened  # what was looked at when it was opened cannot have changed under the same name
         with self._opening:
             if self.stale():
                 self.build(progress, only_if_stale=True)

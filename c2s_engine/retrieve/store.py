@@ -52,7 +52,7 @@ class Shelf:
     have a lexical text."""
 
     def __init__(self, table: pa.Table, postings: Postings):
-        self.table = table
+        self.table = table.drop_columns(["vector"])
         self.postings = postings
         vectors = table.column("vector").combine_chunks()
         width = vectors.type.list_size
@@ -73,7 +73,7 @@ class Shelf:
 
     def rows(self) -> list[Row]:
         """All rows."""
-        return [_row(r) for r in self.table.drop_columns(["vector"]).to_pylist()]
+        return [_row(r) for r in self.table.to_pylist()]
 
 
 def _row(record: dict) -> Row:

@@ -119,6 +119,7 @@ def main() -> None:
     os.environ.setdefault("RUST_LOG", "error")
     os.environ.setdefault("TOKENIZERS_PARALLELISM", "false")
     os.environ.setdefault("HF_HUB_OFFLINE", "1")
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # one product a query: a second thread would be waited for
     folder = Path(sys.argv[1])
     Worker(folder, sys.argv[2] if len(sys.argv) > 2 and sys.argv[2] else None, out).serve(sys.stdin.buffer)
 

@@ -13,6 +13,7 @@ from c2s_engine.structure.progress import Progress, Say
 from c2s_engine.structure.regenerate import regenerate
 from c2s_engine.write.prompted.checking import Check, first_error
 from c2s_engine.write.typed import ResolveError, TypedWriter, make_plan
+from c2s_engine.write.typed.spread import spread
 
 OnEvent = Callable[[Progress], None]
 Resolve = Callable[[Structure], Awaitable[Diagnostic | None]]
@@ -116,7 +117,7 @@ TRIES = 3
 async def contradiction(structure: Structure) -> Diagnostic | None:
     """What in the specs contradicts itself, whatever the map."""
     try:
-        make_plan(structure)
+        make_plan(spread(structure))
     except ResolveError as error:
         return Diagnostic(stage="resolve", message=str(error), text=", ".join(error.fields))
     return None

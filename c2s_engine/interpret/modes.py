@@ -22,7 +22,7 @@ class Modes(Agents):
                 if other.norm == "not" and child > word.i and other.dep != "neg":
                     continue
                 mode = "negated"
-            if other.dep == "aux" and other.norm in ("would", "could", "might"):
+            if other.dep == "aux" and other.norm in ("would", "could", "might") and not self._ended(child, word.i):
                 mode = "hypothetical"
             if other.dep == "mark" and other.norm in ("if", "unless", "whether", "lest") and not self._criterion(word):
                 mode = "hypothetical"
@@ -30,8 +30,6 @@ class Modes(Agents):
                 other.norm in ("none", "neither", "nobody", "nothing")
                 or any(self.words[c].norm in ("no", "neither") for c in other.children)
             ):
-                mode = "negated"
-            if False:
                 mode = "negated"
         head = self.words[word.head]
         if (
@@ -118,6 +116,10 @@ class Modes(Agents):
         ):
             mode = "negated"
         return mode
+
+    def _ended(self, aux: int, verb: int) -> bool:
+        """Whether "but" ends an auxiliary's clause before the verb ("as hard as I could but hit it")."""
+        return "but" in [w.norm for w in self.words[aux + 1 : verb]]
 
     def _criterion(self, word: Word) -> bool:
         """Whether an if-clause states what a test demands: "passed if the system brakes"."""

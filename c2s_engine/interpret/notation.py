@@ -58,7 +58,17 @@ def fields(text: str) -> list[Replacement]:
         if sentence is not None:
             start = match.start() + len(match[0]) - len(match[0].lstrip(" \t-*•"))
             replaced.append((start, match.end(), f"{sentence[:1].upper()}{sentence[1:]}."))
-    return replaced if told else []
+    return [*replaced, *_mentions(text, names, found)] if told else []
+
+
+def _mentions(text: str, names: dict[str, str], told: list[re.Match[str]]) -> list[Replacement]:
+    """Where the rest of the text goes on with a name that a field explained: "the challenger cuts in"."""
+    found: list[Replacement] = []
+    for name, noun in names.items():
+        for match in re.finditer(rf"\b(?:the )?{re.escape(name)}\b(?!\s*[:=])", text, re.IGNORECASE):
+            if not any(field.start() <= match.start() < field.end() for field in told):
+                found.append((match.start(), match.end(), f"the {noun}"))
+    return found
 
 
 def _sentence(key: str, value: str, names: dict[str, str]) -> str | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, VEHICLES, ZONES, Entity, fits
+from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PERSONS, VEHICLES, ZONES, Entity, fits
 from c2s_engine.interpret.reference import Reference
 from c2s_engine.interpret.syntax import Word
 
@@ -100,12 +100,13 @@ class Nouns(Reference):
         if not other and not ordinal:
             for entity in self.entities:
                 if (
-                    entity.type == kind
+                    (entity.type == kind or entity.person and kind in PERSONS)
                     and len(entity.mentions) == 1
                     and count == entity.count
                     and self._heading(self.words[entity.mentions[0].word].sentence)
                     and self.words[entity.mentions[0].word].sentence < word.sentence
                 ):
+                    entity.type = kind
                     return entity
         if kind != "vehicle" and previous in ("a", "an") or {"a", "an"} & set(before):
             named = self._revealed(word, kind)

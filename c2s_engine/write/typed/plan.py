@@ -145,7 +145,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         ramp=ramp,
         exit_lane=any(o.placement.position == "intersection_exit" for o in objects.values()),
         lane_of=lane_of,
-        leads=_leads(objects, lane_of, speed, place),
+        leads=_leads(ego, objects, lane_of, speed, place),
     )
 
 
@@ -213,7 +213,7 @@ def _lane_offset(cid: str, objects: dict[str, ObjectSpec], seen: tuple[str, ...]
 
 
 def _leads(
-    objects: dict[str, ObjectSpec], lane_of: dict[str, int | None], speed: float, place: PlaceSpec
+    ego: EgoSpec, objects: dict[str, ObjectSpec], lane_of: dict[str, int | None], speed: float, place: PlaceSpec
 ) -> dict[str, tuple[str, ...]]:
     """Who starts ahead of each moving vehicle in its lane, ego included."""
     at = {"ego": 0.0}
@@ -225,12 +225,15 @@ def _leads(
         own = gap + LENGTH[o.type] / 2 + 2.5
         at[cid] = at.get(placement.of, 0.0) + (0.0 if abreast else -own if behind else own)
     lanes: dict[str, int | None] = {"ego": 0, **lane_of}
-    movers = {c: o for c, o in objects.items() if is_vehicle(o.type) and not is_static(o) and lane_of[c] is not None}
-    return {
-        c: tuple(other for other in at if other != c and lanes[other] == lane_of[c] and at[other] > at[c])
-        for c, o in movers.items()
-        if o.placement.facing != "against"
-    }
+    changes = ego.reaction == "evade" or {"lane_change", "overtake", "cut_in"} & {p.action for p in ego.phases}
+    comes = (1, -1) if changes else ()  # the lanes that ego may come to
+    movers = [c for c, o in objects.items() if is_vehicle(o.type) and not is_static(o) and lane_of[c] is not None]
+
+    def before(cid: str, other: str) -> bool:
+        same = lanes[other] == lane_of[cid] or other == "ego" and lane_of[cid] in comes
+        return same and other != cid and at[other] > at[cid]
+
+    return {c: tuple(o for o in at if before(c, o)) for c in movers if objects[c].placement.facing != "against"}
 
 
 def _needs_oncoming(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> bool:

@@ -7,6 +7,10 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import is_static
 from c2s_engine.write.typed.threats import every, once_seen, threatening
 
+SOFT = "lambda: max(3, min(9, 1.3 * {force}))"
+HARD = "lambda: max(5, min(9, 1.3 * {force}))"
+"""m/s2: how hard drivers brake for who forces them to: a little more than it takes."""
+
 
 def reaction(actor: Actor, statements: list[str]) -> list[str]:
     """Ego's reaction laid around its own way: what it does when something forces it to."""
@@ -16,13 +20,15 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     if spec.reaction != "brake" or not cids:
         return statements
     threats = [every(actor.structure, spec.react_to)] if spec.react_to else once_seen(actor.structure, cids)
-    limit, rate = (4, 8) if spec.hard else (2, 5)
-    forced = {p.action for p in spec.phases if p.trigger is None}
-    if forced & {"swerve", "lane_change"}:  # it gets past first
-        limit, rate = (8, 8) if "swerve" in forced else (5, 8)
     if any(p.action == "collide" for p in spec.phases):  # it brakes, but too little
-        limit, rate = 3, 2
-    return _around(statements, threats, limit, rate, 2 if "lane_change" in forced else 0)
+        return _around(statements, threats, 3, "2")
+    limit, rate = (4, HARD) if spec.hard else (2, SOFT)
+    forced = {p.action for p in spec.phases if p.trigger is None}
+    if "swerve" in forced:  # it gets past first
+        return _around(statements, threats, 8, HARD)
+    if "lane_change" in forced:
+        return _around(statements, threats, 5, HARD, 2)
+    return _around(statements, threats, limit, rate)
 
 
 def heeding(actor: Actor, statements: list[str]) -> list[str]:
@@ -30,7 +36,7 @@ def heeding(actor: Actor, statements: list[str]) -> list[str]:
     leads = [c for c in actor.plan.leads.get(actor.cid, ()) if not _gets_past(actor, c)]
     if not leads or actor.value <= 0 or any(p.action == "collide" for p in actor.spec.phases):
         return statements
-    return _around(statements, [every(actor.structure, cid) for cid in leads], 3, 6)
+    return _around(statements, [every(actor.structure, cid) for cid in leads], 3, SOFT)
 
 
 def _gets_past(actor: Actor, cid: str) -> bool:
@@ -41,7 +47,7 @@ def _gets_past(actor: Actor, cid: str) -> bool:
     return isinstance(spec, ObjectSpec) and is_static(spec)
 
 
-def _around(statements: list[str], threats: list[str], limit: float, rate: float, release: float = 0) -> list[str]:
+def _around(statements: list[str], threats: list[str], limit: float, rate: str, release: float = 0) -> list[str]:
     """The statements, interrupted by braking at `rate` when the need (m/s2) for one of the threats is over `limit`,
     until it is no more than `release`."""
     force = f"need(self, {threats[0]})"
@@ -53,7 +59,7 @@ def _around(statements: list[str], threats: list[str], limit: float, rate: float
         "try:",
         *(f"    {s}" for s in rest),
         f"interrupt when {force} > {scope.number(limit)}:",
-        f"    do Drive(line, 0, rate={scope.number(rate)}) until {force} <= {scope.number(release)}",
+        f"    do Drive(line, 0, rate={rate.format(force=force)}) until {force} <= {scope.number(release)}",
     ]
 
 

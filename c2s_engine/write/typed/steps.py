@@ -108,10 +108,11 @@ def _u_turn(c: Course, p: Phase) -> list[Step]:
 def _reverse(c: Course, p: Phase) -> list[Step]:
     c.backwards = True
     pace = c.wanted(p, c.value or 2)
-    spec, natural = c.actor.spec, "for 3 seconds"
+    spec, back = c.actor.spec, f"do Backwards({scope.number(pace)})"
     if isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD:  # as far as onto the lane
-        natural = f"for {scope.number(reach(spec, c.actor.plan.place) / max(pace, 0.5))} seconds"
-    return [([f"do Backwards({scope.number(pace)})"], _ending(p, natural))]
+        onto = f"for {scope.number(reach(spec, c.actor.plan.place) / max(pace, 0.5))} seconds"
+        return [([back], _ending(p, onto)), (["do Backwards(0)"], "for 3 seconds")]
+    return [([back], _ending(p, "for 3 seconds"))]
 
 
 # To other lanes.

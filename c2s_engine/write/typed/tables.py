@@ -5,6 +5,7 @@ from typing import Any
 import yaml
 
 from c2s_engine.paths import shipped
+from c2s_engine.structure.quantity import high
 from c2s_engine.structure.specs import ObjectSpec
 
 _TABLES: dict[str, Any] = yaml.safe_load(shipped("writer.yaml").read_text())
@@ -36,6 +37,7 @@ def is_static(spec: ObjectSpec) -> bool:
     """Whether the object never moves."""
     if not (is_vehicle(spec.type) or is_walker(spec.type)):
         return True
-    return bool(spec.phases) and all(p.action == "stationary" for p in spec.phases) or (
-        spec.placement.position in ("parked", "partly_in_lane") and not spec.phases
-    )  # fmt: skip
+    if spec.phases:
+        return all(p.action == "stationary" for p in spec.phases)
+    stated = spec.speed is not None and high(spec.speed) > 0
+    return spec.placement.position in ("parked", "partly_in_lane") and not stated

@@ -4,9 +4,9 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
-from c2s_engine.write.typed.course import Course
+from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.tables import is_static
-from c2s_engine.write.typed.threats import IN_WAY, shown, standing
+from c2s_engine.write.typed.threats import IN_WAY, shown, standing, threatening
 
 FORCED = {"brake", "stop", "swerve", "lane_change"}
 DELAYED = {
@@ -107,13 +107,21 @@ def _obstacle(course: Course) -> str:
     return ""
 
 
+def _in_front(actor: Actor, cid: str) -> bool:
+    """Whether an object is in ego's lane ahead of it, comes onto it, or comes from elsewhere than the next lanes."""
+    spec, lane = actor.structure[cid].spec, actor.plan.lane_of.get(cid)
+    if not isinstance(spec, ObjectSpec) or "behind" in (spec.placement.position, spec.placement.along):
+        return False
+    comes = {"cut_in", "lane_change", "drift", "swerve", "lose_control"} & {p.action for p in spec.phases}
+    return lane in (0, None) or bool(comes)
+
+
 def _confronted(course: Course, phase: Phase) -> bool:
     """Whether the one that ego reacts to is, or comes, in its way."""
     a = course.actor
     cid = phase.target or getattr(a.spec, "react_to", None)
     if cid is None:
-        specs = [c.spec for c in a.structure.objects if isinstance(c.spec, ObjectSpec)]
-        return bool(a.others) and not all("behind" in (s.placement.position, s.placement.along) for s in specs)
+        return any(_in_front(a, c) for c in threatening(a.structure))
     if cid == "ego" or cid not in a.structure:
         return False
     spec = a.structure[cid].spec

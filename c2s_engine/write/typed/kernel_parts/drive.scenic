@@ -13,7 +13,7 @@ def bend_speed(points, i):
     return fastest
 
 behavior Drive(points, speed, rate=3, offset=0, shift=1.5):
-    """Follow points at `speed` (m/s, or a function that gives it), changing it by at most `rate` (m/s2);
+    """Follow points at `speed` (m/s, or a function that gives it), changing it by at most `rate` (m/s2, likewise);
     `offset` m to their left, moving there at `shift` m/s. Pure pursuit, slower in bends."""
     i, last = nearest(self, points), len(points) - 1
     left = (points[min(i + 1, last)] - points[min(i, last - 1)]).normalized().rotatedBy(90 deg)
@@ -29,6 +29,6 @@ behavior Drive(points, speed, rate=3, offset=0, shift=1.5):
         along = (points[ahead] - points[max(ahead - 1, 0)]).normalized()
         target = (points[ahead] + along.rotatedBy(90 deg) * beside - self.position).rotatedBy(-self.heading)
         steer = math.atan(1.2 * self.length * target.x / max(target.x ** 2 + target.y ** 2, 1)) / 0.8
-        step = rate * simulation().timestep
+        step = (rate() if callable(rate) else rate) * simulation().timestep
         take (SetSpeedAction(max(0, self.speed + max(-step, min(step, goal - self.speed)))),
               SetSteerAction(max(-1, min(1, steer))))

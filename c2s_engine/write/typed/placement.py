@@ -300,7 +300,7 @@ def _facing(spec: ObjectSpec, left: bool) -> str:
 
 def _hidden(structure: Structure, spec: ObjectSpec) -> Spot:
     """Right behind what hides it, as ego sees it: close ahead of the hiding object."""
-    hider = scope.reference(structure, spec.placement.hidden_by or "ego")
+    hider = scope.reference(structure, spec.placement.hidden_by or "ego").replace("[0]", "[-1]")  # of a row the last
     left = spec.placement.side == "left"
     angle = "-90 deg" if left else "90 deg"
     return Spot(

@@ -116,8 +116,11 @@ class Stage:
 
     async def still(self, pilot: Any) -> None:
         """Stop what blinks, and let the last drawing be done."""
-        for area in [*self.app.screen.query(TextArea), *self.app.screen.query(Input)]:
-            area.cursor_blink = False
+        for screen in self.app.screen_stack:
+            for area in [*screen.query(TextArea), *screen.query(Input)]:
+                area.cursor_blink = False
+                area.notify_style_update()  # a line that was drawn while the cursor was off may be kept
+                area.refresh()
         self.app.clear_notifications()
         await pilot.pause()
         await pilot.pause()

@@ -44,7 +44,7 @@ EDITS: dict[str, tuple[str, Callable[[int], str]]] = {
     "object edited, compiled": ("compile", _object("Range(15, %g)")),
     "object edited, sampled": ("sample", _object("Range(15, %g)")),
     "weather edited, compiled": ("compile", lambda i: PROGRAM.replace("'ClearNoon'", f"{{'cloudiness': {i}}}", 1)),
-    "other settings, compiled": ("compile", _settings("param timeout = %d")),
+    "other settings, compiled": ("compile", _settings("param setting_%d = 1")),
 }
 TARGETS = {  # ms: median, 95th percentile (sampled: 90th) of issue 6
     "syntax error": (20, None),

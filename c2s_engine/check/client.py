@@ -20,6 +20,7 @@ from c2s_engine.check.protocol import (
 )
 
 LINE = 256 << 20  # bytes of the longest report
+Pending = dict[int, asyncio.Future[dict[str, Any]]]
 
 
 class CheckError(RuntimeError):
@@ -38,7 +39,8 @@ class CheckClient:
         self.standins = standins
         self._process: asyncio.subprocess.Process | None = None
         self._reading: asyncio.Task[None] | None = None
-        self._pending: dict[int, asyncio.Future[dict[str, Any]]] = {}
+        self._pending: Pending = {}  # of the server that runs now
+        self._ending: set[asyncio.Task[None]] = set()
         self._ids = itertools.count(1)
         self._starting = asyncio.Lock()
         self._ready = asyncio.Event()
@@ -68,7 +70,8 @@ class CheckClient:
                 stderr=None if os.environ.get("C2S_CHECK_DEBUG") else asyncio.subprocess.DEVNULL,
                 limit=LINE,
             )
-            self._reading = asyncio.create_task(self._read(self._process))
+            self._pending = {}
+            self._reading = asyncio.create_task(self._read(self._process, self._pending))
 
     @property
     def pid(self) -> int:
@@ -119,11 +122,11 @@ class CheckClient:
 
     async def _ask(self, kind: str, body: dict[str, Any]) -> Any:
         await self.start()
-        process = self._process
+        process, pending = self._process, self._pending
         if process is None or process.stdin is None:
             raise CheckError("the check server is closed")
         key = next(self._ids)
-        future = self._pending[key] = asyncio.get_running_loop().create_future()
+        future = pending[key] = asyncio.get_running_loop().create_future()
         try:
             process.stdin.write(json.dumps({"id": key, "kind": kind, "body": body}).encode() + b"\n")
             await process.stdin.drain()
@@ -135,28 +138,39 @@ class CheckClient:
         except ConnectionError:
             raise CheckError(f"the check server ended while it worked on a {kind} request; it starts again") from None
         finally:
-            self._pending.pop(key, None)
+            pending.pop(key, None)
         if not answer.get("ok"):
             raise CheckError(answer.get("error") or "the check server gave no reason")
         return answer["body"]
 
-    async def _read(self, process: asyncio.subprocess.Process) -> None:
+    async def _read(self, process: asyncio.subprocess.Process, pending: Pending) -> None:
         assert process.stdout is not None
+        ready = self._ready
         with contextlib.suppress(ConnectionError, ValueError):
             while line := await process.stdout.readline():
                 message = json.loads(line)
                 if message.get("ready"):
-                    self._ready.set()
+                    ready.set()
                     continue
-                future = self._pending.get(message["id"])
+                if message.get("lost"):
+                    self._leave(process)
+                    continue
+                future = pending.get(message["id"])
                 if future is not None and not future.done():
                     future.set_result(message)
-        self._ready.set()
-        for future in list(self._pending.values()):
+        ready.set()
+        for future in list(pending.values()):
             if not future.done():
                 future.set_exception(ConnectionResetError())
         if process.stdin is not None:
             process.stdin.close()
+
+    def _leave(self, process: asyncio.subprocess.Process) -> None:
+        """Send nothing more to a server that is ending; what it still answers is taken."""
+        if self._process is process and self._reading is not None:
+            self._process = None
+            self._ending.add(self._reading)
+            self._reading.add_done_callback(self._ending.discard)
 
 
 class SyncCheckClient:

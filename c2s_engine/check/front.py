@@ -12,6 +12,7 @@ from c2s_engine.check.pool import Pool
 from c2s_engine.check.protocol import CheckRequest, ImportRequest, PlacesRequest
 from c2s_engine.check.supervise import check, import_program, places
 
+ENDED = "a process of the check server ended unexpectedly while it worked on this; try it again"
 LINE = 64 << 20  # bytes of the longest request
 
 
@@ -32,6 +33,7 @@ async def _serve(control: socket.socket, out: int, runner: str | None) -> None:
         line_task = asyncio.ensure_future(reader.readline())
         await asyncio.wait({line_task, lost}, return_when=asyncio.FIRST_COMPLETED)
         if lost.done():
+            _write(out, {"lost": True})
             break
         line = line_task.result()
         if not line:
@@ -73,10 +75,10 @@ async def _answer(pool: Pool, message: dict[str, Any], out: int, runner: str | N
         else:
             raise ValueError(f"unknown kind of request {kind!r}")
     except asyncio.CancelledError:
-        _write(out, {"id": key, "ok": False, "error": "cancelled"})
+        _write(out, {"id": key, "ok": False, "error": ENDED if pool.lost.is_set() else "cancelled"})
         return
     except wire.Closed:
-        _write(out, {"id": key, "ok": False, "error": "a process of the check server ended unexpectedly"})
+        _write(out, {"id": key, "ok": False, "error": ENDED})
         return
     except Exception as error:
         _write(out, {"id": key, "ok": False, "error": f"{type(error).__name__}: {error}"})

@@ -1,6 +1,7 @@
 """The warm processes: the root with Scenic, one a map, one a preamble, and the reader."""
 
 import asyncio
+import contextlib
 import os
 import socket
 from collections import OrderedDict
@@ -51,18 +52,22 @@ class Pool:
 
     async def _read(self, request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
         async with self._reading:
-            if self._reader is None:
-                self._reader = await self.root.spawn({"kind": "reader"})
-            reader = self._reader
-            try:
-                reader.writer.write(wire.encode(request))
-                return await asyncio.wait_for(wire.read(reader.reader), READ_SECONDS)
-            except (TimeoutError, wire.Closed, ConnectionError) as error:
-                reader.kill()
-                self._reader = None
-                if isinstance(error, TimeoutError):
-                    raise TooSlow from None
-                raise wire.Closed from None
+            if self._reader is not None:
+                with contextlib.suppress(wire.Closed):  # of something else, perhaps: a new reader decides
+                    return await self._ask(self._reader, request)
+            self._reader = await self.root.spawn({"kind": "reader"})
+            return await self._ask(self._reader, request)
+
+    async def _ask(self, reader: Child, request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
+        try:
+            reader.writer.write(wire.encode(request))
+            return await asyncio.wait_for(wire.read(reader.reader), READ_SECONDS)
+        except (TimeoutError, wire.Closed, ConnectionError) as error:
+            reader.kill()
+            self._reader = None
+            if isinstance(error, TimeoutError):
+                raise TooSlow from None
+            raise wire.Closed from None
 
     async def nearest(self, map_path: str, header: dict[str, Any], job: dict[str, Any], blob: bytes) -> Zygote:
         """The zygote that has most of what a program needs, as the reader's header says; makes those that are missing.

@@ -1,7 +1,8 @@
 """The check server: JSON lines in and out, one forked process a check. `python -m c2s_engine.check.server`.
 
-Messages in: {"id", "kind": "check" | "places" | "import" | "cancel", "body"}; out: {"id", "ok", "body"} and once
-{"ready": true}. The process that holds Scenic is forked before anything else is imported here.
+Messages in: {"id", "kind": "check" | "places" | "import" | "cancel", "body"}; out: {"id", "ok", "body"}, once
+{"ready": true}, and {"lost": true} where no more requests are taken because the process that holds Scenic is gone. That
+process is forked before anything else is imported here.
 """
 
 import argparse

@@ -49,8 +49,14 @@ async def check(pool: Pool, request: CheckRequest, runner: str | None) -> CheckR
         return gathered.report()
     if request.upto == "run" and not runner:
         return gathered.failed("run", started, "no_runner", "this check server was started without a runner")
-    zygote = await pool.nearest(_map_path(header["map"], request, folder), header, job, blob)
-    child = await zygote.spawn({**job, **_begun(header), "kind": "check"}, blob)
+    where = (_map_path(header["map"], request, folder), header, job, blob)
+    doing = {**job, **_begun(header), "kind": "check"}
+    zygote = await pool.nearest(*where)
+    try:
+        child = await zygote.spawn(doing, blob)
+    except wire.Closed:  # it died since it was last used
+        zygote = await pool.nearest(*where)
+        child = await zygote.spawn(doing, blob)
     try:
         return await _watch(child, request.limits, gathered)
     finally:
@@ -134,6 +140,8 @@ async def _watch(child: Child, limits: Limits, gathered: _Gathered) -> CheckRepo
         return gathered.failed(gathered.stage, started, "limit_wall", f"stopped after {limits.wall:g} s (wall time)")
     except (wire.Closed, ValueError, KeyError):
         status = await child.status()
+        if not child.zygote.alive:
+            raise wire.Closed from None
         code, message = _death(status, limits)
         return gathered.failed(gathered.stage, started, code, message)
     finally:

@@ -152,6 +152,30 @@ async def test_a_dead_server_is_started_again_and_says_so() -> None:
         assert (await client.check(request())).ok
 
 
+@pytest.mark.full
+async def test_any_process_of_the_server_may_die() -> None:
+    """What was being checked is reported or checked all the same; the next check is as good as ever."""
+    async with CheckClient() as client:
+        assert (await client.check(request())).ok
+        for number in range(1, len(_family(client.pid))):
+            endless = asyncio.create_task(client.check(request(ENDLESS, limits=Limits(wall=5))))
+            await client.check(request())
+            os.kill(_family(client.pid)[number], signal.SIGKILL)
+            try:
+                assert not (await endless).ok
+            except CheckError as error:
+                assert "ended" in str(error)
+            assert (await client.check(request())).ok
+
+
+def _family(pid: int) -> list[int]:
+    """The server's process and, in the order of their making, those under it."""
+    found = [pid]
+    for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split():
+        found += _family(int(child))
+    return sorted(found)
+
+
 def test_the_front_imports_no_scenic() -> None:
     code = "import sys, c2s_engine.check.client; print([m for m in sys.modules if m.startswith(('scenic', 'torch'))])"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout == "[]\n"

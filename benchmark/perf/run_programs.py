@@ -157,7 +157,8 @@ def main() -> int:
                 print(f"- {given.group}/{given.name}: {outcomes[-1].outcome}: {outcomes[-1].reason}", flush=True)
     print("\n" + table(outcomes))
     if options.keep:
-        RESULT.write_text(json.dumps([asdict(o) for o in outcomes], indent=1) + "\n", encoding="utf-8")
+        rows = ",\n".join(json.dumps({k: v for k, v in asdict(o).items() if v}) for o in outcomes)
+        RESULT.write_text(f"[\n{rows}\n]\n", encoding="utf-8")
     count = Counter(o.outcome for o in outcomes)
     compiled = sum(o.compiles for o in outcomes)
     return int(compiled > 0 and count["runs"] < ENOUGH * compiled)

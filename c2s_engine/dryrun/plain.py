@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
-from scenic.core import distributions, object_types, type_support, vectors
+from scenic.core import distributions, errors, object_types, type_support, vectors
 from scenic.core.vectors import Orientation, Vector
 from scenic.syntax import veneer
 from scipy.spatial.transform import Rotation
@@ -31,6 +31,7 @@ def install() -> None:
     if _installed:
         return
     _installed = True
+    errors.hiddenFolders.append(__file__)  # as Scenic's own files, it is no place of an error in a program
     codes = {
         _inner(maker)
         for maker in (

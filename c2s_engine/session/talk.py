@@ -62,7 +62,7 @@ async def say(
             if isinstance(event, Finished):
                 total = event.details.get("tokens", 0) + tokens
                 event = event.model_copy(update={"details": {**event.details, "turn": turn.kind, "tokens": total}})
-                if turn.edits and event.program.text:
+                if turn.edits and all(s.ok for s in event.stages if s.name in ("resolve", "write")):
                     yield Say(text=outcome(event))
             yield event
 

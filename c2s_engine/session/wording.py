@@ -13,13 +13,19 @@ from c2s_engine.structure.edits import Edit, EditError, SetDescription, SetField
 
 
 async def reworded(structure: Structure, edits: Sequence[Edit], tools: Any) -> tuple[list[Edit], list[str]]:
-    """The edits, each new sentence followed by the edits of fields that it means; and a sentence on each."""
+    """The edits, each new sentence followed by the edits of fields that it means; and a sentence on each.
+
+    A sentence that comes with edits of its component's fields only says what they do."""
     found: list[Edit] = []
     replies = []
+    told = {e.component for e in edits if isinstance(e, SetSpec) or isinstance(e, SetField) and not _rewords(e)}
     for edit in edits:
         after = apply(structure, edit)
         found.append(edit)
-        if _rewords(edit) and structure[edit.component].description != after[edit.component].description:
+        if not _rewords(edit) or edit.component in told:
+            structure = after
+            continue
+        if structure[edit.component].description != after[edit.component].description:
             meant, reply = await _meant(structure, after, edit.component, tools)
             found += meant
             replies.append(reply)

@@ -33,7 +33,7 @@ def changed(before: Structure, now: Structure) -> set[str]:
         ("make the lead a truck", "O1", "type", "truck"), ("remove the rain", "G", "weather", ()), ("two cyclists instead", "O2", "count", 2), ("20 m further away", "O1", "placement.gap", 50.0),
         ("start from the left", "O2", "placement.side", "left"), ("on a motorway", "R", "kind", "motorway"), ("at night", "G", "time", "night"), ("ego at 50 km/h", "E", "speed", 13.89),
         ("replace the pedestrian with a child", "O2", "type", "child"), ("use Town03", "G", "map", "Town03"), ("the lead drives 20 km/h", "O1", "speed", 5.56), ("ego should not brake", "E", "reaction", "none"),
-        ("run for 30 s", "T", "duration", 30.0), ("Can you make the lead a van?", "O1", "type", "van"), ("set the gap to 40 m", "O1", "placement.gap", 40.0), ("with three lanes", "R", "lanes", 3),
+        ("run for 30 s", "T", "duration", 30.0), ("Can you make the lead a van?", "O1", "type", "van"), ("what if it were a motorway?", "R", "kind", "motorway"), ("What if the lead were a bus?", "O1", "type", "bus"), ("set the gap to 40 m", "O1", "placement.gap", 40.0), ("with three lanes", "R", "lanes", 3),
     ],
 )  # fmt: skip
 def test_a_change_touches_only_what_was_meant(

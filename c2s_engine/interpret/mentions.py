@@ -43,6 +43,7 @@ class Cast(Nouns):
         self.of: dict[int, Entity] = {}
         self.both: dict[int, list[Entity]] = {}
         self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
+        self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD")}
         self.strong_ego = any(w.span and w.span.kind == "ego" for w in words)
         self.ego_named = self.strong_ego or any(
             w.span and w.span.kind == "label" and w.span.data["label"] == "1" for w in words

@@ -65,9 +65,12 @@ def _mentions(text: str, names: dict[str, str], told: list[re.Match[str]]) -> li
     """Where the rest of the text goes on with a name that a field explained: "the challenger cuts in"."""
     found: list[Replacement] = []
     for name, noun in names.items():
-        for match in re.finditer(rf"\b(?:the )?{re.escape(name)}\b(?!\s*[:=])", text, re.IGNORECASE):
-            if not any(field.start() <= match.start() < field.end() for field in told):
-                found.append((match.start(), match.end(), f"the {noun}"))
+        again = re.finditer(rf"\b(?:the )?{re.escape(name)}\b(?!\s*[:=])", text, re.IGNORECASE)
+        found += [
+            (match.start(), match.end(), f"the {noun}")
+            for match in again
+            if not any(field.start() <= match.start() < field.end() for field in told)
+        ]
     return found
 
 

@@ -13,6 +13,8 @@ from c2s_engine.interpret.syntax import Word
 class Nouns(Reference):
     """The part of Cast that reads nouns."""
 
+    told: set[int]  # the sentences with a finite verb
+
     def _apposed(self, word: Word) -> Entity | None:
         raise NotImplementedError
 
@@ -150,7 +152,7 @@ class Nouns(Reference):
 
     def _heading(self, sentence: int) -> bool:
         """Whether a sentence is a title: without a finite verb."""
-        return not any(w.sentence == sentence and w.tag in ("VBZ", "VBD", "VBP", "MD") for w in self.words)
+        return sentence not in self.told
 
     def _revealed(self, word: Word, kind: str) -> Entity | None:
         """The bare label that a colon explains: "V3 came into view: a disabled car"."""

@@ -1,6 +1,6 @@
 """`make bench-retrieval`: quality of embedding, BM25 and both fused; abstention; latency and memory.
 
-python -m c2s_bench.retrieval [--small] [--out FILE]
+python -m c2s_bench.retrieval [--small] [--all-new] [--out FILE]
 """
 
 import argparse
@@ -128,11 +128,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--small", action="store_true", help="leave out the 100,000 generated chunks")
     parser.add_argument("--index", type=Path, help="use (and keep) an index in this folder")
+    parser.add_argument("--all-new", action="store_true", help="embed everything, take no shipped vectors")
     parser.add_argument("--out", type=Path, help="write the figures as JSON, too")
     options = parser.parse_args()
     queries = load()
     with tempfile.TemporaryDirectory() as folder:
-        library = Library(options.index or Path(folder), None, default_threads())
+        library = Library(options.index or Path(folder), None, default_threads(), not options.all_new)
         start = time.perf_counter()
         library.embedder.load()
         loaded = time.perf_counter()

@@ -2,12 +2,12 @@
 
 from textual.binding import Binding
 from textual.events import Key
-from textual.widgets import TextArea
 
+from c2s_tui.in_order import OrderedArea
 from c2s_tui.messages import CommandAsked, Said
 
 
-class Entry(TextArea):
+class Entry(OrderedArea):
     """Posts `Said`. What is typed survives a cancelled turn, and a crash."""
 
     HELP_NAME = "chat"

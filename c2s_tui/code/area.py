@@ -5,12 +5,12 @@ from typing import Any
 
 from rich.style import Style
 from textual.document._document_navigator import DocumentNavigator
-from textual.widgets import TextArea
 from textual.widgets.text_area import TextAreaTheme
 
 from c2s_engine.structure.diagnostics import Diagnostic
 from c2s_tui.code.document import ProgramText, UnwrappedText
 from c2s_tui.code.highlight import Blocks, Highlight, stale
+from c2s_tui.in_order import OrderedArea
 from c2s_tui.look.kinds import look
 
 
@@ -26,7 +26,7 @@ def code_theme(app_theme: str) -> TextAreaTheme:
     return TextAreaTheme(name=f"c2s:{app_theme}", syntax_styles=styles)
 
 
-class CodeArea(TextArea):
+class CodeArea(OrderedArea):
     """A TextArea whose highlights come from Pygments (Textual's own are tree-sitter's)."""
 
     HELP_NAME = "code"
@@ -87,7 +87,7 @@ class CodeArea(TextArea):
             return
         row, column = self.cursor_location
         at = self.scroll_offset
-        with self.prevent(TextArea.Changed):
+        with self.prevent(self.Changed):
             self.load_text(text)
         last = self.document.line_count - 1
         self.move_cursor((min(row, last), column if row <= last else 0))

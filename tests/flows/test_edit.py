@@ -180,6 +180,9 @@ async def test_what_is_typed_ahead_is_text_and_no_command(stage):
         for key in ("f2", "x", "a"):
             stage.app.post_message(Key(key, key if len(key) == 1 else None))
         await stage.until(pilot, lambda: stage.bench.chat.entry.text == "xa")
+        for key in ("backspace", "left", "b", "right", "c"):
+            stage.app.post_message(Key(key, key if len(key) == 1 else None))
+        await stage.until(pilot, lambda: stage.bench.chat.entry.text == "bxc")
         assert len(stage.bench.session.history) == 1
 
 

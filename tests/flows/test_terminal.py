@@ -169,9 +169,9 @@ def test_an_editor_outside_copying_and_few_colours(terminal):
     editor.write_text('#!/bin/sh\nsed -i "s/^param weather.*/param weather = \'CloudyNoon\'/" "$1"\nread pressed\n')
     editor.chmod(0o755)
     terminal.start(before=f"env TERM=screen COLORTERM= EDITOR={editor}")  # the first run: the example
-    terminal.type("ty")  # while it starts
+    terminal.type("zq")  # while it starts
     terminal.shows("This is an example")
-    terminal.shows(" ty")
+    terminal.shows(" zq")
     coloured = terminal.tmux("capture-pane", "-e", "-p", "-t", "a")
     assert "\x1b[38;2;" not in coloured and "\x1b[34m" in coloured  # the terminal's own colours, not those nearest
     terminal.keys("BSpace", "BSpace")

@@ -1,0 +1,20 @@
+"""Keys one after the other. Textual inserts a letter at once, but runs what a key is bound to when the key has bubbled
+up to the app: typed fast on a busy machine, a backspace would come after the letters that follow it.
+"""
+
+from textual.events import Key
+from textual.widgets import TextArea
+
+
+class OrderedArea(TextArea):
+    """A TextArea whose own bindings run where their key stands among the others."""
+
+    async def _on_key(self, event: Key) -> None:
+        if not event.is_printable:
+            bound = self.screen.active_bindings.get(event.key)
+            if bound is not None and bound.node is self and bound.enabled:
+                event.stop()
+                event.prevent_default()
+                await self.app.run_action(bound.binding.action, self)
+                return
+        await super()._on_key(event)

@@ -166,7 +166,7 @@ def test_detach_and_attach_and_a_dropped_line_saves(terminal):
 
 def test_an_editor_outside_copying_and_few_colours(terminal):
     editor = terminal.home / "editor"
-    editor.write_text('#!/bin/sh\nsed -i "s/^param weather.*/param weather = \'CloudyNoon\'/" "$1"\nread pressed\n')
+    editor.write_text('#!/bin/sh\nsed -i "s/^param timestep.*/&  # from outside/" "$1"\nread pressed\n')
     editor.chmod(0o755)
     terminal.start(before=f"env TERM=screen COLORTERM= EDITOR={editor}")  # the first run: the example
     terminal.type("zq")  # while it starts
@@ -185,7 +185,7 @@ def test_an_editor_outside_copying_and_few_colours(terminal):
     while "This is an example" in terminal.screen and time.monotonic() < end:
         time.sleep(0.1)
     terminal.keys("Enter")
-    terminal.shows("CloudyNoon")
+    terminal.shows("# from outside")
     terminal.shows("by hand")
     end = time.monotonic() + PATIENCE
     while "Esc cancels" in terminal.screen and time.monotonic() < end:

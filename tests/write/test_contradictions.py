@@ -45,8 +45,9 @@ def test_what_is_listed_is_refused_with_its_reason(row):
         row.places or ("road",), row.positions or ("ahead",), row.actions or ("brake",)
     ):
         spec = ObjectSpec(name="a", placement=Placement(position=position), phases=(Phase(action=action),))
+        place = PlaceSpec(kind=kind, oncoming=row.oncoming or None, sidewalk=row.sidewalk or None)
         structure = Structure(
-            place=Component(id="R", spec=PlaceSpec(kind=kind, oncoming=row.oncoming or None)),
+            place=Component(id="R", spec=place),
             objects=(Component(id="O1", spec=spec),),
         )
         with pytest.raises(ResolveError) as refused:

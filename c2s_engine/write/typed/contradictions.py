@@ -20,10 +20,13 @@ class Contradiction:
     positions: frozenset[str] = frozenset()
     actions: frozenset[str] = frozenset()
     oncoming: bool = False
+    sidewalk: bool = False
 
     def holds(self, place: PlaceSpec, ego: EgoSpec, objects: Iterable[ObjectSpec]) -> bool:
         """Whether a structure's specs break it."""
-        if self.places and place.kind not in self.places or self.oncoming and not place.oncoming:
+        if self.places and place.kind not in self.places:
+            return False
+        if self.oncoming and not place.oncoming or self.sidewalk and not place.sidewalk:
             return False
         acting = [(o.placement.position, {p.action for p in o.phases}) for o in objects]
         if self.positions:
@@ -38,7 +41,9 @@ class Contradiction:
     def pairs(self, place: str | None = None, position: str | None = None, action: str | None = None) -> bool:
         """Whether it rules a pair of names out by itself (with everything else open)."""
         wanted = ((self.places, place), (self.positions, position), (self.actions, action))
-        return not self.oncoming and all(name in names if names else True for names, name in wanted if names or name)
+        return not (self.oncoming or self.sidewalk) and all(
+            name in names if names else True for names, name in wanted if names or name
+        )
 
 
 @cache
@@ -53,6 +58,7 @@ def contradictions() -> tuple[Contradiction, ...]:
             positions=frozenset(row.get("positions", ())),
             actions=frozenset(row.get("actions", ())),
             oncoming=row.get("oncoming", False),
+            sidewalk=row.get("sidewalk", False),
         )
         for row in rows
     )

@@ -17,7 +17,7 @@ def _start(spec: EgoSpec, said: EgoSpec) -> list[str]:
     point = "egoLane.centerline.pointAlongBy(EGO_AT)"
     if not pulls_out(said):
         return [f"ego = new {CLASS[spec.type]} at {point},"]
-    kerb = f"(new OrientedPoint at egoLane.group.rightEdge.project({point}), facing roadDirection at {point})"
+    kerb = f"(new OrientedPoint at egoLane.rightEdge.project({point}), facing roadDirection at {point})"
     return [
         f"ego = new {CLASS[spec.type]} at {kerb} offset by 1.4 @ 0,",
         f"    facing (roadDirection at {point}),",

@@ -210,9 +210,10 @@ def _approaching(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -
 def _oncoming(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
     line = _at(structure, cid, spec, plan, 1)
     at = position_constant(structure, cid)
+    loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
     return Spot(
         (line,),
-        (f"at oncomingLane.centerline.pointAlongBy(-({_member(spec, at)}))",),
+        (f"at oncomingLane.centerline.pointAlongBy(-({_member(spec, at)}))", *loose),
         "way(oncomingLane)",
     )
 
@@ -259,8 +260,10 @@ def _edge(spec: ObjectSpec, at: str, constant: str, point: str, lane: str, plan:
     """Beside the road: outwards from the edge of the lanes nearest to a point of the lane."""
     left = spec.placement.side == "left"
     two_way = plan.oncoming or plan.place.kind in ("intersection", "crosswalk") or plan.place.oncoming
+    outermost = lane == "egoLane" and plan.place.ego_lane == "rightmost"
+    right = f"{lane}.rightEdge" if outermost else f"{lane}.group.rightEdge"
     edge = (
-        f"{lane}.group.rightEdge"
+        right
         if not left
         else f"{lane}.group.opposite.rightEdge"
         if two_way
@@ -269,6 +272,8 @@ def _edge(spec: ObjectSpec, at: str, constant: str, point: str, lane: str, plan:
     out = {"parked": 1.4, "roadside": 1.5, "sidewalk": 3.0, "intersection_exit": 1.5}.get(spec.placement.position, 1.5)
     if is_vehicle(spec.type) and spec.placement.position == "roadside":
         out = 1.8
+    elif not is_vehicle(spec.type) and not is_walker(spec.type):  # signs and props may be wide
+        out = max(out, 2.4)
     offset = scope.number(-out if left else out)
     base = f"(new OrientedPoint at {edge}.project({point}), facing roadDirection at {point})"
     heading = f"roadDirection at {point}"

@@ -56,7 +56,9 @@ def _meaning(row: Any) -> str:
 
 
 def _row(c: Any) -> tuple[str, ...]:
-    places = ", ".join(sorted(c.places)) + (" with an oncoming lane" if c.oncoming else "")
+    places = ", ".join(sorted(c.places)) + (
+        " with an oncoming lane" if c.oncoming else " with a sidewalk" if c.sidewalk else ""
+    )
     return places, ", ".join(sorted(c.positions)), ", ".join(sorted(c.actions)), c.because
 
 

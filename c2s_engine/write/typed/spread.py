@@ -15,6 +15,7 @@ def spread(structure: Structure) -> Structure:
     """S for the writer: where two objects of a row would overlap, the one whose gap is open gets a larger one."""
     place = structure.place.spec
     speed = middle(speed_of(structure.ego.spec, place))  # type: ignore[arg-type]
+    structure = _queued_on_ramp(structure)
     taken: dict[tuple, list[tuple[float, float]]] = {}
     objects = [c for c in structure.objects if isinstance(c.spec, ObjectSpec) and not c.spec.placement.hidden_by]
     for component in sorted(objects, key=lambda c: c.spec.placement.gap is None):  # type: ignore[union-attr]
@@ -39,6 +40,24 @@ def spread(structure: Structure) -> Structure:
             structure = structure.with_component(
                 component.model_copy(update={"spec": spec.model_copy(update={"placement": moved})})
             )
+    return structure
+
+
+def _queued_on_ramp(structure: Structure) -> Structure:
+    """Of several on the on-ramp the first is timed to ego; each other comes behind the one before it."""
+    before = None
+    for component in structure.objects:
+        spec = component.spec
+        if not isinstance(spec, ObjectSpec) or spec.placement.position != "on_ramp":
+            continue
+        if before is not None:
+            last = structure[before].spec
+            assert isinstance(last, ObjectSpec)
+            gap = 8.0 + _size(last) - LENGTH[last.type]
+            behind = spec.placement.model_copy(update={"position": "behind", "of": before, "along": None, "gap": gap})
+            changed = component.model_copy(update={"spec": spec.model_copy(update={"placement": behind})})
+            structure = structure.with_component(changed)
+        before = component.id
     return structure
 
 

@@ -37,7 +37,7 @@ behavior WalkerBehavior():
         wait
     do Walk(self.heading, WALKER_SPEED)
 
-walker = new Pedestrian at (new OrientedPoint at egoLane.group.rightEdge.project(egoLane.centerline.pointAlongBy(WALKER_AT)), facing roadDirection at egoLane.centerline.pointAlongBy(WALKER_AT)) offset by 3 @ 0,
+walker = new Pedestrian at (new OrientedPoint at egoLane.rightEdge.project(egoLane.centerline.pointAlongBy(WALKER_AT)), facing roadDirection at egoLane.centerline.pointAlongBy(WALKER_AT)) offset by 3 @ 0,
     facing 90 deg relative to (roadDirection at egoLane.centerline.pointAlongBy(WALKER_AT)),
     with regionContainedIn everywhere,
     with blueprint Uniform('walker.pedestrian.0001', 'walker.pedestrian.0002', 'walker.pedestrian.0003', 'walker.pedestrian.0005', 'walker.pedestrian.0006'),

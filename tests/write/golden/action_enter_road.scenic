@@ -36,7 +36,7 @@ behavior PullerBehavior():
     line = way(egoLane)
     do Drive(line, 7, rate=3)
 
-puller = new Car at (new OrientedPoint at egoLane.group.rightEdge.project(egoLane.centerline.pointAlongBy(PULLER_AT)), facing roadDirection at egoLane.centerline.pointAlongBy(PULLER_AT)) offset by 1.4 @ 0,
+puller = new Car at (new OrientedPoint at egoLane.rightEdge.project(egoLane.centerline.pointAlongBy(PULLER_AT)), facing roadDirection at egoLane.centerline.pointAlongBy(PULLER_AT)) offset by 1.4 @ 0,
     facing (roadDirection at egoLane.centerline.pointAlongBy(PULLER_AT)),
     with regionContainedIn everywhere,
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),

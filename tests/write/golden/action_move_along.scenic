@@ -32,7 +32,7 @@ WALKER_AT = EGO_AT + 55.6 + 2.85  # m along the lane
 behavior WalkerBehavior():
     do Walk(self.heading, WALKER_SPEED)
 
-walker = new Pedestrian at (new OrientedPoint at egoLane.group.rightEdge.project(egoLane.centerline.pointAlongBy(WALKER_AT)), facing roadDirection at egoLane.centerline.pointAlongBy(WALKER_AT)) offset by 3 @ 0,
+walker = new Pedestrian at (new OrientedPoint at egoLane.rightEdge.project(egoLane.centerline.pointAlongBy(WALKER_AT)), facing roadDirection at egoLane.centerline.pointAlongBy(WALKER_AT)) offset by 3 @ 0,
     facing (roadDirection at egoLane.centerline.pointAlongBy(WALKER_AT)),
     with regionContainedIn everywhere,
     with blueprint Uniform('walker.pedestrian.0001', 'walker.pedestrian.0002', 'walker.pedestrian.0003', 'walker.pedestrian.0005', 'walker.pedestrian.0006'),

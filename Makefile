@@ -6,7 +6,7 @@ BIN = $(VENV)/bin
 STAMP = $(VENV)/.installed
 SAMPLE = "At night in the rain the ego follows a truck on a straight road at 50 km/h. After five seconds the truck brakes hard, and the ego has to brake as well."
 
-.PHONY: run test test-full nightly lint bench bench-check bench-interpret bench-retrieval bench-ui clean
+.PHONY: run test test-full nightly lint bench bench-check bench-dryrun bench-interpret bench-retrieval bench-through bench-ui clean
 
 $(VENV)/bin/python:
 	$(PYTHON) -m venv $(VENV)
@@ -49,6 +49,12 @@ bench-interpret: $(STAMP)
 
 bench-retrieval: $(STAMP)
 	$(BIN)/python -m c2s_bench.retrieval
+
+bench-dryrun: $(STAMP)
+	$(BIN)/python -m c2s_bench.perf.bench_dryrun
+
+bench-through: $(STAMP)
+	$(BIN)/python -m c2s_bench.through --records
 
 bench-ui: $(STAMP)
 	$(BIN)/python -m c2s_bench.ui

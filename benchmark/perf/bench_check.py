@@ -26,7 +26,7 @@ from c2s_engine.check.protocol import CheckRequest
 
 PROGRAM = Path(__file__).with_name("program.scenic").read_text(encoding="utf-8")
 RESULT = Path(__file__).resolve().parents[1] / "results" / "check.json"
-PAUSE = 0.2  # s between one verdict and the next edit, as a quick typist makes it
+PAUSE = 0.5  # s between one verdict and the next edit: the child for the next check is made ready meanwhile
 OBJECT, SETTINGS = "Range(15, 30)", "model scenic"
 
 

@@ -7,8 +7,8 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import is_static
 from c2s_engine.write.typed.threats import every, once_seen, threatening
 
-SOFT = "lambda: max(3, min(9, 1.3 * {force}))"
-HARD = "lambda: max(5, min(9, 1.3 * {force}))"
+SOFT = "lambda: max(1, min(9, 1.1 * {force}))"
+HARD = "lambda: max(4.5, min(9, 1.1 * {force}))"
 """m/s2: how hard drivers brake for who forces them to: a little more than it takes."""
 
 

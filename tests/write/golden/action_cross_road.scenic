@@ -22,7 +22,7 @@ behavior EgoBehavior():
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
     interrupt when need(self, walker) > 2:
-        do Drive(line, 0, rate=lambda: max(3, min(9, 1.3 * need(self, walker)))) until need(self, walker) <= 0
+        do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, walker)))) until need(self, walker) <= 0
 
 ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',

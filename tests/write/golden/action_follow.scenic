@@ -48,7 +48,7 @@ behavior FollowerBehavior():
         take SetSpeedAction(FOLLOWER_SPEED)
         do Drive(line, lambda: pace(self, ego, FOLLOWER_SPEED), rate=4)
     interrupt when most_need(self, [ego, lead]) > 3:
-        do Drive(line, 0, rate=lambda: max(3, min(9, 1.3 * most_need(self, [ego, lead])))) until most_need(self, [ego, lead]) <= 0
+        do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * most_need(self, [ego, lead])))) until most_need(self, [ego, lead]) <= 0
 
 follower = new Car at egoLane.centerline.pointAlongBy(FOLLOWER_AT),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),

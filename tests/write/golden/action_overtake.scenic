@@ -41,7 +41,7 @@ behavior PasserBehavior():
         line = way(egoLane)
         do Drive(line, PASSER_SPEED)
     interrupt when need(self, ego) > 3:
-        do Drive(line, 0, rate=lambda: max(3, min(9, 1.3 * need(self, ego)))) until need(self, ego) <= 0
+        do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, ego)))) until need(self, ego) <= 0
 
 passer = new Car at egoLane.centerline.pointAlongBy(PASSER_AT),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),

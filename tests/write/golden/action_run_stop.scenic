@@ -31,7 +31,7 @@ behavior EgoBehavior():
         do Drive(line, 0, rate=4) for 1 seconds
         do Drive(line, EGO_SPEED, rate=2)
     interrupt when need(self, runner) > 2:
-        do Drive(line, 0, rate=lambda: max(3, min(9, 1.3 * need(self, runner)))) until need(self, runner) <= 0
+        do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, runner)))) until need(self, runner) <= 0
 
 ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',

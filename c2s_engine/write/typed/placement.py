@@ -9,7 +9,7 @@ from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import EDGE
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import APPROACH_ANGLE, LANE_NAME, Plan, default_gap, speed_of, turn_of
-from c2s_engine.write.typed.tables import LENGTH, is_vehicle, is_walker
+from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, is_vehicle, is_walker
 
 
 @dataclass(frozen=True)
@@ -114,7 +114,9 @@ def _at(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, sign: int,
     half = (LENGTH[spec.type] + _of_length(structure, of)) / 2 + 0.2 if extra is None else extra
     gap = _gap(structure, cid, spec, plan)
     base = position_constant(structure, of)
-    if of not in ("ego", "E") and plan.lane_of[of] is None:
+    if _stands_there(structure, of):
+        gap = 2.0 if spec.placement.gap is None else gap
+    elif of not in ("ego", "E") and plan.lane_of[of] is None:
         base = "EGO_AT"
     op = "+" if sign > 0 else "-"
     text = scope.quantity(gap) if isinstance(gap, tuple | list) else scope.number(gap)
@@ -245,15 +247,23 @@ def _exit(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
 
 
 def _beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
-    sign = _along(spec)
-    line = (
-        _at(structure, cid, spec, plan, sign or 1)
-        if sign
-        else f"{position_constant(structure, cid)} = {position_constant(structure, spec.placement.of)}"
-    )
+    sign, of = _along(spec), spec.placement.of
+    if sign == 0 and _stands_there(structure, of):  # just in front of what takes the spot itself
+        clear = scope.number((LENGTH[spec.type] + _of_length(structure, of)) / 2 + 0.8)
+        line = f"{position_constant(structure, cid)} = {position_constant(structure, of)} + {clear}"
+    elif sign == 0:
+        line = f"{position_constant(structure, cid)} = {position_constant(structure, of)}"
+    else:
+        line = _at(structure, cid, spec, plan, sign)
     at = position_constant(structure, cid)
     point = f"egoLane.centerline.pointAlongBy({_member(spec, at, sign or 1)})"
     return _edge(spec, at, line, point, "egoLane", plan)
+
+
+def _stands_there(structure: Structure, of: str) -> bool:
+    """Whether the one that an object is placed by is itself beside the road."""
+    other = structure[of].spec if of in structure and of not in ("ego", "E") else None
+    return isinstance(other, ObjectSpec) and other.placement.position in MOVES_OFF_ROAD
 
 
 def _edge(spec: ObjectSpec, at: str, constant: str, point: str, lane: str, plan: Plan) -> Spot:
@@ -262,13 +272,7 @@ def _edge(spec: ObjectSpec, at: str, constant: str, point: str, lane: str, plan:
     two_way = plan.oncoming or plan.place.kind in ("intersection", "crosswalk") or plan.place.oncoming
     outermost = lane == "egoLane" and plan.place.ego_lane == "rightmost"
     right = f"{lane}.rightEdge" if outermost else f"{lane}.group.rightEdge"
-    edge = (
-        right
-        if not left
-        else f"{lane}.group.opposite.rightEdge"
-        if two_way
-        else f"{lane}.group.leftEdge"
-    )
+    edge = right if not left else f"{lane}.group.opposite.rightEdge" if two_way else f"{lane}.group.leftEdge"
     out = {"parked": 1.4, "roadside": 1.5, "sidewalk": 3.0, "intersection_exit": 1.5}.get(spec.placement.position, 1.5)
     if is_vehicle(spec.type) and spec.placement.position == "roadside":
         out = 1.8

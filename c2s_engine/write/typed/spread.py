@@ -4,7 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed.plan import APPROACH_ANGLE, default_gap, speed_of
-from c2s_engine.write.typed.tables import LENGTH
+from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, is_vehicle
 
 _ROW = {"partly_in_lane": "ahead", "roadside": "kerb", "sidewalk": "kerb", "parked": "kerb"}
 ROOM = 3.0
@@ -17,7 +17,7 @@ def spread(structure: Structure) -> Structure:
     speed = middle(speed_of(structure.ego.spec, place))  # type: ignore[arg-type]
     structure = _queued_on_ramp(structure)
     taken: dict[tuple, list[tuple[float, float]]] = {}
-    objects = [c for c in structure.objects if isinstance(c.spec, ObjectSpec) and not c.spec.placement.hidden_by]
+    objects = [c for c in structure.objects if isinstance(c.spec, ObjectSpec) and not _right_behind(c.spec)]
     for component in sorted(objects, key=lambda c: c.spec.placement.gap is None):  # type: ignore[union-attr]
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
@@ -41,6 +41,12 @@ def spread(structure: Structure) -> Structure:
                 component.model_copy(update={"spec": spec.model_copy(update={"placement": moved})})
             )
     return structure
+
+
+def _right_behind(spec: ObjectSpec) -> bool:
+    """Whether it stands by what hides it, wherever that is."""
+    beside = spec.placement.position in MOVES_OFF_ROAD and not is_vehicle(spec.type)
+    return beside and spec.placement.hidden_by is not None
 
 
 def _queued_on_ramp(structure: Structure) -> Structure:

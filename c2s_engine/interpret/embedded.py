@@ -1,7 +1,6 @@
 """The embedded interpreter: text to S by rules over a parsed text, without a language model."""
 
 import re
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -29,10 +28,7 @@ class Interpretation:
 
 
 class EmbeddedInterpreter:
-    """Reads driving scenarios; `embed` may give sentence vectors for paraphrases that the tables do not know."""
-
-    def __init__(self, embed: Callable[[list[str]], Any] | None = None) -> None:
-        self.embed = embed
+    """Reads driving scenarios by grammar and tables; no model is asked."""
 
     def interpret(self, text: str, structure: Structure | None = None) -> Interpretation:
         """S of a text; raises InterpretError where nothing of a driving scene is said."""
@@ -45,9 +41,7 @@ class EmbeddedInterpreter:
             return self._read(text)
         except InterpretError:
             raise
-        except (
-            Exception
-        ) as error:  # any text gives S or a sentence: what defeats the rules must not reach the user as a traceback
+        except Exception as error:  # any text gives S or a sentence, never a traceback
             raise InterpretError(
                 f"This text defeats the embedded interpreter ({type(error).__name__}): say it in shorter, "
                 f"plainer sentences."

@@ -7,6 +7,7 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.plan import LANE_NAME, Plan, speed_of
+from c2s_engine.write.typed.tables import is_static
 
 EDGE = 1.6
 """m from the lane's middle to where those partly in it start, and riders stay."""
@@ -115,7 +116,7 @@ class Course:
         if phase.target in (None, "ego"):
             return 0 if self.actor.is_ego else plan.ego_speed
         spec = self.actor.structure[phase.target].spec
-        return middle(speed_of(spec, plan.place)) if isinstance(spec, ObjectSpec) else 0
+        return middle(speed_of(spec, plan.place)) if isinstance(spec, ObjectSpec) and not is_static(spec) else 0
 
     def catching_up(self, phase: Phase) -> float | None:
         """The speed (m/s) at which it gets ahead of the phase's target, where it starts abreast of or behind it."""
@@ -133,6 +134,14 @@ class Course:
     def oncoming(self) -> bool:
         placement = getattr(self.actor.spec, "placement", None)
         return bool(placement and placement.position in ("oncoming_lane", "opposite_approach"))
+
+    def oncoming_both(self, phase: Phase) -> bool:
+        """Whether it and the phase's target both come from the other direction."""
+        known = phase.target is not None and phase.target in self.actor.structure
+        target = self.actor.structure[phase.target].spec if known and phase.target else None
+        own = self.actor.spec
+        both = (own, target)
+        return all(isinstance(s, ObjectSpec) and s.placement.position == "oncoming_lane" for s in both)
 
     @property
     def on_ramp(self) -> bool:

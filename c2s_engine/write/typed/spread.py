@@ -18,7 +18,7 @@ def spread(structure: Structure) -> Structure:
     structure = _queued_on_ramp(structure)
     taken: dict[tuple, list[tuple[float, float]]] = {}
     objects = [c for c in structure.objects if isinstance(c.spec, ObjectSpec) and not _right_behind(c.spec)]
-    for component in sorted(objects, key=lambda c: c.spec.placement.gap is None):  # type: ignore[union-attr]
+    for component in sorted(objects, key=lambda c: (c.spec.placement.gap is None, _comes_later(c.spec))):  # type: ignore
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
         row, size = taken.setdefault(_row(spec), []), _size(spec)
@@ -41,6 +41,12 @@ def spread(structure: Structure) -> Structure:
                 component.model_copy(update={"spec": spec.model_copy(update={"placement": moved})})
             )
     return structure
+
+
+def _comes_later(spec: ObjectSpec) -> bool:
+    """Whether it is an oncoming one that overtakes another: it starts further off."""
+    passes = any(p.action == "overtake" and p.target not in (None, "ego") for p in spec.phases)
+    return passes and spec.placement.position == "oncoming_lane"
 
 
 def _right_behind(spec: ObjectSpec) -> bool:

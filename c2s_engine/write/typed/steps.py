@@ -154,6 +154,9 @@ def _overtake(c: Course, p: Phase) -> list[Step]:
     other = c.actor.ref(p.target)
     c.set(c.wanted(p, max(c.value, c.target_speed(p) + 5)))
     past = f"until lead_on(self, {other}) > 12 + self.length"
+    if c.oncoming_both(p):  # by ego's lane
+        aside = c.drive(offset=scope.number(LANE_WIDTH), shift=2)
+        return [([aside], past), ([c.drive()], "for 5 seconds")]
     if not c.same_lane(p) or c.lane is None:
         return [([c.drive()], past)]
     home, offsets = c.lane, c.actor.plan.offsets

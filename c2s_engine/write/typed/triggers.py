@@ -47,8 +47,11 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return f"until {seen + ' and ' if seen else ''}need(self, {a.ref(cid)}) > {limit}"
     if phase.action == "cut_in":
         return f"until 5 < lead_on(self, {a.ref(phase.target)}) - self.length < {scope.number(_cut_in_gap(course))}"
-    if phase.action == "overtake" and course.lane is not None and course.same_lane(phase):
-        return f"until (distance from self to {a.ref(phase.target)}) < 12 + 0.8 * self.speed"
+    if phase.action == "overtake" and (
+        course.oncoming_both(phase) or course.lane is not None and course.same_lane(phase)
+    ):
+        near = "10 + 1.6 * self.speed" if course.target_speed(phase) > 0 else "12 + 0.8 * self.speed"  # it may follow
+        return f"until (distance from self to {a.ref(phase.target)}) < {near}"
     if obstacle := _obstacle(course) if phase.action in ("swerve", "cut_out", "lane_change") else "":
         return f"until (distance from self to {obstacle}) < 12 + 1.3 * self.speed"
     if not first or phase.action not in DELAYED or a.value <= 0:

@@ -35,7 +35,7 @@ behavior PasserBehavior():
     line = way(egoLane)
     try:
         take SetSpeedAction(PASSER_SPEED)
-        do Drive(line, PASSER_SPEED) until (distance from self to ego) < 12 + 0.8 * self.speed
+        do Drive(line, PASSER_SPEED) until (distance from self to ego) < 10 + 1.6 * self.speed
         line = way(leftLane)
         do Drive(line, PASSER_SPEED) until lead_on(self, ego) > 12 + self.length
         line = way(egoLane)

@@ -21,9 +21,7 @@ behavior Drive(points, speed, rate=3, offset=0, shift=1.5):
     while True:
         while i < last - 1 and (distance from self to points[i + 2]) <= (distance from self to points[i]):
             i += 1
-        goal = min(speed() if callable(speed) else speed, bend_speed(points, i))
-        if i > last - 3:
-            goal = 0
+        goal = min(speed() if callable(speed) else speed, bend_speed(points, i), math.sqrt(12 * max(last - i - 4, 0)))
         beside += max(-shift, min(shift, 10 * (offset - beside))) * simulation().timestep
         ahead = min(i + 2 + int(0.35 * self.speed), last)
         along = (points[ahead] - points[max(ahead - 1, 0)]).normalized()

@@ -140,10 +140,10 @@ class Cast(Nouns):
         if host and not host.ego and not host.label:
             host.label = label
             return host
-        kind = language.actor_nouns()[data["word"]][0] if " " in label else "vehicle"
-        return self._new(
-            Entity("", kind, noun=data["word"] if " " in label else "", label=label, typed=kind != "vehicle")
-        )
+        noun = data["word"] if data["word"] in language.actor_nouns() else label.rsplit(" ", 1)[0]  # "van a" by "a"
+        known = " " in label and noun in language.actor_nouns()
+        kind = language.actor_nouns()[noun][0] if known else "vehicle"
+        return self._new(Entity("", kind, noun=noun if known else "", label=label, typed=kind != "vehicle"))
 
     def _become_ego(self, entity: Entity) -> None:
         if entity.type != "vehicle":

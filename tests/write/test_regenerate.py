@@ -7,9 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from c2s_engine.structure.components import Structure
+from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import AddObject, EditError, SetField, apply
 from c2s_engine.structure.regenerate import dirty, key_of, reach, regenerate
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement
 from c2s_engine.write.typed import ResolveError
 
 
@@ -34,6 +35,10 @@ def an_edit(structure: Structure, seed: int):
             SetField(component=cid, path="speed", value=round(rng.uniform(1, 20), 1)),
             SetField(component=cid, path="type", value=rng.choice(["car", "truck", "van"])),
             SetField(component=cid, path="placement.gap", value=round(rng.uniform(5, 60), 1)),
+            SetField(component=cid, path="placement.position", value=rng.choice(["ahead", "left_lane", "behind"])),
+            SetField(component=cid, path="placement.hidden_by", value=rng.choice([None, "O1"])),
+            SetField(component=cid, path="phases", value=[{"action": rng.choice(["cut_in", "keep_lane"])}]),
+            SetField(component="E", path="phases", value=[{"action": rng.choice(["lane_change", "brake"])}]),
         ]
     return rng.choice(choices)
 
@@ -80,3 +85,24 @@ def test_writing_is_a_function_of_the_structure(writer, seed):
         assert regenerate(draws.structure(seed), [], writer) == regenerate(draws.structure(seed), [], writer)
     except ResolveError:
         pytest.skip("contradictory draw")
+
+
+@pytest.mark.parametrize("action", ["lane_change", "brake"])
+@pytest.mark.parametrize(
+    "edit",
+    [
+        SetField(component="O1", path="placement.position", value="ahead"),
+        SetField(component="O1", path="phases", value=[{"action": "cut_in"}]),
+    ],
+    ids=["its place", "what it does"],
+)
+def test_ego_is_written_anew_where_what_it_reacts_to_changes(writer, edit, action):
+    """Nobody is named in ego's spec: its fragment still rests on how the others stand to it."""
+    start = Structure(
+        ego=Component(id="E", spec=EgoSpec(speed=20, phases=(Phase(action=action),))),
+        objects=(Component(id="O1", spec=ObjectSpec(name="a", speed=12, placement=Placement(position="left_lane"))),),
+    )
+    structure, _ = regenerate(start, [], writer)
+    after, written = regenerate(structure, [edit], writer)
+    assert after == regenerate(fresh(after), [], writer)[0]
+    assert "E" in written

@@ -1,4 +1,4 @@
-"""The typed writer: renders each component's spec, and says whose specs it looks at for that."""
+"""The typed writer: renders each component's spec, and says when a fragment is no longer what it would render."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -8,9 +8,7 @@ from c2s_engine.maps.expressions import PlaceCode, place_code
 from c2s_engine.maps.extras import MapExtras
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.quantity import high
-from c2s_engine.structure.regenerate import spec_references
-from c2s_engine.structure.specs import ObjectSpec
-from c2s_engine.write.typed import kernel, scope
+from c2s_engine.write.typed import kernel
 from c2s_engine.write.typed.ego import write_ego
 from c2s_engine.write.typed.objects import write_object
 from c2s_engine.write.typed.place import candidates, write_place
@@ -18,8 +16,6 @@ from c2s_engine.write.typed.plan import Plan, make_plan
 from c2s_engine.write.typed.restrictions import write_restrictions
 from c2s_engine.write.typed.settings import write_settings
 from c2s_engine.write.typed.spread import spread
-from c2s_engine.write.typed.tables import is_static
-from c2s_engine.write.typed.threats import threatening
 
 
 @dataclass(frozen=True)
@@ -46,59 +42,23 @@ class TypedWriter:
         return {"writer": self.name, "version": 1, "map": self.map.digest, "room": self.room}
 
     def reads(self, structure: Structure, cid: ComponentId) -> frozenset[ComponentId]:
-        """The objects that the component's spec names; what else it rests on comes through the plan (`inputs`)."""
-        return spec_references(structure, cid) - {"E"}
+        """No fragment is looked at: what is rendered rests on specs alone, and those are in `inputs`."""
+        return frozenset()
 
     def inputs(self, structure: Structure, cid: ComponentId) -> Any:
-        """The facts of the plan, and of the objects named, that the fragment rests on."""
-        if cid == "G":
-            return []
-        structure = spread(structure)
-        plan = make_plan(structure, self.room)
-        return [self._facts(structure, cid, plan), structure[cid].spec.model_dump(mode="json") if cid[0] == "O" else 0]
-
-    def _facts(self, structure: Structure, cid: ComponentId, plan: Plan) -> Any:
-        if cid == "T":
-            return [plan.duration, self._named(structure, cid)]
-        if cid == "R":
-            return [self._place_facts(plan), sorted(self._kernel(structure, plan))]
-        facts: list[Any] = [
-            plan.place.kind, plan.place.control, plan.place.manoeuvre, plan.place.oncoming, round(plan.ego_speed, 2),
-            plan.distance, structure.ego.spec.model_dump(include={"reaction", "phases"}), sorted(plan.offsets),
-            [a for a in plan.approaches if cid != "E"], self._named(structure, cid),
-        ]  # fmt: skip
-        still = [[c.id, c.spec.model_dump(mode="json", include={"type", "placement"})] for c in structure.objects if
-                 isinstance(c.spec, ObjectSpec) and is_static(c.spec)]  # fmt: skip
-        facts.append([s for s in still if s[0] != cid])
-        facts.append([[o, scope.variables(structure)[o]] for o in plan.leads.get(cid, ())])
-        if cid == "E":
-            return [
-                *facts,
-                [[o, scope.variables(structure)[o]] for o in threatening(structure)],
-                structure.settings.spec.model_dump().get("light"),
-            ]
-        return facts
-
-    def _place_facts(self, plan: Plan) -> list[Any]:
-        return [
-            plan.place.model_dump(mode="json"), plan.before, plan.after if plan.distance is None else 0, plan.distance,
-            sorted(plan.offsets), plan.base, plan.approaches, plan.oncoming, plan.ramp, plan.exit_lane,
-        ]  # fmt: skip
-
-    def _named(self, structure: Structure, cid: ComponentId) -> list[Any]:
-        names = scope.variables(structure)
-        others = sorted(spec_references(structure, cid) - {"E"})
-        own = [names.get(cid)]
-        return own + [[names[o], structure[o].spec.model_dump(mode="json", exclude_defaults=True)] for o in others]
+        """What would be written now: whatever of S the fragment rests on, its key changes exactly when it does."""
+        return "" if cid == "G" else self._rendered(structure, cid)
 
     def write(self, structure: Structure, cid: ComponentId) -> Component:
         """The component with its fragment; raises ResolveError where specs contradict each other."""
         component = structure[cid]
-        structure = spread(structure)
-        plan = make_plan(structure, self.room)
-        body = self._body(structure, cid, plan)
         border = f"## {cid}: {_one_line(component.description)}".rstrip(": ").rstrip()
-        return component.model_copy(update={"code": f"{border}\n{body}\n", "origin": "rendered", "conflict": None})
+        code = f"{border}\n{self._rendered(structure, cid)}\n"
+        return component.model_copy(update={"code": code, "origin": "rendered", "conflict": None})
+
+    def _rendered(self, structure: Structure, cid: ComponentId) -> str:
+        structure = spread(structure)
+        return self._body(structure, cid, make_plan(structure, self.room))
 
     def _body(self, structure: Structure, cid: ComponentId, plan: Plan) -> str:
         if cid == "G":

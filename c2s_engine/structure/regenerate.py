@@ -11,7 +11,7 @@ from typing import Any, Protocol
 
 from c2s_engine.structure import names
 from c2s_engine.structure.components import Component, ComponentId, Structure
-from c2s_engine.structure.edits import Edit, apply, references
+from c2s_engine.structure.edits import Edit, apply
 
 
 class FragmentWriter(Protocol):
@@ -124,11 +124,6 @@ def _conflicts(before: Structure, after: Structure, writer: FragmentWriter) -> S
             if offered.strip() != component.code.strip():
                 after = after.with_component(component.model_copy(update={"conflict": offered}))
     return after
-
-
-def spec_references(structure: Structure, cid: ComponentId) -> frozenset[ComponentId]:
-    """The components that a component's spec names."""
-    return frozenset(r for r in references(structure[cid]) if r in structure)
 
 
 def code_references(structure: Structure, cid: ComponentId) -> frozenset[ComponentId]:

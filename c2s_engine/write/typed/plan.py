@@ -230,6 +230,8 @@ def _leads(
     movers = [c for c, o in objects.items() if is_vehicle(o.type) and not is_static(o) and lane_of[c] is not None]
 
     def before(cid: str, other: str) -> bool:
+        if other != "ego" and lanes[other] == 0 and any(p.action == "cut_in" for p in objects[cid].phases):
+            return other != cid  # whom it finds there, wherever it comes from
         same = lanes[other] == lane_of[cid] or other == "ego" and lane_of[cid] in comes
         return same and other != cid and at[other] > at[cid]
 

@@ -1,6 +1,7 @@
 """The typed writer: spec to Scenic, closed under compilation."""
 
-from c2s_engine.write.typed.plan import Plan, ResolveError, make_plan
+from c2s_engine.write.typed.contradictions import ResolveError
+from c2s_engine.write.typed.plan import Plan, make_plan
 from c2s_engine.write.typed.writer import TypedWriter
 
 __all__ = ["Plan", "ResolveError", "TypedWriter", "make_plan"]

@@ -10,6 +10,14 @@ from c2s_engine.paths import shipped
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
 
 
+class ResolveError(ValueError):
+    """Specs that contradict each other; `fields` names them."""
+
+    def __init__(self, message: str, fields: tuple[str, ...]):
+        super().__init__(message)
+        self.fields = fields
+
+
 @dataclass(frozen=True)
 class Contradiction:
     """One row: all that is given must hold for it to apply; `places`, `positions` and `actions` are alternatives."""

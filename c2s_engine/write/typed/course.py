@@ -6,8 +6,9 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
-from c2s_engine.write.typed.plan import LANE_NAME, Plan, speed_of
-from c2s_engine.write.typed.tables import is_static
+from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.tables import LANE_NAME, is_static
+from c2s_engine.write.typed.usual import speed_of
 
 EDGE = 1.6
 """m from the lane's middle to where those partly in it start, and riders stay."""

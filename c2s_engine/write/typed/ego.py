@@ -5,9 +5,11 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec
 from c2s_engine.write.typed import behaviour, reactions, scope
 from c2s_engine.write.typed.course import Actor
-from c2s_engine.write.typed.plan import Plan, pulls_out, speed_of
+from c2s_engine.write.typed.lanes import pulls_out
+from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS
 from c2s_engine.write.typed.threats import threatening
+from c2s_engine.write.typed.usual import speed_of
 
 DEFAULT_MODEL = "vehicle.lincoln.mkz_2017"
 

@@ -6,8 +6,9 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import behaviour, reactions, scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.placement import Spot, place_object
-from c2s_engine.write.typed.plan import Plan, reach, speed_of, turn_of
+from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS, ROLE, is_static, is_vehicle, is_walker
+from c2s_engine.write.typed.usual import reach, speed_of, turn_of
 
 
 def write_object(structure: Structure, cid: str, plan: Plan) -> str:

@@ -2,8 +2,9 @@
 
 from c2s_engine.maps.expressions import PlaceCode
 from c2s_engine.write.typed import kernel
-from c2s_engine.write.typed.plan import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME, Plan
+from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.scope import number, quantity
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME
 
 
 def write_place(plan: Plan, code: PlaceCode, parts: frozenset[str]) -> str:

@@ -8,8 +8,9 @@ from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import EDGE
 from c2s_engine.write.typed.place import approach_name
-from c2s_engine.write.typed.plan import APPROACH_ANGLE, LANE_NAME, Plan, default_gap, speed_of, turn_of
-from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, is_vehicle, is_walker
+from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_NAME, LENGTH, MOVES_OFF_ROAD, is_vehicle, is_walker
+from c2s_engine.write.typed.usual import default_gap, speed_of, turn_of
 
 
 @dataclass(frozen=True)

@@ -3,8 +3,8 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import ObjectSpec
-from c2s_engine.write.typed.plan import APPROACH_ANGLE, default_gap, speed_of
-from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, is_vehicle
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, MOVES_OFF_ROAD, is_vehicle
+from c2s_engine.write.typed.usual import default_gap, speed_of
 
 _ROW = {"partly_in_lane": "ahead", "roadside": "kerb", "sidewalk": "kerb", "parked": "kerb"}
 ROOM = 3.0

@@ -6,8 +6,8 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
-from c2s_engine.write.typed.plan import LANE_NAME, reach
-from c2s_engine.write.typed.tables import MOVES_OFF_ROAD
+from c2s_engine.write.typed.tables import LANE_NAME, MOVES_OFF_ROAD
+from c2s_engine.write.typed.usual import reach
 
 LANE_WIDTH = 3.5
 """m, of most maps' lanes."""

@@ -19,6 +19,16 @@ WEATHER: dict[str, dict[str, float]] = _TABLES["weather"]
 SUN: dict[str, float] = _TABLES["sun"]
 RESERVED: frozenset[str] = frozenset(_TABLES["reserved"])
 MOVES_OFF_ROAD = {"roadside", "sidewalk", "parked"}
+JUNCTION = {"intersection", "roundabout"}
+RAMP = {"on_ramp", "off_ramp"}
+APPROACH_ANGLE = {"crossing_left": -90, "crossing_right": 90, "opposite_approach": 180}
+APPROACH_NAME = {
+    "crossing_left": "leftApproach",
+    "crossing_right": "rightApproach",
+    "opposite_approach": "oppositeApproach",
+}
+LANE_NAME = {-2: "farRightLane", -1: "rightLane", 0: "egoLane", 1: "leftLane", 2: "farLeftLane"}
+TURN = {"turn_left": "LEFT_TURN", "turn_right": "RIGHT_TURN", "go_straight": "STRAIGHT", "u_turn": "U_TURN"}
 
 _VEHICLES = {"car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle"}
 _WALKERS = {"pedestrian", "child", "animal"}

@@ -1,0 +1,136 @@
+"""Who drives where: the lanes that positions and manoeuvres refer to, counted from ego's, and who leads whom there."""
+
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.write.typed.contradictions import ResolveError
+from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, is_static, is_vehicle
+from c2s_engine.write.typed.usual import default_gap
+
+
+def all_phases(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> list[Phase]:
+    return [*ego.phases, *(p for o in objects.values() for p in o.phases)]
+
+
+def lane_offset(cid: str, objects: dict[str, ObjectSpec], seen: tuple[str, ...] = ()) -> int | None:
+    """How many lanes to the left of ego's an object starts; None: on no lane of ego's direction."""
+    placement = objects[cid].placement
+    if cid in seen:
+        raise ResolveError(f"{cid} is placed relative to itself", (f"{cid}.placement.of",))
+    of: int | None = 0
+    if placement.of != "ego":
+        if placement.of not in objects:
+            raise ResolveError(
+                f"{cid} is placed relative to {placement.of}, which is not there", (f"{cid}.placement.of",)
+            )
+        of = lane_offset(placement.of, objects, (*seen, cid))
+    step = {"ahead": 0, "behind": 0, "partly_in_lane": 0, "left_lane": 1, "right_lane": -1}.get(placement.position)
+    if placement.position == "beside":
+        step = -1 if placement.side == "right" else 1
+    return None if of is None or step is None else of + step
+
+
+def leads(
+    ego: EgoSpec, objects: dict[str, ObjectSpec], lane_of: dict[str, int | None], speed: float, place: PlaceSpec
+) -> dict[str, tuple[str, ...]]:
+    """Who starts ahead of each moving vehicle in its lane, ego included."""
+    at = {"ego": 0.0}
+    for cid, o in objects.items():  # each is placed by one before it
+        placement = o.placement
+        gap = middle(placement.gap) if placement.gap is not None else default_gap(o, speed, place)
+        behind = placement.along == "behind" or (placement.position == "behind" and placement.along is None)
+        abreast = placement.position == "beside" or placement.along == "abreast"
+        own = gap + LENGTH[o.type] / 2 + 2.5
+        at[cid] = at.get(placement.of, 0.0) + (0.0 if abreast else -own if behind else own)
+    lanes: dict[str, int | None] = {"ego": 0, **lane_of}
+    changes = ego.reaction == "evade" or {"lane_change", "overtake", "cut_in"} & {p.action for p in ego.phases}
+    comes = (1, -1) if changes else ()  # the lanes that ego may come to
+    movers = [c for c, o in objects.items() if is_vehicle(o.type) and not is_static(o) and lane_of[c] is not None]
+
+    def before(cid: str, other: str) -> bool:
+        if other != "ego" and lanes[other] == 0 and any(p.action == "cut_in" for p in objects[cid].phases):
+            return other != cid  # whom it finds there, wherever it comes from
+        same = lanes[other] == lane_of[cid] or other == "ego" and lane_of[cid] in comes
+        return same and other != cid and at[other] > at[cid]
+
+    return {c: tuple(o for o in at if before(c, o)) for c in movers if objects[c].placement.facing != "against"}
+
+
+def needs_oncoming(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> bool:
+    if any(o.placement.position == "oncoming_lane" for o in objects.values()):
+        return True
+    return any(p.action in ("oncoming", "u_turn") for p in all_phases(ego, objects))
+
+
+def offsets_of(
+    place: PlaceSpec, ego: EgoSpec, objects: dict[str, ObjectSpec], lane_of: dict[str, int | None]
+) -> frozenset[int]:
+    """All lane offsets that positions and lane changes reach."""
+    used = {0} | {k for k in lane_of.values() if k is not None}
+    if place.kind == "off_ramp" and place.ego_lane in ("middle", "leftmost"):
+        used.add(-1)
+    movers = [(0, ego.phases, ego)] + [(lane_of[c], o.phases, o) for c, o in objects.items()]
+    one_lane = place.lanes is None and (place.oncoming is True or place.kind == "roundabout")
+    narrow = place.lanes == 1 or one_lane  # lane changes then go by the oncoming lane or the verge
+    for start, phases, spec in movers:
+        k = start
+        for phase in phases:
+            if k is None:
+                break
+            if phase.action in ("lane_change", "cut_out") and not (narrow and used == {0}):
+                k += -1 if phase.side == "right" else 1
+            elif phase.action == "cut_in":
+                k = 0
+            elif phase.action == "overtake" and k in (0, lane_of.get(phase.target or "", 0)) and not narrow:
+                used.add(k + (-1 if phase.side == "right" else 1))
+            used.add(k)
+        if spec is ego and ego.reaction == "evade" and not narrow:
+            used.add(1)
+    return frozenset(used)
+
+
+def pulls_out(ego: EgoSpec) -> bool:
+    """Whether ego stands at the kerb at first and pulls out from there."""
+    return bool(ego.phases) and ego.phases[0].action == "enter_road"
+
+
+def kerb_side(objects: dict[str, ObjectSpec]) -> str | None:
+    """The side of the road on which somebody waits to cross or stands: ego drives next to it."""
+    sides = [o.placement.side or "right" for o in objects.values() if o.placement.position in MOVES_OFF_ROAD]
+    return sides[0] if sides else None
+
+
+def lanes_for(place: PlaceSpec, offsets: frozenset[int], beside: str | None) -> tuple[PlaceSpec, int, frozenset[int]]:
+    """Ego's lane and the number of lanes, so that every offset exists."""
+    left, right = max(offsets), -min(offsets)
+    needed = 1 + left + right
+    if needed > 3:
+        raise ResolveError(
+            "more than three neighbouring lanes are referred to; maps have three", ("R.lanes", "O.placement")
+        )
+    wish = place.ego_lane
+    if wish is None and (left or right):
+        wish = "middle" if left and right else "rightmost" if left else "leftmost"
+    if wish is None and beside:
+        wish = "rightmost" if beside == "right" else "leftmost"
+    if wish == "rightmost" and right or wish == "leftmost" and left or wish == "middle" and max(left, right) > 1:
+        side = "right" if wish == "rightmost" else "left"
+        raise ResolveError(
+            f"ego is in the {wish} lane, but something refers to a lane on its {side}: "
+            "change R.ego_lane or the placement",
+            ("R.ego_lane", "O.placement.position"),
+        )
+    lanes = max(place.lanes or 0, needed, 3 if wish == "middle" else 2 if wish and (left or right) else 0)
+    base = {"rightmost": 0, "leftmost": -1, "middle": 1, None: 0}[wish]
+    update: dict = {"ego_lane": wish, "lanes": lanes or place.lanes}
+    return place.model_copy(update=update), base, offsets
+
+
+def ramp_lanes(place: PlaceSpec, offsets: frozenset[int], ramp: bool) -> tuple[PlaceSpec, int, frozenset[int]]:
+    """At a ramp ego's lane is given: the ramp itself, the rightmost lane, or (leaving) one to the left of that."""
+    left, right = max(offsets), -min(offsets)
+    most_left, most_right = (1, 0) if place.kind == "on_ramp" else (1, 1) if place.kind == "off_ramp" else (2, 0)
+    if left > most_left or right > most_right:
+        raise ResolveError("at this ramp there is no such neighbouring lane", ("R.kind", "O.placement.position"))
+    if place.kind == "on_ramp":
+        offsets |= {1}
+    return place.model_copy(update={"ego_lane": None, "lanes": None}), 0, offsets

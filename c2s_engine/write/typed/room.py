@@ -1,0 +1,110 @@
+"""How much road a structure takes: behind ego's start, ahead of it, and up to the junction, ramp or crosswalk, in m."""
+
+import math
+
+from c2s_engine.structure.quantity import high, low, middle
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
+from c2s_engine.write.typed.contradictions import ResolveError
+from c2s_engine.write.typed.lanes import all_phases
+from c2s_engine.write.typed.tables import JUNCTION, LENGTH, RAMP, is_static, is_vehicle
+from c2s_engine.write.typed.usual import default_gap, speed_of
+
+LONGEST_APPROACH = 200.0
+"""m of lane before a junction that maps can be expected to have."""
+_BESIDE = {"partly_in_lane", "parked", "roadside", "sidewalk"}
+
+
+def before(ego: EgoSpec, objects: dict[str, ObjectSpec], speed: float) -> float:
+    """How much lane there must be behind ego's start, m."""
+
+    def back(o: ObjectSpec, depth: int = 0) -> float:
+        """How far behind ego an object reaches."""
+        gap = high(o.placement.gap) if o.placement.gap is not None else default_gap(o, speed)
+        step = LENGTH[o.type] + (high(o.spacing) if o.spacing is not None else 3.0)
+        behind = o.placement.along == "behind" or (o.placement.position == "behind" and o.placement.along is None)
+        own = (gap + LENGTH[o.type] + 10 + (o.count - 1) * step) * (1 if behind else -1)
+        parent = objects.get(o.placement.of)
+        return max(own, 0) + (back(parent, depth + 1) if parent and depth < 8 else 0)
+
+    reach = max((back(o) for o in objects.values()), default=0)
+    backing = 20 if any(p.action == "reverse" for p in ego.phases) else 0
+    return math.ceil(max(25.0, reach) + backing)
+
+
+def _furthest(objects: dict[str, ObjectSpec]) -> float:
+    """How far ahead of ego the furthest object on its way starts, m."""
+
+    def at(o: ObjectSpec, seen: int = 0) -> float:
+        here = high(o.placement.gap) if o.placement.gap is not None else default_gap(o, 14)
+        here += (o.count - 1) * (LENGTH.get(o.type, 5) + 3) + 6
+        if o.placement.of != "ego" and o.placement.of in objects and seen < 8:
+            here += at(objects[o.placement.of], seen + 1)
+        return here
+
+    ways = {"ahead", "left_lane", "right_lane", *_BESIDE}
+    return max(
+        (at(o) for o in objects.values() if o.placement.position in ways and o.placement.along != "behind"), default=0
+    )
+
+
+def after(place: PlaceSpec, speed: float, duration: float, ego: EgoSpec, objects: dict[str, ObjectSpec]) -> float:
+    fastest = max([speed, *(middle(speed_of(o, place)) for o in objects.values() if is_vehicle(o.type))])
+    for phase in all_phases(ego, objects):
+        if phase.speed is not None:
+            fastest = max(fastest, high(phase.speed))
+    far = _furthest(objects)
+    far = max(
+        [far, *(_oncoming_gap(o, speed, place) for o in objects.values() if o.placement.position == "oncoming_lane")]
+    )
+    limit = {"curve": 450.0, "crosswalk": 150.0}.get(place.kind, 1050.0)
+    wanted = max(fastest * min(duration, 20) + far * 0.5, far + 60, 150)
+    return min(math.ceil(wanted / 50) * 50.0, limit)
+
+
+def distance(
+    place: PlaceSpec, speed: float, objects: dict[str, ObjectSpec], room: float
+) -> float | tuple[float, float] | None:
+    """From ego's start to what lies ahead of it, m."""
+    if place.kind not in JUNCTION | RAMP | {"crosswalk"}:
+        return None
+    far = max((_junction_side(o, speed, place) for o in objects.values()), default=0)
+    if place.distance is not None:
+        if high(place.distance) < far:
+            raise ResolveError(
+                f"ego starts {high(place.distance):.0f} m before the intersection, but an object stands further ahead: "
+                "enlarge R.distance or lessen the gap",
+                ("R.distance", "O.placement.gap"),
+            )
+        return place.distance if low(place.distance) >= far else (far, high(place.distance))
+    if far > LONGEST_APPROACH:
+        raise ResolveError(
+            f"an object would stand {far:.0f} m ahead of ego, approaches have {LONGEST_APPROACH:.0f} m: lessen the gap",
+            ("O.placement.gap",),
+        )
+    base = max(min(4.0 * speed, 110), 35.0, *(_to_pass(o, speed, place) for o in objects.values()))
+    base = max(base, 60.0) if place.kind in RAMP else base
+    return round(max(base * max(room, 0.4), far + 4), 1)
+
+
+def _to_pass(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
+    """How far (m) ego drives until it is well past a slower rider at the edge of its lane."""
+    if o.placement.position != "partly_in_lane" or is_static(o) or not is_vehicle(o.type) or ego_speed <= 0:
+        return 0
+    gap = middle(o.placement.gap) if o.placement.gap is not None else default_gap(o, ego_speed, place)
+    closing = 1 - middle(speed_of(o, place)) / ego_speed
+    return min((gap + 12) / closing, 90.0) if closing > 0.2 else 0
+
+
+def _junction_side(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
+    """How far ahead of ego an object reaches that must stand before the junction, m."""
+    placement = o.placement
+    ways = {"ahead", "left_lane", "right_lane", "oncoming_lane", *_BESIDE}
+    if placement.position not in ways or placement.along == "behind":
+        return 0
+    gap = high(placement.gap) if placement.gap is not None else default_gap(o, ego_speed, place)
+    step = LENGTH[o.type] + (high(o.spacing) if o.spacing is not None else 3.0)
+    return gap + LENGTH[o.type] + 5 + (o.count - 1) * step
+
+
+def _oncoming_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
+    return high(o.placement.gap) if o.placement.gap is not None else default_gap(o, ego_speed, place)

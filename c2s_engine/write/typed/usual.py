@@ -1,0 +1,81 @@
+"""What is usual where the specs leave it open: how fast somebody starts, how far off, by which manoeuvre."""
+
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.write.typed.tables import (
+    DEFAULT_SPEED,
+    JUNCTION,
+    MOVES_OFF_ROAD,
+    RAMP,
+    TURN,
+    is_static,
+    is_vehicle,
+    is_walker,
+)
+
+
+def turn_of(phases: tuple[Phase, ...], default: str = "STRAIGHT") -> str:
+    """The manoeuvre type by which a behaviour passes the junction."""
+    for phase in phases:
+        if phase.action in TURN and phase.action != "u_turn":
+            return TURN[phase.action]
+    return default
+
+
+def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[float, float]:
+    """The initial speed of a road user, m/s: its own, that of its first phase, or the usual one of its kind there."""
+    if spec.speed is not None:
+        return spec.speed
+    if spec.phases:
+        first = spec.phases[0]
+        if first.action in ("stationary", "wait", "start", "enter_road") and first.trigger is None:
+            return 0.0
+        if first.speed is not None and first.action in (
+            "keep_lane",
+            "cross_road",
+            "move_along",
+            "follow",
+            "go_straight",
+        ):
+            return first.speed
+    kind = spec.type if spec.type in DEFAULT_SPEED else "car"
+    usual = DEFAULT_SPEED[kind]
+    return usual[place.kind if place.kind in usual else "road"]
+
+
+def default_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None = None) -> float:
+    """The gap (m) where the text gives none: about two seconds to a moving object, more to a standing one."""
+    position = o.placement.position
+    if position == "beside" or (o.placement.along == "abreast" and position in ("left_lane", "right_lane")):
+        return 0.0
+    if position == "oncoming_lane":
+        if place and place.kind in JUNCTION | RAMP:  # it is still before the junction
+            return 60.0
+        own = middle(speed_of(o, place)) if place else ego_speed
+        return max(60.0, min(5.5 * (ego_speed + own), 260.0))
+    if position == "intersection_exit":
+        return 14.0
+    if is_static(o) or not is_vehicle(o.type) or position in MOVES_OFF_ROAD:
+        return max(30.0, min(4.0 * ego_speed, 90.0), _while_crossing(o, ego_speed, place))
+    if position == "behind" or o.placement.along == "behind":
+        return max(12.0, 1.2 * ego_speed)
+    if position in ("left_lane", "right_lane") and any(p.action == "cut_in" for p in o.phases) and o.speed != 0:
+        return 10.0
+    return max(12.0, min(1.6 * ego_speed, 45.0))
+
+
+def reach(o: ObjectSpec, place: PlaceSpec) -> float:
+    """From where somebody stands beside the road to the middle of ego's lane, m."""
+    own = 3.2 if o.placement.hidden_by else 4.75 if o.placement.position == "sidewalk" else 3.25
+    two_way = place.kind not in {"motorway", *RAMP}
+    far = o.placement.side == "left" and two_way and not o.placement.hidden_by
+    return own + (3.5 * (place.lanes or 1) if far else 0)
+
+
+def _while_crossing(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float:
+    """How far (m) ego drives while somebody comes from beside the road into its lane: they must be that far ahead."""
+    crosses = any(p.action in ("cross_road", "enter_road") for p in o.phases)
+    if place is None or not crosses or not (is_walker(o.type) or o.type == "bicycle"):
+        return 0.0
+    pace = max(middle(speed_of(o, place)), 0.8)
+    return min(reach(o, place) / pace * ego_speed + 8, 150.0)

@@ -54,7 +54,7 @@ class Desk:
             return "failed"
         if component.origin in ("by_hand", "imported"):
             return "by_hand"
-        return "clean" if component.code else "dirty"
+        return "clean" if component.code and component.key else "dirty"  # no key: what a turn failed to write
 
 
 def begun(desk: Desk) -> Desk:

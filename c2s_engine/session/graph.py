@@ -9,7 +9,7 @@ from langgraph.config import get_stream_writer
 from langgraph.graph import END, START, StateGraph
 from pydantic import TypeAdapter
 
-from c2s_engine.session import steps
+from c2s_engine.session import steps, unwritten
 from c2s_engine.session.citing import resting_on, uncited
 from c2s_engine.session.improving import can_improve, improved, summed
 from c2s_engine.session.methods import Method, method_named
@@ -19,6 +19,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.edits import Edit
 from c2s_engine.structure.progress import StructureChanged
+from c2s_engine.write.by_hand import with_marks
 
 EDITS: TypeAdapter[list[Edit]] = TypeAdapter(list[Edit])
 
@@ -36,6 +37,7 @@ class State(TypedDict, total=False):
     trajectories: bool
     improve: bool
     structure: dict[str, Any]
+    before: dict[str, Any]
     program: dict[str, Any]
     stages: list[dict[str, Any]]
     report: dict[str, Any]
@@ -79,19 +81,22 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
 
     async def configure(state: State) -> State:
         emit = get_stream_writer()
-        before = structure_of(state)
+        before = with_marks(structure_of(state))
         edits = EDITS.validate_python(state.get("edits") or [])
         structure = before
         for edit in edits:
-            structure = steps.apply(structure, edit)
+            structure = with_marks(steps.apply(structure, edit))
         method = method_of(state)
         for edit in method.described(before, structure) if edits else []:
             structure = steps.apply(structure, edit)
         structure, found, result = await steps.configure(
             structure, tools, emit, given=state.get("map"), needed=method.needs_place, lenient=bool(state.get("text"))
         )
+        if found.writer is None:
+            structure = unwritten.left(before, structure, emit)
         emit(StructureChanged(structure=structure))
         update: State = {
+            "before": before.model_dump(mode="json"),
             "structure": structure.model_dump(mode="json"),
             "edits": [],
             "stages": with_stage(state, result),
@@ -109,9 +114,14 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
     async def write(state: State) -> State:
         emit = get_stream_writer()
         method = method_of(state)
+        before = Structure.model_validate(state["before"])
         structure, program, written, result = await method.write(
             structure_of(state), emit, map_name=state["map_name"], room=state["room"], folder=state["folder"]
         )
+        if result.ok:
+            unwritten.conflicts(before, structure, emit)
+        else:
+            structure = unwritten.left(before, structure, emit)
         emit(StructureChanged(structure=structure))
         return {
             "structure": structure.model_dump(mode="json"),

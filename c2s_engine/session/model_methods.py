@@ -4,6 +4,7 @@ import time
 from collections import Counter
 from typing import Any
 
+from c2s_engine.check.client import CheckError
 from c2s_engine.models.errors import ModelError
 from c2s_engine.session.methods import Interpreted, Written
 from c2s_engine.session.model_tools import client_for, method_tools
@@ -46,7 +47,7 @@ class ModelMethod:
             async with client_for(self.tools.settings) as client:
                 method = self._method(client, emit)
                 reading = await method.interpret(text, self._counting(emit))
-        except (ModelError, ValueError) as error:
+        except (ModelError, CheckError, ValueError) as error:
             return None, [], self.account(None), _failed("interpret", started, error, emit)
         result = timed("interpret", started)
         emit(StageDone(result=result))
@@ -59,7 +60,7 @@ class ModelMethod:
         try:
             async with client_for(self.tools.settings) as client:
                 after = await self._method(client, emit, writer, folder).write(structure, self._counting(emit))
-        except (ModelError, ValueError) as error:
+        except (ModelError, CheckError, ValueError) as error:
             return structure, assemble(structure), [], _failed("write", started, error, emit)
         program = assemble(after)
         before = {c.id: c.code for c in structure.components}
@@ -116,6 +117,8 @@ def share(structure: Structure) -> float:
 def _failed(stage: Any, started: float, error: Exception, emit: Emit) -> StageResult:
     """The stage's result where the model (or what it asked for) stands against going on."""
     code = "model-service" if isinstance(error, ModelError) and error.service else "model"
+    if isinstance(error, CheckError):
+        code = "check-server"
     result = timed(stage, started, (Diagnostic(stage=stage, message=str(error), code=code),))
     emit(StageDone(result=result))
     return result

@@ -188,6 +188,8 @@ class Session:
                 await asyncio.to_thread(self._commit, turn, finished, tuple(said))
         except sqlite3.Error as error:
             raise SessionError(f"the session cannot be written ({error}): free some space; S is as it was") from None
+        except OSError as error:
+            raise SessionError(f"the turn could not be done ({error}); S is as it was") from None
         finally:
             self._running = False
             if turn:

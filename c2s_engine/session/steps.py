@@ -17,6 +17,7 @@ from c2s_engine.structure.edits import Edit, EditError, apply
 from c2s_engine.structure.program import Program, assemble
 from c2s_engine.structure.progress import ComponentState, ProgramChanged, Progress, RunDone, StageDone, StageStarted
 from c2s_engine.structure.regenerate import FragmentWriter, dirty, regenerate
+from c2s_engine.write.by_hand import with_offers
 from c2s_engine.write.typed import TypedWriter
 
 Emit = Callable[[Progress], None]
@@ -70,7 +71,7 @@ async def _as_it_is(structure: Structure, *args: Any, **options: Any) -> tuple[S
 def write(
     structure: Structure, edits: list[Edit], writer: FragmentWriter, emit: Emit
 ) -> tuple[Structure, Program, list[ComponentId], StageResult]:
-    """Apply edits, write anew what is dirty, assemble."""
+    """Apply edits, write anew what is dirty, offer what would be written beside code by hand, assemble."""
     emit(StageStarted(stage="write"))
     started = time.perf_counter()
     try:
@@ -80,6 +81,7 @@ def write(
         for cid in dirty(after, writer):
             emit(ComponentState(component=after[cid], state="writing"))
         structure, written = regenerate(structure, edits, writer, lambda c: emit(_state(c)))
+        structure = with_offers(structure, writer)
     except (EditError, ValueError) as error:
         result = timed("write", started, (Diagnostic(stage="write", message=str(error), code="edit"),))
         emit(StageDone(result=result))

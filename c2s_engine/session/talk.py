@@ -62,9 +62,24 @@ async def say(
             if isinstance(event, Finished):
                 total = event.details.get("tokens", 0) + tokens
                 event = event.model_copy(update={"details": {**event.details, "turn": turn.kind, "tokens": total}})
+                if current.ego.code and _nothing_came(event, turn):
+                    event = _as_it_was(event, current)
+                    yield Say(text="S and its program stay as they were.", severity="warning")
                 if turn.edits and all(s.ok for s in event.stages if s.name in ("resolve", "write")):
                     yield Say(text=outcome(event))
             yield event
+
+
+def _nothing_came(finished: Finished, turn: "_Next") -> bool:
+    """Whether a text could not be read, or a change that is told as part of the text could not be written."""
+    failed = {s.name for s in finished.stages if not s.ok}
+    return "interpret" in failed or bool(turn.text) and turn.kind == "edit" and bool(failed & {"resolve", "write"})
+
+
+def _as_it_was(finished: Finished, structure: Structure) -> Finished:
+    """The end of a turn that failed before anything came of it."""
+    details = {**finished.details, "unchanged": True}
+    return finished.model_copy(update={"structure": structure, "program": assemble(structure), "details": details})
 
 
 class _Next:

@@ -11,6 +11,7 @@ from c2s_engine.structure.diagnostics import Diagnostic
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Progress, Say
 from c2s_engine.structure.regenerate import regenerate
+from c2s_engine.write import by_hand
 from c2s_engine.write.prompted.checking import Check, first_error
 from c2s_engine.write.typed import ResolveError, TypedWriter, make_plan
 from c2s_engine.write.typed.spread import spread
@@ -77,8 +78,12 @@ class TypedMethod:
         return best
 
     async def write(self, structure: Structure, on_event: OnEvent | None = None) -> Structure:
-        """Render what is out of date; raises ResolveError."""
+        """Render what is out of date, beside code by hand offer what would be rendered; raises ResolveError."""
         assert self.writer is not None, "a method that renders specs needs its writer"
+        return by_hand.with_offers(await self._sampling(structure, on_event), self.writer)
+
+    async def _sampling(self, structure: Structure, on_event: OnEvent | None) -> Structure:
+        assert self.writer is not None
         written = regenerate(structure, [], self.writer)[0]
         if self.check is None or not structure.text or structure.ego.code:
             return written

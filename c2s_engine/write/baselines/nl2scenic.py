@@ -8,7 +8,10 @@ from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.messages import question
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.progress import Progress
+from c2s_engine.structure.regenerate import digest
 from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.write import by_hand
+from c2s_engine.write.by_hand import OWN
 from c2s_engine.write.prompted.checking import with_code
 from c2s_engine.write.prompted.examples import Example, Fragment, examples, fragments
 from c2s_engine.write.prompted.header import Ground
@@ -35,7 +38,11 @@ class NL2Scenic:
         return Structure(text=text)
 
     async def write(self, structure: Structure, on_event: Callable[[Progress], None] | None = None) -> Structure:
-        """The whole program; raises ModelError."""
+        """The whole program where it is not written yet or given back; code by hand stays. Raises ModelError."""
+        key = digest([self.name, self.client.settings.model, structure.text])
+        ours = [c for c in structure.components if c.origin not in OWN and c.code]
+        if any(c.code for c in structure.components) and all(c.key == key for c in ours):
+            return structure
         shots = await self.nearest(structure.text) if self.variant != "zero" else []
         told = "\n".join(
             fill("nl2scenic_example", description=e.description, program=self._grounded(e.text)) for e in shots
@@ -46,7 +53,10 @@ class NL2Scenic:
             plan=fill("nl2scenic_cot") if self.variant == "cot" else "",
         )  # fmt: skip
         asked = question(system, f"Description: {structure.text}", purpose="generate program")
-        return taken_apart(structure, program_of((await self.client.chat(asked, on_event)).text))
+        written = taken_apart(structure, program_of((await self.client.chat(asked, on_event)).text))
+        for component in written.components:
+            written = written.with_component(component.model_copy(update={"key": key}))
+        return _with_own(structure, written)
 
     async def nearest(self, text: str, count: int = SHOTS) -> list[Example]:
         """The example programs whose descriptions are nearest to a text, the nearest first."""
@@ -76,6 +86,14 @@ def taken_apart(structure: Structure, program: str) -> Structure:
         component = structure[part.id].model_copy(update={"description": part.sentence})
         structure = structure.with_component(with_code(component, part.code))
     return structure
+
+
+def _with_own(before: Structure, written: Structure) -> Structure:
+    """The program with what was written by hand before in its place, and what the model wrote there offered."""
+    for component in before.components:
+        if component.origin in OWN and component.code and component.id in written:
+            written = by_hand.with_offer(written.with_component(component), component.id, written[component.id].code)
+    return written
 
 
 def _in_order(ids: list[str]) -> bool:

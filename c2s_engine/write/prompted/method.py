@@ -17,6 +17,8 @@ from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.progress import ComponentState, Passage, Progress, Say
 from c2s_engine.structure.regenerate import code_references, dirty, key_of, order
 from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.write import by_hand
+from c2s_engine.write.by_hand import used
 from c2s_engine.write.prompted.checking import Check, Fix, Verdict, with_code
 from c2s_engine.write.prompted.configuration import configuration, default
 from c2s_engine.write.prompted.header import Ground, settings_text
@@ -30,7 +32,12 @@ OnEvent = Callable[[Progress], None]
 
 
 class Keys:
-    """The method as the regeneration sees it (structure.regenerate): whose names a fragment uses, when it is stale."""
+    """The method as the regeneration sees it (structure.regenerate): whose names a fragment uses, when it is stale.
+
+    A fragment is up to date while its sentence, its fields, the method, and what the components whose names it uses
+    define are what they were at the end of the writing that it comes from. So nothing is stale when writing has ended,
+    but what the model failed to write.
+    """
 
     def __init__(self, name: str, model: str, ground: Ground) -> None:
         self.name, self.model, self.ground = name, model, ground
@@ -110,12 +117,48 @@ class PromptedMethod:
         return structure
 
     async def write(self, structure: Structure, on_event: OnEvent | None = None) -> Structure:
-        """Every component that is out of date, in Algorithm 1's order; the given S stays as it was."""
+        """Every component that is out of date, in Algorithm 1's order; the given S stays as it was.
+
+        A component is written a second time where a name that it uses is gone since. What the model fails to write
+        keeps its code of before, and stays to be written.
+        """
         self._on_event = on_event
-        written: set[ComponentId] = set()
-        while todo := [c for c in order(structure, dirty(structure, self.keys), self.keys) if c not in written]:
-            structure = await self.write_component(structure, todo[0], on_event)
-            written.add(todo[0])
+        written: dict[ComponentId, dict[str, str]] = {}
+        again: set[ComponentId] = set()
+        failed: set[ComponentId] = set()
+        while cid := self._next(structure, written, again):
+            before = structure[cid]
+            structure = await self.write_component(structure, cid, on_event)
+            if not structure[cid].code:
+                failed.add(cid)
+                structure = structure.with_component(before.model_copy(update={"key": ""}))
+                if before.code:
+                    self._emit(
+                        Say(text=f"{cid} keeps its code of before, and stays to be written.", severity="warning")
+                    )
+            again |= {cid} & written.keys()
+            written[cid] = used(structure, cid)
+        for cid in written.keys() - failed:
+            settled = structure[cid].model_copy(update={"key": key_of(structure, cid, self.keys)})
+            structure = structure.with_component(settled)
+        return await self._with_offers(structure)
+
+    def _next(
+        self, structure: Structure, written: dict[ComponentId, dict[str, str]], again: set[ComponentId]
+    ) -> ComponentId | None:
+        """What is to be written next. `written`: what was, with the names of others that it used; `again`: twice."""
+        lost = {c for c, was in written.items() if c not in again and not was.items() <= used(structure, c).items()}
+        stale = order(structure, dirty(structure, self.keys), self.keys)
+        return next((c for c in stale if c not in written or c in lost), None)
+
+    async def _with_offers(self, structure: Structure) -> Structure:
+        """Code by hand stays; where what it rests on changed, what the model would write is offered beside it."""
+        structure = by_hand.with_marks(structure)
+        for cid in by_hand.outdated(structure, words=True):
+            offered = (await self.write_component(structure, cid, self._on_event))[cid]
+            self._emit(ComponentState(component=structure[cid], state="by_hand"))
+            if offered.code:
+                structure = by_hand.with_offer(structure, cid, offered.code)
         return structure
 
     async def write_component(

@@ -1,0 +1,72 @@
+"""Code by hand (or imported): what it was written upon, and what a writer would put in its place once that changed.
+
+A fragment by hand bears a mark in place of a key: digests of its code, of its fields, of its sentence, and of the names
+of others that it uses. A mark of other code is of no worth: that fragment was written by hand since.
+"""
+
+import contextlib
+
+from c2s_engine.structure import names
+from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.regenerate import FragmentWriter, digest, interface
+
+OWN = ("by_hand", "imported")
+_SIGN = "hand"
+
+
+def used(structure: Structure, cid: ComponentId) -> dict[str, str]:
+    """The names of other components that a component's code uses, with their kinds."""
+    component = structure[cid]
+    own, found = names.defines(component.code), names.uses(component.code)
+    others = [interface(c) for c in structure.components if c.id != cid]
+    return {n: kind for defined in others for n, kind in defined.items() if n in found and n not in own}
+
+
+def with_marks(structure: Structure) -> Structure:
+    """The structure in which all code by hand that bears no mark of its own bears one of what stands now."""
+    for component in _own(structure):
+        if not _marked(component):
+            structure = _with_mark(structure, component.id)
+    return structure
+
+
+def outdated(structure: Structure, words: bool) -> list[ComponentId]:
+    """The components by hand whose fields are no longer what they were written upon; with `words`, for writers that go
+    by sentences and names, also those whose sentence is not, or the names of others that they use."""
+    compared = slice(2, 5) if words else slice(2, 3)
+    marks = {c.id: (c.key, _mark(structure, c.id)) for c in _own(structure) if _marked(c)}
+    return [cid for cid, (was, now) in marks.items() if was.split(":")[compared] != now.split(":")[compared]]
+
+
+def with_offer(structure: Structure, cid: ComponentId, code: str) -> Structure:
+    """The structure in which that code is offered in the place of a component's own, if it is any other."""
+    component = structure[cid]
+    offer = code if code.strip() and code.strip() != component.code.strip() else None
+    return _with_mark(structure.with_component(component.model_copy(update={"conflict": offer})), cid)
+
+
+def with_offers(structure: Structure, writer: FragmentWriter) -> Structure:
+    """The structure with what the writer renders from the fields offered wherever they changed under code by hand."""
+    structure = with_marks(structure)
+    for cid in outdated(structure, words=False):
+        with contextlib.suppress(ValueError):  # fields that cannot be rendered offer nothing
+            structure = with_offer(structure, cid, writer.write(structure, cid).code)
+    return structure
+
+
+def _own(structure: Structure) -> list[Component]:
+    return [c for c in structure.components if c.origin in OWN]
+
+
+def _mark(structure: Structure, cid: ComponentId) -> str:
+    component = structure[cid]
+    parts = (component.code, component.spec.model_dump(mode="json"), component.description, used(structure, cid))
+    return ":".join([_SIGN, *map(digest, parts)])
+
+
+def _marked(component: Component) -> bool:
+    return component.key.split(":")[:2] == [_SIGN, digest(component.code)]
+
+
+def _with_mark(structure: Structure, cid: ComponentId) -> Structure:
+    return structure.with_component(structure[cid].model_copy(update={"key": _mark(structure, cid)}))

@@ -1,0 +1,162 @@
+"""A turn whose writing fails: S with its program stays as it was, or what is not written is marked, kept and said."""
+
+import asyncio
+import errno
+import threading
+
+import pytest
+
+from c2s_engine.api import Engine
+from c2s_engine.check.client import CheckError
+from c2s_engine.config import Settings
+from c2s_engine.session.sessions import SessionError, Sessions
+from c2s_engine.structure.edits import SetCode, SetDescription, SetField
+from c2s_engine.structure.program import assemble
+from c2s_engine.structure.progress import ComponentState, Say
+from tests.models.fake_ollama import Answer, FakeOllama, endless
+from tests.write_prompted.programmer import EXAMPLE, TEXT, Programmer, asked_for
+
+VAN = SetDescription(component="O1", description="A white van is parked at the right edge of the road, 30 m ahead.")
+METHOD = "chat2scenic:C1"
+
+
+@pytest.fixture
+def server():
+    with FakeOllama(Programmer()) as running:
+        yield running
+
+
+@pytest.fixture
+async def engine(server):
+    table = {"host": server.host, "backoff": 0.001, "probe": False, "num_ctx": 16384}
+    async with Engine(Settings(model="small", method=METHOD, ollama=table)) as running:
+        yield running
+
+
+@pytest.fixture
+async def session(tmp_path, engine):
+    sessions = Sessions(tmp_path / "sessions")
+    opened = sessions.open("one", engine)
+    await take(opened.say(TEXT, run=False))
+    assert opened.program.text
+    yield opened
+    opened.close()
+    sessions.close()
+
+
+async def take(events):
+    return [event async for event in events]
+
+
+def whole(session):
+    return session.structure.model_dump_json(), session.program.model_dump_json()
+
+
+def warnings(events):
+    return [e.text for e in events if isinstance(e, Say) and e.severity == "warning"]
+
+
+def marked(events):
+    return [e.component.id for e in events if isinstance(e, ComponentState) and e.state == "dirty"]
+
+
+async def test_a_model_that_dies_leaves_the_program_and_marks_what_is_to_be_written(server, session):
+    before = session.program.text
+    server.respond = lambda request: Answer(status=400, error="gone")
+    events = await take(session.apply(VAN, run=False))
+    assert session.program.text == before == assemble(session.structure).text
+    assert not events[-1].ok and marked(events) == ["O1"]
+    assert session.structure["O1"].description == VAN.description and session.structure["O1"].key == ""
+    assert warnings(events) == [
+        "S is changed, its program is not yet (O1). The next turn tries again; undo takes the change back."
+    ]
+    server.respond, first = Programmer(), len(server.requests)
+    await take(session.apply(SetDescription(component="T", description="The run ends after 9 s."), run=False))
+    assert [asked_for(r) for r in server.requests[first:]] == ["O1", "T"]
+    assert all(c.key for c in session.structure.components) and "## O1: A white van" in session.program.text
+
+
+async def test_an_answer_without_code_keeps_the_fragment_and_marks_it(server, session):
+    before = session.structure["O1"].code
+    server.respond = lambda request: "I cannot write that."
+    events = await take(session.apply(VAN, run=False))
+    assert session.structure["O1"].code == before and session.structure["O1"].key == ""
+    assert any("O1 keeps its code of before, and stays to be written." in w for w in warnings(events))
+    server.respond = Programmer()
+    await take(session.apply([], run=False))
+    assert session.structure["O1"].key and "A white van" in session.structure["O1"].code
+
+
+async def test_a_turn_cancelled_while_it_is_written_changes_nothing(server, session):
+    before = whole(session)
+    server.respond = lambda request: Answer(endless("x = 1\n"), hold=threading.Event())
+    task = asyncio.create_task(take(session.apply(VAN, run=False)))
+    assert await asyncio.to_thread(server.streaming.wait, 10)
+    task.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await task
+    assert whole(session) == before and session.pending is None
+
+
+async def test_a_full_disk_is_one_sentence_and_changes_nothing(engine, session, monkeypatch):
+    before = whole(session)
+
+    def full(map_file):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(engine.library, "working_copy", full)
+    with pytest.raises(SessionError, match=r"No space left on device.*S is as it was"):
+        await take(session.apply(SetField(component="G", path="weather", value=["rain"]), method="embedded", run=False))
+    assert whole(session) == before and session.pending is None
+
+
+async def test_a_scenario_that_cannot_be_read_leaves_the_one_at_hand(server, session):
+    before = whole(session)
+    server.respond = lambda request: Answer(status=400, error="gone")
+    other = "A cyclist crosses at an intersection in front of ego, which turns right at 20 km/h. It is night."
+    events = await take(session.say(other, run=False))
+    assert not events[-1].ok and whole(session) == before
+    assert "S and its program stay as they were." in warnings(events)
+
+
+async def test_a_dead_check_server_in_a_repair_is_a_finding(server, engine, session, monkeypatch):
+    async def dead(request):
+        raise CheckError("the check server does not answer")
+
+    before = session.program.text
+    monkeypatch.setattr(engine.check_client, "check", dead)
+    events = await take(session.apply(VAN, method=f"{METHOD}+repair", run=False))
+    assert [d.code for d in events[-1].diagnostics] == ["check-server"] and session.program.text == before
+    assert any("its program is not yet" in w for w in warnings(events))
+
+
+async def test_fields_that_contradict_are_kept_marked_and_said(session):
+    await take(session.say("A car drives 20 m ahead of ego in its lane at 40 km/h.", method="embedded", run=False))
+    before = session.program.text
+    edits = [SetField(component="R", path="ego_lane", value="rightmost"),
+             SetField(component="O1", path="placement.position", value="right_lane")]  # fmt: skip
+    events = await take(session.apply(edits, method="embedded", run=False))
+    assert not events[-1].ok and session.program.text == before
+    assert set(marked(events)) == {"R", "O1"} and "its program is not yet (R, O1)" in warnings(events)[-1]
+    events = await take(session.apply(edits[1].model_copy(update={"value": "ahead"}), method="embedded", run=False))
+    assert events[-1].ok and all(c.key for c in session.structure.components)
+
+
+@pytest.mark.parametrize("method", ["embedded", METHOD])
+async def test_code_by_hand_is_kept_and_a_conflict_is_said(server, session, method):
+    if method == "embedded":
+        await take(session.say("A car drives 20 m ahead of ego in its lane at 40 km/h.", method=method, run=False))
+    mine = session.structure["O1"].code + "# mine\n"
+    await take(session.apply(SetCode(component="O1", code=mine), method=method, run=False))
+    assert session.structure["O1"].conflict is None and "# mine" in session.program.text
+    if method != "embedded":
+        part = EXAMPLE.fragments[3]
+        other = part.model_copy(update={"code": part.code.replace("Van right", "Truck right")})
+        server.respond = Programmer()
+        server.respond.parts["O1"] = other
+    edit = SetField(component="O1", path="type", value="truck")
+    events = await take(session.apply(edit, method=method, run=False))
+    assert "Truck" in session.structure["O1"].conflict and "# mine" in session.program.text
+    assert any(w.startswith("O1: the code by hand stays") for w in warnings(events))
+    events = await take(session.apply([], method=method, run=False))
+    assert not any("by hand" in w for w in warnings(events)), "said once"

@@ -8,7 +8,9 @@ def summary(desk: Desk) -> tuple[str, str]:
     """What was rewritten, how far it came, what was seen; and whether that is a note, a warning or an error."""
     if desk.stale and not desk.rewritten:
         return "", "note"
-    parts = [f"{', '.join(desk.rewritten)} written" if desk.rewritten else "nothing rewritten"]
+    own = [c.id for c in desk.structure.components if c.origin == "by_hand" and c.code.strip() not in desk.before]
+    done = [f"{', '.join(ids)} {what}" for ids, what in ((own, "by hand"), (desk.rewritten, "written")) if ids]
+    parts = done or ["nothing rewritten"]
     failed = next((s for s in desk.stages if not s.ok), None)
     if failed is not None:
         first = next((d for d in failed.diagnostics if d.severity == "error"), None)

@@ -9,7 +9,10 @@ from pathlib import Path
 import pytest
 import yaml
 
+from c2s_engine.interpret.llm import words
+from c2s_engine.interpret.llm.asking import prompt
 from c2s_engine.interpret.llm.components import ObjectSentence, Sentences
+from c2s_engine.interpret.llm.typed import form_of
 from c2s_engine.models import approximate_tokens
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.progress import Passage
@@ -20,6 +23,7 @@ from c2s_engine.write.prompted.header import Ground, settings_text
 from c2s_engine.write.prompted.prompt import generator_question
 from tests.write_prompted.programmer import EXAMPLE
 
+TYPED = "typed"
 GOLDEN = Path(__file__).parent / "golden"
 NEAR = [Passage(kind="snippet", title="A van at the kerb.", text="van = new Van right of spot by 2", score=0.8)]
 CHUNKS = [Passage(kind="doc", title="Specifiers", text="A specifier sets properties.", score=0.5, clause="Syntax")]
@@ -51,9 +55,18 @@ def prompts(name: str) -> dict[str, str]:
     return told
 
 
-@pytest.mark.parametrize("name", names())
+def forms() -> dict[str, str]:
+    """The instructions of the typed method's forms: a vehicle's (O1), a person's (O2), a thing's (O3)."""
+    kinds = ("car", "pedestrian", "cone")
+    sentences = Sentences(objects=tuple(ObjectSentence(type=k, sentence=f"A {k}.") for k in kinds))
+    told = {cid: form_of(cid, "", sentences)[0] for cid in sentences.ids[1:]}
+    detector = prompt("settings", weather=words.lines("weather"), times=words.lines("times"))
+    return {"components": prompt("components"), "G": detector, **told}
+
+
+@pytest.mark.parametrize("name", [*names(), TYPED])
 def test_the_prompts_are_as_they_were(name):
-    told = prompts(name)
+    told = forms() if name == TYPED else prompts(name)
     text = "\n\n".join(f"======== {cid} ========\n{prompt}" for cid, prompt in told.items()) + "\n"
     lengths = {cid: approximate_tokens(prompt) for cid, prompt in told.items()}
     path, table = GOLDEN / f"{name}.txt", GOLDEN / "tokens.yaml"
@@ -61,7 +74,7 @@ def test_the_prompts_are_as_they_were(name):
         GOLDEN.mkdir(exist_ok=True)
         path.write_text(text, encoding="utf-8")
         known = yaml.safe_load(table.read_text()) if table.exists() else {}
-        known = {n: {**known, name: lengths}.get(n) for n in names() if n in known or n == name}
+        known = {n: {**known, name: lengths}.get(n) for n in (*names(), TYPED) if n in known or n == name}
         table.write_text(
             "# Tokens of each prompt, at four characters a token.\n" + yaml.safe_dump(known, sort_keys=False)
         )
@@ -73,11 +86,19 @@ def test_the_prompts_are_as_they_were(name):
 
 def test_each_prompt_leaves_room_for_an_answer_in_8k():
     lengths = yaml.safe_load((GOLDEN / "tokens.yaml").read_text())
-    assert list(lengths) == names()
+    assert list(lengths) == [*names(), TYPED]
     assert max(max(row.values()) for row in lengths.values()) <= 8192 - 1536 - 2000, (
         "and for 2000 tokens of code so far"
     )
+    assert max(lengths[TYPED].values()) <= 800, "forms are for small models, and there is one for each component"
     assert sum(lengths["C1"].values()) < sum(lengths["C4"].values()) < sum(lengths["C11"].values())
+
+
+def test_prompts_say_something_of_every_word_of_the_vocabulary():
+    for section, short in words.shortened().items():
+        assert list(short) == list(words.vocabulary()[section]), section
+    told = words.lines("actions", ["turn_left", "brake", "u_turn"])
+    assert told == "- brake: slows to speed; hard from rate 4 on\n- turn_left, u_turn"
 
 
 def test_the_paper_s_sentences_are_asked_for_in_order():

@@ -40,10 +40,11 @@ class Sentences(BaseModel):
     def ids(self) -> list[str]:
         return ["G", "R", "E", *(f"O{i + 1}" for i in range(len(self.objects))), "T"]
 
-    def listed(self) -> str:
-        """`O1 (van): sentence` lines of all that is said, for a prompt."""
+    def listed(self, but: str = "") -> str:
+        """`O1 (van): sentence` lines of all that is said (of the others than one), for a prompt."""
         kinds = {f"O{i + 1}": f" ({o.type})" for i, o in enumerate(self.objects)}
-        return "\n".join(f"{cid}{kinds.get(cid, '')}: {self.of(cid)}" for cid in self.ids if self.of(cid))
+        said = [cid for cid in self.ids if self.of(cid) and cid != but]
+        return "\n".join(f"{cid}{kinds.get(cid, '')}: {self.of(cid)}" for cid in said) or "nothing else is described"
 
 
 def sentences_schema() -> dict[str, Any]:

@@ -153,7 +153,9 @@ class TypedReader:
     async def fill(self, cid: str, sentence: str, text: str, sentences: Sentences) -> tuple[AnySpec, tuple[Unmet, ...]]:
         """The spec of one component by its sentence; raises ModelError."""
         system, schema = form_of(cid, text, sentences)
-        user = prompt("ask", text=annotate(text), components=sentences.listed(), id=cid, sentence=annotate(sentence))
+        user = prompt(
+            "ask", text=annotate(text), components=sentences.listed(but=cid), id=cid, sentence=annotate(sentence)
+        )
         purpose = "object" if cid.startswith("O") else _KINDS[cid]
         return await self.asker.form(system, user, schema, purpose=purpose, component=cid, build=_builder(cid))
 
@@ -208,6 +210,7 @@ def _object_form(kind: str, ids: list[str], named: dict[str, list[str]]) -> tupl
     system = prompt(
         "object", types=", ".join(types), ids=", ".join(ids), positions=words.lines("positions", where),
         actions=words.lines("actions", allowed), triggers=words.lines("triggers"),
+        example=prompt("example_person" if person else "example_vehicle"),
     )  # fmt: skip
     return system, schema
 

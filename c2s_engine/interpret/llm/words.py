@@ -1,7 +1,8 @@
-"""The vocabulary's words with their meanings, as lines of a prompt (from data/vocabulary.yaml)."""
+"""The vocabulary's words with their meanings, as lines of a prompt: in short where prompts/words.yaml has them."""
 
 from collections.abc import Iterable
 from functools import cache
+from importlib import resources
 from typing import Any
 
 import yaml
@@ -21,14 +22,20 @@ def vocabulary() -> dict[str, dict[str, Any]]:
     return yaml.safe_load(paths.shipped("vocabulary.yaml").read_text(encoding="utf-8"))
 
 
-def meaning(entry: Any) -> str:
-    return entry["means"] if isinstance(entry, dict) else str(entry)
+@cache
+def shortened() -> dict[str, dict[str, str]]:
+    """The sections of the vocabulary that prompts tell in fewer words."""
+    text = resources.files("c2s_engine.interpret.llm").joinpath("prompts", "words.yaml").read_text(encoding="utf-8")
+    return yaml.safe_load(text)
 
 
 def lines(section: str, names: Iterable[str] | None = None) -> str:
-    """`- name: meaning` for each word of a section, or for those named."""
-    table = vocabulary()[section]
-    return "\n".join(f"- {n}: {meaning(table[n])}" for n in (names or table) if n in table)
+    """`- name: meaning` for each word of a section, or of those named; on one line those that say all themselves."""
+    table: dict[str, str] = shortened().get(section) or vocabulary()[section]
+    chosen = [n for n in (names or table) if n in table]
+    told = [f"- {n}: {table[n]}" for n in chosen if table[n]]
+    plain = [n for n in chosen if not table[n]]
+    return "\n".join([*told, *([f"- {', '.join(plain)}"] if plain else [])])
 
 
 def actions_for(object_type: str) -> list[str]:

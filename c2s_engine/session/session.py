@@ -108,7 +108,7 @@ class Session:
         return None if self._running else self._journal.pending
 
     def say(self, text: str, **options: Any) -> AsyncIterator[Any]:
-        """A chat turn; options are the facade's (method, seed, run)."""
+        """A chat turn; options are the facade's (method, seed, run). "Undo that" takes the last turn back instead."""
         return self._turn(lambda: self._journal.begin("say", text, options=options))
 
     def apply(self, edits: Edit | Iterable[Edit], **options: Any) -> AsyncIterator[Any]:
@@ -184,7 +184,8 @@ class Session:
                     if isinstance(event, Say):
                         said.append(event.text)
                     yield event
-            if finished:
+            back = finished.details.get("turn") if finished else None
+            if finished and back not in ("undo", "redo"):
                 await asyncio.to_thread(self._commit, turn, finished, tuple(said))
         except sqlite3.Error as error:
             raise SessionError(f"the session cannot be written ({error}): free some space; S is as it was") from None
@@ -194,7 +195,13 @@ class Session:
             self._running = False
             if turn:
                 self._journal.end(turn)
-        if finished:
+        if back == "undo" and self.can_undo:
+            yield Say(text=f"Taken back: {self._path()[-1].text}")
+        if back in ("undo", "redo"):
+            async with aclosing(self.undo() if back == "undo" else self.redo()) as events:  # type: ignore[type-var]
+                async for event in events:
+                    yield event
+        elif finished:
             yield finished
 
     def _commit(self, turn: Pending, finished: Finished, said: tuple[str, ...]) -> None:

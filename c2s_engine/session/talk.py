@@ -33,7 +33,8 @@ async def say(
     passages: Sequence[Any] = (),
     **options: Any,
 ) -> AsyncGenerator[Progress, None]:
-    """The events of the turn; the last is Finished. Undo and redo belong to a session and are only said here.
+    """The events of the turn; the last is Finished. Undo and redo belong to a session: what is asked
+    for stands in the details as `turn`.
 
     `passages`: those of the last answer, from which "use 2" picks. Where the method uses a model, the model reads the
     turn and answers questions.
@@ -122,6 +123,8 @@ async def _events(
                     found.append(event)
                 yield event
         yield _Next("question", passages=kept(found))
+    elif turn.kind in ("undo", "redo"):
+        yield _Next(turn.kind)
     else:
         sentence = "That was not understood as a change: name the component, the field and the value."
         yield Say(text=turn.reply) if turn.reply else Say(text=sentence, severity="warning")

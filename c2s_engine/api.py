@@ -2,14 +2,15 @@
 
 import time
 from collections.abc import AsyncGenerator, Sequence
-from contextlib import aclosing
+from contextlib import aclosing, suppress
 from pathlib import Path
 from typing import Any
 
 from c2s_engine.check.client import CheckClient
 from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits, PlacesRequest, Upto
 from c2s_engine.config import Settings
-from c2s_engine.maps.library import MapFile, MapLibrary
+from c2s_engine.maps.library import SHIPPED, MapFile, MapLibrary, MapNotFound
+from c2s_engine.session.places import DEFAULT_MAP
 from c2s_engine.session.steps import Tools
 from c2s_engine.structure.components import ComponentId, Structure
 from c2s_engine.structure.diagnostics import StageResult
@@ -37,6 +38,7 @@ class Engine:
 
             self.tools.extra["reader"] = Reader()
         self._graph: Any = None
+        self._expected = False
 
     async def __aenter__(self) -> "Engine":
         await self.start()
@@ -157,6 +159,7 @@ class Engine:
             "stop": False,
             "improve": self.settings.improve if inputs.get("improve") is None else inputs["improve"],
         }
+        await self._expect(map)
         graph = graph or self.graph()
         stream = graph.astream(inputs, config, stream_mode=["custom", "values"], durability="exit" if config else None)
         async with aclosing(stream) as items:
@@ -166,6 +169,17 @@ class Engine:
                 else:
                     state = item
         yield finished(state, time.perf_counter() - started)
+
+    async def _expect(self, map: str | None) -> None:
+        """At the first turn, let the check server read the likely map while the rest is imported and interpreted."""
+        if self._expected:
+            return
+        self._expected = True
+        for name in (map, self.settings.map, DEFAULT_MAP, SHIPPED):
+            with suppress(MapNotFound):
+                if name:
+                    await self.check_client.expect(self.library.working_copy(self.library.find(name)))
+                    return
 
     def graph(self) -> Any:
         """The graph without a checkpointer."""

@@ -94,6 +94,15 @@ class CheckClient:
         """Count the places of a map that expressions match; raises CheckError where the map cannot be read."""
         return PlacesReport.model_validate(await self._ask("places", request.model_dump(mode="json")))
 
+    async def expect(self, map_path: Path) -> None:
+        """Say which map the next requests are likely to need: it is read meanwhile. Nothing is answered."""
+        await self.start()
+        if self._process is not None and self._process.stdin is not None:
+            message = {"id": next(self._ids), "kind": "expect", "body": {"map": str(map_path)}}
+            with contextlib.suppress(OSError, RuntimeError):
+                self._process.stdin.write(json.dumps(message).encode() + b"\n")
+                await self._process.stdin.drain()
+
     async def import_program(self, text: str, filename: str = "program.scenic") -> ImportResult:
         """Decompose a Scenic program into S; raises CheckError, with the line, where it cannot be parsed."""
         request = ImportRequest(text=text, filename=filename)
@@ -200,6 +209,9 @@ class SyncCheckClient:
 
     def check(self, request: CheckRequest) -> CheckReport:
         return self._do(self._client.check(request))
+
+    def expect(self, map_path: Path) -> None:
+        self._do(self._client.expect(map_path))
 
     def import_program(self, text: str, filename: str = "program.scenic") -> ImportResult:
         return self._do(self._client.import_program(text, filename))

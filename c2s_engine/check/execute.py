@@ -14,7 +14,7 @@ import warnings
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from c2s_engine.check import confine, diagnose, reading, sampling, warm, wire, zygote
+from c2s_engine.check import caching, confine, diagnose, library, networks, reading, sampling, warm, wire, zygote
 from c2s_engine.check.naming import Names
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 
@@ -73,15 +73,21 @@ class _Counted(io.TextIOBase):
 
 
 def _load_map(conn: socket.socket, job: dict[str, Any]) -> None:
+    """Load a map and stay, so that programs on it start from here. What must be saved is, meanwhile."""
     from scenic.domains.driving.roads import Network
 
+    networks.save_later = True
     try:
-        warm.prepare(Network.fromFile(job["path"]), job["path"])
+        network = Network.fromFile(job["path"])
+        saving = networks.save_apart()
+        warm.prepare(network, job["path"])
+        library.load()
     except Exception as error:
         wire.send(conn, {"failed": str(error)})
         return
+    networks.save_later = False
     wire.send(conn, {"ready": True})
-    zygote.serve(conn, handle)
+    zygote.serve(conn, handle, children={saving})
 
 
 def _preamble(conn: socket.socket, job: dict[str, Any], blob: bytes) -> None:
@@ -147,8 +153,8 @@ def _rehearse() -> None:
     """Do what most checks do, for nobody: compile and sample a few objects."""
     from c2s_engine.check.protocol import CheckRequest
 
-    code, requirements, digest = warm.library_code(warm.REHEARSAL.read_bytes(), str(warm.REHEARSAL))
-    job = CheckRequest(program="", filename=str(warm.REHEARSAL)).model_dump(mode="json")
+    code, requirements, digest = library.code(library.REHEARSAL.read_bytes(), str(library.REHEARSAL))
+    job = CheckRequest(program="", filename=str(library.REHEARSAL)).model_dump(mode="json")
     blob = pickle.dumps(([marshal.dumps(code)], requirements, digest))
     listener, conn = socket.socketpair()
     with listener, conn:
@@ -185,7 +191,7 @@ class _Check:
     def run(self) -> None:
         isolation = confine.confine(self.job)
         _Counted.limit = self.limits["output"]
-        warm.may_write = bool(self.job.get("trust"))
+        caching.may_write = bool(self.job.get("trust"))
         wire.send(self.conn, {"isolation": isolation})
         warm.reseed(self.job["seed"])
         scenario = self._stage("compile", self._compile)

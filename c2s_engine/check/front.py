@@ -10,7 +10,7 @@ from typing import Any
 from c2s_engine.check import wire
 from c2s_engine.check.pool import Pool
 from c2s_engine.check.protocol import CheckRequest, ImportRequest, PlacesRequest
-from c2s_engine.check.supervise import check, import_program, places
+from c2s_engine.check.supervise import check, expect, import_program, places
 
 ENDED = "a process of the check server ended unexpectedly while it worked on this; try it again"
 LINE = 64 << 20  # bytes of the longest request
@@ -44,7 +44,10 @@ async def _serve(control: socket.socket, out: int, runner: str | None) -> None:
             if key in running:
                 running[key].cancel()
             continue
-        task = asyncio.create_task(_answer(pool, message, out, runner))
+        if message["kind"] == "expect":
+            task = asyncio.create_task(expect(pool, message["body"]["map"]))
+        else:
+            task = asyncio.create_task(_answer(pool, message, out, runner))
         running[key] = task
         task.add_done_callback(functools.partial(_forget, running, key))
     waiting.cancel()

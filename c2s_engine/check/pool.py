@@ -16,7 +16,7 @@ PREAMBLES = 8
 SPARES = 2
 REST = 0.02  # s after a check: its report goes first
 READ_SECONDS = 10.0
-GROW_SECONDS = 300.0  # a large map is parsed for minutes the first time
+GROW_SECONDS = 300.0  # a large map is parsed for minutes the first time, and Scenic's library for a second or two
 
 
 class TooSlow(Exception):
@@ -33,6 +33,7 @@ class Pool:
         self.preambles: OrderedDict[Any, asyncio.Task[Zygote | None]] = OrderedDict()
         self.read_params: OrderedDict[tuple, frozenset[str]] = OrderedDict()
         self._spared: list[Zygote] = []
+        self._expected: set[asyncio.Task[Zygote | None]] = set()
         self._reader: Child | None = None
         self._reading = asyncio.Lock()
         self._watch = asyncio.create_task(self._root_gone())
@@ -45,6 +46,23 @@ class Pool:
         await self.root._task
         self.lost.set()
 
+    def expect(self, map_path: str) -> bool:
+        """Begin to read a map that a program is likely to name; False where that was begun before, or cannot be."""
+        key = _file_key(map_path)
+        if key is None or key in self.maps:
+            return False
+        task = asyncio.create_task(self._map(map_path))
+        self._expected.add(task)
+        task.add_done_callback(self._expected.discard)
+        return True
+
+    async def _map(self, path: str) -> Zygote | None:
+        """The process that holds a map, made where it is missing."""
+        key = _file_key(path)
+        if key is None:
+            return None
+        return await self._get(self.maps, key, MAPS, self.root, {"kind": "map", "path": path})
+
     async def read(self, request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
         """Have the reader parse a program; raises TooSlow, or wire.Closed where it dies of it."""
         task = asyncio.create_task(self._read(request))
@@ -56,6 +74,7 @@ class Pool:
                 with contextlib.suppress(wire.Closed):  # of something else, perhaps: a new reader decides
                     return await self._ask(self._reader, request)
             self._reader = await self.root.spawn({"kind": "reader"})
+            await asyncio.wait_for(wire.read(self._reader.reader), GROW_SECONDS)  # it knows the world model by then
             return await self._ask(self._reader, request)
 
     async def _ask(self, reader: Child, request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
@@ -74,10 +93,8 @@ class Pool:
 
         A snapshot after `model` also serves programs that differ in params that were not read by then.
         """
-        zygote = self.root
         key = _file_key(map_path)
-        if key is not None:
-            zygote = await self._get(self.maps, key, MAPS, self.root, {"kind": "map", "path": map_path}) or self.root
+        zygote = await self._map(map_path) or self.root
         if not header["preamble"]:
             return zygote
         shape = (key, header["preamble"], job["filename"], repr(sorted(job["params"].items())))
@@ -146,6 +163,8 @@ class Pool:
             return None
 
     def close(self) -> None:
+        for expected in self._expected:
+            expected.cancel()
         for shelf in (self.preambles, self.maps):
             for task in shelf.values():
                 task.cancel() if not task.done() else _drop(task)

@@ -10,10 +10,11 @@ from collections import OrderedDict
 from dataclasses import dataclass, field
 from typing import Any
 
-from c2s_engine.check import catalogue, diagnose, lint, pieces, safety, wire
+from c2s_engine.check import catalogue, diagnose, lint, pieces, safety, wire, world
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 
 KEEP = 4000  # pieces
+MODEL = "scenic.simulators.carla.model"  # of most programs
 
 
 @dataclass
@@ -160,8 +161,10 @@ def _dump(stages: list[StageResult]) -> list[dict]:
 
 
 def serve(conn: socket.socket) -> None:
-    """Answer read requests one after the other until the server hangs up."""
+    """Say that the world model is known, then answer read requests one after the other until the server hangs up."""
     reader = Reader()
+    world.world(MODEL)
+    wire.send(conn, {"ready": True})
     while True:
         try:
             request, _ = wire.receive(conn)

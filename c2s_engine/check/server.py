@@ -1,8 +1,8 @@
 """The check server: JSON lines in and out, one forked process a check. `python -m c2s_engine.check.server`.
 
-Messages in: {"id", "kind": "check" | "places" | "import" | "cancel", "body"}; out: {"id", "ok", "body"}, once
-{"ready": true}, and {"lost": true} where no more requests are taken because the process that holds Scenic is gone. That
-process is forked before anything else is imported here.
+Messages in: {"id", "kind": "check" | "places" | "import" | "expect" | "cancel", "body"}; out: {"id", "ok", "body"}
+(none for the last two kinds), once {"ready": true}, and {"lost": true} where no more requests are taken because the
+process that holds Scenic is gone. That process is forked before anything else is imported here.
 """
 
 import argparse
@@ -39,15 +39,21 @@ def main() -> None:
 def _root(control: socket.socket, standins: str | None, runner: str | None) -> None:
     """The process that holds Scenic and forks on demand."""
     from c2s_engine import paths
-    from c2s_engine.check import execute, warm, zygote
+    from c2s_engine.check import execute, library, warm, zygote
 
     zygote.die_with_parent()
     null = os.open(os.devnull, os.O_RDWR)
     os.dup2(null, 0)
     os.dup2(2, 1)
     warm.warm(Path(standins) if standins else paths.shipped("standins"), runner)
+
+    def begin() -> None:
+        zygote.die_with_parent()
+        control.close()
+
+    compiling = library.ahead(begin)
     control.sendall(b'{"warm": true}\n')
-    zygote.serve(control, execute.handle)
+    zygote.serve(control, execute.handle, children={compiling})
 
 
 if __name__ == "__main__":

@@ -1,7 +1,9 @@
 """One request from beginning to end: read, find a warm process, fork, watch the limits, gather the report."""
 
 import asyncio
+import contextlib
 import os
+import re
 import signal
 import time
 from pathlib import Path
@@ -23,6 +25,7 @@ from c2s_engine.structure.diagnostics import Diagnostic, StageName, StageResult
 from c2s_engine.structure.facts import RunFacts, Trajectories
 
 LONGEST = 500_000  # characters of a program
+_MAP = re.compile(r"^param map = localPath\(['\"]([^'\"]+\.xodr)['\"]\)", re.MULTILINE)
 
 
 async def check(pool: Pool, request: CheckRequest, runner: str | None) -> CheckReport:
@@ -35,6 +38,8 @@ async def check(pool: Pool, request: CheckRequest, runner: str | None) -> CheckR
     started = time.perf_counter()
     if len(request.program) > LONGEST:
         return gathered.failed("parse", started, "too_long", f"the program is longer than {LONGEST:,} characters")
+    if said := _MAP.search(request.program):
+        pool.expect(_map_path(said[1], request, folder))
     try:
         header, blob = await pool.read(job)
     except TooSlow:
@@ -158,6 +163,13 @@ def _death(status: int, limits: Limits) -> tuple[str, str]:
     if number:
         return "crash", f"the program ended its process ({signal.Signals(number).name})"
     return "exit", "the program ended its process"
+
+
+async def expect(pool: Pool, path: str) -> None:
+    """Have all that a program on this map starts from made beforehand."""
+    if pool.expect(path):
+        with contextlib.suppress(ValueError, TooSlow, wire.Closed):
+            await places(pool, PlacesRequest(map=path, expressions={}))
 
 
 async def places(pool: Pool, request: PlacesRequest) -> PlacesReport:

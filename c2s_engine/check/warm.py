@@ -1,39 +1,23 @@
-"""What is loaded once before anything is checked: Scenic, its library's code, maps; and the hooks that keep them."""
+"""What is loaded once before anything is checked: Scenic and what it imports; and the hooks that keep the rest."""
 
 import functools
 import gc
-import hashlib
 import importlib
-import marshal
 import os
-import pickle
 import random
 import sys
-import tempfile
 from collections.abc import Callable
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from c2s_engine import paths
-from c2s_engine.check import landlock
+from c2s_engine.check import landlock, library, networks
 
-LIBRARY = (
-    "scenic.domains.driving.behaviors",
-    "scenic.domains.driving.model",
-    "scenic.simulators.carla.behaviors",
-    "scenic.simulators.carla.model",
-)
-REHEARSAL = Path(__file__).with_name("rehearsal.scenic")
-_code: dict[tuple[bytes, str], tuple[Any, list, bytes]] = {}
-_networks: dict[tuple, Any] = {}
 _prepare: Callable[[Any, str], None] | None = None
-may_write = True
-"""Whether map caches may be written: false in a confined child."""
 
 
 def warm(standins: Path, runner: str | None = None) -> None:
-    """Load everything that checks share. Call it once, in a process without threads."""
+    """Import everything that checks share. Call it once, in a process without threads."""
+    gc.disable()
     for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
         os.environ[name] = "1"
     if standins.is_dir():
@@ -44,18 +28,13 @@ def warm(standins: Path, runner: str | None = None) -> None:
 
     translator.compileStream = _compile_stream
     type_support.saveErrorLocation = _error_location
-    roads.Network.fromFile = classmethod(_from_file(roads.Network.fromFile.__func__))
+    roads.Network.fromFile = classmethod(networks.from_file(roads.Network.fromFile.__func__))
     for name in (
         "scenic.domains.driving.actions", "scenic.domains.driving.simulators", "scenic.domains.driving.workspace",
         "scenic.simulators.carla.actions", "scenic.simulators.carla.blueprints", "scenic.simulators.carla.sensors",
         "scenic.simulators.carla.simulator", "scenic.simulators.utils.colors", "scenic.core.pruning", "scipy.spatial",
     ):  # fmt: skip
         importlib.import_module(name)
-    for name in LIBRARY:
-        spec = Path(importlib.import_module(name.rpartition(".")[0]).__file__ or "").parent
-        path = str(spec / f"{name.rpartition('.')[2]}.scenic")
-        library_code(Path(path).read_bytes(), path)
-    library_code(REHEARSAL.read_bytes(), str(REHEARSAL))
     landlock.always()
     if runner:
         global _prepare
@@ -63,7 +42,6 @@ def warm(standins: Path, runner: str | None = None) -> None:
         prepare()
     gc.collect()
     gc.freeze()
-    gc.disable()
 
 
 def prepare(network: Any = None, path: str = "") -> None:
@@ -78,39 +56,6 @@ def reseed(seed: int) -> None:
 
     random.seed(seed)
     numpy.random.seed(seed % (1 << 32))
-
-
-def library_code(source: bytes, filename: str) -> tuple[Any, list, bytes]:
-    """The compiled code of a Scenic library module, from memory, the disk cache or the compiler."""
-    key = (hashlib.blake2b(source, digest_size=16).digest(), filename)
-    if key in _code:
-        return _code[key]
-    from c2s_engine.check.pieces import compile_text
-
-    tag = hashlib.blake2b(repr((key, version("scenic"), sys.version)).encode(), digest_size=16).hexdigest()
-    cached = paths.cache_folder() / "modules" / f"{tag}.bin"
-    try:
-        with cached.open("rb") as file:
-            _code[key] = (marshal.load(file), pickle.load(file), pickle.load(file))
-            return _code[key]
-    except (OSError, ValueError, EOFError, TypeError, pickle.UnpicklingError, AttributeError):
-        pass
-    tree, requirements, digest = compile_text(source.decode(), filename)
-    _code[key] = (compile(tree, filename, "exec"), requirements, digest)
-    if may_write:
-        write_cache(cached, marshal.dumps(_code[key][0]) + pickle.dumps(requirements) + pickle.dumps(digest))
-    return _code[key]
-
-
-def write_cache(path: Path, data: bytes) -> None:
-    """Write a cache file whole or not at all; a cache that cannot be written is done without."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
-            file.write(data)
-        os.replace(file.name, path)
-    except OSError:
-        pass
 
 
 def _error_location() -> Any:
@@ -142,34 +87,9 @@ def _compile_stream(stream: Any, namespace: dict, options: Any, filename: str) -
     try:
         exec(compile(translator.preamble, "<veneer>", "exec"), namespace)
         namespace[translator.namespaceReference] = namespace
-        code, requirements, digest = library_code(stream.read(), filename)
+        code, requirements, digest = library.code(stream.read(), filename)
         translator.executeCodeIn(code, namespace)
         translator.storeScenarioStateIn(namespace, requirements, digest, options)
     finally:
         veneer.deactivate()
     return code, ""
-
-
-def _from_file(original: Any) -> Any:
-    def from_file(cls: Any, path: Any, useCache: bool = True, writeCache: bool = True, **options: Any) -> Any:
-        """Network.fromFile, from memory where the file is known, and with the .snet in the cache folder."""
-        real = Path(path)
-        if real.suffix != ".xodr":
-            return original(cls, path, useCache=useCache, writeCache=False, **options)
-        stat = real.stat()
-        key = (os.path.realpath(real), stat.st_mtime_ns, stat.st_size, repr(sorted(options.items())))
-        if key not in _networks:
-            copy = _cached_copy(real)
-            _networks[key] = original(cls, copy, useCache=True, writeCache=may_write and copy != real, **options)
-        return _networks[key]
-
-    return from_file
-
-
-def _cached_copy(path: Path) -> Path:
-    data = path.read_bytes()
-    folder = paths.cache_folder() / "maps" / hashlib.blake2b(data, digest_size=12).hexdigest()
-    copy = folder / path.name
-    if not copy.exists() and may_write:
-        write_cache(copy, data)
-    return copy if copy.exists() else path

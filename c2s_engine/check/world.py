@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from c2s_engine import paths
+from c2s_engine.check import caching, library
 
 
 @dataclass
@@ -104,19 +105,32 @@ def _python_names(name: str) -> set[str]:
 
 def _module(path: Path) -> Module:
     source = path.read_bytes()
-    tag = hashlib.blake2b(
-        source + version("scenic").encode() + sys.version.encode() + b"world 2", digest_size=16
-    ).hexdigest()
-    cached = paths.cache_folder() / "modules" / f"{tag}.world"
+    cached = _cache(source)
+    found = _read(cached) or (library.wait() and _read(cached))
+    if found:
+        return found
+    from c2s_engine.check import pieces
+
+    return keep(source, pieces.parse(source.decode(), str(path)))
+
+
+def keep(source: bytes, tree: Any) -> Module:
+    """Read a module's syntax tree, and keep what was read in the cache."""
+    module = read_module(tree)
+    caching.write(_cache(source), pickle.dumps(module))
+    return module
+
+
+def _cache(source: bytes) -> Path:
+    tag = source + version("scenic").encode() + sys.version.encode() + b"world 2"
+    return paths.cache_folder() / "modules" / f"{hashlib.blake2b(tag, digest_size=16).hexdigest()}.world"
+
+
+def _read(cached: Path) -> Module | None:
     try:
         return pickle.loads(cached.read_bytes())
     except (OSError, pickle.UnpicklingError, EOFError, AttributeError, ImportError):
-        pass
-    from c2s_engine.check import pieces, warm
-
-    module = read_module(pieces.parse(source.decode(), str(path)))
-    warm.write_cache(cached, pickle.dumps(module))
-    return module
+        return None
 
 
 def read_module(tree: Any) -> Module:

@@ -13,7 +13,7 @@ import select
 import signal
 import socket
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from c2s_engine.check import prefault
 
@@ -28,15 +28,18 @@ def die_with_parent() -> None:
             ctypes.CDLL(None).prctl(1, signal.SIGKILL, 0, 0, 0)
 
 
-def serve(control: socket.socket, handle: Handler, rehearse: Callable[[], None] | None = None) -> None:
+def serve(
+    control: socket.socket, handle: Handler, rehearse: Callable[[], None] | None = None, children: Iterable[int] = ()
+) -> None:
     """Fork a child for each socket that arrives; returns when the control socket is closed.
 
     `rehearse` does what a job is likely to do: a spare child copies beforehand the pages that this writes on.
+    `children` are the ids of processes that were forked already (0 for none).
     """
     wake_read, wake_write = os.pipe2(os.O_NONBLOCK | os.O_CLOEXEC)
     signal.signal(signal.SIGCHLD, lambda *_: None)
     signal.set_wakeup_fd(wake_write, warn_on_full_buffer=False)
-    children: set[int] = set()
+    children = {pid for pid in children if pid}
     pages: prefault.Ranges | None = None
     control.setblocking(True)
     while True:

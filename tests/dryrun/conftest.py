@@ -19,7 +19,7 @@ import scenic.simulators.carla.simulator  # noqa: E402
 from scenic.domains.driving.roads import Network  # noqa: E402
 from scenic.syntax import translator  # noqa: E402
 
-from c2s_engine.check import warm  # noqa: E402
+from c2s_engine.check import networks, warm  # noqa: E402
 from c2s_engine.dryrun import runner  # noqa: E402
 from c2s_engine.dryrun.events.derivation import derive  # noqa: E402
 from c2s_engine.dryrun.recording import Path as Way  # noqa: E402
@@ -101,7 +101,7 @@ class Town:
 @pytest.fixture(scope="session")
 def network():
     original = Network.fromFile.__func__
-    found = warm._from_file(original)(Network, TOWN)
+    found = networks.from_file(original)(Network, TOWN)
     compile_stream = translator.compileStream
     Network.fromFile = classmethod(lambda cls, path, *args, **options: found)
     library = str(Path(scenic.__file__).parent)

@@ -44,6 +44,7 @@ class Terminal:
         """Run `c2s app` in a new tmux session; its exit status is shown when it ends. `before`: its environment."""
         command = f"{before} {sys.executable} -m c2s_tui.entry app {' '.join(arguments)}; echo exit-$?; exec cat"
         self.tmux("new-session", "-d", "-s", "a", "-x", str(size[0]), "-y", str(size[1]), command)
+        self.tmux("set-option", "-g", "exit-empty", "off")  # else a server that is just leaving may be asked next
 
     @property
     def screen(self) -> str:

@@ -2,6 +2,8 @@
 # description: Ego accelerates with full throttle until it has reached its speed, then holds the lane.
 # paraphrases:
 #   - flat out up to the target velocity
+#   - my car pulls away hard and gets up to speed
+#   - foot to the floor until it is fast enough
 # actions: [accelerate]
 # ---
 behavior EgoFullThrottle(speed):

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - ignore neighbours, stop for what blocks the lane
 #   - AEB for the own lane
+#   - my car brakes only for what is in its own lane
 # reactions: [brake]
 # ---
 behavior EgoLaneBrake(speed, gap):

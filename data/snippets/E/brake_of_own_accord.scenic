@@ -3,6 +3,7 @@
 # paraphrases:
 #   - speed reduction of the host vehicle
 #   - become slower for no reason
+#   - my car slows down although the road is empty
 # actions: [brake]
 # ---
 behavior EgoSlowsDown(high, low):

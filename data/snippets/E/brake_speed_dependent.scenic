@@ -3,6 +3,7 @@
 # paraphrases:
 #   - the faster it goes, the earlier it slows
 #   - stopping distance computed from the speed
+#   - my car brakes sooner the faster it drives
 # reactions: [brake]
 # ---
 behavior EgoBrakesInTime(speed, deceleration):

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - wait until the road clears, then resume
 #   - stop and continue afterwards
+#   - my car stops for something on the road and drives on when it is gone
 # reactions: [brake]
 # ---
 behavior EgoStopsAndResumes(speed, gap):

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - public transport vehicle under test
 #   - my vehicle is a bus
+#   - I drive a city bus
 # actions: [keep_lane]
 # types: [bus]
 # ---

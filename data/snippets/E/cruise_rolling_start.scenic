@@ -3,6 +3,7 @@
 # paraphrases:
 #   - initial velocity equals target velocity
 #   - flying start, no acceleration phase
+#   - my car is moving already at the start
 # actions: [keep_lane]
 # ---
 EGO_SPEED = 13

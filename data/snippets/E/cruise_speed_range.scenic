@@ -2,6 +2,7 @@
 # description: Ego follows its lane at a speed drawn between 8 and 14 m/s.
 # paraphrases:
 #   - varying cruising speed from run to run
+#   - my car drives along at some ordinary speed
 # actions: [keep_lane]
 # ---
 EGO_SPEED = Range(8, 14)

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - prefer overtaking, fall back on stopping
 #   - dodge something or else stop
+#   - my car steers round something if there is time, otherwise it brakes
 # reactions: [evade]
 # hosts: [R/road_two_lanes_same_direction]
 # ---

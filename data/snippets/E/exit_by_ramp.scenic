@@ -3,6 +3,7 @@
 # paraphrases:
 #   - take the exit and reduce speed
 #   - leave the highway
+#   - my car comes off the highway and slows down
 # actions: [keep_lane]
 # hosts: [R/off_ramp_exit]
 # ---

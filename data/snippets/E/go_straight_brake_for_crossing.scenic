@@ -2,6 +2,8 @@
 # description: Ego goes straight over the intersection, ready to brake for vehicles that cross within 20 metres.
 # paraphrases:
 #   - defensive crossing of the junction
+#   - my car crosses the junction and brakes if somebody comes from the side
+#   - careful when driving straight over the crossroads
 # actions: [go_straight]
 # reactions: [brake]
 # hosts: [R/intersection_four_way]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - cross the junction without turning
 #   - continue ahead through the crossroads
+#   - my car drives straight over the crossroads
 # actions: [go_straight]
 # hosts: [R/intersection_four_way]
 # ---

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - out and in again
 #   - double lane change
+#   - my car moves one lane to the left and returns
 # actions: [lane_change]
 # hosts: [R/road_two_lanes_same_direction]
 # ---

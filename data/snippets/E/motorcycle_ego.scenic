@@ -3,6 +3,7 @@
 # paraphrases:
 #   - powered two-wheeler as the host
 #   - my vehicle is a motorbike
+#   - I ride a motorbike and brake for whoever is in front
 # actions: [keep_lane]
 # types: [motorcycle]
 # ---

@@ -2,6 +2,8 @@
 # description: Ego is a police car on patrol at a drawn speed.
 # paraphrases:
 #   - squad car as the vehicle under test
+#   - I drive a police car
+#   - a patrol car under test
 # actions: [keep_lane]
 # types: [police_car]
 # ---

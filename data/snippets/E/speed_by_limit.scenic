@@ -2,6 +2,8 @@
 # description: Ego drives at the posted limit of 50 km/h, converted to metres per second.
 # paraphrases:
 #   - travel at the legal speed in town
+#   - my car keeps to the speed limit
+#   - drive as fast as the sign allows
 # actions: [keep_lane]
 # ---
 KMH = 1 / 3.6

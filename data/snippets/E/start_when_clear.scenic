@@ -2,6 +2,8 @@
 # description: Ego waits until no vehicle is within 15 metres and then sets off.
 # paraphrases:
 #   - pull away when the coast is clear
+#   - my car waits for traffic to pass and then moves off
+#   - pull out once nobody is near
 # actions: [wait, start]
 # ---
 behavior EgoStartsWhenClear(speed):

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - the vehicle under test does not move
 #   - parked test car with the brake on
+#   - my car stands still all the time
 # actions: [stationary]
 # ---
 behavior EgoStands():

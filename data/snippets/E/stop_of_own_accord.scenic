@@ -3,6 +3,7 @@
 # paraphrases:
 #   - come to a halt without a cause
 #   - 'minimum risk manoeuvre: stop in lane'
+#   - my car comes to a stop for no reason
 # actions: [stop]
 # ---
 behavior EgoComesToStand(speed):

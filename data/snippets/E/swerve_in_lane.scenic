@@ -2,6 +2,8 @@
 # description: Ego weaves once to the left and back while it drives.
 # paraphrases:
 #   - short lateral excursion of the test car
+#   - my car wobbles to one side and straightens up
+#   - a short sway to the left and back
 # actions: [swerve]
 # ---
 behavior EgoWeaves(speed, steer):

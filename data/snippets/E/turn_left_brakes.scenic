@@ -3,6 +3,7 @@
 # paraphrases:
 #   - careful left turn
 #   - turn across traffic, stop if somebody comes
+#   - my car turns left and stops for anybody in its way
 # actions: [turn_left]
 # reactions: [brake]
 # hosts: [R/intersection_left_turn]

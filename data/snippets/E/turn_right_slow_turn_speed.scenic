@@ -3,6 +3,7 @@
 # paraphrases:
 #   - slow down for the corner
 #   - separate approach and turning speeds
+#   - my car slows down and turns right round the corner
 # actions: [turn_right]
 # hosts: [R/intersection_right_turn]
 # ---

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - barricade on the path
 #   - a barrier in my way
+#   - road closed by a single barrier
 # positions: [ahead]
 # actions: [stationary]
 # types: [barrier]

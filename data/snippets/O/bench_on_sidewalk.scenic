@@ -2,6 +2,8 @@
 # description: A bench stands on the sidewalk.
 # paraphrases:
 #   - seat beside the street
+#   - a seat for people by the road
+#   - a bench at the side of the road
 # positions: [sidewalk]
 # actions: [stationary]
 # types: [bench]

@@ -2,6 +2,8 @@
 # description: A bus stop shelter stands on the sidewalk on the right.
 # paraphrases:
 #   - passengers' shelter at the pavement
+#   - people wait under a roof for the bus
+#   - a bus stop at the side of the road
 # positions: [sidewalk]
 # actions: [stationary]
 # types: [bus_stop]

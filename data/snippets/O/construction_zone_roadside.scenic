@@ -3,6 +3,7 @@
 # paraphrases:
 #   - roadside works that leave the lane open
 #   - roadworks next to the lane
+#   - road works at the side, my lane stays free
 # positions: [roadside]
 # actions: [stationary]
 # types: [construction_zone]

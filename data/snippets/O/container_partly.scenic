@@ -2,6 +2,8 @@
 # description: A container stands at the right edge and reaches into the lane.
 # paraphrases:
 #   - dumpster protrudes from the kerb
+#   - a container at the side sticks out into my lane
+#   - something large at the edge takes part of my lane
 # positions: [partly_in_lane]
 # actions: [stationary]
 # types: [container]

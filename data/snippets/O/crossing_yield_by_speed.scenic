@@ -3,6 +3,7 @@
 # paraphrases:
 #   - cross traffic that surrenders priority
 #   - the other car slows down and lets me go first
+#   - a car from the side lets me through
 # positions: [crossing_left]
 # actions: [yield]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - leader clears the passing lane
 #   - the one in front moves over to the right and lets me by
+#   - a van in front of me leaves my lane to the right
 # positions: [ahead]
 # actions: [cut_out]
 # types: [van]

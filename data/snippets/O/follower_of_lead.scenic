@@ -3,6 +3,7 @@
 # paraphrases:
 #   - a platoon in front, the second adapts to the first
 #   - two cars in front, one behind the other
+#   - a car follows another one in front of me
 # positions: [ahead]
 # actions: [follow]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - congestion behind the crossing
 #   - a traffic jam behind the junction
+#   - cars stand still right after the junction, no room for me
 # positions: [intersection_exit]
 # actions: [stationary]
 # types: [car]

@@ -2,6 +2,8 @@
 # description: A kiosk stands at the sidewalk and blocks the view of it.
 # paraphrases:
 #   - newsstand at the street
+#   - a small shop at the roadside hides what is behind it
+#   - a newspaper stand at the side of the road
 # positions: [sidewalk]
 # actions: [stationary]
 # types: [kiosk]

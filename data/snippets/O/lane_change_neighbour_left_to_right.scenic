@@ -3,6 +3,7 @@
 # paraphrases:
 #   - a neighbour moves over one lane far in front
 #   - a car far in front moves one lane over
+#   - a car in the left lane moves to the right, far ahead of me
 # positions: [left_lane]
 # actions: [lane_change]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - biker shoots off
 #   - a motorbike in front shoots off
+#   - a motorbike in front of me speeds up and gets away
 # positions: [ahead]
 # actions: [accelerate]
 # types: [motorcycle]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - gentle slowing of the vehicle in front
 #   - the car in front eases off
+#   - the car in front slows down gently
 # positions: [ahead]
 # actions: [brake]
 # types: [car]

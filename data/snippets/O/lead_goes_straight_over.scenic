@@ -2,6 +2,8 @@
 # description: A bus ahead of ego goes straight over the intersection.
 # paraphrases:
 #   - leader crosses the junction first
+#   - a bus in front of me drives straight over the junction
+#   - the bus ahead crosses the intersection before me
 # positions: [ahead]
 # actions: [go_straight]
 # types: [bus]

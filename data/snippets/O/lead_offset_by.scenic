@@ -3,6 +3,7 @@
 # paraphrases:
 #   - delivery vehicle farther on in the same lane
 #   - a van further up the road
+#   - a delivery van drives ahead of me
 # positions: [ahead]
 # actions: [keep_lane]
 # types: [van]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - coach at a halt pulls off as the follower arrives
 #   - a bus in the lane gets moving again when I arrive
+#   - a standing bus drives off when I get near
 # positions: [ahead]
 # actions: [wait, start]
 # types: [bus]

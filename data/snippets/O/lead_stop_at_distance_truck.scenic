@@ -3,6 +3,7 @@
 # paraphrases:
 #   - lorry halts in front of the host
 #   - a heavy goods vehicle abruptly halts right in front of me
+#   - a truck in front of me suddenly stops
 # positions: [ahead]
 # actions: [stop]
 # types: [truck]

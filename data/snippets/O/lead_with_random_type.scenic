@@ -2,6 +2,8 @@
 # description: The vehicle ahead is a car or a van, drawn at random.
 # paraphrases:
 #   - leader of any kind
+#   - a car or van drives in front of me
+#   - some vehicle ahead in my lane
 # positions: [ahead]
 # actions: [keep_lane]
 # types: [car, van, truck]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - lorry occupies the passing lane
 #   - a truck in the lane to my left
+#   - a slow truck drives to the left of me
 # positions: [left_lane]
 # actions: [keep_lane]
 # types: [truck]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - opposing vehicle skids on a wet road
 #   - a car from the other direction slides on a slippery road
+#   - a car coming towards me loses control for a moment
 # positions: [oncoming_lane]
 # actions: [lose_control]
 # types: [car]

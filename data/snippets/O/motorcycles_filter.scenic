@@ -3,6 +3,7 @@
 # paraphrases:
 #   - lane-splitting biker
 #   - a motorbike squeezes past between the cars
+#   - a motorcycle passes between me and the next lane
 # positions: [behind]
 # actions: [overtake]
 # types: [motorcycle]

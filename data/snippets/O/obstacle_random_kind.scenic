@@ -3,6 +3,7 @@
 # paraphrases:
 #   - some unidentified object in the way
 #   - an object in my way
+#   - something lies on the road in front of me
 # positions: [ahead]
 # actions: [stationary]
 # types: [obstacle, barrel, trash]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - heavy oncoming vehicle on the other side of the road
 #   - a truck passes in the opposite direction
+#   - a truck comes towards me on the other side of the road
 # positions: [oncoming_lane]
 # actions: [keep_lane]
 # types: [truck]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - delivery van at the edge of the street
 #   - a van parked at the side
+#   - a parked van beside the road
 # positions: [parked]
 # actions: [stationary]
 # types: [van]

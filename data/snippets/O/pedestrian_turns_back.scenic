@@ -3,6 +3,7 @@
 # paraphrases:
 #   - walker changes their mind half way
 #   - somebody on foot turns back half way
+#   - a person starts to cross the street, then goes back
 # positions: [sidewalk]
 # actions: [cross_road]
 # types: [pedestrian]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - person lets traffic pass before walking
 #   - somebody waits at the edge of the street before walking over
+#   - a person stands at the edge of the road and crosses a little later
 # positions: [sidewalk]
 # actions: [wait]
 # types: [pedestrian]

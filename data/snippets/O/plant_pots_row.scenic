@@ -2,6 +2,8 @@
 # description: Plant pots stand in a row along the right edge of the road.
 # paraphrases:
 #   - flower tubs beside the lane
+#   - big flower pots along the road
+#   - a line of planters at the side of the road
 # positions: [roadside]
 # actions: [stationary]
 # types: [plant_pot]

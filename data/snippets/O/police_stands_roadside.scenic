@@ -3,6 +3,7 @@
 # paraphrases:
 #   - patrol vehicle beside the carriageway
 #   - police officers wait at the side of the road
+#   - a police car is parked at the side of the road
 # positions: [roadside]
 # actions: [stationary]
 # types: [police_car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - stop-and-go jam in front of the host
 #   - bumper-to-bumper congestion
+#   - cars in front of me crawl and stop and crawl
 # positions: [ahead]
 # actions: [keep_lane, stop]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - heavy vehicle on the acceleration lane
 #   - a truck about to enter the highway
+#   - a truck drives along on the slip road next to the highway
 # positions: [on_ramp]
 # actions: [keep_lane]
 # types: [truck]

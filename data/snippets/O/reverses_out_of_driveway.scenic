@@ -3,6 +3,7 @@
 # paraphrases:
 #   - reversing from a private entrance onto the street
 #   - somebody backs out of a drive onto the road
+#   - a car reverses onto the road in front of me
 # positions: [roadside]
 # actions: [reverse, enter_road]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - blocked neighbouring lane on the outer side
 #   - no way to move over to the right
+#   - a car next to me on the right blocks that lane
 # positions: [right_lane]
 # actions: [stationary]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - convoy of lorries on the nearside
 #   - a convoy of trucks in the right lane
+#   - two lorries drive one behind the other to my right
 # positions: [right_lane]
 # actions: [keep_lane]
 # types: [truck]

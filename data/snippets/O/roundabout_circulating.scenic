@@ -3,6 +3,7 @@
 # paraphrases:
 #   - traffic already in the rotary has priority
 #   - a car is already in the roundabout
+#   - a car drives round the circle and comes from my left
 # positions: [crossing_left]
 # actions: [keep_lane]
 # types: [car]

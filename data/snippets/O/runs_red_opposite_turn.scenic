@@ -3,6 +3,7 @@
 # paraphrases:
 #   - signal violation while turning across the host
 #   - another driver turns although the traffic light is red
+#   - a car from the other side turns in front of me against the red light
 # positions: [opposite_approach]
 # actions: [run_red, turn_left]
 # types: [car]

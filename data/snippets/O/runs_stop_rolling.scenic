@@ -3,6 +3,7 @@
 # paraphrases:
 #   - rolling stop at the side road
 #   - another driver hardly slows at the stop sign
+#   - a van ignores the stop sign and turns
 # positions: [crossing_left]
 # actions: [run_stop, turn_right]
 # types: [van]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - vehicle turns out of the side street to its left
 #   - a car turns out of the side road to the left
+#   - a car comes out of a side street and turns left in front of me
 # positions: [crossing_right]
 # actions: [turn_left]
 # types: [car]

@@ -3,6 +3,8 @@
 # paraphrases:
 #   - thirty zone sign by the lane
 #   - posted limit ahead
+#   - a sign says thirty
+#   - a speed sign at the side of the road
 # positions: [roadside]
 # actions: [stationary]
 # types: [speed_sign]

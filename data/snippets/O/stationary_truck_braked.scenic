@@ -3,6 +3,7 @@
 # paraphrases:
 #   - stopped heavy vehicle ahead
 #   - an immobile truck in my way
+#   - a truck stands still in front of me
 # positions: [ahead]
 # actions: [stationary]
 # types: [truck]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - octagonal sign at the junction
 #   - halt sign on the approach
+#   - a stop sign at the junction in front of me
 # positions: [roadside]
 # actions: [stationary]
 # types: [stop_sign]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - dense traffic in the target lane
 #   - a continuous flow of cars next to me, no gap
+#   - cars pass on my left one after the other
 # positions: [left_lane]
 # actions: [keep_lane]
 # types: [car]

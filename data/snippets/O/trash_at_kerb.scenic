@@ -2,6 +2,8 @@
 # description: A trash can stands at the kerb.
 # paraphrases:
 #   - litter bin by the road
+#   - a rubbish bin at the side of the street
+#   - a dustbin at the edge of the road
 # positions: [roadside]
 # actions: [stationary]
 # types: [trash]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - garbage on the driving lane
 #   - litter on the road
+#   - garbage lies on the road in front of me
 # positions: [ahead]
 # actions: [stationary]
 # types: [trash]

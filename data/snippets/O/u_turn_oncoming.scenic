@@ -3,6 +3,7 @@
 # paraphrases:
 #   - opposing driver turns round across the host's lane
 #   - a car from the other direction turns around right in front of me
+#   - a car coming towards me turns round in front of me
 # positions: [oncoming_lane]
 # actions: [u_turn]
 # types: [car]

@@ -3,6 +3,7 @@
 # paraphrases:
 #   - street furniture conceals a kid
 #   - occluded youngster enters the road
+#   - a child runs out from behind a vending machine
 # positions: [sidewalk]
 # actions: [cross_road]
 # types: [vending_machine, child]

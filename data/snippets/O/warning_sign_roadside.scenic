@@ -2,6 +2,8 @@
 # description: A warning sign stands at the right edge of the road, facing ego.
 # paraphrases:
 #   - traffic warning board beside the lane
+#   - a sign at the side of the road warns of danger
+#   - a triangular warning sign beside the lane
 # positions: [roadside]
 # actions: [stationary]
 # types: [warning_sign]

@@ -2,6 +2,8 @@
 # description: A warning sign stands in the lane before a broken-down car.
 # paraphrases:
 #   - hazard triangle behind a disabled vehicle
+#   - a warning triangle and behind it a car that broke down
+#   - a breakdown with a warning sign in front of it
 # positions: [ahead]
 # actions: [stationary]
 # types: [warning_sign, car]

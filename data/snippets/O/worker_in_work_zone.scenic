@@ -3,6 +3,7 @@
 # paraphrases:
 #   - construction worker next to the lane
 #   - a workman at the roadworks
+#   - a worker stands next to the cones at the side of the road
 # positions: [roadside]
 # actions: [stationary]
 # types: [pedestrian]

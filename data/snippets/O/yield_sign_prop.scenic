@@ -2,6 +2,8 @@
 # description: A yield sign stands at the right of ego's lane before the junction.
 # paraphrases:
 #   - give-way sign on the approach
+#   - a sign tells me to give way
+#   - a yield sign at the junction in front of me
 # positions: [roadside]
 # actions: [stationary]
 # types: [yield_sign]

@@ -2,6 +2,8 @@
 # description: 'Ego already drives in a bend: 15 metres behind it and 15 metres before it the headings differ.'
 # paraphrases:
 #   - right in the middle of a curve at the start
+#   - my car starts in the middle of a bend
+#   - already driving through a curve
 # places: [curve]
 # ---
 egoLane = Uniform(*[lane for lane in network.lanes if lane.centerline.length > 400])

@@ -2,6 +2,8 @@
 # description: 'Any way through any intersection: ego may turn or go straight.'
 # paraphrases:
 #   - random junction, random direction
+#   - some junction, turning or not
+#   - any crossing, whichever way the car goes
 # places: [intersection]
 # ---
 junction = Uniform(*network.intersections)

@@ -2,6 +2,8 @@
 # description: Ego turns right at a three-way intersection.
 # paraphrases:
 #   - turn right at the T-junction
+#   - turn right where the road ends at another
+#   - right turn at a junction of three roads
 # places: [intersection]
 # ---
 teeJunctions = filter(lambda i: i.is3Way and any(m.type is ManeuverType.RIGHT_TURN for m in i.maneuvers), network.intersections)

@@ -2,6 +2,8 @@
 # description: Ego turns right at an intersection with traffic lights.
 # paraphrases:
 #   - right on red or green at a signal-controlled crossing
+#   - turn right at the traffic lights
+#   - right turn at a light
 # places: [intersection]
 # ---
 signalised = filter(lambda i: i.isSignalized, network.intersections)

@@ -2,6 +2,8 @@
 # description: 'A quiet residential lane: narrow lanes, sidewalk, no parking strip.'
 # paraphrases:
 #   - housing estate, a 30 zone with little width
+#   - a narrow street in a residential area
+#   - a small street between houses
 # places: [road]
 # ---
 narrow = filter(lambda g: g._sidewalk is not None and g._shoulder is None and len(g.lanes) == 1, network.laneGroups)

@@ -2,6 +2,8 @@
 # description: A straight road with no intersection within 200 metres of ego's start.
 # paraphrases:
 #   - uninterrupted straight road, far from any crossing
+#   - a long straight road with no crossing
+#   - straight ahead for a long way, no side roads
 # places: [straight]
 # ---
 def isStraight(lane):

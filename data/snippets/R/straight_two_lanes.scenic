@@ -2,6 +2,8 @@
 # description: A straight road with two or more lanes in ego's direction, ego on the right.
 # paraphrases:
 #   - multi-lane straight, keep right
+#   - a straight road with two lanes going my way
+#   - a straight multi-lane road
 # places: [straight]
 # ---
 def bend(lane):

@@ -2,6 +2,8 @@
 # description: The run ends after a drawn time between 10 and 20 seconds.
 # paraphrases:
 #   - varying run length
+#   - stop after some seconds, not always the same
+#   - end at a random time
 # conditions: [time]
 # ---
 RUN_SECONDS = Range(10, 20)

@@ -2,6 +2,8 @@
 # description: The run ends when both ego and the lead vehicle stand.
 # paraphrases:
 #   - nobody moves any more
+#   - end when both cars stand still
+#   - over when everybody has stopped
 # conditions: [stopped]
 # hosts: [O/lead_ahead_of_specifier]
 # ---

@@ -2,6 +2,8 @@
 # description: 'The run ends when ego has lost over 4 m/s within half a second: a hard brake.'
 # paraphrases:
 #   - over once an emergency stop was seen
+#   - end when my car brakes hard
+#   - over after a sudden strong brake
 # conditions: [action]
 # ---
 monitor EndsAtHardBrake(drop):

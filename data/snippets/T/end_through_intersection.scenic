@@ -2,6 +2,8 @@
 # description: The run ends when ego is 10 metres behind the intersection.
 # paraphrases:
 #   - finish after the junction is crossed
+#   - end after crossing the junction
+#   - over when my car is past the crossroads
 # conditions: [travelled, action]
 # hosts: [R/intersection_four_way]
 # ---

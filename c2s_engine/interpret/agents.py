@@ -25,6 +25,7 @@ class Agents(Patients):
         passive = any(self.words[c].dep in ("auxpass",) for c in word.children) or any(
             self.words[c].dep == "nsubjpass" for c in word.children
         )
+        passive = passive or word.tag == "VBN" and any(self.words[c].dep == "agent" for c in word.children)
         subjects = [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass", "csubj")]
         subjects.sort(key=lambda c: (c > word.i, -c))
         if passive:

@@ -50,6 +50,8 @@ def _bare() -> re.Pattern[str]:
         rf"(?:{DIGITS}))?)(?=\s*(?:[,.;)]|$|and\b|in\b|on\b))"
         rf"|\bthe speed (?P<plain>\d{{2,3}})\b(?! ?(?:km|mph|k|m/))"
         rf"|(?<=lane )(?P<lane>\d{{2,3}})(?=\s*(?:[,.;)]|$))"
+        rf"|\b(?:speed )?limit(?:ed)?(?: zone)?(?: is| of| to| at|:)? ?(?P<limit>\d{{2,3}})(?! ?(?:km|mph|k|m|s|%)\b)"
+        rf"|(?<![\w.])(?P<zone>\d{{2,3}})[- ](?=zone\b|limit\b|speed limit\b)"
     )
 
 

@@ -52,6 +52,8 @@ class Clauses(Nominal):
             ]
         ):
             text = f"wait until {self.render(self.own(self.words[later[0]]))}"
+        if lemma == "follow" and word.tag == "VBN" and word.head != word.i:  # "a ball rolls onto the road, followed by"
+            whole = f"{whole} {self.render(self.own(self.words[word.head]))}"
         if lemma == "be":
             complements = [c for c in complements if self.words[c].dep == "xcomp"]
         if (
@@ -252,6 +254,8 @@ class Clauses(Nominal):
                 or rule.get("of") == "ego_lane"
                 and (actor.ego and not re.search(r"@a\d", text))
             ):
+                continue
+            if rule.get("moving") and self._at_rest(actor):
                 continue
             if rule.get("of") == "parked" and not self._was_off_road(actor):
                 continue

@@ -107,7 +107,14 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             )
             phases.append(Phase(action=f"turn_{towards}", trigger=trigger))
         elif act in ("u_turn", "run_red", "run_stop", "lose_control", "accelerate", "start"):
-            phases.append(Phase(action=act, side=towards if act == "lose_control" else None, trigger=trigger))  # type: ignore[arg-type]
+            phases.append(
+                Phase(
+                    action=act,  # type: ignore[arg-type]
+                    side=towards if act == "lose_control" else None,
+                    speed=target_speed(event) if act in ("accelerate", "start") else None,
+                    trigger=trigger,
+                )
+            )
         elif act == "go_straight" and place.kind == "intersection":
             phases.append(Phase(action="go_straight", trigger=trigger))
         elif act == "cross_path" and place.kind == "intersection":
@@ -142,6 +149,11 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         (e for e in scene.clauses.events if e.act == "collide" and e.done and not e.agent.ego and e.patient is ego),
         None,
     )
+    if reaction == "yield" and _makes_way(scene, react_to, phases, ids):
+        slows = {e.act for e in events}
+        halts = "stop" if slows & {"stop", "brake_stop", "stationary"} else "brake" if "brake" in slows else None
+        phases.append(Phase(action=halts) if halts else Phase(action="yield", target=react_to))  # type: ignore[arg-type]
+        reaction, react_to = "none", None
     if reaction == "yield":
         phases = [p for p in phases if p.action != "wait"]
     phases = _tidy(phases, place, reaction)
@@ -196,6 +208,14 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     return spec, assumed
 
 
+def _makes_way(scene: Scene, react_to: str | None, phases: list[Phase], ids: dict[Entity, str]) -> bool:
+    """Whether ego lets one from behind pass after it moved aside."""
+    aside = phases and phases[-1].action in ("lane_change", "leave_road", "drift")
+    return bool(aside) and any(
+        scene.where(a).rel == "behind" and ids.get(a) == react_to for a in scene.actors if a.mover
+    )
+
+
 def _tidy(phases: list[Phase], place: PlaceSpec, reaction: str) -> list[Phase]:
     found: list[Phase] = []
     for phase in phases:
@@ -207,6 +227,8 @@ def _tidy(phases: list[Phase], place: PlaceSpec, reaction: str) -> list[Phase]:
             continue
         if found and found[-1].action == "lose_control" and phase.action in ("leave_road", "oncoming", "drift"):
             found[-1] = phase
+            continue
+        if found and found[-1].action == "lane_change" and phase.action == "drift" and phase.side == found[-1].side:
             continue
         if found and found[-1].action in ("brake", "stop") and phase.action == "stop":
             found[-1] = phase

@@ -35,7 +35,8 @@ def yielded(scene: Scene, event: Event, ids: dict[Entity, str]) -> str | None:
         or "oncoming" in e.roles
         or e.person
     ]
-    pick = conflicts or before or near
+    comes = [e for e in before if scene.does(e, "cut_in", "lane_change", "enter_road", "overtake")]
+    pick = comes if re.search(r"\b(in|out|merge|over)$", event.whole) and comes else conflicts or before or near
     return ids[pick[-1]] if pick else None
 
 

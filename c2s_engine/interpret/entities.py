@@ -37,6 +37,7 @@ class Entity:
     mentions: list[Mention] = field(default_factory=list)
     typed: bool = False
     ordinal: int | None = None
+    group: "Entity | None" = None  # whose member it is ("the second of them")
 
     @property
     def ego(self) -> bool:

@@ -9,6 +9,7 @@ from c2s_engine.interpret.concealed import Concealed
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.syntax import Word
+from c2s_engine.interpret.towards import side
 from c2s_engine.interpret.whereabouts import STATES, Where
 
 
@@ -81,6 +82,41 @@ class Inferred(Concealed):
                 continue
             self.of[other].lane = match["side"]
             self.of[other].rel = self.of[other].rel or ("ahead" if match["rel"] == "behind" else "beside")
+
+    def _encroached(self) -> None:
+        """Whom ego's lane change encroaches on is beside it on that side, or where it cuts in between two."""
+        for event in self.clauses.events:
+            if not event.agent.ego or event.act not in ("drift", "lane_change", "cut_in", "collide") or not event.done:
+                continue
+            shifts = [e for e in self.clauses.events if e.agent.ego and e.act in ("lane_change", "drift") and e.done]
+            towards = next((s for e in shifts if (s := side(e))), None)
+            other = event.patient
+            if other is None or other not in self.of or not other.mover or not towards:
+                continue
+            where = self.of[other]
+            near = re.search(r"encroach|side|into (the )?path|too close|cut|collide|hit|strike", event.text)
+            free = where.rel is None and where.lane in (None, "same")
+            if free and (near or event.act == "collide") and not re.search(r"rear|behind|back", event.text):
+                where.lane, where.side, where.rel = towards, towards, "beside"
+
+    def _between(self) -> None:
+        """ "It merges between a truck and a sedan": the first is ahead of the gap, the second behind it."""
+        for event in self.clauses.events:
+            if not event.agent.ego or not event.done or event.act in ("travel", "stationary", "cross_road"):
+                continue
+            match = re.search(
+                r"between (?:the |an? |two )?(?:[\w-]+ ){0,2}@(?P<a>a\d+)"
+                r"(?: and (?:the |an? |another )?(?:[\w-]+ ){0,2}@(?P<b>a\d+))?",
+                self.clauses.render([w.i for w in self.words if w.sentence == self.words[event.word].sentence]),
+            )
+            pair = [e for key in ("a", "b") for e in self.cast.entities if match and e.key == match[key]]
+            if len(pair) != 2 or not all(e.mover and not e.person for e in pair):
+                continue
+            towards = side(event)
+            for other, rel in zip(pair, ("ahead", "behind"), strict=True):
+                where = self.of[other]
+                if where.lane in (None, "same") and where.rel is None:
+                    where.lane, where.rel, where.side = towards or "left", rel, towards or "left"
 
     def _shared(self) -> None:
         """ "Two cars and a truck standing across the lane": what is said of the last holds for those before it."""

@@ -1,5 +1,7 @@
 """Where along the road one is or comes to be, seen from ego."""
 
+import re
+
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.scene import Scene
 
@@ -8,5 +10,25 @@ def along_of(rel: str | None) -> str:
     return {"ahead": "ahead", "behind": "behind", "beside": "abreast"}.get(rel or "", "ahead")
 
 
+def at_edge(scene: Scene, entity: Entity) -> bool:
+    """Whether a cyclist on one side rides along the road's edge: nothing says that it has a lane of its own there."""
+    where = scene.where(entity)
+    return entity.type == "bicycle" and not any("lane" in text for _, text in where.phrases)
+
+
 def passes_ego(scene: Scene, entity: Entity) -> bool:
     return any(e.act == "overtake" and (e.patient is None or e.patient.ego) for e in scene.events(entity))
+
+
+OWN_LANE = re.compile(r"@ego 's (\w+ )?lane|(same|ego|own|its|@ego) lane|lane of (the )?@ego|same lane as")
+
+
+def wrong_way(scene: Scene, entity: Entity) -> bool:
+    """Whether one drives the wrong way in a lane of ego's direction: on a motorway, or in ego's own lane."""
+    where = scene.where(entity)
+    if where.facing != "against" or not entity.mover or entity.person:
+        return False
+    if scene.road.kind == "motorway" or scene.road.ramp or where.lane in ("same", "left", "right"):
+        return True
+    words = [t for _, t in where.phrases] + [e.whole for e in scene.events(entity)]
+    return any(OWN_LANE.search(text) for text in words)

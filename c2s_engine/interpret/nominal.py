@@ -14,6 +14,8 @@ ATTRIBUTIVE = frozenset(
     ("brake", "stop", "accelerate", "reverse", "swerve", "lose_control", "drift", "u_turn", "cross_road")
 )
 
+HALTS = frozenset(("stop", "brake", "brake_stop", "stationary"))
+
 
 class Nominal(Timing):
     """The part of Clauses that reads nouns of motion and verbs before nouns."""
@@ -116,6 +118,9 @@ class Nominal(Timing):
                 or self.words[word.head].norm in ("without", "of")
                 and "avoid" in near
             ):
+                mode = "negated"
+            halted = verb is not None and verb.i in self.by_word and self.by_word[verb.i].act in HALTS
+            if halted and re.search(r"\b(before|prior to|short of|ahead of|without) (any |a |the )?$", before + " "):
                 mode = "negated"
             if word.dep == "conj" and any(self.words[c].norm == "or" for c in self.words[word.head].children):
                 mode = "alternative"

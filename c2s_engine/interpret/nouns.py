@@ -127,6 +127,8 @@ class Nouns(Reference):
                 if not found.ego and found.type == "vehicle" and kind != "vehicle" and kind in MOTOR:
                     found.type, found.typed = kind, True
                 found.roles |= roles
+                if found.noun == "traffic" and count > 1:
+                    found.count, found.noun = count, noun
                 return found
         return self._new(
             Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
@@ -211,7 +213,7 @@ class Nouns(Reference):
 
     def _count(self, word: Word, before: list[str], data: dict) -> int:
         counts = language.table("actors")["counts"]
-        if not data.get("plural"):
+        if not data.get("plural") or data["type"] in ZONES:
             return 1
         for text in [*before, *self._near(word)]:
             if text.isdigit() and 1 <= int(text) <= 8:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.mentions import Entity
 from c2s_engine.interpret.pace import pace_of
 from c2s_engine.interpret.phases import phases_of
@@ -55,7 +56,11 @@ def _name(entity: Entity, placement: Placement) -> str:
     for role in ("lead", "oncoming"):
         if role in entity.roles:
             return role
-    return (entity.noun or entity.type).replace("-", " ")
+    noun = entity.noun or entity.type
+    known = language.actor_nouns().get(noun)
+    if entity.count == 1 and entity.mover and known is not None and known[1]:  # one of several
+        noun = noun[:-1] if noun.endswith("s") and noun[:-1] in language.actor_nouns() else entity.type
+    return noun.replace("-", " ")
 
 
 def signs(scene: Scene, place: PlaceSpec, number: int) -> list[Draft]:

@@ -162,6 +162,12 @@ class Patients(Rendering):
             return self.cast.ego
         return None
 
+    def _at_rest(self, actor: Entity) -> bool:
+        """Whether one is said to stand."""
+        return bool(actor.roles & {"parked", "stationary"}) or any(
+            e.agent is actor and e.act == "stationary" for e in self.events
+        )
+
     def _was_off_road(self, actor: Entity) -> bool:
         if "parked" in actor.roles:
             return True

@@ -219,7 +219,7 @@ def is_limit(before: str, after: str) -> bool:
     near = re.search(pattern.pattern + r"(\s+(?!and\b|but\b)[\w-]+){0,4}[:\s]*$", before)
     follows = re.match(
         (
-            r"\s*(or (more|above|higher|less|over|faster) (is |are |was )?(allowed|permitted|may)|(is"
+            r"[\s-]*(or (more|above|higher|less|over|faster) (is |are |was )?(allowed|permitted|may)|(is"
             r"|was|being) (the )?(posted |speed )*(limit|allowed|permitted)|(speed )?(limit|zone)"
             r"|or (more|higher|above) may|(are|is) (allowed|permitted)|(city|urban"
             r"|residential) (street|road)?\s?(limit)|(is|was) posted|may be (driven|done)|posted|max\b"
@@ -227,4 +227,6 @@ def is_limit(before: str, after: str) -> bool:
         ),
         after,
     )
-    return bool(near or follows) and not re.search(r"travel|driving|drove|going at|cruis|set speed", before[-25:])
+    return bool(near or follows) and not re.search(
+        r"travel|\bdriv(es?|ing)\b|drove|going at|cruis|set speed", before[-25:]
+    )

@@ -102,6 +102,8 @@ def _thing(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
     if where.lane == "partly":
         return {"position": "partly_in_lane", "side": edge or "right", "said": True}
     if where.lane in ("left", "right"):
+        if place.ego_lane == {"left": "leftmost", "right": "rightmost"}[where.lane] and where.of is None:
+            return {"position": "ahead", "said": True}
         return {"position": f"{where.lane}_lane", "along": "ahead", "said": True}
     if where.lane == "oncoming":
         return {"position": "oncoming_lane", "said": True}

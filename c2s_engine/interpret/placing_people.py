@@ -2,7 +2,7 @@
 
 import re
 
-from c2s_engine.interpret.lengthwise import along_of, passes_ego
+from c2s_engine.interpret.lengthwise import along_of, at_edge, passes_ego, wrong_way
 from c2s_engine.interpret.mentions import Entity
 from c2s_engine.interpret.relations import Where, side_of_text
 from c2s_engine.interpret.scene import Scene
@@ -21,6 +21,8 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         or side_of_text(re.sub(r"@\w+ (turn|travel)\w* (left|right)", "", " ".join(t for _, t in where.phrases)))
         or _sentence_side(scene, entity)
     )
+    if wrong_way(scene, entity):
+        return {"position": "ahead", "facing": "against", "said": True}
     if entity.type == "bicycle":
         if where.lane == "crossing" and not re.search(
             r"\b(cross|crosses) (the|a) (road|street|crosswalk|zebra)|crosswalk|sidewalk", text
@@ -28,6 +30,8 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             return {"position": f"crossing_{where.side or 'right'}", "said": True}
         if (where.lane == "oncoming" or "oncoming" in entity.roles) and not crosses:
             return {"position": "opposite_approach" if place.kind == "intersection" else "oncoming_lane", "said": True}
+        if where.rel == "behind" and where.side and at_edge(scene, entity) and place.kind == "intersection":
+            return {"position": "roadside", "side": where.side, "along": "behind", "said": True}
         if where.lane in ("left", "right") and where.rel:
             return {"position": f"{where.lane}_lane", "along": along_of(where.rel), "said": True}
         if where.lane == "oncoming" and place.kind == "intersection":

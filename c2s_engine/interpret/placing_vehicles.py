@@ -4,16 +4,19 @@ import re
 
 from c2s_engine.interpret.compass import compass
 from c2s_engine.interpret.event import Event
-from c2s_engine.interpret.lengthwise import along_of, passes_ego
+from c2s_engine.interpret.lengthwise import along_of, passes_ego, wrong_way
 from c2s_engine.interpret.mentions import Entity
 from c2s_engine.interpret.relations import Where, side_of_text
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.structure.specs import PlaceSpec
 
+PARTLY = re.compile(r"\b(partly|partially|half|part) [^;]*\b(lane|road|carriageway)\b")
 OPPOSITE = {"left": "right", "right": "left"}
 
 
 def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:
+    if wrong_way(scene, entity):
+        return facing_ego(where, place)
     junction = place.kind == "intersection"
     lane, rel, edge = where.lane, where.rel, where.side
     if junction and lane in ("left", "right") and rel is None and "lane" not in " ".join(t for _, t in where.phrases):
@@ -27,7 +30,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     roles = entity.roles
     moves = [a for a in acts if a not in ("stationary",)]
     first = scene.events(entity)[0] if scene.events(entity) else None
-    if lane == "partly":
+    if lane == "partly" or lane in ("parked", "roadside", None) and "parked" in roles and PARTLY.search(text):
         return {"position": "partly_in_lane", "side": edge or side_of_text(text) or "right", "said": True}
     if lane == "ramp":
         return {"position": "on_ramp", "said": True}
@@ -132,6 +135,16 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     if "following" in roles:
         return {"position": "behind", "said": True}
     return _implied(scene, entity, acts, place, first)
+
+
+def facing_ego(where: Where, place: PlaceSpec) -> dict:
+    """Where one is that comes the wrong way: ahead in ego's lane, unless the lane beside is named."""
+    own = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
+    named = re.search(r"(left|right)(-hand|most)? lane", " ".join(t for _, t in where.phrases))
+    lane = named[1] if named else where.lane
+    if lane not in ("left", "right") or lane == own:
+        return {"position": "ahead", "facing": "against", "said": True}
+    return {"position": f"{lane}_lane", "along": "ahead", "facing": "against", "said": True}
 
 
 def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, first: Event | None) -> dict:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import VEHICLES, Entity
+from c2s_engine.interpret.entities import ORDINALS, VEHICLES, Entity
 from c2s_engine.interpret.parts import Parts
 from c2s_engine.interpret.syntax import Word
 
 STRIKES = frozenset(("hit", "strike", "clip", "ram", "bump", "contact", "touch", "graze", "scrape", "sideswipe"))
+
+BESIDE = re.compile(r"(to|on|in|at) (left|right|front|rear)\b")
 
 
 class Pronouns(Parts):
@@ -41,7 +43,8 @@ class Pronouns(Parts):
                 return None
             if self._obliged(word):
                 return self.ego
-            return self._salient(word, lambda e: not e.person and (e.mover or e.type in ("debris", "box", "obstacle")))
+            thing = lambda e: not e.person and (e.mover or e.type in ("debris", "box", "obstacle"))  # noqa: E731
+            return self._salient(word, lambda e: thing(e) and e.count == 1) or self._salient(word, thing)
         if norm in data["person"]:
             return self._salient(word, lambda e: e.person) or self._salient(word, lambda e: e.mover)
         if norm in ("they", "them", "their", "themselves"):
@@ -121,6 +124,8 @@ class Pronouns(Parts):
             in ("let", "lets", "allow", "make", "force", "cause", "see", "help", "wait", "follows", "permit", "enable")
         ):
             clash = self._subject_of(self.words[verb.head])
+        if word.dep == "nsubj" and {"until", "till"} & {self.words[c].norm for c in verb.children if c < word.i}:
+            clash = self._subject_of(self.words[verb.head])  # one waits until another has passed
         if word.dep in ("dobj", "pobj") and word.norm not in ("its", "itself"):
             clash = self._subject_of(verb)
         if word.dep == "poss" and verb.lemma in STRIKES and self.words[word.head].dep in ("dobj", "pobj"):
@@ -136,7 +141,16 @@ class Pronouns(Parts):
             return None
         sentence = [p for p in same if self.words[p[0]].sentence == word.sentence]
         if word.dep == "poss":
+            twin = self._parallel(word)
+            if twin is not None and accept(twin):
+                return twin
             own = self._subject_of(verb)
+            if BESIDE.match(self._around(word.i)) and verb.lemma in ("be", "stand", "sit", "wait", "appear"):
+                clash, own = own, None  # nobody is on its own left
+                last = [i for i in last if self.of[i] is not clash]
+                if not last:
+                    return None
+                sentence = [p for p in sentence if p[1] is not clash]
             its = [
                 self.of[w.i]
                 for w in self.words[: word.i]
@@ -165,6 +179,21 @@ class Pronouns(Parts):
             )
         return self.of[last[-1]]
 
+    def _parallel(self, word: Word) -> Entity | None:
+        """Whom "its" meant just before in the same place: "a bus is on its right, a car on its left"."""
+        if not BESIDE.match(self._around(word.i)):
+            return None
+        for earlier in reversed(self.words[: word.i]):
+            if earlier.sentence != word.sentence:
+                return None
+            if earlier.norm == word.norm and BESIDE.match(self._around(earlier.i)):
+                return self.of.get(earlier.i)
+        return None
+
+    def _around(self, i: int) -> str:
+        """The words before and after a word."""
+        return " ".join(w.norm for w in self.words[max(0, i - 1) : i + 2 : 2])
+
     def _main_subject(self, i: int) -> bool:
         return self.words[self.words[i].head].dep in ("ROOT", "conj", "ccomp")
 
@@ -188,6 +217,29 @@ class Pronouns(Parts):
                 return None
             current = self._governor(self.words[current.head])
         return None
+
+    def _member_of(self, word: Word) -> Entity | None:
+        """ "The second", "the last one", "the first of them", after a group was spoken of: a member of it."""
+        before = [w.norm for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
+        told = word.norm if word.norm in ORDINALS else before[-1] if before and word.norm == "one" else ""
+        named = before[-1:] if told == word.norm else before[-2:-1]
+        groups = [e for e in self.entities if e.count > 1 and e.mover and "group" not in e.roles]
+        if told not in ORDINALS or not groups or named not in (["the"], ["its"]):
+            return None
+        return self._member(groups[-1], told)
+
+    def _member(self, group: Entity, told: str) -> Entity | None:
+        """The member of a group by its number; None where the group has fewer."""
+        number = ORDINALS[told] + 1 or -1
+        if number > group.count:
+            return None
+        number = -1 if number == group.count else number
+        known = next((e for e in self.entities if e.group is group and e.ordinal == number), None)
+        if known is not None:
+            return known
+        return self._new(
+            Entity("", group.type, noun=group.noun, typed=False, roles=set(group.roles), group=group, ordinal=number)
+        )
 
     def _elliptic(self, word: Word) -> Entity | None:
         """ "another", "the latter", "the other", "one", "the first", "a third", "both", "the two"."""
@@ -218,6 +270,9 @@ class Pronouns(Parts):
         movers = [e for e in self.entities if e.mover]
         if not argument or not movers:
             return None
+        member = self._member_of(word)
+        if member is not None:
+            return member
         if norm == "latter":
             last = [i for i in sorted(self.of) if i < word.i]
             return self.of[last[-1]] if last else None

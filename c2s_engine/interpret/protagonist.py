@@ -43,7 +43,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     """Where nobody is called ego: the vehicle that the text is about, if there is one besides the others."""
     if cast.ego.mentions:
         return
-    vehicles = [e for e in cast.entities if e.type in MOTOR and e.count == 1]
+    vehicles = [e for e in cast.entities if e.type in MOTOR and e.count == 1 and e.group is None]
     acting = {e: [v for v in clauses.events if v.agent is e and v.done] for e in vehicles}
     candidates = []
     for entity in vehicles:

@@ -52,10 +52,25 @@ FOLLOWS = regex.compile(
 CROSSES = regex.compile(r"\s+(?:the|a|from|in front|at the|over|on|behind|with|slowly|against|his|her|its)\b")
 
 
+TOLD = frozenset(("first", "second", "third", "fourth", "last", "other", "latter", "former"))
+
+
+def _finite(word: str) -> bool:
+    """Whether a word can only be what someone does or is ("brakes", "pulled", "has")."""
+    listed = language.word_list("motion") | language.word_list("base")
+    endings = (word[: -len(e)] for e in ("s", "es", "d", "ed") if word.endswith(e))
+    return word in ("is", "was", "has", "had", "does", "must", "will", "stays", "remains", "keeps") or (
+        word in language.word_list("noun_like") and word.endswith("s") or any(stem in listed for stem in endings)
+    )
+
+
 def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     """The word that the parser sees in place of one that it would take for another part of speech."""
     if text in BOUND:
         return "east"
+    verb = regex.match(r"\s+(?:then |suddenly )?(\p{L}+)", plain[start + len(text) : start + 40])
+    if text in TOLD and verb and _finite(verb[1]) and regex.search(r"\bthe\s+$", plain[max(0, start - 5) : start]):
+        return "man"
     person = before is not None and before.data.get("type") in ("pedestrian", "child", "animal")
     if text == "crossing" and person and CROSSES.match(plain[start + 8 : start + 20]):
         return "walking"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from c2s_engine.interpret.entities import VEHICLES, Entity, fits
+from c2s_engine.interpret.entities import ORDINALS, VEHICLES, Entity, fits
 from c2s_engine.interpret.pronouns import Pronouns
 from c2s_engine.interpret.syntax import Word
 
@@ -74,6 +74,11 @@ class Reference(Pronouns):
                 return None
             single = [e for e in vehicles if e.count == 1 and "group" not in e.roles]
             return single[-1] if single else None
+        if ordinal is not None and count == 1 and definite:
+            groups = [e for e in candidates if e.count > 1 and "group" not in e.roles]
+            told = next((name for name, at in ORDINALS.items() if at == ordinal), "")
+            if groups and (member := self._member(groups[-1], told)) is not None:
+                return member
         if ordinal is not None and len(candidates) > 1 and ordinal < len(candidates):
             return candidates[ordinal]
         if self._distinguished(word) and not any(e.noun == noun or e.type == kind for e in candidates):

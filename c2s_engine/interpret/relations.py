@@ -4,12 +4,15 @@ import re
 
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.event import Event
+from c2s_engine.interpret.groups import split_groups
 from c2s_engine.interpret.inferred import Inferred
 from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.whereabouts import STATES, Where, read, side_of_text
 
 __all__ = ["STATES", "Places", "Where", "read", "side_of_text"]
 
+
+AGAINST = re.compile(r"wrong[- ](way|direction)|(against|contrary to) (the )?(traffic|direction|flow|stream|current)")
 
 PLACING = frozenset(("facing", "following", "level", "side", "abreast", "alongside", "next", "adjacent"))
 
@@ -23,20 +26,18 @@ class Places(Inferred):
         self.ego_lane: str | None = None
         for entity in cast.entities:
             self.of[entity] = self._where(entity)
-        for where in self.of.values():
+        for entity, where in self.of.items():
             text = " ; ".join(t for _, t in where.phrases)
-            match = re.search(
-                (
-                    r"(?:directly|immediately|just|right) (?:in front of|ahead of"
-                    r"|behind) (?:the )?@ego in the (left|right)"
-                ),
-                text,
-            )
+            close = r"(?:directly|immediately|just|right) " if "lead" not in entity.roles else ""
+            match = re.search(rf"{close}(?:in front of|ahead of|behind) (?:the )?@ego in the (left|right)", text)
             if match and where.rel in ("ahead", "behind"):
                 where.lane, where.side = "same", None
                 self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
+        split_groups(cast, clauses, self.of)
         self._referred()
+        self._between()
         self._joined()
+        self._encroached()
         self._shared()
         self._numbered()
         self._overtaken()
@@ -52,7 +53,8 @@ class Places(Inferred):
         for event in sorted(events, key=lambda e: e.word):
             if event.mode in ("hypothetical", "negated") and event.act not in ("stationary", "travel"):
                 continue
-            if event.act in STATES or event.act == "follow" and event.patient is None:
+            against = event.act == "oncoming" and AGAINST.search(event.whole)
+            if event.act in STATES or against or event.act == "follow" and event.patient is None:
                 read(event.whole, where, entity, self.cast, event.act)
                 self._gap(event.words, where)
             elif event.act not in ("collide",):
@@ -147,6 +149,7 @@ class Places(Inferred):
         if fronted and word.span is not None:
             read(fronted[1], where, entity, self.cast, "noun")
         lead = word.span.data.get("words", []) if word.span is not None and word.span.kind == "actor" else []
+        lead = [*lead, entity.noun] if re.match(r"wrong|ghost", entity.noun) else lead
         text = " ".join(lead) + " "
         known = set(self.cast.of) | set()
         indices = sorted(set(indices))

@@ -4,6 +4,7 @@ import re
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret import place as places
+from c2s_engine.interpret.lengthwise import at_edge, wrong_way
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.structure.specs import PlaceSpec
 
@@ -21,6 +22,9 @@ def compose_place(scene: Scene) -> PlaceSpec:
         kind = "intersection"
     if kind == "intersection" and road.no_intersection and not at_junction and road.control is None:
         kind = None
+    exits = [e for e in scene.clauses.events if e.act == "exit_road" and e.done]
+    if kind == "off_ramp" and exits and not any(e.agent.ego for e in exits):
+        kind = "motorway"
     manoeuvre = None
     if kind is None and road.signal:
         kind = "intersection"
@@ -108,7 +112,8 @@ def _at_junction(scene: Scene) -> bool:
                 r"intersection|junction|street|road", event.whole
             ):
                 continue
-            return side(event) is not None and not scene.road.no_intersection
+            if side(event) is not None:
+                return not scene.road.no_intersection
     if re.search(r"unprotected (left|right)|protected left", scene.plain):
         return True
     crossing = [e for e in scene.actors if scene.where(e).lane == "crossing" and not e.person and e.type != "bicycle"]
@@ -157,14 +162,15 @@ def _neighbours(scene: Scene) -> tuple[bool, bool, bool]:
         ):
             towards = side(event)
             left, right = left or towards == "left", right or towards == "right"
-        if event.act == "oncoming":
+        if event.act == "oncoming" and not wrong_way(scene, event.agent):
             oncoming = True
     for entity in scene.actors:
         where = scene.where(entity)
         if where.of is not None and not where.of.ego:
             continue
-        left, right = left or where.lane == "left", right or where.lane == "right"
-        if where.lane == "oncoming" or "oncoming" in entity.roles:
+        if not at_edge(scene, entity):
+            left, right = left or where.lane == "left", right or where.lane == "right"
+        if (where.lane == "oncoming" or "oncoming" in entity.roles) and not wrong_way(scene, entity):
             oncoming = True
     lane = _ego_lane(scene)
     if lane == "leftmost":

@@ -1,6 +1,5 @@
 """Fifth stage: the scene as a whole, as data: who is there, what each does, where, how fast."""
 
-import re
 from dataclasses import dataclass, field
 
 from c2s_engine.interpret import environment, scan, syntax
@@ -10,6 +9,9 @@ from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.place import Road
 from c2s_engine.interpret.relations import Places, Where
 from c2s_engine.interpret.settings import Settings
+from c2s_engine.interpret.towards import side
+
+__all__ = ["ACTIVE", "Scene", "side"]
 
 ACTIVE = frozenset(
     [
@@ -32,6 +34,7 @@ ACTIVE = frozenset(
         "move_along",
         "enter_road",
         "leave_road",
+        "exit_road",
         "reverse",
         "oncoming",
         "run_red",
@@ -82,24 +85,3 @@ class Scene:
 
     def where(self, entity: Entity) -> Where:
         return self.places.of.get(entity) or Where()
-
-
-def side(event: Event) -> str | None:
-    """The side towards which an event goes."""
-    text = event.text
-    for pattern in (
-        r"(?:to|onto|into|toward|towards|on|over|in)(?: \w+){0,4}? (left|right)\b",
-        r"\b(left|right)(?:ward|wards|-hand)?\b(?! of way)",
-    ):
-        for match in re.finditer(pattern, text):
-            before = text[max(0, match.start(1) - 12) : match.start(1)]
-            if (
-                event.act == "overtake"
-                and re.match(r"in\b", match[0])
-                and "lane" in text[match.end() : match.end() + 12]
-            ):
-                continue
-            if re.search(r"from (the |its |@\w+ 's )?$", before):
-                continue
-            return match[1]
-    return event.side

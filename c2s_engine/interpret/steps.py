@@ -91,7 +91,7 @@ def steps_of(
         towards = towards or "left"
         return [Phase(action=f"turn_{towards}", trigger=trigger)] if True else []
     if act == "go_straight":
-        if any(p.action in ("turn_left", "turn_right") for p in before):
+        if any(p.action in ("turn_left", "turn_right", "go_straight") for p in before):
             return []
         return (
             [Phase(action="go_straight", trigger=trigger)] if place.kind == "intersection" and not entity.person else []
@@ -172,6 +172,8 @@ def steps_of(
             goal = "right" if placement.side == "left" else "left"
         return [Phase(action="drift", side=goal or towards, trigger=trigger)]
     if act == "oncoming":
+        if placement.facing == "against":
+            return []
         return [Phase(action="oncoming", side="left", trigger=trigger)]
     if act in ("cross_road", "move_along"):
         if (
@@ -201,9 +203,15 @@ def steps_of(
         if (
             act == "cross_road"
             and entity.type == "bicycle"
-            and placement.position in ("ahead", "partly_in_lane", "behind", "left_lane", "right_lane")
+            and (
+                placement.position in ("ahead", "partly_in_lane", "behind", "left_lane", "right_lane")
+                or placement.along == "behind"
+            )
         ):
-            return [Phase(action="go_straight")] if place.kind == "intersection" else []
+            again = any(p.action == "go_straight" for p in before)
+            return [Phase(action="go_straight")] if place.kind == "intersection" and not again else []
+        if act == "move_along" and placement.facing == "against" and not entity.person:
+            return []
         found = [Phase(action=act, trigger=trigger)]
         if (
             act == "move_along"
@@ -225,6 +233,8 @@ def steps_of(
                 trigger=trigger,
             )
         ]
+    if act == "exit_road":
+        return [Phase(action="leave_road", side=towards or "right", trigger=trigger)]
     if act == "leave_road":
         return [Phase(action="leave_road", side=towards, trigger=trigger)]
     if act == "reverse":

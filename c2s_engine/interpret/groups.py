@@ -1,0 +1,136 @@
+"""Groups that split: "two vans, the second brakes", "cars in both adjacent lanes"."""
+
+from __future__ import annotations
+
+import re
+from copy import copy
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.mentions import MOVERS, Cast, Entity
+from c2s_engine.interpret.whereabouts import Where
+
+BOTH = re.compile(
+    r"\b(?:both|either|each) (?:of the )?(?:adjacent |neighbou?ring |adjoining |other |outer |next )?"
+    r"(?:lanes?|sides?)\b"
+    r"|\b(?:left|right)(?:-hand)?(?: lane| side)? and (?:(?:in|on|to) )?(?:the |its )?(?:left|right)\b(?! turn)"
+)
+
+
+def split_groups(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Members that do or are something of their own leave their group; the others are the group itself again."""
+    for group in [e for e in cast.entities if e.count > 1 and e.mover]:
+        members = sorted((e for e in cast.entities if e.group is group), key=lambda e: e.ordinal or 0)
+        own = [m for m in members if _matters(m, clauses, of)]
+        for member in members:
+            if member not in own:
+                _dissolve(member, group, cast, clauses, of)
+        if own:
+            _leave(group, own, cast, clauses, of)
+        elif BOTH.search(_said(group, cast, of)) and group.ordinal is None:
+            _both_sides(group, cast, clauses, of)
+
+
+def _said(entity: Entity, cast: Cast, of: dict[Entity, Where]) -> str:
+    near = [
+        " ".join(w.norm for w in cast.words[m.word : m.word + 9] if w.sentence == cast.words[m.word].sentence)
+        for m in entity.mentions[:1]
+    ]
+    return " ; ".join([*near, *(t for _, t in of[entity].phrases)])
+
+
+def _matters(member: Entity, clauses: Clauses, of: dict[Entity, Where]) -> bool:
+    """Whether a member is told apart from its group by more than being pointed at."""
+    group = member.group
+    assert group is not None
+    where = of[member]
+    return (
+        member.type != group.type
+        or where.hidden_by is not None
+        or where.gap is not None
+        or any(
+            e.done and (e.agent is member or e.patient is member and e.act in ("collide", "follow", "overtake"))
+            for e in clauses.events
+        )
+    )
+
+
+def _dissolve(member: Entity, group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """The member is only pointed at: it stands for the group."""
+    for i, entity in list(cast.of.items()):
+        if entity is member:
+            cast.of[i] = group
+    for event in clauses.events:
+        event.agent = group if event.agent is member else event.agent
+        event.patient = group if event.patient is member else event.patient
+    for where in of.values():
+        where.of = group if where.of is member else where.of
+        where.hidden_by = group if where.hidden_by is member else where.hidden_by
+    cast.entities.remove(member)
+    of.pop(member, None)
+
+
+def _leave(group: Entity, own: list[Entity], cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Members of their own start where the group starts, one behind the other in the group's order."""
+    whole, where = group.count, of[group]
+    group.count -= len(own)
+    queue: list[Entity] = []
+    for number in range(1, whole + 1):
+        member = next((m for m in own if m.ordinal == number or m.ordinal == -1 and number == whole), None)
+        queue.append(member if member is not None else group)
+    queue = queue if all(m in queue for m in own) else [*([group] if group.count else []), *own]
+    for member in own:
+        before = queue[queue.index(member) - 1] if queue.index(member) else None
+        theirs = of[member]
+        theirs.lane, theirs.side = theirs.lane or where.lane, theirs.side or where.side
+        theirs.facing = theirs.facing or where.facing
+        theirs.phrases = [*where.phrases, *theirs.phrases]
+        theirs.gap = theirs.gap or (where.gap if before is None else None)
+        if theirs.rel in (None, where.rel):
+            theirs.rel = where.rel
+            if before is not None and before is not member and theirs.of is None and theirs.lane in (None, "same"):
+                theirs.of, theirs.rel = before, "behind" if where.rel == "behind" else "ahead"
+        member.roles |= group.roles - {"group"}
+        for event in clauses.events:
+            told = any(e.agent is member and e.act == event.act for e in clauses.events)
+            if event.agent is group and event.done and member not in event.also and group.count and not told:
+                event.also = [*event.also, member]
+    if group.count <= 0:
+        for event in clauses.events:
+            if event.agent is group:
+                event.agent, event.also = own[0], [*event.also, *own[1:]]
+            event.patient = own[0] if event.patient is group else event.patient
+        for theirs in of.values():
+            theirs.of = own[0] if theirs.of is group else theirs.of
+        cast.entities.remove(group)
+    elif queue[0] is not group and queue.index(group) and where.rel != "behind":
+        where.of = queue[queue.index(group) - 1] if where.lane in (None, "same") else where.of
+
+
+def _both_sides(group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """One half of the group is on the left, the other on the right."""
+    where = of[group]
+    queue = group.noun in language.table("actors")["queues"]
+    if (
+        queue
+        or group.type not in MOVERS
+        or where.lane in ("oncoming", "crossing", "ramp")
+        or group.roles & {"oncoming"}
+    ):
+        return
+    twin = copy(group)
+    twin.key, twin.roles, twin.mentions = f"{group.key}0", set(group.roles), list(group.mentions)
+    twin.count = max(1, group.count // 2)
+    group.count = max(1, group.count - twin.count)
+    cast.entities.insert(cast.entities.index(group) + 1, twin)
+    off = where.lane in ("parked", "roadside", "sidewalk") or "parked" in group.roles or group.person
+    other = copy(where)
+    other.phrases = list(where.phrases)
+    for half, side in ((where, "left"), (other, "right")):
+        half.side = side
+        if not off:
+            half.lane, half.rel = side, half.rel or "beside"
+    of[twin] = other
+    for event in clauses.events:
+        if event.agent is group:
+            event.also = [*event.also, twin]

@@ -70,8 +70,8 @@ def ending(facts: RunFacts, program: Program) -> list[Diagnostic]:
             return []
         found = re.search(r"line (\d+)", reason)
         return [program.locate(catalogue.finding("ends_at_once", int(found[1]) if found else None, None))]
-    said = re.fullmatch(r"(?:(?P<when>at .*?), )?line (?P<line>\d+): (?P<text>.*)", reason, re.S)
-    line = int(said["line"]) if said else None
+    said = re.fullmatch(r"(?P<when>at .*?)?(?:, )?(?:line (?P<line>\d+))?: (?P<text>.*)", reason, re.S)
+    line = int(said["line"]) if said and said["line"] else None
     text = said["text"] if said else reason
     kind, _, words = text.partition(": ")
     hit = catalogue.find([kind], words, program.line(line)) if words else None

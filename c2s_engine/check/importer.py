@@ -14,7 +14,7 @@ from typing import Any
 
 import yaml
 
-from c2s_engine.check import describe, diagnose, pieces, upgrade, world
+from c2s_engine.check import describe, diagnose, pieces, scopes, upgrade
 from c2s_engine.check.protocol import ImportRequest, ImportResult
 from c2s_engine.structure.components import Component, Structure
 
@@ -33,8 +33,9 @@ class Unit:
     text: str
     tree: Any
     kind: str = ""  # settings, place, object, ego, restriction, definition, constant, other
-    defines: frozenset[str] = frozenset()
+    defines: frozenset[str] = frozenset()  # by itself, or by changing what others made
     uses: frozenset[str] = frozenset()
+    loops: frozenset[str] = frozenset()  # the names in `defines` that only loops run through
     component: str = ""
     classes: list[str] = field(default_factory=list)
 
@@ -45,6 +46,8 @@ def import_program(request: ImportRequest) -> ImportResult:
     try:
         newer = upgrade.upgraded(text, request.filename)
         found = units(newer, request.filename)
+    except upgrade.NotUpgraded as left:
+        return ImportResult(diagnostics=(left.diagnostic,))
     except Exception as error:
         program = diagnose.Program(text, request.filename)
         return ImportResult(diagnostics=(diagnose.diagnose(error, "parse", program),))
@@ -82,14 +85,10 @@ def classify(unit: Unit) -> None:
     """What a statement is by itself, what it defines and what it uses."""
     from scenic.syntax import ast as s
 
-    bound: set[str] = set()
-    read: set[str] = set()
+    known = table()
     kinds: set[str] = set()
     for node in ast.walk(unit.tree):
-        if isinstance(node, ast.Name):
-            (read if isinstance(node.ctx, ast.Load) else bound).add(node.id)
-        elif isinstance(node, s.New):
-            read.add(node.className)
+        if isinstance(node, s.New):
             unit.classes.append(node.className)
         elif isinstance(node, s.TrackedAssign):
             kinds.add("ego" if isinstance(node.target, s.Ego) else "place")
@@ -98,16 +97,16 @@ def classify(unit: Unit) -> None:
             kinds.add("settings")
         elif isinstance(node, s.BehaviorDef | s.MonitorDef | s.ScenarioDef | ast.FunctionDef | ast.ClassDef):
             kinds.add("definition")
-            bound = {node.name}
         elif isinstance(node, _restrictions()):
             kinds.add("restriction")
         elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
             kinds.add("settings")
-    made = [c for c in unit.classes if c not in table()["points"]]
+    found = scopes.names(unit.tree)
+    made = [c for c in unit.classes if c not in known["points"]]
     whole_scenario = any(isinstance(n, s.ScenarioDef) for n in unit.tree.body)
     if "ego" in kinds and (not kinds & {"definition"} or whole_scenario):
         unit.kind = "ego"
-        bound.add("ego")
+        found.bound.add("ego")
     elif made and (not kinds & {"definition"} or whole_scenario):
         unit.kind = "object"
     elif "restriction" in kinds:
@@ -116,11 +115,13 @@ def classify(unit: Unit) -> None:
         unit.kind = "settings"
     elif "definition" in kinds:
         unit.kind = "definition"
-    elif "place" in kinds or read & set(table()["places"]) or unit.classes:
+    elif "place" in kinds or found.read & set(known["places"]) or unit.classes:
         unit.kind = "place"
     else:
-        unit.kind = "constant" if bound else "other"
-    unit.defines, unit.uses = frozenset(bound), frozenset(read - bound if unit.kind == "definition" else read)
+        unit.kind = "constant" if found.bound or found.changed else "other"
+    unit.defines = frozenset(found.bound | found.changed)
+    unit.uses = frozenset(found.read | found.changed)
+    unit.loops = frozenset(found.loops)
 
 
 def _restrictions() -> tuple[type, ...]:
@@ -134,7 +135,10 @@ def _restrictions() -> tuple[type, ...]:
 
 def assign(found: list[Unit]) -> None:
     """Give each statement its component."""
-    makers: dict[str, int] = {name: i for i, unit in enumerate(found) for name in unit.defines}
+    makers = _makers(found)
+    for i, unit in enumerate(found):
+        if unit.kind in ("other", "constant") and any(_makes_objects(found[j]) for j in makers[i]):
+            unit.kind = "object"
     number = 0
     for unit in found:
         if unit.kind == "ego":
@@ -150,20 +154,41 @@ def assign(found: list[Unit]) -> None:
             unit.component = "R"
     spread(found, makers)
     before = "G"
-    for unit in found:
+    for i, unit in enumerate(found):
         if not unit.component:
-            owners = [found[makers[n]].component for n in sorted(unit.uses) if n in makers]
-            unit.component = next((o for o in owners if o), before)
+            unit.component = next((found[j].component for j in makers[i] if found[j].component), before)
         before = unit.component
 
 
-def spread(found: list[Unit], makers: dict[str, int]) -> None:
+def _makers(found: list[Unit]) -> list[list[int]]:
+    """For each statement those that make what it uses: the ones before it, for and among definitions all."""
+    by_name: dict[str, list[int]] = defaultdict(list)
+    for i, unit in enumerate(found):
+        for name in unit.defines:
+            by_name[name].append(i)
+    return [
+        sorted({
+            j
+            for name in unit.uses
+            for j in by_name[name]
+            if j != i and (j < i or "definition" in (unit.kind, found[j].kind) or unit.kind == "restriction")
+        })
+        for i, unit in enumerate(found)
+    ]  # fmt: skip
+
+
+def _makes_objects(unit: Unit) -> bool:
+    """Whether a definition is of a function that places objects: calling it makes them."""
+    functions = any(isinstance(n, ast.FunctionDef) for n in unit.tree.body)
+    return functions and any(c not in table()["points"] for c in unit.classes)
+
+
+def spread(found: list[Unit], makers: list[list[int]]) -> None:
     """Definitions and constants go where they are needed; places made of random or constant values only, too."""
     users: dict[int, set[int]] = defaultdict(set)
-    for i, unit in enumerate(found):
-        for name in unit.uses:
-            if name in makers and makers[name] != i:
-                users[makers[name]].add(i)
+    for i, made in enumerate(makers):
+        for j in made:
+            users[j].add(i)
     on_map = _on_map(found, makers)
     for _ in found:
         changed = False
@@ -184,11 +209,11 @@ def spread(found: list[Unit], makers: dict[str, int]) -> None:
             unit.component = "T" if _is_monitor(unit) else "G"
 
 
-def _on_map(found: list[Unit], makers: dict[str, int]) -> set[int]:
+def _on_map(found: list[Unit], makers: list[list[int]]) -> set[int]:
     """The statements whose values rest on places of the road network, directly or through others."""
     resting = {i for i, unit in enumerate(found) if unit.kind == "place"}
-    for i, unit in enumerate(found):
-        if any(makers.get(name) in resting for name in unit.uses):
+    for i, made in enumerate(makers):
+        if resting & set(made):
             resting.add(i)
     return resting
 
@@ -250,10 +275,3 @@ def type_of(name: str, classes: dict[str, str]) -> str | None:
             return None
         name = classes[name]
     return None
-
-
-def known_classes(model: str) -> frozenset[str]:
-    """The classes whose objects a program can make: the table's, and what the world model defines like a class."""
-    found = world.world(model) if model else None
-    names = {n for n in found.names if n[:1].isupper()} if found else set()
-    return frozenset(table()["types"]) | frozenset(table()["points"]) | {n for n in names if n.isidentifier()}

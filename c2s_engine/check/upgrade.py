@@ -1,39 +1,67 @@
-"""Scenic 2 to Scenic 3, where that is certain: `new` before objects, monitors with parentheses, units of durations."""
+"""Scenic 2 to Scenic 3, where that is certain.
+
+`new` before objects, monitors with parentheses, units of durations, `following ... for`, numbers that were given in
+quotes, ranges in requirements. Words in comments and strings stay as they are.
+"""
 
 import ast
 import difflib
+import io
 import re
+import tokenize
 from typing import Any
 
 from c2s_engine.check import diagnose, fixes, pieces
+from c2s_engine.structure.diagnostics import Diagnostic
 
-CERTAIN = frozenset({"old_monitor", "duration_unit", "forgot_new", "missing_comma"})
+CERTAIN = frozenset({"old_monitor", "duration_unit", "forgot_new", "missing_comma", "following_by"})
 ROUNDS = 200
 _SPECIFIER = (
     r"at|on|in|with|ahead|behind|left|right|following|facing|offset|beyond|visible|not|apparently|using|contained"
 )
 
 
+class NotUpgraded(Exception):
+    """What is left to be said of a program that certain edits do not make Scenic 3; located in the program as given."""
+
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        super().__init__(diagnostic.message)
+        self.diagnostic = diagnostic
+
+
 def upgraded(text: str, filename: str) -> str:
-    """The program in Scenic 3; raises what the parser raises where that needs more than certain edits."""
+    """The program in Scenic 3; raises NotUpgraded where that needs more than certain edits."""
     first: Exception | None = None
     try:
         if not _objects_without_new(pieces.parse(text, filename)):
             return text
     except Exception as old:
         first = old
-    error: Exception | None = first
-    newer = _insert_new(text)
+    newer = _quoted_numbers(_insert_new(text))
     for _ in range(ROUNDS):
         error = _error(newer, filename)
         if error is None:
-            return newer
-        program = diagnose.Program(newer, filename)
-        found = diagnose.diagnose(error, "parse", program)
+            return _ranges_in_requirements(newer, filename)
+        found = diagnose.diagnose(error, "parse", diagnose.Program(newer, filename))
         if found.code not in CERTAIN or found.edit is None:
             break
         newer = fixes.apply_fixes(newer, [found])
-    raise first or error or ValueError("the program cannot be upgraded")
+    if newer == text and first is not None:
+        raise first
+    raise NotUpgraded(_in_the_original(found, text, newer, filename))
+
+
+def _in_the_original(found: Diagnostic, text: str, newer: str, filename: str) -> Diagnostic:
+    """A diagnostic of the upgraded text, at the line of the text as given; its edit would not fit there."""
+    if found.line is None:
+        return found
+    old, new = text.split("\n"), newer.split("\n")
+    for _, i1, i2, j1, j2 in difflib.SequenceMatcher(None, old, new, autojunk=False).get_opcodes():
+        if j1 <= found.line - 1 < j2:
+            line = min(i1 + found.line - 1 - j1, max(i1, i2 - 1)) + 1
+            moved = found.model_copy(update={"line": line, "column": None, "text": "", "edit": None})
+            return diagnose.Program(text, filename).locate(moved)
+    return found
 
 
 def _error(text: str, filename: str) -> Exception | None:
@@ -68,12 +96,51 @@ def _insert_new(text: str) -> str:
 
     own = re.findall(r"^class\s+(\w+)", text, re.M)
     names = "|".join(sorted({*table()["types"], *table()["points"], *own, "Object"}, key=len, reverse=True))
-    pattern = re.compile(
-        rf"(?P<before>^[ \t]*|=[ \t]*|[(\[,][ \t]*|\breturn[ \t]+|\b(?:at|from|to|of|on|by)[ \t]+)(?P<name>{names})\b"
-        rf"(?=[ \t]+(?:{_SPECIFIER})\b|[ \t]*(?:#.*)?$|[ \t]*,[ \t]*(?:#.*)?$)",
-        re.M,
-    )
-    return pattern.sub(lambda m: f"{m['before']}new {m['name']}", text)
+    before = r"^[ \t]*|=[ \t]*|[(\[,][ \t]*|\breturn[ \t]+|\b(?:at|from|to|of|on|by|else)[ \t]+"
+    after = rf"[ \t]+(?:{_SPECIFIER})\b|[ \t]*(?:#.*)?$|[ \t]*\\$|(?P<more>[ \t]*,[ \t]*(?:#.*)?$)"
+    words = _no_code(text)
+
+    def made(match: re.Match[str]) -> str:
+        begins = match["before"].strip() in ("", "=") and not _in_a_list(text[: match.start()])
+        if match.start("name") in words or (match["more"] and not begins):
+            return match[0]
+        return f"{match['before']}new {match['name']}"
+
+    return re.sub(rf"(?P<before>{before})(?P<name>{names})\b(?={after})", made, text, flags=re.M)
+
+
+def _in_a_list(before: str) -> bool:
+    """Whether the line before the end of a text goes on as a list does."""
+    return before.rstrip().endswith((",", "(", "["))
+
+
+def _no_code(text: str) -> set[int]:
+    """The offsets of what stands in comments and strings."""
+    starts = [0]
+    for line in io.StringIO(text, newline="\n"):
+        starts.append(starts[-1] + len(line))
+    found: set[int] = set()
+    try:
+        for token in tokenize.generate_tokens(io.StringIO(text, newline="\n").readline):
+            if token.type in (tokenize.COMMENT, tokenize.STRING):
+                (row, column), (last, end) = token.start, token.end
+                found.update(range(starts[row - 1] + column, starts[last - 1] + end))
+    except (tokenize.TokenError, IndentationError, SyntaxError):
+        pass
+    return found
+
+
+def _quoted_numbers(text: str) -> str:
+    """`param render = '0'`: Scenic 2 took a text where Scenic 3 wants the number."""
+    return re.sub(r"^(param[ \t]+render[ \t]*=[ \t]*)(['\"])([01])\2", r"\1\3", text, flags=re.M)
+
+
+def _ranges_in_requirements(text: str, filename: str) -> str:
+    """`require X in Range(a, b)` with numbers: nothing may be drawn in a requirement, which compares instead."""
+    number = r"-?\d+(?:\.\d+)?"
+    ends = rf"Range\([ \t]*({number})[ \t]*,[ \t]*({number})[ \t]*\)(?=[ \t]*(?:#.*)?$)"
+    newer = re.sub(rf"^(require[ \t]+)([^#\n]+?)[ \t]+in[ \t]+{ends}", r"\1\3 <= \2 <= \4", text, flags=re.M)
+    return newer if newer == text or _error(newer, filename) is None else text
 
 
 def difference(old: str, new: str, filename: str) -> str:

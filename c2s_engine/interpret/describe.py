@@ -1,74 +1,10 @@
 """One sentence for each component, in plain words (shown in the panes, and the query of the retrieval)."""
 
+import re
+
+from c2s_engine.interpret.language import plurals, table
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, SettingsSpec
-
-POSITIONS = {
-    "ahead": "ahead of {of} in the same lane",
-    "behind": "behind {of} in the same lane",
-    "beside": "beside {of} on the {side}",
-    "left_lane": "{along} {of} in the lane to the left",
-    "right_lane": "{along} {of} in the lane to the right",
-    "oncoming_lane": "in the oncoming lane",
-    "crossing_left": "on the road that crosses from the left",
-    "crossing_right": "on the road that crosses from the right",
-    "opposite_approach": "on the opposite approach of the intersection",
-    "roadside": "at the {side} roadside",
-    "sidewalk": "on the {side} sidewalk",
-    "parked": "parked on the {side}",
-    "partly_in_lane": "partly in the lane at its {side} edge",
-    "hidden": "out of sight",
-    "on_ramp": "on the on-ramp",
-    "intersection_exit": "behind the intersection, where ego turns in",
-}
-ACTIONS = {
-    "stationary": "stands still",
-    "keep_lane": "keeps its lane",
-    "accelerate": "accelerates",
-    "brake": "brakes",
-    "stop": "stops",
-    "wait": "waits",
-    "start": "moves off",
-    "lane_change": "changes lane",
-    "cut_in": "cuts in ahead of {target}",
-    "cut_out": "leaves the lane of {target}",
-    "overtake": "overtakes {target}",
-    "follow": "follows {target}",
-    "swerve": "swerves",
-    "drift": "drifts out of its lane",
-    "turn_left": "turns left",
-    "turn_right": "turns right",
-    "go_straight": "goes straight on",
-    "u_turn": "turns round",
-    "cross_road": "crosses the road",
-    "move_along": "moves along the road",
-    "enter_road": "comes onto the road",
-    "leave_road": "leaves the road",
-    "reverse": "reverses",
-    "oncoming": "gets into the opposite lane",
-    "run_red": "runs the red light",
-    "run_stop": "runs the stop sign",
-    "yield": "gives way to {target}",
-    "lose_control": "loses control for a moment",
-    "collide": "hits {target}",
-}
-PLACES = {
-    "road": "a road",
-    "straight": "a straight road",
-    "curve": "a curve",
-    "intersection": "an intersection",
-    "roundabout": "a roundabout",
-    "motorway": "a motorway",
-    "on_ramp": "an on-ramp of a motorway",
-    "off_ramp": "a motorway exit",
-    "crosswalk": "a road with a crosswalk",
-}
-CONTROLS = {
-    "signal": "with traffic lights",
-    "stop": "with a stop sign",
-    "yield": "with a yield sign",
-    "none": "without lights or signs",
-}
 
 
 def km_h(speed) -> str:  # noqa: ANN001
@@ -82,54 +18,63 @@ def _metres(value) -> str:  # noqa: ANN001
     return f"{a:.0f} m" if b - a < 0.5 else f"{a:.0f} to {b:.0f} m"
 
 
-def _phase(phase: Phase, names: dict[str, str]) -> str:
-    target = names.get(phase.target or "ego", phase.target or "ego")
-    words = ACTIONS[phase.action].format(target=target if target == "ego" else f"the {target}")
+def _third(words: str) -> str:
+    """A verb phrase in the third person: "cross the road" -> "crosses the road"."""
+    verb, blank, rest = words.partition(" ")
+    verb = f"{verb}es" if re.search(r"(o|s|x|z|ch|sh)$", verb) else f"{verb}s"
+    return f"{verb}{blank}{rest}"
+
+
+def _named(name: str, names: dict[str, str]) -> str:
+    """How a sentence calls a component: ego, a label such as V2, or "the" and its name."""
+    called = names.get(name, name)
+    return called if called == "ego" else called.upper() if re.fullmatch(r"[a-z]\d+", called) else f"the {called}"
+
+
+def _phase(phase: Phase, names: dict[str, str], many: bool) -> str:
+    words = table("sentences")["actions"][phase.action].format(target=_named(phase.target or "ego", names))
     if phase.action == "brake" and phase.rate and low(phase.rate) >= 4:
-        words = "brakes hard"
+        words += " hard"
     if phase.side and phase.action in ("lane_change", "swerve", "drift", "leave_road", "cut_out"):
         words += f" to the {phase.side}"
-    if phase.trigger and phase.trigger.value is not None:
-        value = low(phase.trigger.value)
-        words += {
-            "distance": f" at a distance of {value:.0f} m",
-            "ttc": f" at a TTC of {value:.1f} s",
-            "time": f" after {value:.0f} s",
-            "place": f" {value:.0f} m before the {phase.trigger.place}",
-        }.get(phase.trigger.kind, "")
-    return words
+    trigger = phase.trigger
+    if trigger and trigger.value is not None:
+        pattern = table("sentences")["triggers"].get(trigger.kind)
+        words += " " + pattern.format(value=low(trigger.value), place=trigger.place) if pattern else ""
+    return words if many else _third(words)
 
 
-def _steps(phases: tuple[Phase, ...], names: dict[str, str]) -> str:
-    steps = [_phase(p, names) for p in phases]
-    return ", then ".join(steps)
+def _steps(phases: tuple[Phase, ...], names: dict[str, str], many: bool = False) -> str:
+    return ", then ".join(_phase(p, names, many) for p in phases)
+
+
+def _names(names: dict[str, str] | None) -> dict[str, str]:
+    return {k: v.replace("_", " ") for k, v in (names or {}).items()}
 
 
 def obj(spec: ObjectSpec, names: dict[str, str] | None = None) -> str:
     """An object's sentence."""
-    names = {"ego": "ego", **{k: v.replace("_", " ") for k, v in (names or {}).items()}}
-    place = spec.placement
+    names, place, many = _names(names), spec.placement, spec.count > 1
     along = {"behind": "behind", "abreast": "abreast of"}.get(place.along or "", "ahead of")
-    of = names.get(place.of, place.of)
-    where = POSITIONS[place.position].format(of=of, side=place.side or "right", along=along)
-    many = f"{spec.count} " if spec.count > 1 else "A "
-    noun = spec.type.replace("_", " ") + ("s" if spec.count > 1 else "")
-    if many == "A " and noun[0] in "aeiou":
-        many = "An "
-    text = f"{many}{noun} {where}"
+    where = table("sentences")["positions"][place.position].format(
+        of=_named(place.of, names), side=place.side or "right", along=along
+    )
+    noun = spec.type.replace("_", " ")
+    what = f"{spec.count} {plurals(noun)[0]}" if many else f"{'An' if noun[0] in 'aeiou' else 'A'} {noun}"
+    text = f"{what} {where}"
     if place.gap is not None:
         text += f", {_metres(place.gap)} away"
     if place.hidden_by:
-        text += f", hidden by the {names.get(place.hidden_by, place.hidden_by)}"
+        text += f", hidden by {_named(place.hidden_by, names)}"
     if spec.speed is not None and high(spec.speed) > 0.1:
         text += f", at {km_h(spec.speed)}"
-    steps = _steps(spec.phases, names)
-    return f"{text}; it {steps}." if steps else f"{text}."
+    steps = _steps(spec.phases, names, many)
+    return f"{text}; {'they' if many else 'it'} {steps}." if steps else f"{text}."
 
 
 def ego(spec: EgoSpec, place: PlaceSpec, names: dict[str, str] | None = None) -> str:
     """Ego's sentence."""
-    names = {"ego": "ego", **{k: v.replace("_", " ") for k, v in (names or {}).items()}}
+    names = _names(names)
     text = f"Ego, a {spec.type.replace('_', ' ')},"
     text += (
         f" drives at {km_h(spec.speed)}"
@@ -141,37 +86,24 @@ def ego(spec: EgoSpec, place: PlaceSpec, names: dict[str, str] | None = None) ->
     steps = _steps(spec.phases, names)
     if steps:
         text += f"; it {steps}"
-    target = f" the {names.get(spec.react_to, spec.react_to)}" if spec.react_to else ""
-    text += {
-        "brake": "; it brakes hard for what comes into its way"
-        if spec.hard
-        else "; it brakes for what comes into its way",
-        "follow": "; it follows who is ahead",
-        "yield": f"; it lets{target or ' the other'} pass",
-        "evade": "; it gets out of the way",
-        "none": "",
-    }[spec.reaction]
+    reaction = "brake_hard" if spec.reaction == "brake" and spec.hard else spec.reaction
+    words = table("sentences")["reactions"].get(reaction)
+    if words:
+        text += "; " + words.format(target=_named(spec.react_to, names) if spec.react_to else "the other")
     return text + "."
 
 
 def place(spec: PlaceSpec) -> str:
     """The place's sentence."""
-    text = PLACES[spec.kind].capitalize()
+    words = table("sentences")
+    text = words["places"][spec.kind].capitalize()
     if spec.kind == "intersection":
         if spec.arms:
             text = f"An intersection of {spec.arms} roads"
         if spec.control:
-            text += f" {CONTROLS[spec.control]}"
+            text += f" {words['controls'][spec.control]}"
         if spec.manoeuvre:
-            text += (
-                ", where ego "
-                + {
-                    "left": "turns left",
-                    "right": "turns right",
-                    "straight": "goes straight on",
-                    "u_turn": "turns round",
-                }[spec.manoeuvre]
-            )
+            text += f", where ego {words['manoeuvres'][spec.manoeuvre]}"
     if spec.curve:
         text += f" to the {spec.curve}"
     if spec.lanes:
@@ -191,8 +123,8 @@ def place(spec: PlaceSpec) -> str:
 
 def settings(spec: SettingsSpec) -> str:
     """The settings' sentence."""
-    sky = " and ".join(w.replace("_", " ") for w in spec.weather) or "clear"
-    text = f"{sky.capitalize()} weather, {spec.time or 'day'}"
+    sky = " and ".join(table("sentences")["weather"][w] for w in spec.weather or ("clear",))
+    text = f"{sky.capitalize()}, {spec.time or 'day'}"
     text += f", map {spec.map}" if spec.map else ""
     text += f", ego's light {spec.light}" if spec.light else ""
     return text + "."

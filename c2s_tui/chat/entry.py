@@ -19,7 +19,7 @@ class Entry(OrderedArea):
     def __init__(self, **options):
         super().__init__(
             "", soft_wrap=True, compact=True, tab_behavior="focus", highlight_cursor_line=False,
-            placeholder="Describe a scenario, ask, or change one.  /help", **options,
+            placeholder="Describe, ask, change. /help", **options,
         )  # fmt: skip
         self.sent: list[str] = []
         self._at = 0

@@ -51,7 +51,9 @@ class EmbeddedInterpreter:
         mended = Mended(text[:READ_AT_MOST])
         head = mended.text
         meant = typology(head)
-        understood = understanding.understand(f"{head} {meant}" if meant and _adds(head) else meant or head)
+        understood = understanding.understand(head)
+        if meant and not _tells(understood, meant):
+            understood = understanding.understand(f"{head} {meant}" if _adds(head) else meant)
         if not _has_scene(understood):
             raise InterpretError(
                 "Nothing in the text tells of a driving scene: name the vehicles or people, where they "
@@ -108,6 +110,13 @@ def typology(text: str) -> str | None:
             detail = [s for s in scan.names(rest) if s.kind in ("ego", "actor", "label")]
             return None if len(detail) >= 2 else entry["means"]
     return None
+
+
+def _tells(found: Scene, meant: str) -> bool:
+    """Whether a text says by itself what ego and others do, so that the name of a crash type in it adds nothing."""
+    own = [e for e in found.clauses.events if e.agent.ego and e.done and e.start < e.end]
+    whole = bool(found.actors) or not re.search(r"\b(car|truck|vehicle|pedestrian|cyclist|animal|deer)\b", meant)
+    return bool(found.cast.ego.mentions) and bool(own) and whole
 
 
 def _adds(text: str) -> bool:

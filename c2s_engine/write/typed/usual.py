@@ -90,10 +90,9 @@ def _to_catch(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
     own = 0.0 if is_static(o) else middle(speed_of(o, place))
     closing = max(ego_speed - own, 0.0)
     calm = {p.action for p in o.phases} <= {"keep_lane", "move_along", "follow"}
-    if is_static(o):
-        seconds = 2.5 if 12 < closing < 18 else 1.0  # to a stand within the run
-    else:
-        seconds = min(max(closing - 8, 1.0), 6.0) if calm else 1.0
+    to_stand = 2.5 if 12 < closing < 18 else 1.0  # so that it stands within the run
+    to_creep = min(max(closing - 8, 1.0), 6.0) if calm else 1.0
+    seconds = to_stand if is_static(o) else to_creep
     limit = 150.0 if place.kind in {*JUNCTION, *RAMP, "crosswalk"} else LONGEST_VIEW  # approaches are short
     return min(closing**2 / 4 + seconds * closing + ROOM_BEHIND, limit)
 

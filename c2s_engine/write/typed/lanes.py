@@ -82,7 +82,8 @@ def offsets_of(
     if place.kind == "off_ramp" and place.ego_lane in ("middle", "leftmost"):
         used.add(-1)
     movers = [(0, ego.phases, ego)] + [(lane_of[c], o.phases, o) for c, o in objects.items()]
-    one_lane = place.lanes is None and (place.oncoming is True or place.kind == "roundabout")
+    turning = place.kind == "intersection" and place.manoeuvre in ("left", "right", "u_turn")  # from the outermost lane
+    one_lane = place.lanes is None and (place.oncoming is True or place.kind == "roundabout" or turning)
     narrow = place.lanes == 1 or one_lane  # lane changes then go by the oncoming lane or the verge
     for start, phases, spec in movers:
         k = start

@@ -163,7 +163,7 @@ def _sooner(structure: Structure, spec: ObjectSpec, plan: Plan) -> float:
     if ego.reaction in ("brake", "yield") or {"yield", "brake", "stop"} & {p.action for p in ego.phases}:
         return 1.2 if turning and spec.placement.position == "opposite_approach" else 0
     if plan.place.manoeuvre != "straight":
-        return -2.2
+        return -max(2.2, 1 + 10 / max(plan.ego_speed, 1))  # ego is clear of it by then
     return 3.0 if turning else 1.8
 
 

@@ -112,7 +112,10 @@ def position_constant(structure: Structure, cid: str) -> str:
 
 
 def _gap(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
-    return spec.placement.gap if spec.placement.gap is not None else default_gap(spec, plan.ego_speed, plan.place)
+    if spec.placement.gap is not None:
+        return spec.placement.gap
+    place = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place  # it stands before the merge
+    return default_gap(spec, plan.ego_speed, place)
 
 
 def _of_length(structure: Structure, of: str) -> float:

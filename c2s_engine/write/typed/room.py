@@ -96,7 +96,9 @@ def distance(
         )
     if speed == 0 and place.kind in JUNCTION:  # ego stands at the junction's edge
         return round(max(AT_THE_EDGE, far + 4), 1)
-    base = max(min(4.0 * speed, 110), 35.0, *(_to_pass(o, speed, place) for o in objects.values()))
+    base = max(
+        min(4.0 * speed, 110), min(35.0, 6.0 * speed), 12.0, *(_to_pass(o, speed, place) for o in objects.values())
+    )
     base = max(base, 60.0) if place.kind in RAMP else base
     return round(max(base * max(room, 0.4), far + 4), 1)
 

@@ -8,6 +8,7 @@ from c2s_engine.interpret.scene import Scene
 def actors(scene: Scene) -> list[Entity]:
     """The entities that belong to the scene: those that do something, are somewhere, or have something done to them."""
     kept = []
+    _traffic_named(scene)
     for entity in scene.cast.entities:
         own = scene.events(entity)
         where = scene.where(entity)
@@ -40,6 +41,8 @@ def actors(scene: Scene) -> list[Entity]:
             e is not entity and (e.roles & entity.roles or scene.where(e).lane == where.lane is not None)
             for e in scene.cast.entities
         ):
+            continue
+        if entity.noun == "traffic" and not entity.roles and _led(scene, entity):
             continue
         if (
             not own
@@ -105,6 +108,27 @@ def actors(scene: Scene) -> list[Entity]:
             kept.remove(entity)
             _pass_on(scene, entity, [e for e in same if e.mentions[0].word > entity.mentions[0].word])
     return kept
+
+
+def _led(scene: Scene, traffic: Entity) -> bool:
+    """Whether another vehicle is named that ego has ahead of it or runs into: it is the traffic that slows down."""
+    met = {e.patient for e in scene.clauses.events if e.agent.ego and e.act in ("collide", "follow", "approach")}
+    return any(
+        e is not traffic and e.type in VEHICLES and (e in met or scene.where(e).rel == "ahead")
+        for e in scene.cast.entities
+    )
+
+
+def _traffic_named(scene: Scene) -> None:
+    """One that ego waits for, where oncoming traffic was spoken of, is that traffic."""
+    traffic = next((e for e in scene.cast.entities if e.noun == "traffic" and "oncoming" in e.roles), None)
+    waits = [e for e in scene.clauses.events if e.agent.ego and e.act == "yield" and e.done]
+    for other in [e.patient for e in waits] if traffic is not None else ():
+        if other is None or other is traffic or other.person or not other.mover:
+            continue
+        where = scene.where(other)
+        if where.lane is None and where.rel is None:
+            where.lane = "oncoming"
 
 
 def _mere_background(scene: Scene, entity: Entity) -> bool:

@@ -26,9 +26,15 @@ OWN_LANE = re.compile(r"@ego 's (\w+ )?lane|(same|ego|own|its|@ego) lane|lane of
 def wrong_way(scene: Scene, entity: Entity) -> bool:
     """Whether one drives the wrong way in a lane of ego's direction: on a motorway, or in ego's own lane."""
     where = scene.where(entity)
-    if where.facing != "against" or not entity.mover or entity.person:
+    if not entity.mover or entity.person:
+        return False
+    divided = scene.road.kind == "motorway" or scene.road.oncoming is False
+    own = [t for _, t in where.phrases] + [e.whole for e in scene.events(entity)]
+    comes = where.lane == "oncoming" and divided and any(OWN_LANE.search(text) for text in own)
+    if comes:
+        return True
+    if where.facing != "against":
         return False
     if scene.road.kind == "motorway" or scene.road.ramp or where.lane in ("same", "left", "right"):
         return True
-    words = [t for _, t in where.phrases] + [e.whole for e in scene.events(entity)]
-    return any(OWN_LANE.search(text) for text in words)
+    return any(OWN_LANE.search(text) for text in own)

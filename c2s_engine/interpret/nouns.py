@@ -37,7 +37,9 @@ class Nouns(Reference):
             return None
         if kind in ("pedestrian", "child") and self._rides(word):
             return None
-        if self._is_modifier(word) or noun == "traffic" and not roles or self._proper(word):
+        if self._is_modifier(word) or self._proper(word):
+            return None
+        if noun == "traffic" and not roles and not self._halts(word):
             return None
         count = self._count(word, before, data)
         if re.search(
@@ -133,6 +135,13 @@ class Nouns(Reference):
         return self._new(
             Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
         )
+
+    def _halts(self, word: Word) -> bool:
+        """Whether traffic is said to come to a stand or to slow down: then there is a vehicle ahead that does."""
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 12] if w.sentence == word.sentence)
+        ahead = r"(?:ahead|in front)(?: of \S+( \S+)?)? (?:suddenly |abruptly |\w+ly )?"
+        acts = r"(?:stop|slow|brake|halt|decelerate|back(?:ed|s)? up|came to|comes to|come to|grind|ground)"
+        return bool(re.match(rf"{ahead}{acts}|{acts}", after)) and word.dep in ("nsubj", "nsubjpass", "ROOT")
 
     def _driven_by(self, word: Word) -> Entity | None:
         """Whose vehicle it is in "the defendant, operating a dump truck": the driver and the vehicle are one."""

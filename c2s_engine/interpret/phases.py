@@ -91,7 +91,7 @@ def _merged(phases: list[Phase]) -> list[Phase]:
             and last.action == "stop"
             and phase.action == "brake"
             and phase.trigger is None
-            and last.rate is None
+            and (last.rate is None or phase.rate == last.rate)
         ):
             found[-1] = last.model_copy(update={"rate": phase.rate})
             continue

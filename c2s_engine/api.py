@@ -204,9 +204,14 @@ class Engine:
         trust: bool = False,
         folder: str | None = None,
         filename: str = "program.scenic",
+        map: str | None = None,  # noqa: A002
         limits: Limits | None = None,
     ) -> CheckReport:
-        """Check any program."""
+        """Check any program; on `map` (a name or a file) where one is given, whatever the program names.
+
+        Raises MapNotFound.
+        """
+        params = {"map": str(self.library.working_copy(self.library.find(map)))} if map else {}
         return await self.check_client.check(
             CheckRequest(
                 program=program,
@@ -219,6 +224,7 @@ class Engine:
                 trust=trust,
                 folder=folder,
                 filename=filename,
+                params=params,
                 allow=self.settings.allow,
                 limits=limits or Limits(),
             )

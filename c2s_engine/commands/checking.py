@@ -1,4 +1,4 @@
-"""`c2s check`, `c2s run` and `c2s import`: any Scenic driving program."""
+"""`c2s check` and `c2s run`: any Scenic driving program."""
 
 import csv
 from pathlib import Path
@@ -15,6 +15,7 @@ from c2s_engine.commands.reading import read_program
 File = Annotated[Path, typer.Argument(help="A .scenic file.")]
 Seed = Annotated[int, typer.Option(help="Of the sampled scene.")]
 Trust = Annotated[bool, typer.Option("--trust", help="Your own file: skip the safety stage.")]
+OnMap = Annotated[str | None, typer.Option("--map", help="Place it on that map, whatever it names.")]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object.")]
 
 
@@ -24,6 +25,7 @@ def check(
     trust: Trust = False,
     fix: Annotated[bool, typer.Option("--fix", help="Write the deterministic fixes back to the file.")] = False,
     upto: Annotated[str, typer.Option(help="parse, safety, compile or sample.")] = "sample",
+    map_name: OnMap = None,
     as_json: Json = False,
 ) -> None:
     """Check a program: syntax, safety, compile, sample; where and why it fails, and what would mend it."""
@@ -31,16 +33,16 @@ def check(
         text = read_program(file)
         if upto not in ("parse", "safety", "compile", "sample"):
             fail(f"There is no stage {upto}: say parse, safety, compile or sample.", BAD_INPUT, as_json)
-    report: CheckReport = work(_check(text, file, upto, seed, trust), as_json)  # type: ignore[arg-type]
+    report: CheckReport = work(_check(text, file, upto, seed, trust, map=map_name), as_json)  # type: ignore[arg-type]
     fixed = 0
     if fix:
-        text, fixed = work(_fix(text, file, seed, trust), as_json)
+        text, fixed = work(_fix(text, file, seed, trust, map_name), as_json)
         if fixed:
             with sentences(as_json):
                 draft = file.with_name(f".{file.name}.part")
                 draft.write_text(text, encoding="utf-8")
                 draft.replace(file)
-            report = work(_check(text, file, upto, seed, trust), as_json)  # type: ignore[arg-type]
+            report = work(_check(text, file, upto, seed, trust, map=map_name), as_json)  # type: ignore[arg-type]
     if as_json:
         dump({"ok": report.ok, "fixed": fixed, **report.model_dump(mode="json", exclude={"facts", "trajectories"})})
     else:
@@ -64,13 +66,13 @@ async def _check(text: str, file: Path, upto: Upto, seed: int, trust: bool, **op
         return await engine.check(text, upto=upto, seed=seed, trust=trust, folder=folder, filename=file.name, **options)
 
 
-async def _fix(text: str, file: Path, seed: int, trust: bool) -> tuple[str, int]:
+async def _fix(text: str, file: Path, seed: int, trust: bool, map_name: str | None) -> tuple[str, int]:
     """Apply deterministic fixes until none is offered; the text and how many were applied."""
     from c2s_engine.check.fixes import apply_fixes
 
     applied = 0
     for _ in range(12):
-        report = await _check(text, file, "sample", seed, trust)
+        report = await _check(text, file, "sample", seed, trust, map=map_name)
         found = [d for s in report.stages for d in s.diagnostics if d.edit]
         after = apply_fixes(text, found)
         if not found or after == text:
@@ -92,6 +94,7 @@ def run(
     csv_file: Annotated[Path | None, typer.Option("--csv", help="Write the trajectories.")] = None,
     picture: Annotated[bool, typer.Option("--picture", help="Show the scene in text graphics.")] = False,
     trust: Trust = False,
+    map_name: OnMap = None,
     as_json: Json = False,
 ) -> None:
     """Run a program without CARLA (or in CARLA) and print the timeline of its events."""
@@ -108,7 +111,7 @@ def run(
         fail(f"There is no simulator {simulator}: say dry or carla.", BAD_INPUT, as_json)
     want = bool(svg or png or csv_file or picture or as_json)
     report: CheckReport = work(
-        _check(text, file, "run", seed, trust, runs=runs, seconds=seconds, trajectories=want), as_json
+        _check(text, file, "run", seed, trust, runs=runs, seconds=seconds, trajectories=want, map=map_name), as_json
     )
     with sentences(as_json):
         _write_files(report, svg, png, csv_file)

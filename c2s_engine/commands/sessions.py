@@ -14,6 +14,7 @@ from rich.text import Text
 from c2s_engine.commands import show
 from c2s_engine.commands.console import OK, InputError, dump, err, out, sentences
 from c2s_engine.commands.generate import exit_code
+from c2s_engine.commands.reading import read_program
 from c2s_engine.structure.progress import Finished, Passage, Say
 
 app = typer.Typer(help="Sessions: list, rename, duplicate, delete, export, import.", no_args_is_help=True)
@@ -25,6 +26,9 @@ def edit(
     name: Annotated[str, typer.Argument(metavar="SESSION", help="The session; a new one is made.")],
     say: Annotated[
         str | None, typer.Option("--say", help="A turn of the chat: a scenario, a change, a question.")
+    ] = None,
+    program: Annotated[
+        Path | None, typer.Option("--program", metavar="FILE", help="Take a Scenic program as the session's S first.")
     ] = None,
     fields: Annotated[
         list[str] | None, typer.Option("--set", metavar="ID.FIELD=VALUE", help="Such as O1.speed=10 (may be repeated).")
@@ -52,7 +56,8 @@ def edit(
     with sentences(as_json):
         edits = _edits(fields or [], remove or [], code or [])
         options = {"method": method, "seed": seed, "run": not no_run, "improve": improve}
-        session, done = asyncio.run(_work(name, say, edits, (undo, redo, resume), options, model, as_json))
+        text = read_program(program) if program else None
+        session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume), options, model, as_json))
         if output is not None:
             from c2s_engine.api import save
 
@@ -150,6 +155,7 @@ def _edits(fields: list[str], remove: list[str], code: list[str]) -> list[Any]:
 
 async def _work(
     name: str,
+    program: str | None,
     say: str | None,
     edits: list[Any],
     steps: tuple[bool, bool, bool],
@@ -159,12 +165,13 @@ async def _work(
 ) -> tuple[Any, Finished | None]:
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
+    from c2s_engine.structure.edits import Replace
 
     undo, redo, resume = steps
     done: Finished | None = None
     engine = Engine(load_settings(model=model))
     async with contextlib.AsyncExitStack() as stack:
-        if say or edits or resume:  # looking, undoing and redoing need no check server
+        if program or say or edits or resume:  # looking, undoing and redoing need no check server
             await stack.enter_async_context(engine)
         session = _sessions().open(name, engine)
         try:
@@ -176,6 +183,9 @@ async def _work(
                 done = await _take(session.undo(), quiet)
             if redo:
                 done = await _take(session.redo(), quiet)
+            if program:
+                taken = Replace(structure=await engine.import_program(program))
+                done = await _take(session.apply([taken], **options), quiet)
             if say:
                 done = await _take(session.say(say, **options), quiet)
             if edits:

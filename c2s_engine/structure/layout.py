@@ -1,6 +1,7 @@
 """Where the parts of imported components stand in the program, also after their code was edited."""
 
 import difflib
+import re
 from collections.abc import Sequence
 
 from c2s_engine.structure.components import Component, ComponentId
@@ -13,7 +14,8 @@ def chunks(components: Sequence[Component]) -> list[Chunk]:
     """The parts of all components in the order in which they stand.
 
     Parts of imported code stand where they stood. A component that has been written anew stands in one piece: G where
-    it began, the others where they ended (what they read stands before that). One that is new follows its predecessor.
+    it began, R after the world model (all may read it), the others where they ended (what they read stands before
+    that). One that is new follows its predecessor.
     """
     if not any(c.layout for c in components):
         return [(c.id, c.code, c.origin == "imported") for c in components]
@@ -27,11 +29,18 @@ def chunks(components: Sequence[Component]) -> list[Chunk]:
                     placed.append(((place, rank), (component.id, text, True)))
         else:
             places = [place for place, _ in component.layout] or [after]
-            place = places[0] if component.id == "G" else places[-1]
+            place = {"G": places[0], "R": _after_model(components[0])}.get(component.id, places[-1])
             placed.append(((place, rank), (component.id, component.code, component.origin == "imported")))
         after = max(after, *places)
     placed.sort(key=lambda p: p[0])
     return [chunk for _, chunk in placed]
+
+
+def _after_model(settings: Component) -> float:
+    """The place after the part of G that names the world model; after G's first where that was written anew."""
+    own = settings.origin in ("imported", "by_hand")
+    named = [place for place, text in settings.layout if own and re.search(r"^model\s", text, re.M)]
+    return next(iter([*named, *(place for place, _ in settings.layout)]), 0) + 0.5
 
 
 def parts(component: Component) -> list[str]:

@@ -11,6 +11,15 @@ import pytest
 
 TEXT = "The ego follows a truck at 40 km/h on a straight road. The truck brakes hard and the ego brakes."
 
+LEAD = """\
+param map = localPath('Town05.xodr')
+model scenic.simulators.carla.model
+spot = new OrientedPoint on Uniform(*network.lanes).centerline
+ego = new Car at spot
+lead = new Car following roadDirection from spot for 20
+terminate after 5 seconds
+"""
+
 
 def c2s(*arguments, stdin=None, before=None, **environment):
     return subprocess.run(
@@ -78,6 +87,19 @@ def test_a_broken_program_says_where(tmp_path):
     done = c2s("check", str(file))
     assert done.returncode == 1
     assert "line 3" in done.stdout.decode()
+
+
+def test_another_persons_program_on_a_map_of_ours(tmp_path):
+    program = tmp_path / "lead.scenic"
+    program.write_text(LEAD)
+    assert b"--map" in c2s("check", str(program)).stdout, "what to do where its map is not here"
+    assert c2s("check", str(program), "--map", "town").returncode == 0
+    nowhere = c2s("check", str(program), "--map", "Nowhere")
+    assert nowhere.returncode and b"Known maps: town" in nowhere.stderr
+    home = {"XDG_DATA_HOME": str(tmp_path)}
+    taken = c2s("edit", "lead", "--program", str(program), "--no-run", "--json", **home)
+    assert json.loads(taken.stdout)["program"] == LEAD
+    assert [c["id"] for c in json.loads(taken.stdout)["structure"]] == ["G", "R", "E", "O1", "T"]
 
 
 def test_no_permission(tmp_path):

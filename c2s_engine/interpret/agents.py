@@ -48,7 +48,7 @@ class Agents(Patients):
             return (None, None, True) if whom is None else (whom, subjects[0] if subjects else None, True)
         for child in subjects:
             other = self.words[child]
-            found = self.cast.referent(child)
+            found = self.cast.referent(child) or self._reduced(other)
             if found:
                 return found, child, False
             if other.lemma in ("there",) or other.dep == "expl":
@@ -80,6 +80,13 @@ class Agents(Patients):
                 if self.words[child].dep in ("attr", "dobj"):
                     return self.cast.referent(child), child, False
         return self._inherited(word, depth)
+
+    def _reduced(self, word: Word) -> Entity | None:
+        """The noun of "vehicle approaching from the left does not yield", which is parsed as a clause for a subject."""
+        if word.dep != "csubj" or word.tag not in ("VBG", "VBN"):
+            return None
+        nouns = [c for c in word.children if c < word.i and self.words[c].dep in ("nsubj", "nsubjpass")]
+        return self.cast.referent(nouns[0]) if nouns else None
 
     def _inherited(self, word: Word, depth: int) -> tuple[Entity | None, int | None, bool]:
         head = self.words[word.head]
@@ -228,6 +235,12 @@ class Agents(Patients):
             if current.verb or self._is_verb(current):
                 return current
         return None
+
+    def _beside_preposition(self, word: Word) -> Entity | None:
+        """The noun between a preposition and its participle: "due to a child running into the road"."""
+        nouns = [c for c in self.words[word.head].children if self.words[c].dep == "pobj" and c < word.i]
+        near = [c for c in nouns if word.i - c <= 2 and self.words[c].span is not None]
+        return self.cast.of.get(near[-1]) if near else None
 
     def topic(self, word: Word) -> Entity | None:
         """The one that a sentence is headed with: "Challenger: left lane, 90 km/h, cuts in"."""

@@ -93,7 +93,8 @@ class Modes(Agents):
                 mode = "negated"
         if word.dep in ("advcl",) and self.words[word.i - 1].norm in ("than",):
             mode = "negated"
-        if word.dep == "csubj" and head.verb and self._mode(head) in ("negated", "hypothetical"):
+        denied = word.dep == "csubj" and head.verb and self._reduced(word) is None
+        if denied and self._mode(head) in ("negated", "hypothetical"):
             mode = self._mode(head)
         if (
             word.dep == "pcomp"

@@ -159,6 +159,8 @@ def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, fi
         return {"position": "opposite_approach" if junction else "oncoming_lane", "said": True}
     if "oncoming" in acts:
         return {"position": "oncoming_lane", "said": True}
+    if any(e.patient is entity and e.act in ("follow", "overtake", "held_up") for e in scene.events(scene.cast.ego)):
+        return {"position": "ahead", "said": True}
     if junction and {"run_red", "run_stop"} & set(acts):
         return {"position": "crossing_left"}
     if junction and "turn" in acts:
@@ -189,8 +191,6 @@ def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, fi
         return {"position": "behind"}
     if any(e.act == "follow" and e.patient is not None and e.patient.ego for e in scene.events(entity)):
         return {"position": "behind", "said": True}
-    if any(e.patient is entity and e.act in ("follow", "overtake", "held_up") for e in scene.events(scene.cast.ego)):
-        return {"position": "ahead", "said": True}
     if (
         ego_hits is not None
         and junction

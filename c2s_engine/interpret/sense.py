@@ -92,6 +92,8 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 later,
             ):
                 event.mode = "hypothetical"
+        if event.act == "collide" and event.patient is None and _follows(cast, clauses, event):
+            event.agent, event.patient = cast.ego, event.agent
     _waits(cast, clauses)
     _waits_for_somebody(cast, clauses)
     _echoes(cast, clauses)
@@ -104,6 +106,15 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
         ):
             event.mode = "hypothetical"
     clauses.events.sort(key=lambda e: e.order)
+
+
+def _follows(cast: Cast, clauses: Clauses, event: Event) -> bool:
+    """Whether "the vehicles collide" where ego follows the other: then ego runs into it."""
+    parties = re.search(r"@a\d+ collide|(both|two|vehicles|cars) ", event.whole) and not event.agent.ego
+    return bool(parties) and any(
+        e.act in ("follow", "approach") and e.agent.ego and e.patient is event.agent and e.done and e.word < event.word
+        for e in clauses.events
+    )
 
 
 WAITS = re.compile(
@@ -230,7 +241,7 @@ def _echoes(cast: Cast, clauses: Clauses) -> None:
                 )
         if re.match(
             (
-                r"(the |they |)(two|both|they)( vehicles| cars| of them)? (then )?(collide|collided|crash"
+                r"(the |they |)(two|both|they|vehicles|cars)( vehicles| cars| of them)? (then )?(collide|collided|crash"
                 r"|crashed|meet|met|came into contact|made contact)\b"
             ),
             ahead,

@@ -5,25 +5,17 @@ an O with the behaviours that only it runs, requirements are T's, and what all s
 """
 
 import ast
-import functools
 import io
 from collections import defaultdict
 from dataclasses import dataclass, field
-from importlib.resources import files
 from typing import Any
 
-import yaml
-
 from c2s_engine.check import describe, diagnose, pieces, scopes, upgrade
+from c2s_engine.check.describe import table
 from c2s_engine.check.protocol import ImportRequest, ImportResult
 from c2s_engine.structure.components import Component, Structure
 
 SINGLE = ("G", "R", "E", "T")
-
-
-@functools.cache
-def table() -> dict[str, Any]:
-    return yaml.safe_load(files("c2s_engine.check").joinpath("importer.yaml").read_text(encoding="utf-8"))
 
 
 @dataclass
@@ -241,7 +233,7 @@ def build(found: list[Unit]) -> Structure:
     ids = ["G", "R", "E", *sorted((c for c in grouped if c.startswith("O")), key=lambda c: int(c[1:])), "T"]
     order = [u.component for u in found]
     contiguous = order == sorted(order, key=ids.index)
-    context = describe.Context(found)
+    context = describe.Context(found, _makers(found))
     components = {cid: _component(cid, grouped[cid], context, contiguous) for cid in ids}
     return Structure(
         settings=components["G"],
@@ -253,7 +245,7 @@ def build(found: list[Unit]) -> Structure:
 
 
 def _component(cid: str, members: list[tuple[int, Unit]], context: "describe.Context", contiguous: bool) -> Component:
-    spec, description = context.describe(cid, [unit for _, unit in members])
+    spec, description, unmet = context.describe(cid, [unit for _, unit in members])
     parts: list[list[Any]] = []
     for place, unit in members:
         if parts and parts[-1][2] == place - 1:
@@ -263,15 +255,6 @@ def _component(cid: str, members: list[tuple[int, Unit]], context: "describe.Con
             parts.append([place, unit.text, place])
     code = "".join(unit.text for _, unit in members)
     layout = () if contiguous else tuple((int(p[0]), str(p[1])) for p in parts)
-    return Component(id=cid, description=description, spec=spec, code=code, origin="imported", layout=layout)
-
-
-def type_of(name: str, classes: dict[str, str]) -> str | None:
-    """The type of S of a class, through the classes that the program derives."""
-    for _ in range(10):
-        if name in table()["types"]:
-            return str(table()["types"][name])
-        if name not in classes:
-            return None
-        name = classes[name]
-    return None
+    return Component(
+        id=cid, description=description, spec=spec, code=code, origin="imported", layout=layout, unmet=unmet
+    )

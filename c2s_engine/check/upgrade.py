@@ -12,6 +12,7 @@ import tokenize
 from typing import Any
 
 from c2s_engine.check import diagnose, fixes, pieces
+from c2s_engine.check.describe import table
 from c2s_engine.structure.diagnostics import Diagnostic
 
 CERTAIN = frozenset({"old_monitor", "duration_unit", "forgot_new", "missing_comma", "following_by"})
@@ -38,10 +39,11 @@ def upgraded(text: str, filename: str) -> str:
     except Exception as old:
         first = old
     newer = _quoted_numbers(_insert_new(text))
+    good: set[str] = set()
     for _ in range(ROUNDS):
-        error = _error(newer, filename)
+        error = _error(newer, filename, good)
         if error is None:
-            return _ranges_in_requirements(newer, filename)
+            return _ranges_in_requirements(newer, filename, good)
         found = diagnose.diagnose(error, "parse", diagnose.Program(newer, filename))
         if found.code not in CERTAIN or found.edit is None:
             break
@@ -64,19 +66,26 @@ def _in_the_original(found: Diagnostic, text: str, newer: str, filename: str) ->
     return found
 
 
-def _error(text: str, filename: str) -> Exception | None:
+def _error(text: str, filename: str, good: set[str]) -> Exception | None:
+    """What the parser raises, statement by statement; those in `good` are known to pass."""
     try:
-        pieces.parse(text, filename)
-    except Exception as error:
-        return error
+        parts = pieces.cut(text)
+    except pieces.Cut:
+        parts = [pieces.Piece(1, text.count("\n") + 1, text)]
+    for part in parts:
+        if part.text in good:
+            continue
+        try:
+            pieces.parse(part.text, filename, part.first - 1)
+        except Exception as error:
+            return error
+        good.add(part.text)
     return None
 
 
 def _objects_without_new(tree: Any) -> bool:
     """Whether a class is used where only an object makes sense: `Car at x` parses, but as an operator."""
     from scenic.syntax import ast as s
-
-    from c2s_engine.check.importer import table
 
     known = set(table()["types"]) | set(table()["points"])
     operators = tuple(k for k in (getattr(s, n, None) for n in ("FieldAtOp", "AtOp", "OffsetAlongOp")) if k)
@@ -92,8 +101,6 @@ def _objects_without_new(tree: Any) -> bool:
 
 def _insert_new(text: str) -> str:
     """`new` before every class that begins an object: the table's classes, and those that the program derives."""
-    from c2s_engine.check.importer import table
-
     own = re.findall(r"^class\s+(\w+)", text, re.M)
     names = "|".join(sorted({*table()["types"], *table()["points"], *own, "Object"}, key=len, reverse=True))
     before = r"^[ \t]*|=[ \t]*|[(\[,][ \t]*|\breturn[ \t]+|\b(?:at|from|to|of|on|by|else)[ \t]+"
@@ -135,12 +142,12 @@ def _quoted_numbers(text: str) -> str:
     return re.sub(r"^(param[ \t]+render[ \t]*=[ \t]*)(['\"])([01])\2", r"\1\3", text, flags=re.M)
 
 
-def _ranges_in_requirements(text: str, filename: str) -> str:
+def _ranges_in_requirements(text: str, filename: str, good: set[str]) -> str:
     """`require X in Range(a, b)` with numbers: nothing may be drawn in a requirement, which compares instead."""
     number = r"-?\d+(?:\.\d+)?"
     ends = rf"Range\([ \t]*({number})[ \t]*,[ \t]*({number})[ \t]*\)(?=[ \t]*(?:#.*)?$)"
     newer = re.sub(rf"^(require[ \t]+)([^#\n]+?)[ \t]+in[ \t]+{ends}", r"\1\3 <= \2 <= \4", text, flags=re.M)
-    return newer if newer == text or _error(newer, filename) is None else text
+    return newer if newer == text or _error(newer, filename, good) is None else text
 
 
 def difference(old: str, new: str, filename: str) -> str:

@@ -79,6 +79,9 @@ class Agents(Patients):
             for child in word.children:
                 if self.words[child].dep in ("attr", "dobj"):
                     return self.cast.referent(child), child, False
+        told = self._after_bracket(word)
+        if told is not None:
+            return self.cast.of[told], told, False
         return self._inherited(word, depth)
 
     def _reduced(self, word: Word) -> Entity | None:
@@ -87,6 +90,24 @@ class Agents(Patients):
             return None
         nouns = [c for c in word.children if c < word.i and self.words[c].dep in ("nsubj", "nsubjpass")]
         return self.cast.referent(nouns[0]) if nouns else None
+
+    def _after_bracket(self, word: Word) -> int | None:
+        """Who stands before the participle between commas, for it and for the verb behind it: "the van, having lost
+        control, crosses"."""
+        first = min(self._everything(word.i)) if word.tag in ("VBG", "VBN") and word.dep == "advcl" else None
+        if first is not None:
+            closing = next((w.i for w in self.words[word.i + 1 :] if w.norm == ","), None)
+            last = self.words[closing + 1] if closing is not None and closing + 1 < len(self.words) else None
+            if last is None or last.sentence != word.sentence or last.tag not in ("VBZ", "VBD"):
+                return None
+        elif word.tag in ("VBZ", "VBD") and word.i and self.words[word.i - 1].norm == ",":
+            opening = [w.i for w in self.words[max(0, word.i - 16) : word.i - 1] if w.norm == ","]
+            first = opening[-1] + 1 if opening else None
+            if first is None or self.words[first].tag not in ("VBG", "VBN"):
+                return None
+        if first is None or first < 2 or self.words[first - 1].norm != "," or self.words[first - 2].span is None:
+            return None
+        return first - 2 if first - 2 in self.cast.of and self.words[first - 2].sentence == word.sentence else None
 
     def _inherited(self, word: Word, depth: int) -> tuple[Entity | None, int | None, bool]:
         head = self.words[word.head]

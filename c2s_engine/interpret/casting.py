@@ -47,6 +47,7 @@ def actors(scene: Scene) -> list[Entity]:
             and entity.count > 1
             and where.rel is None
             and where.lane is None
+            and not (entity.person and scene.road.crosswalk)
         ):
             continue
         only_denied = [e for e in scene.clauses.events if e.agent is entity or e.patient is entity]
@@ -141,7 +142,21 @@ def _seen(scene: Scene, entity: Entity) -> bool:
     """Whether a person is the object of seeing ("did not see the child")."""
     return any(
         scene.words[scene.words[m.word].head].lemma
-        in ("see", "notice", "detect", "spot", "observe", "recognize", "recognise", "overlook", "perceive", "identify")
+        in (
+            "see",
+            "notice",
+            "detect",
+            "spot",
+            "observe",
+            "recognize",
+            "recognise",
+            "overlook",
+            "perceive",
+            "identify",
+            "find",
+            "encounter",
+            "meet",
+        )
         for m in entity.mentions
     )
 

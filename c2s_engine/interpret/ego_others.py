@@ -26,6 +26,13 @@ def faces_red(scene: Scene) -> bool:
 def yielded(scene: Scene, event: Event, ids: dict[Entity, str]) -> str | None:
     """Whom ego lets pass, where the clause does not name it: the other in conflict with it."""
     near = [e for e in scene.actors if e in ids and e.mover]
+    awaited = [
+        e.agent
+        for e in scene.clauses.events
+        if e.adverbial in ("until", "till") and e.agent in near and e.word > event.word and e.order < event.order + 1
+    ]
+    if awaited:
+        return ids[awaited[0]]
     before = [e for e in near if e.mentions and e.mentions[0].word < event.word]
     conflicts = [
         e

@@ -135,6 +135,22 @@ class Inferred(Concealed):
                         ):
                             entity.roles.add("stationary")
 
+    def _in_the_way(self) -> None:
+        """What stands in the lane that is named, and that ego goes round, is in ego's own lane."""
+        own = [e for e in self.clauses.events if e.agent.ego and e.done]
+        for entity in self.cast.entities:
+            where = self.of[entity]
+            if where.lane not in ("left", "right") or where.of is not None or self.ego_lane is not None:
+                continue
+            stands = not entity.mover or entity.roles & {"stationary", "parked"}
+            stands = stands or any(e.agent is entity and e.act == "stationary" for e in self.clauses.events)
+            named = " ".join(t for _, t in where.phrases)
+            if not stands or not re.search(r"(left|right)[\w-]* lane", named):
+                continue
+            if any(re.search(rf"\b(around|round|avoid|evade|block) (the )?@{entity.key}\b", e.text) for e in own):
+                self.ego_lane = f"{where.lane}most"
+                where.lane, where.rel, where.side = "same", "ahead", None
+
     def _numbered(self) -> None:
         """Lanes by number, counted from the left: "the number two lane", "lane 3"."""
         numbers: dict[Entity, int] = {}

@@ -73,6 +73,10 @@ class Parts(Strangers):
             if word.lemma in ("driver", "operator", "system", "passenger", "feature") or word.norm == "brakes":
                 return self.ego if word.lemma != "passenger" else None
         if word.tag.startswith("NN") and word.span is None:
+            for child in word.children:  # "a Nimbus autonomous vehicle": the name before what it is
+                other = self.words[child]
+                if other.dep == "appos" and other.span is not None and child == i + 1 and child in self.of:
+                    return self.of[child]
             for child in word.children:
                 other = self.words[child]
                 if (

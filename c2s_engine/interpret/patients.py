@@ -162,6 +162,16 @@ class Patients(Rendering):
             return self.cast.ego
         return None
 
+    def _up_to_next(self, i: int, many: int) -> list[Word]:
+        """The words from a mention on, up to the next one who is spoken of."""
+        found = [self.words[i]]
+        for word in self.words[i + 1 : i + many]:
+            other = self.cast.of.get(word.i)
+            if other is not None and other is not self.cast.of.get(i):
+                break
+            found.append(word)
+        return found
+
     def _at_rest(self, actor: Entity) -> bool:
         """Whether one is said to stand."""
         return bool(actor.roles & {"parked", "stationary"}) or any(
@@ -171,7 +181,7 @@ class Patients(Rendering):
     def _was_off_road(self, actor: Entity) -> bool:
         if "parked" in actor.roles:
             return True
-        near = " ".join(w.norm for m in actor.mentions for w in self.words[m.word : m.word + 8])
+        near = " ".join(w.norm for m in actor.mentions for w in self._up_to_next(m.word, 8))
         if re.search(r"parked|parking|lay-?by|driveway|bus stop", near):
             return True
         return any(

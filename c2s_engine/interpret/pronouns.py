@@ -145,8 +145,9 @@ class Pronouns(Parts):
             if twin is not None and accept(twin):
                 return twin
             own = self._subject_of(verb)
-            if BESIDE.match(self._around(word.i)) and verb.lemma in ("be", "stand", "sit", "wait", "appear"):
-                clash, own = own, None  # nobody is on its own left
+            beside = BESIDE.match(self._around(word.i)) and verb.lemma in ("be", "stand", "sit", "wait", "appear")
+            if beside or self._into_lane(word, verb):
+                clash, own = own, None  # nobody is on its own left, or comes into its own lane
                 last = [i for i in last if self.of[i] is not clash]
                 if not last:
                     return None
@@ -190,6 +191,16 @@ class Pronouns(Parts):
                 return self.of.get(earlier.i)
         return None
 
+    def _into_lane(self, word: Word, verb: Word) -> bool:
+        """Whether somebody comes from elsewhere into the lane that a possessive names."""
+        after = [w.norm for w in self.words[word.i + 1 : word.i + 3]]
+        clause = {w.norm for w in self.words[verb.i : word.i]}
+        return (
+            verb.lemma in ("cross", "encroach", "intrude", "invade", "veer", "come", "stray")
+            and bool({"lane", "path"} & set(after))
+            and not {"back", "again", "own", "return"} & (clause | set(after))
+        )
+
     def _around(self, i: int) -> str:
         """The words before and after a word."""
         return " ".join(w.norm for w in self.words[max(0, i - 1) : i + 2 : 2])
@@ -231,6 +242,8 @@ class Pronouns(Parts):
     def _member(self, group: Entity, told: str) -> Entity | None:
         """The member of a group by its number; None where the group has fewer."""
         number = ORDINALS[told] + 1 or -1
+        if number == 3 and group.count == 2:  # "several": more than two
+            group.count = 3
         if number > group.count:
             return None
         number = -1 if number == group.count else number

@@ -55,6 +55,9 @@ CROSSES = regex.compile(r"\s+(?:the|a|from|in front|at the|over|on|behind|with|s
 TOLD = frozenset(("first", "second", "third", "fourth", "last", "other", "latter", "former"))
 
 
+LETS = regex.compile(r"\b(?:let|lets|letting|help|helps|watch|watches|sees)\s+(?:\S+\s+){1,4}$")
+
+
 def _finite(word: str) -> bool:
     """Whether a word can only be what someone does or is ("brakes", "pulled", "has")."""
     listed = language.word_list("motion") | language.word_list("base")
@@ -71,6 +74,9 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     verb = regex.match(r"\s+(?:then |suddenly )?(\p{L}+)", plain[start + len(text) : start + 40])
     if text in TOLD and verb and _finite(verb[1]) and regex.search(r"\bthe\s+$", plain[max(0, start - 5) : start]):
         return "man"
+    lets = before is not None and text in language.word_list("motion") | language.word_list("base")
+    if lets and LETS.search(plain[max(0, start - 48) : start]):
+        return "go"
     person = before is not None and before.data.get("type") in ("pedestrian", "child", "animal")
     if text == "crossing" and person and CROSSES.match(plain[start + 8 : start + 20]):
         return "walking"

@@ -44,7 +44,7 @@ class Reference(Pronouns):
     ) -> Entity | None:
         candidates = [e for e in self.entities if fits(e, kind)]
         if roles:
-            same = [e for e in candidates if e.roles & roles]
+            same = [e for e in candidates if e.roles & roles and (definite or (e.count > 1) == (count > 1))]
             if same:
                 return same[-1]
             if roles & {"lead"}:

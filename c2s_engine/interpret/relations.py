@@ -14,6 +14,12 @@ __all__ = ["STATES", "Places", "Where", "read", "side_of_text"]
 
 AGAINST = re.compile(r"wrong[- ](way|direction)|(against|contrary to) (the )?(traffic|direction|flow|stream|current)")
 
+FILLED = re.compile(
+    r"((?:oncoming|opposite|opposing|left|right|adjacent|neighbou?ring|other|next)(?:-hand)? lane) (?:be|is|was) (?:\w+ )?"
+    r"(?:full of|fill(?:ed)? with|occup(?:y|ied) by|pack(?:ed)? with|block(?:ed)? (?:by|with)|take(?:n)? by)(?: the| an?)?"
+    r"(?: \w+)?$"
+)
+
 PLACING = frozenset(("facing", "following", "level", "side", "abreast", "alongside", "next", "adjacent"))
 
 
@@ -41,6 +47,7 @@ class Places(Inferred):
         self._shared()
         self._numbered()
         self._overtaken()
+        self._in_the_way()
         self._mutual()
         self._hidden()
         self._revealed()
@@ -148,6 +155,9 @@ class Places(Inferred):
         )
         if fronted and word.span is not None:
             read(fronted[1], where, entity, self.cast, "noun")
+        filled = FILLED.search(front)
+        if filled and word.span is not None:
+            read(f"in the {filled[1]}", where, entity, self.cast, "noun")
         lead = word.span.data.get("words", []) if word.span is not None and word.span.kind == "actor" else []
         lead = [*lead, entity.noun] if re.match(r"wrong|ghost", entity.noun) else lead
         text = " ".join(lead) + " "

@@ -112,7 +112,7 @@ def _at_junction(scene: Scene) -> bool:
                 r"intersection|junction|street|road", event.whole
             ):
                 continue
-            if side(event) is not None:
+            if side(event) is not None or re.search(r"across|path of|in front of", event.text):
                 return not scene.road.no_intersection
     if re.search(r"unprotected (left|right)|protected left", scene.plain):
         return True

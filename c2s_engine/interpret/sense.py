@@ -6,6 +6,7 @@ from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.place import Road
+from c2s_engine.interpret.towards import side
 
 
 def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
@@ -19,6 +20,11 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 r"(fail|not|never|without).{0,30}stop.{0,30}(red|light|signal)", sentence
             ):
                 event.act, event.mode = "run_red", "fact"
+        late = event.act in ("stop", "brake", "brake_stop") and event.mode == "negated"
+        if late and re.search(
+            r"in time|soon enough|fast enough|early enough|before (hit|the (car|vehicle))", event.whole
+        ):
+            event.act, event.mode, event.patient = "collide", "fact", event.patient
         if (
             event.mode == "negated"
             and cast.words[event.word].norm in ("move", "moving")
@@ -94,6 +100,19 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 event.mode = "hypothetical"
         if event.act == "collide" and event.patient is None and _follows(cast, clauses, event):
             event.agent, event.patient = cast.ego, event.agent
+    for event in clauses.events:
+        if event.mode == "intended" and not event.agent.ego and event.act in ("turn", "u_turn", "go_straight"):
+            waits = cast.words[cast.words[event.word].head].lemma in ("wait", "signal", "prepare", "indicate", "try")
+            stands = [
+                e for e in clauses.events if e.agent is event.agent and e.act in ("stationary", "stop") and e.done
+            ]
+            later = [e for e in clauses.events if e.agent is event.agent and e.act == event.act and e.word > event.word]
+            if waits and stands and not later:
+                event.mode = "hypothetical"
+    turns = [e for e in clauses.events if e.agent.ego and e.act == "turn" and e.done and side(e) is None]
+    for event in clauses.events:
+        if turns and event.agent.ego and event.act == "lane_change" and re.search(r"man(oeuvre|euver)", event.text):
+            event.act = "turn"  # "a manoeuvre to the right", into a street
     _waits(cast, clauses)
     _waits_for_somebody(cast, clauses)
     _echoes(cast, clauses)
@@ -239,13 +258,18 @@ def _echoes(cast: Cast, clauses: Clauses) -> None:
                         end=word.end,
                     )
                 )
-        if re.match(
-            (
-                r"(the |they |)(two|both|they|vehicles|cars)( vehicles| cars| of them)? (then )?(collide|collided|crash"
-                r"|crashed|meet|met|came into contact|made contact)\b"
-            ),
-            ahead,
-        ) and not any(e.act == "collide" and abs(e.word - i) < 6 for e in clauses.events):
+        told = i + 1 >= len(words) or words[i + 1].span is None or not words[i + 1].span.data.get("words")
+        if (
+            told
+            and re.match(
+                (
+                    r"(the |they |)(two|both|they|vehicles|cars)( vehicles| cars| of them)? (then )?"
+                    r"(collide|collided|crash|crashed|meet|met|came into contact|made contact)\b"
+                ),
+                ahead,
+            )
+            and not any(e.act == "collide" and abs(e.word - i) < 6 for e in clauses.events)
+        ):
             before = [cast.of[j] for j in sorted(cast.of) if j < i and cast.of[j].mover and not cast.of[j].ego]
             if before:
                 clauses.events.append(

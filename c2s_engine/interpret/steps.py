@@ -134,6 +134,8 @@ def steps_of(
     if act in ("lane_change", "cut_out"):
         if any(p.action == "swerve" for p in before):
             return []
+        if placement.position == "oncoming_lane" and event.patient is not None and event.patient.ego:
+            return [Phase(action="oncoming", side="left", trigger=trigger)]
         if act == "lane_change" and placement.position in ("left_lane", "right_lane"):
             toward_ego = {"left_lane": "right", "right_lane": "left"}[placement.position]
             if towards in (None, toward_ego) and not any(p.action == "cut_in" for p in before):
@@ -249,6 +251,8 @@ def steps_of(
         return (
             [Phase(action="lose_control", side=towards)] if not any(p.action == "lose_control" for p in before) else []
         )
+    if act == "collide" and entity.count > 1 and re.search(r"each other|one another|together", event.whole):
+        return []
     if act == "collide":
         other = who
         if event.agent is not entity:  # a joint subject: "V1 and V3 met head on"

@@ -44,15 +44,25 @@ def understand(text: str) -> Scene:
     if found is None:
         return understanding.understand(text)
     meant, rest, (start, end) = found
+    own = understanding.understand(text)
+    if _tells(own, meant):
+        return own
     if not SAYS_MORE.search(scan.normalised(rest)):
         return understanding.understand(meant)
-    own, usual = understanding.understand(text), understanding.understand(meant)
+    usual = understanding.understand(meant)
     if _complete(own, usual):
         return own
     if (colon := re.match(r"[^:.;]{0,40}:", text[end:])) and not text[:start].strip():  # "Lead vehicle stopped: truck"
         text = " " * (end + colon.end()) + text[end + colon.end() :]
         own = understanding.understand(text)
     return understanding.understand(f"{text} {_fitted(meant, rest, own, usual)}")
+
+
+def _tells(found: Scene, meant: str) -> bool:
+    """Whether a text says by itself what ego and others do, so that the name of a crash type in it adds nothing."""
+    own = [e for e in found.clauses.events if e.agent.ego and e.done and e.start < e.end]
+    whole = bool(found.actors) or not re.search(r"\b(car|truck|vehicle|pedestrian|cyclist|animal|deer)\b", meant)
+    return bool(found.cast.ego.mentions) and bool(own) and whole
 
 
 def _complete(own: Scene, usual: Scene) -> bool:

@@ -153,7 +153,7 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         kept = report.model_dump(mode="json", exclude={"trajectories"})
         update: State = {"report": kept, "stages": stages}
         if looking is not None:
-            offers = await offered(looking, get_stream_writer())
+            offers = await offered(looking, structure, get_stream_writer())
             update["details"] = {**state.get("details", {}), "offers": offers}
         return update
 

@@ -13,7 +13,7 @@ EACH = 2
 """Snippets for each thing that is unmet."""
 MOST = 4
 """Unmet things that are looked up."""
-PATIENCE = 6.0
+PATIENCE = 9.0
 """Longest wait after the program is checked, s: the first search of all starts the worker and may build the index."""
 
 
@@ -34,12 +34,17 @@ async def look_up(structure: Structure, tools: Tools, emit: Emit) -> list[tuple[
     return found
 
 
-async def offered(looking: asyncio.Task[list[tuple[str, str, Passage]]], emit: Emit) -> list[dict[str, Any]]:
-    """Show what was found, waiting a little; what it was, as the turn's details keep it. Retrieval may fail."""
+async def offered(
+    looking: asyncio.Task[list[tuple[str, str, Passage]]], structure: Structure, emit: Emit
+) -> list[dict[str, Any]]:
+    """Show what was found, waiting a little; what it was, as the turn's details keep it. Retrieval may fail: then the
+    commands that look it up are said."""
     try:
         found = await asyncio.wait_for(looking, PATIENCE)
     except (TimeoutError, RetrievalError, KeyError):
-        emit(Say(text='`c2s search --component O "..."` finds snippets for what could not be expressed.'))
+        asked = [f"`c2s search --kind snippet{f' --component {c[0]}' if c else ''} {_quoted(w)}`"
+                 for c, w in wanted(structure)]  # fmt: skip
+        emit(Say(text=f"Snippets for what no field can say are found by {' or '.join(asked)}."))
         return []
     for cid, words in dict.fromkeys((c, w) for c, w, _ in found):
         near = "; ".join(p.title for c, w, p in found if (c, w) == (cid, words))
@@ -47,3 +52,8 @@ async def offered(looking: asyncio.Task[list[tuple[str, str, Passage]]], emit: E
     for _, _, passage in found:
         emit(passage)
     return [{"component": c, "unmet": w, "id": p.id, "title": p.title, "code": p.text} for c, w, p in found]
+
+
+def _quoted(words: str) -> str:
+    """Words as one argument of a shell."""
+    return '"' + "".join(c for c in words if c not in '"`$\\') + '"'

@@ -150,3 +150,178 @@ def test_what_cannot_be_parsed_is_refused_with_its_line(server: SyncCheckClient)
 def test_an_empty_program_is_an_empty_structure() -> None:
     assert assemble(imported("")).text == ""
     assert assemble(imported("# nothing\n")).text == "# nothing\n"
+
+
+HEAD = "param map = localPath('town.xodr')\nmodel scenic.simulators.carla.model\n"
+
+
+def test_what_changes_a_list_belongs_to_the_list() -> None:
+    text = HEAD + (
+        "wide = []\n"
+        "for road in network.roads:\n    if len(road.lanes) > 3:\n        wide.append(road)\n"
+        "chosen = Uniform(*wide)\nfirst = chosen.lanes[0]\nlast = chosen.lanes[-1]\n"
+        "ego = new Car on first.centerline\nnew Truck on last.centerline\nrequire chosen.length > 50\n"
+    )
+    structure = imported(text)
+    assert structure.place.code == text[text.index("wide") : text.index("first =")]
+    assert "road" not in structure.place.description.partition("network: ")[2].split(", ")
+    assert "first =" in structure.ego.code
+    assert "last =" in structure["O1"].code
+    assert structure.settings.code == HEAD
+
+
+def test_names_inside_expressions_bind_nothing() -> None:
+    text = (
+        HEAD
+        + "m = 3\nego = new Car\nlong = [m for m in network.lanes if m.length > 9]\nx = filter(lambda m: m.id, long)\n"
+    )
+    units = importer.units(text, "p.scenic")
+    assert [sorted(u.defines) for u in units] == [[], [], ["m"], ["ego"], ["long"], ["x"]]
+    assert "m" not in units[4].uses | units[5].uses
+
+
+def test_a_function_that_places_objects_is_theirs() -> None:
+    structure = imported(
+        HEAD + "ego = new Car\ndef row(n):\n    for i in range(n):\n        new Cone at ego offset by 3 @ i\nrow(4)\n"
+    )
+    assert structure["O1"].code.startswith("def row")
+    assert structure["O1"].code.endswith("row(4)\n")
+    assert structure["O1"].description == "O1 is made by a function: Cone."
+    assert structure["O1"].unmet
+
+
+def test_the_ego_of_a_scenario_is_the_one_described() -> None:
+    text = HEAD + "scenario Main():\n    setup:\n        van = new Van\n        ego = new Truck ahead of van by 9\n"
+    structure = imported(text)
+    assert structure.ego.spec.type == "truck"
+    assert structure.ego.description == "Ego is a truck ahead of van; the component makes 2 objects."
+
+
+RECOGNISED = (
+    HEAD
+    + """
+FAR = [30, 40]
+param SLOW = Range(3, 4)
+spot = new OrientedPoint on Uniform(*network.lanes).centerline
+
+behavior Careful(speed=7):
+    try:
+        do FollowLaneBehavior(target_speed=speed)
+    interrupt when withinDistanceToAnyObjs(self, 9):
+        take SetBrakeAction(0.8)
+
+behavior Late(after):
+    while (distance from self to ego) > after:
+        wait
+    do FollowLaneBehavior(globalParameters.SLOW) for 3 seconds
+    take SetBrakeAction(1)
+
+ego = new Car following roadDirection from spot for -20, with behavior Careful(FAR[0] / 3)
+walker = new Pedestrian right of spot by 3, with heading 90 deg relative to spot.heading,
+    with behavior CrossingBehavior(ego, 1.5, threshold=12)
+leadVan = new Van ahead of ego by Range(*FAR), with behavior Late(25)
+slow = new Truck ahead of ego by 12
+behindIt = new Motorcycle behind slow by 2
+facing_us = new Car at spot offset by -3.5 @ 60, facing 180 deg relative to roadDirection
+require 10 < (distance from ego to slow) <= 40
+require (distance from ego to intersection) > 50
+terminate when (distance to walker) > 90
+terminate after 2 * 10 seconds
+"""
+)
+
+
+def test_what_is_recognised_becomes_typed() -> None:
+    structure = imported(RECOGNISED)
+    ego, named = structure.ego.spec, {c.spec.name: c for c in structure.objects}
+    assert (ego.speed, ego.reaction, ego.phases) == (10, "brake", ())
+    assert structure.ego.unmet == ()
+    walker = named["walker"].spec
+    assert (walker.placement.position, walker.placement.side, walker.placement.gap) == ("roadside", "right", 20)
+    assert [(p.action, p.speed, p.trigger.value) for p in walker.phases] == [("cross_road", 1.5, 12)]
+    assert [(p.action, p.speed, p.duration) for p in named["lead_van"].spec.phases] == [
+        ("wait", None, None), ("keep_lane", (3, 4), 3), ("stop", None, None),
+    ]  # fmt: skip
+    assert named["lead_van"].spec.phases[1].trigger.value == 25
+    assert [u.text for u in named["lead_van"].unmet] == ["its place"]
+    assert named["slow"].spec.placement.gap == 12
+    assert named["slow"].description == "slow is a truck 12 m ahead of ego."
+    assert named["behind_it"].description == "behindIt is a motorcycle 2 m behind slow."
+    assert named["behind_it"].spec.placement.of == "O3"
+    assert named["facing_us"].spec.placement.position == "oncoming_lane"
+    said = structure.restrictions.spec
+    assert [(c.subject, c.other, c.minimum, c.maximum) for c in said.require] == [("ego", "O3", 10, 40)]
+    assert said.duration == 20
+    assert [(c.kind, c.other, c.minimum) for c in said.terminate_when] == [("distance", "O1", 90)]
+    assert [u.text for u in structure.restrictions.unmet] == ["(distance from ego to intersection) > 50"]
+
+
+CROSSING = (
+    HEAD
+    + """
+lit = filter(lambda i: i.is4Way and i.isSignalized, network.intersections)
+crossing = Uniform(*lit)
+way = Uniform(*filter(lambda m: m.type is ManeuverType.LEFT_TURN, crossing.maneuvers))
+back = Uniform(*filter(lambda m: m.type is ManeuverType.STRAIGHT, way.reverseManeuvers))
+path = [way.startLane, way.connectingLane, way.endLane]
+begin = new OrientedPoint on way.startLane.centerline
+ego = new Car at begin, with behavior FollowTrajectoryBehavior(6, path)
+other = new Car on back.startLane.centerline, with behavior FollowTrajectoryBehavior(trajectory=[back.startLane])
+require 15 <= (distance to crossing) <= 25
+terminate when (distance to begin) > 60
+"""
+)
+
+
+def test_the_intersection_and_egos_way_are_recognised() -> None:
+    structure = imported(CROSSING)
+    place = structure.place.spec
+    assert (place.kind, place.arms, place.control, place.manoeuvre) == ("intersection", 4, "signal", "left")
+    assert place.distance == (15, 25)
+    assert structure.place.description.startswith(
+        "An intersection of 4 roads with traffic lights, where ego turns left;"
+    )
+    assert structure["O1"].spec.placement.position == "opposite_approach"
+    assert [p.action for p in structure["O1"].spec.phases] == ["go_straight"]
+    assert structure.restrictions.spec.terminate_when[0].kind == "travelled"
+    assert structure.restrictions.unmet == ()
+
+
+OLDER = (
+    HEAD
+    + '''"""
+Car on the left, words only
+"""
+param render = '1'
+# Pedestrian at the kerb
+spot = OrientedPoint on Uniform(*network.lanes).centerline
+kinds = [Car,
+    Truck,
+    Van]
+ego = Car \\
+    at spot
+Car following roadDirection from spot by -Range(20, 30), with speed 3
+require (distance from ego to spot) in Range(0, 5)  # near
+'''
+)
+
+
+def test_more_of_scenic_2_is_upgraded() -> None:
+    result = importer.import_program(ImportRequest(text=OLDER))
+    changed = [line for line in result.diff.splitlines() if line.startswith("+") and not line.startswith("+++")]
+    assert changed == [
+        "+param render = 1",
+        "+spot = new OrientedPoint on Uniform(*network.lanes).centerline",
+        "+ego = new Car \\",
+        "+new Car following roadDirection from spot for -Range(20, 30), with speed 3",
+        "+require 0 <= (distance from ego to spot) <= 5  # near",
+    ]
+    assert assemble(result.structure).text == result.upgraded
+
+
+def test_what_is_left_of_an_upgrade_is_said_at_its_own_line() -> None:
+    text = OLDER + "monitor M:\n    wait\nx = = 3\n"
+    found = importer.import_program(ImportRequest(text=text)).diagnostics[0]
+    assert found.line == text.count("\n")
+    assert found.text == "x = = 3"
+    assert found.edit is None

@@ -1,15 +1,17 @@
 """The app on the scripted engine, with real sessions in a folder of the test's own."""
 
 import asyncio
-from collections.abc import Awaitable, Callable, Iterator
+from collections.abc import AsyncIterator, Awaitable, Callable, Iterator
+from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
 from pytest_textual_snapshot import SVGImageExtension
-from scripted_engine import ScriptedEngine, describing
+from scripted_engine import CUT_IN, ScriptedEngine, describing
 from textual.widgets import Input, TextArea
 
+from c2s_engine.structure.edits import SetField
 from c2s_tui.app import C2SApp
 from c2s_tui.backend import Backend
 from c2s_tui.prefs import Prefs
@@ -99,6 +101,39 @@ class Stage:
         if wait:
             await self.until(pilot, lambda: len(self.said) > before and not self.bench.busy)
             await pilot.pause()
+
+    @asynccontextmanager
+    async def described(self) -> AsyncIterator[Any]:
+        """A pilot of an app in which CUT_IN has been described."""
+        async with self.make().run_test(size=(140, 45)) as pilot:
+            await self.ready(pilot)
+            await self.say(pilot, CUT_IN)
+            yield pilot
+
+    def write(self, old: str, new: str) -> None:
+        """Write something else in the code pane; it is not applied yet."""
+        self.bench.code.area.text = self.bench.code.area.text.replace(old, new)
+
+    async def misspell(self, pilot: Any) -> None:
+        """Write a name that is not defined, and wait until that is found while it is typed; F8 goes there."""
+        await pilot.press("f4")
+        await self.until(pilot, lambda: self.bench.code.area.has_focus)
+        self.write("with behavior VanBehavior", "with behavior VanBehaviour")
+        await self.until(pilot, lambda: self.bench.code.area.problems)
+        await pilot.press("f8")
+        await self.until(pilot, lambda: self.bench.code.finding is not None)
+        assert self.bench.code.finding.component == "O1"
+
+    async def conflict(self, pilot: Any, gap: float = 25.0) -> None:
+        """Change a field of O1, which is written by hand."""
+        await self.bench.make_edits((SetField(component="O1", path="placement.gap", value=gap),))
+        await self.until(pilot, lambda: self.bench.desk.structure["O1"].conflict and not self.bench.busy)
+
+    async def editing(self, pilot: Any, key: str) -> None:
+        """Open a row of the structure pane for editing."""
+        await self.to_row(pilot, key)
+        await pilot.press("enter")
+        await self.until(pilot, lambda: self.bench.sheet.editor and self.bench.sheet.editor.query("Input"))
 
     async def to_row(self, pilot: Any, key: str) -> None:
         """Put the cursor of the structure pane on a row."""

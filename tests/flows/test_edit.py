@@ -13,11 +13,7 @@ def test_edit_an_object_shows_its_reach_and_rewrites_only_that(stage, compare):
     async def flow(pilot):
         await stage.say(pilot, CUT_IN)
         before = stage.bench.desk.program
-        await stage.to_row(pilot, "E:speed")
-        await pilot.press("enter")
-        await stage.until(
-            pilot, lambda: stage.bench.sheet.editor is not None and stage.bench.sheet.editor.query("Input")
-        )
+        await stage.editing(pilot, "E:speed")
         stage.app.focused.value = "60"
         await stage.until(pilot, lambda: stage.bench.sheet.reached)
         assert stage.bench.sheet.reached == {"E", "O1", "T"}
@@ -40,9 +36,7 @@ def test_edit_an_object_rewrites_it_and_what_reads_it(stage, compare):
         await stage.bench.make_edits((AddObject(spec=bus, description="A bus behind O1."),))
         await stage.until(pilot, lambda: "O2" in stage.bench.desk.structure and not stage.bench.busy)
         before = stage.bench.desk.program
-        await stage.to_row(pilot, "O1:speed")
-        await pilot.press("enter")
-        await stage.until(pilot, lambda: stage.bench.sheet.editor and stage.bench.sheet.editor.query("Input"))
+        await stage.editing(pilot, "O1:speed")
         stage.app.focused.value = "36"
         await stage.until(pilot, lambda: stage.bench.sheet.reached == {"O1", "O2"})
         await pilot.press("enter")
@@ -57,11 +51,7 @@ def test_edit_an_object_rewrites_it_and_what_reads_it(stage, compare):
 def test_the_reach_is_shown_before_the_edit_is_made(stage, compare):
     async def flow(pilot):
         await stage.say(pilot, CUT_IN)
-        await stage.to_row(pilot, "O1:type")
-        await pilot.press("enter")
-        await stage.until(
-            pilot, lambda: stage.bench.sheet.editor is not None and stage.bench.sheet.editor.query("Input")
-        )
+        await stage.editing(pilot, "O1:type")
         stage.app.focused.value = "bus"
         await stage.until(pilot, lambda: stage.bench.sheet.reached)
         assert stage.bench.sheet.reached == {"O1"}
@@ -102,9 +92,7 @@ def test_undo_and_redo(stage, compare):
 
 
 async def test_objects_are_added_moved_and_removed(stage):
-    async with stage.make().run_test(size=(140, 45)) as pilot:
-        await stage.ready(pilot)
-        await stage.say(pilot, CUT_IN)
+    async with stage.described() as pilot:
         await stage.to_row(pilot, "add")
         await pilot.press("enter")
         await stage.type_over(pilot, "pedestrian")
@@ -121,9 +109,7 @@ async def test_objects_are_added_moved_and_removed(stage):
 
 
 async def test_a_phase_is_added_and_removed(stage):
-    async with stage.make().run_test(size=(140, 45)) as pilot:
-        await stage.ready(pilot)
-        await stage.say(pilot, CUT_IN)
+    async with stage.described() as pilot:
         await stage.to_row(pilot, "O1")
         await pilot.press("space")
         await stage.to_row(pilot, "O1:phases")
@@ -138,9 +124,7 @@ async def test_a_phase_is_added_and_removed(stage):
 
 
 async def test_newer_edits_take_along_those_still_being_written(stage):
-    async with stage.make().run_test(size=(140, 45)) as pilot:
-        await stage.ready(pilot)
-        await stage.say(pilot, CUT_IN)
+    async with stage.described() as pilot:
         stage.engine.gate, stage.engine.gated_at = threading.Event(), "write"
         await stage.bench.make_edits((SetField(component="E", path="speed", value=20.0),))
         await stage.until(pilot, lambda: ("apply", ["field"]) in stage.engine.calls)
@@ -154,9 +138,7 @@ async def test_newer_edits_take_along_those_still_being_written(stage):
 
 
 async def test_the_panes_follow_each_other(stage):
-    async with stage.make().run_test(size=(140, 45)) as pilot:
-        await stage.ready(pilot)
-        await stage.say(pilot, CUT_IN)
+    async with stage.described() as pilot:
         await stage.to_row(pilot, "O1")
         area, span = stage.bench.code.area, stage.bench.desk.program.span_of("O1")
         await stage.until(pilot, lambda: area.cursor_location[0] + 1 == span.first)
@@ -167,9 +149,7 @@ async def test_the_panes_follow_each_other(stage):
 
 
 async def test_what_is_typed_ahead_is_text_and_no_command(stage):
-    async with stage.make().run_test(size=(140, 45)) as pilot:
-        await stage.ready(pilot)
-        await stage.say(pilot, CUT_IN)
+    async with stage.described() as pilot:
         await stage.to_row(pilot, "O1:name")
         for key in ("enter", "x", "a", "u"):  # all of it before the app has done any
             stage.app.post_message(Key(key, key if len(key) == 1 else "\r"))
@@ -187,9 +167,7 @@ async def test_what_is_typed_ahead_is_text_and_no_command(stage):
 
 
 async def test_the_words_of_the_text_follow_and_lead(stage):
-    async with stage.make().run_test(size=(140, 45)) as pilot:
-        await stage.ready(pilot)
-        await stage.say(pilot, CUT_IN)
+    async with stage.described() as pilot:
         await stage.to_row(pilot, "O1")
         line = next(line for line in stage.bench.query("Line") if line.plain == CUT_IN)
         marked = [line.content.plain[s.start : s.end] for s in line.content.spans]
@@ -205,15 +183,13 @@ def test_hand_edit_and_conflict(stage, compare):
         await stage.say(pilot, CUT_IN)
         await pilot.press("f4")
         await stage.until(pilot, lambda: stage.bench.code.area.has_focus)
-        area = stage.bench.code.area
-        area.text = area.text.replace("left of ego by 3.5", "left of ego by 4.0")
+        stage.write("left of ego by 3.5", "left of ego by 4.0")
         await pilot.press("f5")
         await stage.until(pilot, lambda: stage.bench.session.structure["O1"].origin == "by_hand")
         await stage.idle(pilot)
         assert stage.bench.desk.state(stage.bench.desk.structure["O1"]) == "by_hand"
         assert "by 4.0" in stage.bench.session.program.text and not stage.bench.code.edited
-        await stage.bench.make_edits((SetField(component="O1", path="placement.gap", value=25.0),))
-        await stage.until(pilot, lambda: stage.bench.desk.structure["O1"].conflict and not stage.bench.busy)
+        await stage.conflict(pilot)
         assert "by 4.0" in stage.bench.desk.program.text  # what was written by hand stands
         await stage.to_row(pilot, "O1:conflict")
         await pilot.press("enter")
@@ -223,18 +199,13 @@ def test_hand_edit_and_conflict(stage, compare):
 
 
 async def test_a_conflict_is_decided_either_way(stage):
-    async with stage.make().run_test(size=(140, 45)) as pilot:
-        await stage.ready(pilot)
-        await stage.say(pilot, CUT_IN)
+    async with stage.described() as pilot:
         for key, expected in (("m", "by 4.0"), ("t", "by 3.5")):
-            area = stage.bench.code.area
-            area.text = area.text.replace("left of ego by 3.5", "left of ego by 4.0")
+            stage.write("left of ego by 3.5", "left of ego by 4.0")
             stage.bench.code.commit()
             await pilot.pause()
             await stage.idle(pilot)
-            gap = stage.bench.desk.structure["O1"].spec.placement.gap + 5
-            await stage.bench.make_edits((SetField(component="O1", path="placement.gap", value=gap),))
-            await stage.until(pilot, lambda: stage.bench.desk.structure["O1"].conflict and not stage.bench.busy)
+            await stage.conflict(pilot, gap=stage.bench.desk.structure["O1"].spec.placement.gap + 5)
             await stage.bench.run_command("conflict")
             await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Conflict")
             await pilot.press(key)
@@ -246,14 +217,7 @@ async def test_a_conflict_is_decided_either_way(stage):
 def test_compile_error_and_fix(stage, compare):
     async def flow(pilot):
         await stage.say(pilot, CUT_IN)
-        await pilot.press("f4")
-        await stage.until(pilot, lambda: stage.bench.code.area.has_focus)
-        area = stage.bench.code.area
-        area.text = area.text.replace("with behavior VanBehavior", "with behavior VanBehaviour")
-        await stage.until(pilot, lambda: stage.bench.code.area.problems)  # checked while it is typed
-        await pilot.press("f8")
-        await stage.until(pilot, lambda: stage.bench.code.finding is not None)
-        assert stage.bench.code.finding.component == "O1"
+        await stage.misspell(pilot)
 
     assert compare(flow)
 
@@ -261,8 +225,7 @@ def test_compile_error_and_fix(stage, compare):
 def test_the_offered_fix_is_taken(stage, compare):
     async def flow(pilot):
         await stage.say(pilot, CUT_IN)
-        area = stage.bench.code.area
-        area.text = area.text.replace("with behavior VanBehavior", "with behavior VanBehaviour")
+        stage.write("with behavior VanBehavior", "with behavior VanBehaviour")
         await pilot.press("f5")
         await stage.until(pilot, lambda: stage.bench.desk.diagnostics and not stage.bench.busy)
         assert stage.bench.desk.state(stage.bench.desk.structure["O1"]) == "failed"
@@ -278,14 +241,7 @@ def test_the_offered_fix_is_taken(stage, compare):
 def test_compile_error_80x24(stage, compare):
     async def flow(pilot):
         await stage.say(pilot, CUT_IN)
-        await pilot.press("f4")
-        await stage.until(pilot, lambda: stage.bench.code.area.has_focus)
-        area = stage.bench.code.area
-        area.text = area.text.replace("with behavior VanBehavior", "with behavior VanBehaviour")
-        await stage.until(pilot, lambda: stage.bench.code.area.problems)
-        await pilot.press("f8")
-        await stage.until(pilot, lambda: stage.bench.code.finding is not None)
-        assert stage.bench.code.finding.component == "O1"
+        await stage.misspell(pilot)
 
     assert compare(flow, size=(80, 24))
 
@@ -293,13 +249,11 @@ def test_compile_error_80x24(stage, compare):
 def test_a_conflict_80x24(stage, compare):
     async def flow(pilot):
         await stage.say(pilot, CUT_IN)
-        area = stage.bench.code.area
-        area.text = area.text.replace("left of ego by 3.5", "left of ego by 4.0")
+        stage.write("left of ego by 3.5", "left of ego by 4.0")
         stage.bench.code.commit()
         await stage.until(pilot, lambda: stage.bench.session.structure["O1"].origin == "by_hand")
         await stage.idle(pilot)
-        await stage.bench.make_edits((SetField(component="O1", path="placement.gap", value=25.0),))
-        await stage.until(pilot, lambda: stage.bench.desk.structure["O1"].conflict and not stage.bench.busy)
+        await stage.conflict(pilot)
         await stage.bench.run_command("conflict")
         await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Conflict")
 

@@ -139,9 +139,7 @@ def test_why_is_this_here(stage, compare):
 
 
 async def test_leaving_with_unapplied_edits_asks_once(stage):
-    async with stage.make().run_test(size=(140, 45)) as pilot:
-        await stage.ready(pilot)
-        await stage.say(pilot, CUT_IN)
+    async with stage.described() as pilot:
         stage.bench.code.area.text += "# more\n"
         await pilot.press("ctrl+q")
         await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Confirm")
@@ -154,9 +152,7 @@ async def test_leaving_with_unapplied_edits_asks_once(stage):
 
 
 async def test_what_was_typed_comes_back(stage):
-    async with stage.make().run_test(size=(140, 45)) as pilot:
-        await stage.ready(pilot)
-        await stage.say(pilot, CUT_IN)
+    async with stage.described() as pilot:
         stage.bench.chat.entry.put("half a thought")
         await pilot.pause()
         stage.bench.save_drafts(now=True)
@@ -186,9 +182,7 @@ async def test_keys_can_be_remapped(stage):
 
 
 async def test_files_are_saved_and_changes_outside_noticed(stage, tmp_path: Path):
-    async with stage.make().run_test(size=(140, 45)) as pilot:
-        await stage.ready(pilot)
-        await stage.say(pilot, CUT_IN)
+    async with stage.described() as pilot:
         target = tmp_path / "cut.scenic"
         await stage.say(pilot, f"/save {target}", wait=False)
         await stage.until(pilot, lambda: target.exists() and any("Saved" in line for line in stage.said))

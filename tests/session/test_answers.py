@@ -117,7 +117,7 @@ async def shown(shelf):
     events: list = []
     tools = SimpleNamespace(extra={"retrieval": retrieval})
     looking = asyncio.create_task(look_up(structure, tools, events.append))
-    return await offered(looking, events.append), events
+    return await offered(looking, structure, events.append), events
 
 
 async def test_snippets_are_offered_for_what_has_no_field():
@@ -132,4 +132,7 @@ async def test_snippets_are_offered_for_what_has_no_field():
 
 async def test_without_retrieval_the_search_is_named_instead():
     offers, events = await shown(Shelf(fails=True))
-    assert offers == [] and ["c2s search" in e.text for e in events] == [True]
+    assert offers == [] and [e.text for e in events] == [
+        'Snippets for what no field can say are found by `c2s search --kind snippet --component O "its hazard lights '
+        'flash"` or `c2s search --kind snippet "honks twice"`.'
+    ]

@@ -104,6 +104,20 @@ def cut_out(seen: Seen, placed: Beside, situation: Situation) -> int | None:
     return None
 
 
+def lets_by(seen: Seen, other: Seen, placed: Beside) -> int | None:
+    """The step from which it slows for the other, which comes from behind and gets past, after which it goes on."""
+    limits = definitions()["yield"]
+    if overtake(other, seen, Beside(-placed.lead, placed.aside, placed.same)) is None:
+        return None
+    passed = int(np.argmax(placed.lead < 0))
+    first = int(np.argmax(placed.lead < limits.near))
+    speed = seen.speed[first : passed + 1]
+    slowed = np.flatnonzero(np.maximum.accumulate(speed) - speed > limits.loss)
+    if not len(slowed) or seen.speed[passed:].max() - seen.speed[passed] <= limits.gain:
+        return None
+    return first + int(slowed[0])
+
+
 def overtake(seen: Seen, other: Seen, placed: Beside) -> int | None:
     """The step at which it is ahead of the other, having begun behind it."""
     limits = definitions()["overtake"]

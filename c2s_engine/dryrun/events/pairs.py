@@ -7,7 +7,7 @@ import shapely
 
 from c2s_engine.dryrun.contacts import corners
 from c2s_engine.dryrun.events.crossing import cross_path, passes_first, yields
-from c2s_engine.dryrun.events.following import beside, cut_in, cut_out, follow, overtake
+from c2s_engine.dryrun.events.following import beside, cut_in, cut_out, follow, lets_by, overtake
 from c2s_engine.dryrun.events.meetings import Meetings
 from c2s_engine.dryrun.events.motion import fact
 from c2s_engine.dryrun.events.situation import Seen, Situation
@@ -28,6 +28,7 @@ def pairs(seen: Seen, other: Seen, situation: Situation, meetings: Meetings) -> 
             ("cut_in", cut_in(seen, other, placed, situation)),
             ("cut_out", cut_out(seen, placed, situation)),
             ("overtake", overtake(seen, other, placed)),
+            ("yield", lets_by(seen, other, placed)),
         ]
     met = meetings.of(seen, other)
     if met is not None:

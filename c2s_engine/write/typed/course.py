@@ -7,7 +7,7 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import LANE_NAME, is_static
+from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, is_static
 from c2s_engine.write.typed.usual import speed_of
 
 EDGE = 1.6
@@ -75,7 +75,8 @@ class Course:
         """The speed in force, or the pace behind whom ego follows."""
         spec = self.actor.spec
         if isinstance(spec, EgoSpec) and spec.reaction == "follow" and self.actor.others:
-            return f"lambda: pace(self, {self.actor.ref(spec.react_to)}, {self.speed})"
+            speed = self.speed if self.value > 0 else scope.number(DEFAULT_SPEED["car"]["road"])  # it moves off with it
+            return f"lambda: pace(self, {self.actor.ref(spec.react_to)}, {speed})"
         return self.speed
 
     def set(self, value: float) -> str:

@@ -5,7 +5,7 @@ from functools import cache
 from importlib.resources import files
 
 ORDER = (
-    "way", "approach", "along", "bend_start", "straight_on",
+    "way", "approach", "ring_approach", "along", "bend_start", "straight_on",
     "need", "most_need", "passed", "ttc", "pace", "meeting", "meet", "strike", "lurk", "lead_on",
     "drive", "turn_round", "backwards", "walk",
 )  # fmt: skip

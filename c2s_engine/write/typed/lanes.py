@@ -43,7 +43,8 @@ def leads(
         at[cid] = at.get(placement.of, 0.0) + (0.0 if abreast else -own if behind else own)
     lanes: dict[str, int | None] = {"ego": 0, **lane_of}
     changes = ego.reaction == "evade" or {"lane_change", "overtake", "cut_in"} & {p.action for p in ego.phases}
-    comes = (1, -1) if changes else ()  # the lanes that ego may come to
+    joins = {"on_ramp": (1,), "off_ramp": (-1,)}.get(place.kind, ())
+    comes = (1, -1) if changes else joins  # the lanes that ego may come to
     movers = [c for c, o in objects.items() if is_vehicle(o.type) and not is_static(o) and lane_of[c] is not None]
 
     def before(cid: str, other: str) -> bool:
@@ -59,6 +60,12 @@ def needs_oncoming(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> bool:
     if any(o.placement.position == "oncoming_lane" for o in objects.values()):
         return True
     return any(p.action in ("oncoming", "u_turn") for p in all_phases(ego, objects))
+
+
+def by_oncoming(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> bool:
+    """Whether somebody leaves its lane for the oncoming one or beyond, or comes from that into ego's."""
+    actions = {"oncoming", "overtake", "lane_change", "swerve", "drift", "collide", "leave_road"}
+    return any(p.action in actions for p in all_phases(ego, objects))
 
 
 def offsets_of(

@@ -6,11 +6,14 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.scope import number, quantity
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME
 
+Pairs = frozenset[tuple[int, int]]
+"""(junction, road into it)"""
 
-def write_place(plan: Plan, code: PlaceCode, parts: frozenset[str]) -> str:
+
+def write_place(plan: Plan, code: PlaceCode, parts: frozenset[str], signs: Pairs = frozenset()) -> str:
     """The fragment of R: kernel, choice of the place, lanes by name, ego's start."""
     if plan.approaches:
-        parts = parts | {"approach"}
+        parts = parts | {"ring_approach" if plan.place.kind == "roundabout" else "approach"}
     if code.yields == "spots":
         parts = parts | {"along"}
     if plan.place.kind == "curve":
@@ -18,14 +21,17 @@ def write_place(plan: Plan, code: PlaceCode, parts: frozenset[str]) -> str:
     lines = ["import math", "", *kernel.text(parts).splitlines(), ""] if parts else []
     if code.comment:
         lines.append(f"# {code.comment}")
-    lines += _choice(plan, code)
+    lines += _choice(plan, code, signs)
     lines += _lanes(plan)
     lines += _start(plan, code)
     return "\n".join(lines)
 
 
-def candidates(plan: Plan, code: PlaceCode) -> str:
-    """The list of places from which one is drawn: what counts how many there are (with the kernel's `approach`)."""
+def candidates(plan: Plan, code: PlaceCode, signs: Pairs = frozenset()) -> str:
+    """The list of places from which one is drawn: what counts how many there are (with the kernel's `approach`).
+
+    `signs`: the junctions and the roads into them that have stop signs.
+    """
     if code.yields == "spots":
         return code.expression
     if code.yields == "lanes":
@@ -40,14 +46,24 @@ def candidates(plan: Plan, code: PlaceCode) -> str:
     innermost = " for o in m.startLane.group.opposite.lanes if o.sections[0]._fasterLane is None"
     if not plan.approaches:
         return f"[(m, o) for m in {code.expression}{innermost}]" if plan.oncoming else code.expression
-    roles = ", ".join(f"approach(m, {APPROACH_ANGLE[p]}, ManeuverType.{t})" for p, t in plan.approaches)
+    ring = plan.place.kind == "roundabout"
+    roles = ", ".join(
+        f"ring_approach(m, {APPROACH_ANGLE[p]})" if ring else f"approach(m, {APPROACH_ANGLE[p]}, ManeuverType.{t})"
+        for p, t in plan.approaches
+    )
+    listed = f"{{{', '.join(map(str, sorted(signs)))}}}"
+    has_sign = "".join(
+        f" and (j[0].intersection.id, j[{i}].road.id) in {listed}"
+        for i, (position, _) in enumerate(plan.approaches, start=1)
+        if position in plan.stops
+    )
     if plan.oncoming:
-        return f"[j for j in [(m, {roles}, o) for m in {code.expression}{innermost}] if all(j)]"
-    return f"[j for j in [(m, {roles}) for m in {code.expression}] if all(j)]"
+        return f"[j for j in [(m, {roles}, o) for m in {code.expression}{innermost}] if all(j){has_sign}]"
+    return f"[j for j in [(m, {roles}) for m in {code.expression}] if all(j){has_sign}]"
 
 
-def _choice(plan: Plan, code: PlaceCode) -> list[str]:
-    places = _wrapped(candidates(plan, code))
+def _choice(plan: Plan, code: PlaceCode, signs: Pairs) -> list[str]:
+    places = _wrapped(candidates(plan, code, signs))
     if code.yields == "lanes":
         if not plan.oncoming and plan.place.kind != "curve":
             return [f"egoLane = Uniform(*{places})"]
@@ -116,7 +132,7 @@ def _lanes(plan: Plan) -> list[str]:
         section = "egoLane.sections[-1]" if plan.junction else "egoLane.sections[0]"
         step = "._fasterLane" if k > 0 else "._slowerLane"
         lines.append(f"{LANE_NAME[k]} = {section}{step * abs(k)}.lane")
-    if plan.exit_lane:
+    if plan.exit_room:
         lines.append("exitLane = egoTurn.endLane")
     return lines
 

@@ -1,5 +1,6 @@
 """Where an object starts, as Scenic: a point on a lane by its distance along it, or a spot beside the road."""
 
+import math
 from dataclasses import dataclass
 
 from c2s_engine.structure.components import Structure
@@ -10,7 +11,7 @@ from c2s_engine.write.typed.course import EDGE
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_NAME, LENGTH, MOVES_OFF_ROAD, is_vehicle, is_walker
-from c2s_engine.write.typed.usual import default_gap, speed_of, turn_of
+from c2s_engine.write.typed.usual import default_gap, right_behind, speed_of, turn_of, uses_crosswalk
 
 
 @dataclass(frozen=True)
@@ -31,7 +32,7 @@ def place_object(structure: Structure, cid: str, plan: Plan) -> Spot:
     spec = structure[cid].spec
     assert isinstance(spec, ObjectSpec)
     position = spec.placement.position
-    if spec.placement.hidden_by and position in ("roadside", "sidewalk", "parked") and not is_vehicle(spec.type):
+    if right_behind(spec):
         return _hidden(structure, spec)
     of = spec.placement.of
     if of not in ("ego", "E") and plan.lane_of[of] is None and position not in _OWN_PLACE:
@@ -59,9 +60,9 @@ def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) 
     assert isinstance(parent.spec, ObjectSpec)
     place = parent.spec.placement.position
     base = scope.constant(structure, parent.id)
-    gap = scope.quantity(_gap(structure, cid, spec, plan))
-    half = scope.number((LENGTH[spec.type] + LENGTH[parent.spec.type]) / 2)
     behind = _along(spec) < 0
+    gap = scope.quantity(_gap(structure, cid, spec, plan))
+    half = scope.number((LENGTH[spec.type] + LENGTH[parent.spec.type]) / 2 + _row_beyond(parent.spec, not behind))
     loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
     if place in _TO_END:  # measured back from the lane's end
         name = f"{scope.constant(structure, cid)}{_TO_END[place]}"
@@ -69,9 +70,9 @@ def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) 
         turn = turn_of(parent.spec.phases)
         lane = "rampLane" if place == "on_ramp" else approach_name(plan, place, turn)
         own = turn_of(spec.phases, turn)
-        way = f"way({lane})" if place == "on_ramp" else f"way({lane}, ManeuverType.{own})"
+        way = f"way({lane})" if place == "on_ramp" else _way_over(plan, lane, own)
         line = f"{name} = {base}{_TO_END[place]} {op} {gap} {op} {half}  # m"
-        at = f"min(-1, -({_member(spec, name)}))"
+        at = f"-({_member(spec, name)})" if behind else f"-({_member(spec, f'max(1, {name})')})"
         return Spot(
             (line,),
             (f"at {lane}.centerline.pointAlongBy({at})", *loose),
@@ -87,12 +88,22 @@ def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) 
         at = f"{sign}({_member(spec, name)})" if sign else f"max(1, {_member(spec, name)})"
         return Spot((line,), (f"at {lane}.centerline.pointAlongBy({at})", *loose), f"way({lane})")
     where = "behind" if behind else "ahead of"
+    next_to = scope.reference(structure, parent.id).replace("[0]", "[0]" if behind else "[-1]")
     return Spot(
         (),
-        (f"{where} {scope.reference(structure, parent.id)} by {gap}", "with regionContainedIn everywhere"),
+        (f"{where} {next_to} by {_member(spec, gap)}", "with regionContainedIn everywhere"),
         "way(egoLane)",
         off_road=True,
     )
+
+
+def _row_beyond(parent: ObjectSpec, ahead: bool) -> float:
+    """How far (m) a row goes on beyond its first member, on the side of those placed ahead of it or behind it."""
+    placement = parent.placement
+    if parent.type in ("construction_zone", "lane_closure"):  # always one
+        return 0.0
+    backwards = placement.position in (*_TO_END, "oncoming_lane") or _along(parent) < 0
+    return (parent.count - 1) * _step(parent) if ahead != backwards else 0.0
 
 
 def position_constant(structure: Structure, cid: str) -> str:
@@ -109,31 +120,41 @@ def _of_length(structure: Structure, of: str) -> float:
     return LENGTH.get(getattr(spec, "type", "car"), 4.8)
 
 
-def _at(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, sign: int, extra: float | None = None) -> str:
+def _base(structure: Structure, of: str, plan: Plan) -> str:
+    """The constant from which something is measured: that of `of`, where it has one along ego's lane."""
+    parent = structure[of].spec if of not in ("ego", "E") else None
+    if isinstance(parent, ObjectSpec) and right_behind(parent):
+        return _base(structure, parent.placement.hidden_by or "ego", plan)
+    elsewhere = isinstance(parent, ObjectSpec) and plan.lane_of[of] is None and not _stands_there(structure, of)
+    return "EGO_AT" if elsewhere else position_constant(structure, of)
+
+
+def _at(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, sign: int) -> str:
     """`X_AT = OTHER_AT + gap + half lengths`."""
     of = spec.placement.of
-    half = (LENGTH[spec.type] + _of_length(structure, of)) / 2 + 0.2 if extra is None else extra
+    half = (LENGTH[spec.type] + _of_length(structure, of)) / 2 + 0.2
     gap = _gap(structure, cid, spec, plan)
-    base = position_constant(structure, of)
+    base = _base(structure, of, plan)
     if _stands_there(structure, of):
         gap = 2.0 if spec.placement.gap is None else gap
-    elif of not in ("ego", "E") and plan.lane_of[of] is None:
-        base = "EGO_AT"
+    if base == position_constant(structure, of) != "EGO_AT":
+        parent = structure[of].spec
+        assert isinstance(parent, ObjectSpec)
+        half += _row_beyond(parent, sign > 0)
     op = "+" if sign > 0 else "-"
     text = scope.quantity(gap) if isinstance(gap, tuple | list) else scope.number(gap)
     tail = f" {op} {text}" if text != "0" else ""
     return f"{position_constant(structure, cid)} = {base}{tail} {op} {scope.number(half)}  # m along the lane"
 
 
-def _step(spec: ObjectSpec) -> str:
-    spacing = middle(spec.spacing) if spec.spacing is not None else 3.0
-    return scope.number(LENGTH[spec.type] + spacing)
+def _step(spec: ObjectSpec) -> float:
+    return LENGTH[spec.type] + (middle(spec.spacing) if spec.spacing is not None else 3.0)
 
 
 def _member(spec: ObjectSpec, base: str, sign: int = 1) -> str:
     if spec.count == 1:
         return base
-    return f"{base} {'+' if sign > 0 else '-'} {_step(spec)} * i"
+    return f"{base} {'+' if sign > 0 else '-'} {scope.number(_step(spec))} * i"
 
 
 def _along(spec: ObjectSpec) -> int:
@@ -196,18 +217,26 @@ def _approaching(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -
     else:  # so far off that it reaches the junction when ego does
         own = middle(speed_of(spec, plan.place))
         far = middle(plan.distance or 40)
-        ego = max(plan.ego_speed, 4)
+        seconds = far / max(plan.ego_speed, 4) if plan.ego_speed > 0 else math.sqrt(far + 5)
         lead = 6 if spec.placement.position == "opposite_approach" else 3
-        value = scope.number(max(8.0, min(own * far / ego + lead, 130.0))) if own > 0 else "8"
+        value = scope.number(max(8.0, min(own * seconds + lead, 130.0))) if own > 0 else "8"
     at = f"-({_member(spec, name)})" if spec.count > 1 else f"-{name}"
     constants = [f"{name} = {value}  # m"]
     loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
     return Spot(
         tuple(constants),
         (f"at {lane}.centerline.pointAlongBy({at})", *loose),
-        f"way({lane}, ManeuverType.{turn})",
+        _way_over(plan, lane, turn),
         approach=lane,
     )
+
+
+def _way_over(plan: Plan, lane: str, turn: str) -> str:
+    """The way from an approach over the junction; into a roundabout one turns right, and leaves it by its bearing."""
+    if plan.place.kind != "roundabout":
+        return f"way({lane}, ManeuverType.{turn})"
+    bearing = {"LEFT_TURN": ", 90 deg", "RIGHT_TURN": ", -90 deg"}.get(turn, "")
+    return f"way({lane}, ManeuverType.RIGHT_TURN{bearing})"
 
 
 def _oncoming(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
@@ -249,11 +278,13 @@ def _exit(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
 
 def _beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
     sign, of = _along(spec), spec.placement.of
-    if sign == 0 and _stands_there(structure, of):  # just in front of what takes the spot itself
+    if plan.place.kind == "crosswalk" and uses_crosswalk(spec):
+        line = f"{position_constant(structure, cid)} = EGO_AT + EGO_TO_CROSSWALK"
+    elif sign == 0 and _stands_there(structure, of):  # just in front of what takes the spot itself
         clear = scope.number((LENGTH[spec.type] + _of_length(structure, of)) / 2 + 0.8)
         line = f"{position_constant(structure, cid)} = {position_constant(structure, of)} + {clear}"
     elif sign == 0:
-        line = f"{position_constant(structure, cid)} = {position_constant(structure, of)}"
+        line = f"{position_constant(structure, cid)} = {_base(structure, of, plan)}"
     else:
         line = _at(structure, cid, spec, plan, sign)
     at = position_constant(structure, cid)

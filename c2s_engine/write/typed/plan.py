@@ -31,7 +31,8 @@ class Plan:
     approaches: tuple[tuple[str, str], ...] = ()  # (position, turn type) that objects need
     oncoming: bool = False
     ramp: bool = False
-    exit_lane: bool = False
+    stops: tuple[str, ...] = ()  # positions of those who pass a stop sign of their own
+    exit_room: float = 0.0  # m of lane wanted behind the junction; 0: nobody stands there
     lane_of: dict[str, int | None] = field(default_factory=dict)  # object id -> lane offset at the start
     leads: dict[str, tuple[str, ...]] = field(default_factory=dict)  # object id -> who is ahead of it in its lane
 
@@ -67,9 +68,10 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     if ramp or place.kind in RAMP:
         place, base, offsets = lanes.ramp_lanes(place, offsets, ramp)
     else:
-        place, base, offsets = lanes.lanes_for(
-            place, offsets, "right" if lanes.pulls_out(ego) else lanes.kerb_side(objects)
-        )
+        beside = "right" if lanes.pulls_out(ego) else lanes.kerb_side(objects)
+        if oncoming and beside is None and lanes.by_oncoming(ego, objects):  # no lane of their own in between
+            beside = "left"
+        place, base, offsets = lanes.lanes_for(place, offsets, beside)
     if oncoming:
         place = place.model_copy(update={"oncoming": True})
     approaches = tuple(
@@ -93,9 +95,10 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         offsets=offsets,
         base=base,
         approaches=approaches,
+        stops=tuple(sorted({o.placement.position for o in objects.values() if _runs_stop(o)} & APPROACH_ANGLE.keys())),
         oncoming=oncoming,
         ramp=ramp,
-        exit_lane=any(o.placement.position == "intersection_exit" for o in objects.values()),
+        exit_room=rooms.behind_junction(objects, speed, place),
         lane_of=lane_of,
         leads=lanes.leads(ego, objects, lane_of, speed, place),
     )
@@ -125,6 +128,10 @@ def _on_the_left(o: ObjectSpec) -> ObjectSpec:
     return o.model_copy(update={"placement": o.placement.model_copy(update={"position": "left_lane"})})
 
 
+def _runs_stop(o: ObjectSpec) -> bool:
+    return any(p.action == "run_stop" for p in o.phases)
+
+
 def _place_kind(place: PlaceSpec, ego: EgoSpec, objects: dict[str, ObjectSpec]) -> PlaceSpec:
     """A road becomes an intersection where somebody turns or comes from a crossing road there."""
     positions = {o.placement.position for o in objects.values()}
@@ -135,6 +142,11 @@ def _place_kind(place: PlaceSpec, ego: EgoSpec, objects: dict[str, ObjectSpec]) 
         place = place.model_copy(update={"kind": "intersection"})
     if "on_ramp" in positions and place.kind in ("road", "straight"):
         place = place.model_copy(update={"kind": "motorway"})
+    if place.kind == "intersection" and place.control is None:  # who passes a light or a sign has one
+        passed = {"run_red": "signal", "run_stop": "stop"}
+        found = next((passed[p.action] for p in ego.phases if p.action in passed), None)
+        others = {p.action for o in objects.values() for p in o.phases}
+        place = place.model_copy(update={"control": found or ("signal" if "run_red" in others else None)})
     if place.kind == "intersection" and place.manoeuvre is None:
         turn = {"turn_left": "left", "turn_right": "right", "u_turn": "u_turn"}
         found = next((turn[p.action] for p in ego.phases if p.action in turn), "straight")

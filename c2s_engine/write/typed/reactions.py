@@ -4,7 +4,7 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import is_static
+from c2s_engine.write.typed.tables import is_static, is_vehicle
 from c2s_engine.write.typed.threats import every, once_seen, threatening
 
 SOFT = "lambda: max(1, min(9, 1.1 * {force}))"
@@ -17,6 +17,8 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     spec = actor.spec
     assert isinstance(spec, EgoSpec)
     cids = threatening(actor.structure)
+    if spec.reaction == "yield" and (let_in := _let_in(actor, cids)):
+        return _around(statements, [every(actor.structure, let_in)], 2, SOFT)
     if spec.reaction != "brake" or not cids:
         return statements
     threats = [every(actor.structure, spec.react_to)] if spec.react_to else once_seen(actor.structure, cids)
@@ -31,6 +33,15 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     return _around(statements, threats, limit, rate)
 
 
+def _let_in(actor: Actor, cids: list[str]) -> str:
+    """The vehicle that ego lets onto its lane and then follows."""
+    cid = getattr(actor.spec, "react_to", None) or (cids[0] if cids else "")
+    spec = actor.structure[cid].spec if cid in actor.structure else None
+    if not isinstance(spec, ObjectSpec) or not is_vehicle(spec.type):
+        return ""
+    return cid if {"enter_road", "cut_in", "lane_change"} & {p.action for p in spec.phases} else ""
+
+
 def heeding(actor: Actor, statements: list[str]) -> list[str]:
     """Another driver's way, braking for those ahead in its lane, unless it is to hit somebody."""
     leads = [c for c in actor.plan.leads.get(actor.cid, ()) if not _gets_past(actor, c)]
@@ -41,6 +52,8 @@ def heeding(actor: Actor, statements: list[str]) -> list[str]:
 
 def _gets_past(actor: Actor, cid: str) -> bool:
     """Whether it means to get past what stands ahead of it."""
+    if any(p.action == "overtake" and (p.target or "ego") == cid for p in actor.spec.phases):
+        return True
     if cid == "ego" or not {"cut_out", "lane_change", "swerve", "overtake"} & {p.action for p in actor.spec.phases}:
         return False
     spec = actor.structure[cid].spec
@@ -73,7 +86,9 @@ def reacting_phases(spec: EgoSpec, others: list[str], plan: Plan) -> tuple[Phase
         spec = spec.model_copy(update={"phases": (*phases, Phase(action="lane_change", side="right"))})
     actions = {p.action for p in spec.phases}
     if spec.reaction == "yield" and others and "yield" not in actions:
-        return (Phase(action="yield", target=spec.react_to), *spec.phases)
+        yielding = Phase(action="yield", target=spec.react_to or others[0])
+        aside = 1 if spec.phases and spec.phases[0].action == "lane_change" else 0  # out of the way first
+        return (*spec.phases[:aside], yielding, *spec.phases[aside:])
     if spec.reaction == "evade" and others and not actions & {"lane_change", "swerve", "overtake", "oncoming"}:
         return (*spec.phases, Phase(action="lane_change", side="left", target=spec.react_to))
     return spec.phases

@@ -11,6 +11,8 @@ from c2s_engine.write.typed.usual import default_gap, speed_of
 
 LONGEST_APPROACH = 200.0
 """m of lane before a junction that maps can be expected to have."""
+AT_THE_EDGE = 8.0
+"""m from ego's middle to the junction before which it stands."""
 _BESIDE = {"partly_in_lane", "parked", "roadside", "sidewalk"}
 
 
@@ -31,11 +33,11 @@ def before(ego: EgoSpec, objects: dict[str, ObjectSpec], speed: float) -> float:
     return math.ceil(max(25.0, reach) + backing)
 
 
-def _furthest(objects: dict[str, ObjectSpec]) -> float:
+def _furthest(objects: dict[str, ObjectSpec], speed: float, place: PlaceSpec) -> float:
     """How far ahead of ego the furthest object on its way starts, m."""
 
     def at(o: ObjectSpec, seen: int = 0) -> float:
-        here = high(o.placement.gap) if o.placement.gap is not None else default_gap(o, 14)
+        here = high(o.placement.gap) if o.placement.gap is not None else default_gap(o, max(speed, 14.0), place)
         here += (o.count - 1) * (LENGTH.get(o.type, 5) + 3) + 6
         if o.placement.of != "ego" and o.placement.of in objects and seen < 8:
             here += at(objects[o.placement.of], seen + 1)
@@ -52,13 +54,24 @@ def after(place: PlaceSpec, speed: float, duration: float, ego: EgoSpec, objects
     for phase in all_phases(ego, objects):
         if phase.speed is not None:
             fastest = max(fastest, high(phase.speed))
-    far = _furthest(objects)
+    far = _furthest(objects, speed, place)
     far = max(
         [far, *(_oncoming_gap(o, speed, place) for o in objects.values() if o.placement.position == "oncoming_lane")]
     )
     limit = {"curve": 450.0, "crosswalk": 150.0}.get(place.kind, 1050.0)
     wanted = max(fastest * min(duration, 20) + far * 0.5, far + 60, 150)
     return min(math.ceil(wanted / 50) * 50.0, limit)
+
+
+def behind_junction(objects: dict[str, ObjectSpec], speed: float, place: PlaceSpec) -> float:
+    """How much of the lane behind the junction objects take, m."""
+    taken = [0.0]
+    for o in objects.values():
+        if o.placement.position == "intersection_exit":
+            gap = high(o.placement.gap) if o.placement.gap is not None else default_gap(o, speed, place)
+            step = LENGTH[o.type] + (high(o.spacing) if o.spacing is not None else 3.0)
+            taken.append(gap + LENGTH[o.type] / 2 + (o.count - 1) * step)
+    return math.ceil(max(taken))
 
 
 def distance(
@@ -81,6 +94,8 @@ def distance(
             f"an object would stand {far:.0f} m ahead of ego, approaches have {LONGEST_APPROACH:.0f} m: lessen the gap",
             ("O.placement.gap",),
         )
+    if speed == 0 and place.kind in JUNCTION:  # ego stands at the junction's edge
+        return round(max(AT_THE_EDGE, far + 4), 1)
     base = max(min(4.0 * speed, 110), 35.0, *(_to_pass(o, speed, place) for o in objects.values()))
     base = max(base, 60.0) if place.kind in RAMP else base
     return round(max(base * max(room, 0.4), far + 4), 1)
@@ -99,7 +114,8 @@ def _junction_side(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
     """How far ahead of ego an object reaches that must stand before the junction, m."""
     placement = o.placement
     ways = {"ahead", "left_lane", "right_lane", "oncoming_lane", *_BESIDE}
-    if placement.position not in ways or placement.along == "behind":
+    behind = placement.along == "behind" and placement.position != "oncoming_lane"
+    if placement.position not in ways or behind:
         return 0
     gap = high(placement.gap) if placement.gap is not None else default_gap(o, ego_speed, place)
     step = LENGTH[o.type] + (high(o.spacing) if o.spacing is not None else 3.0)

@@ -3,8 +3,9 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import ObjectSpec
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, MOVES_OFF_ROAD, is_vehicle
-from c2s_engine.write.typed.usual import default_gap, speed_of
+from c2s_engine.write.typed.forms import normal
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH
+from c2s_engine.write.typed.usual import default_gap, right_behind, speed_of
 
 _ROW = {"partly_in_lane": "ahead", "roadside": "kerb", "sidewalk": "kerb", "parked": "kerb"}
 ROOM = 3.0
@@ -12,12 +13,13 @@ ROOM = 3.0
 
 
 def spread(structure: Structure) -> Structure:
-    """S for the writer: where two objects of a row would overlap, the one whose gap is open gets a larger one."""
+    """S for the writer, in its normal form: of two objects that would overlap the one whose gap is open is set off."""
+    structure = normal(structure)
     place = structure.place.spec
     speed = middle(speed_of(structure.ego.spec, place))  # type: ignore[arg-type]
     structure = _queued_on_ramp(structure)
     taken: dict[tuple, list[tuple[float, float]]] = {}
-    objects = [c for c in structure.objects if isinstance(c.spec, ObjectSpec) and not _right_behind(c.spec)]
+    objects = [c for c in structure.objects if isinstance(c.spec, ObjectSpec) and not right_behind(c.spec)]
     for component in sorted(objects, key=lambda c: (c.spec.placement.gap is None, _comes_later(c.spec))):  # type: ignore
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
@@ -47,12 +49,6 @@ def _comes_later(spec: ObjectSpec) -> bool:
     """Whether it is an oncoming one that overtakes another: it starts further off."""
     passes = any(p.action == "overtake" and p.target not in (None, "ego") for p in spec.phases)
     return passes and spec.placement.position == "oncoming_lane"
-
-
-def _right_behind(spec: ObjectSpec) -> bool:
-    """Whether it stands by what hides it, wherever that is."""
-    beside = spec.placement.position in MOVES_OFF_ROAD and not is_vehicle(spec.type)
-    return beside and spec.placement.hidden_by is not None
 
 
 def _queued_on_ramp(structure: Structure) -> Structure:

@@ -6,7 +6,8 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
-from c2s_engine.write.typed.tables import LANE_NAME, MOVES_OFF_ROAD
+from c2s_engine.write.typed.tables import LANE_NAME, MOVES_OFF_ROAD, RAMP, is_walker
+from c2s_engine.write.typed.threats import every_passed, standing
 from c2s_engine.write.typed.usual import reach
 
 LANE_WIDTH = 3.5
@@ -95,7 +96,7 @@ def _start(c: Course, p: Phase) -> list[Step]:
 
 
 def _follow(c: Course, p: Phase) -> list[Step]:
-    c.set(c.wanted(p, c.value))
+    c.set(c.wanted(p, _moving(c)))
     pace = f"lambda: pace(self, {c.actor.ref(p.target)}, {c.speed})"
     return [([c.drive(pace, 4)], _ending(p, ""))]
 
@@ -197,6 +198,9 @@ def _drift(c: Course, p: Phase) -> list[Step]:
 def _leave_road(c: Course, p: Phase) -> list[Step]:
     lane, offsets = c.lane or 0, c.actor.plan.offsets
     width = LANE_WIDTH * (max(offsets) - lane if p.side == "left" else lane - min(offsets))
+    two_way = c.actor.plan.place.kind not in {"motorway", *RAMP} and not c.oncoming
+    if p.side == "left" and two_way:  # beyond the oncoming lanes
+        width += LANE_WIDTH * max(c.actor.plan.place.lanes or 1, 1)
     return _sideways(c, p, -(width + 5), 2, None)
 
 
@@ -211,7 +215,7 @@ def _yield(c: Course, p: Phase) -> list[Step]:
     other, lane = c.actor.ref(p.target), c.actor.to_junction
     go = ([c.drive(c.set(c.wanted(p, c.actor.value or 8)), 2)], "for 4 seconds")
     if lane is None:
-        return [([c.drive("0", 4)], f"until passed({other}, self) or passed({other}, self, 0)"), go]
+        return [*_until_forced(c, p, other), go]
     end = f"{lane}.centerline[-1]"
     if c.same_lane(p):  # it is ahead: behind it up to the junction, until it has gone on over it
         behind = f"do Drive(line, lambda: pace(self, {other}, {c.speed}), rate=4)"
@@ -219,6 +223,30 @@ def _yield(c: Course, p: Phase) -> list[Step]:
         return [([behind], f"until {clear}"), (go[0], "")]
     near = f"until (distance from self to {end}) < 5 + self.speed ** 2 / 6"
     return [([c.drive()], near), ([c.drive("0", 3)], f"until passed({other}, self)"), go]
+
+
+def _until_forced(c: Course, p: Phase, other: str) -> list[Step]:
+    """Where no junction says where to wait: what comes before letting the other pass, and the wait."""
+    a, gone = c.actor, f"until passed({other}, self) or passed({other}, self, 0)"
+    spec = a.structure[p.target].spec if p.target and p.target in a.structure else None
+    if not a.is_ego or not isinstance(spec, ObjectSpec) or a.value <= 0:
+        return [([c.drive("0", 4)], gone)]
+    if "behind" in (spec.placement.position, spec.placement.along):  # aside, until it is ahead
+        aside = c.drive("0", 2.5, "" if a.spec.phases[0].action == "lane_change" else scope.number(-0.8))
+        return [([aside], f"until lead_on({other}, self) > self.length + {other}.length")]
+    if spec.placement.position == "oncoming_lane":  # behind what stands in the lane, or where they would meet
+        stands = standing(a.structure, a.plan.lane_of)
+        near = f"(distance from self to {a.ref(stands)}) < 14 + self.speed ** 2 / 6" if stands else ""
+        near = near or f"(distance from self to {other}) < 5 * self.speed"
+        return [([c.drive()], f"until {near}"), ([c.drive("0", 3)], f"until passed({other}, self, 0)")]
+    if p.target and (is_walker(spec.type) or spec.type == "bicycle"):
+        waits = f"until {every_passed(a.structure, p.target)}"
+        return [([c.drive()], f"until need(self, {other}) > 2"), ([c.drive("0", 3.5)], waits)]
+    near = f"{other}.speed > 0.5 and (distance from self to {other}) < 5 + 5 * self.speed"
+    return [
+        ([c.drive()], f"until {near}"),
+        ([c.drive(scope.number(0.5 * a.value), 2.5)], f"until {other}._lane is self._lane"),  # it lets it in
+    ]
 
 
 def _collide(c: Course, p: Phase) -> list[Step]:

@@ -31,6 +31,13 @@ def every(structure: Structure, cid: str) -> str:
     return f"*{first.removesuffix('[0]')}" if first.endswith("[0]") else first
 
 
+def every_passed(structure: Structure, cid: str) -> str:
+    """The condition under which an object, or the first and the last of its members, has gone by before the car."""
+    first = scope.reference(structure, cid)
+    members = [first, first.replace("[0]", "[-1]")] if first.endswith("[0]") else [first]
+    return " and ".join(f"passed({one}, self)" for one in members)
+
+
 def shown(structure: Structure, cid: str) -> str:
     """The condition under which ego sees an object that a vehicle ahead hides: that has left the lane; "": always."""
     spec = structure[cid].spec if cid in structure else None

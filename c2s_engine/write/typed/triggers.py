@@ -7,6 +7,7 @@ from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.tables import is_static
 from c2s_engine.write.typed.threats import IN_WAY, shown, standing, threatening
+from c2s_engine.write.typed.usual import speed_of
 
 FORCED = {"brake", "stop", "swerve", "lane_change"}
 DELAYED = {
@@ -54,6 +55,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return f"until (distance from self to {a.ref(phase.target)}) < {near}"
     if obstacle := _obstacle(course) if phase.action in ("swerve", "cut_out", "lane_change") else "":
         return f"until (distance from self to {obstacle}) < 12 + 1.3 * self.speed"
+    if phase.action == "u_turn" and first and not a.is_ego and (course.oncoming or a.value <= 0):  # in front of ego
+        return f"until (distance from self to ego) < {scope.number(10 + 2.5 * (a.value + a.plan.ego_speed))}"
     if not first or phase.action not in DELAYED or a.value <= 0:
         return ""
     if course.oncoming:
@@ -124,7 +127,7 @@ def _confronted(course: Course, phase: Phase) -> bool:
     a = course.actor
     cid = phase.target or getattr(a.spec, "react_to", None)
     if cid is None:
-        return any(_in_front(a, c) for c in threatening(a.structure))
+        return any(_in_front(a, c) and _presses(course, c) for c in threatening(a.structure))
     if cid == "ego" or cid not in a.structure:
         return False
     spec = a.structure[cid].spec
@@ -132,7 +135,17 @@ def _confronted(course: Course, phase: Phase) -> bool:
         return False
     if spec.placement.position == "behind" or spec.placement.along == "behind":
         return any(p.action in ("cut_in", "overtake") for p in spec.phases) and phase.action in ("brake", "stop")
-    return spec.placement.position in IN_WAY or not is_static(spec)
+    return (spec.placement.position in IN_WAY or not is_static(spec)) and _presses(course, cid)
+
+
+def _presses(course: Course, cid: str) -> bool:
+    """Whether an object comes to be in ego's way at all: not one that drives on before it as fast as ego does."""
+    a, spec = course.actor, course.actor.structure[cid].spec
+    if not isinstance(spec, ObjectSpec) or a.plan.lane_of.get(cid) is None or spec.placement.facing == "against":
+        return True
+    calm = {p.action for p in spec.phases} <= {"keep_lane", "follow", "accelerate", "move_along", "go_straight"}
+    slower = is_static(spec) or middle(speed_of(spec, a.plan.place)) < course.value - 1
+    return slower or not calm
 
 
 def _cut_in_gap(course: Course) -> float:

@@ -1,10 +1,11 @@
 """What is usual where the specs leave it open: how fast somebody starts, how far off, by which manoeuvre."""
 
-from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.tables import (
     DEFAULT_SPEED,
     JUNCTION,
+    LENGTH,
     MOVES_OFF_ROAD,
     RAMP,
     TURN,
@@ -12,6 +13,11 @@ from c2s_engine.write.typed.tables import (
     is_vehicle,
     is_walker,
 )
+
+ROOM_BEHIND = 4.0
+"""m that drivers keep behind who stands."""
+LONGEST_VIEW = 320.0
+"""m ahead of ego up to which others are placed of themselves."""
 
 
 def turn_of(phases: tuple[Phase, ...], default: str = "STRAIGHT") -> str:
@@ -44,11 +50,23 @@ def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[floa
 
 
 def default_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None = None) -> float:
-    """The gap (m) where the text gives none: about two seconds to a moving object, more to a standing one."""
+    """The gap (m) where the text gives none: about two seconds to a moving object, more to a standing one.
+
+    Whom ego catches up with is so far off that ego drives a while at its speed before it has to brake.
+    """
+    gap = _open_gap(o, ego_speed, place)
+    if place is None or place.distance is None or place.kind not in {*JUNCTION, *RAMP, "crosswalk"}:
+        return gap
+    row = LENGTH[o.type] + (o.count - 1) * (LENGTH[o.type] + (high(o.spacing) if o.spacing is not None else 3.0))
+    return min(gap, max(low(place.distance) - row - 6.0, 3.0))  # it stands before what lies ahead
+
+
+def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float:
     position = o.placement.position
     if position == "beside" or (o.placement.along == "abreast" and position in ("left_lane", "right_lane")):
         return 0.0
-    if position == "oncoming_lane":
+    against = position == "ahead" and o.placement.facing == "against" and is_vehicle(o.type) and not is_static(o)
+    if position == "oncoming_lane" or against:
         if place and place.kind in JUNCTION | RAMP:  # it is still before the junction
             return 60.0
         own = middle(speed_of(o, place)) if place else ego_speed
@@ -56,12 +74,25 @@ def default_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None = None)
     if position == "intersection_exit":
         return 14.0
     if is_static(o) or not is_vehicle(o.type) or position in MOVES_OFF_ROAD:
-        return max(30.0, min(4.0 * ego_speed, 90.0), _while_crossing(o, ego_speed, place))
+        catching = _to_catch(o, ego_speed, place) if position not in MOVES_OFF_ROAD else 0.0
+        return max(30.0, min(4.0 * ego_speed, 90.0), _while_crossing(o, ego_speed, place), catching)
     if position == "behind" or o.placement.along == "behind":
         return max(12.0, 1.2 * ego_speed)
     if position in ("left_lane", "right_lane") and any(p.action == "cut_in" for p in o.phases) and o.speed != 0:
         return 10.0
-    return max(12.0, min(1.6 * ego_speed, 45.0))
+    return max(12.0, min(1.6 * ego_speed, 45.0), _to_catch(o, ego_speed, place) - ROOM_BEHIND)
+
+
+def _to_catch(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float:
+    """How far (m) ahead a slower one must be for ego to hold its speed and then to brake at 2 m/s2: for a second, or
+    longer before it is to creep behind one that moves."""
+    if place is None or o.placement.along == "behind":
+        return 0.0
+    own = 0.0 if is_static(o) else middle(speed_of(o, place))
+    closing = max(ego_speed - own, 0.0)
+    seconds = 1.0 if is_static(o) else min(max(closing / 2 - 5, 1.0), 6.0)
+    limit = 150.0 if place.kind in {*JUNCTION, *RAMP, "crosswalk"} else LONGEST_VIEW  # approaches are short
+    return min(closing**2 / 4 + seconds * closing + ROOM_BEHIND, limit)
 
 
 def reach(o: ObjectSpec, place: PlaceSpec) -> float:
@@ -70,6 +101,20 @@ def reach(o: ObjectSpec, place: PlaceSpec) -> float:
     two_way = place.kind not in {"motorway", *RAMP}
     far = o.placement.side == "left" and two_way and not o.placement.hidden_by
     return own + (3.5 * (place.lanes or 1) if far else 0)
+
+
+def uses_crosswalk(o: ObjectSpec) -> bool:
+    """Whether somebody crosses by the crosswalk on ego's way, where there is one: not who is placed otherwise."""
+    placement = o.placement
+    crosses = is_walker(o.type) and any(p.action == "cross_road" for p in o.phases)
+    own = placement.gap is not None or placement.of != "ego" or placement.along in ("abreast", "behind")
+    return crosses and placement.position in ("roadside", "sidewalk") and not own and not right_behind(o)
+
+
+def right_behind(o: ObjectSpec) -> bool:
+    """Whether it stands by what hides it, wherever that is."""
+    beside = o.placement.position in MOVES_OFF_ROAD and not is_vehicle(o.type)
+    return beside and o.placement.hidden_by is not None
 
 
 def _while_crossing(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float:

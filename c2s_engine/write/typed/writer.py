@@ -70,18 +70,23 @@ class TypedWriter:
         if cid.startswith("O"):
             return write_object(structure, cid, plan)
         code = self.place(plan)
-        return write_place(plan, code, self._kernel(structure, plan))
+        return write_place(plan, code, self._kernel(structure, plan), self._stop_signs)
 
     def place(self, plan: Plan) -> PlaceCode:
         """The code that selects the place on the map."""
         room = (plan.before + plan.after) * self.room if plan.distance is None else high(plan.distance) + plan.before
         spec = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place
-        return place_code(spec, self.map.extras, room=room)
+        return place_code(spec, self.map.extras, room=room, exit_room=plan.exit_room if plan.exit_room > 25 else 0)
 
     def candidates(self, structure: Structure) -> str:
         """The list from which the program draws its place; how long it is says how many places there are."""
         plan = make_plan(spread(structure), self.room)
-        return candidates(plan, self.place(plan))
+        return candidates(plan, self.place(plan), self._stop_signs)
+
+    @property
+    def _stop_signs(self) -> frozenset[tuple[int, int]]:
+        controls = self.map.extras.controls
+        return frozenset((c.junction, c.road) for c in controls if c.kind == "stop" and c.junction is not None)
 
     def _kernel(self, structure: Structure, plan: Plan) -> frozenset[str]:
         others = write_ego(structure, plan) + "".join(write_object(structure, c.id, plan) for c in structure.objects)

@@ -10,7 +10,7 @@ import math
 
 stretch = Uniform(*[(lane, o)
     for lane in [lane for road in network.roads for lane in road.lanes
-    if lane.group._opposite is not None and any(a.group is lane.group._opposite for x in lane.group.lanes for a in x.adjacentLanes) and lane.centerline.length > 375] for o in lane.group.opposite.lanes if o.sections[0]._fasterLane is None])
+    if lane.group._opposite is not None and lane.sections[0]._fasterLane is None and any(a.group is lane.group._opposite for x in lane.group.lanes for a in x.adjacentLanes) and lane.centerline.length > 375] for o in lane.group.opposite.lanes if o.sections[0]._fasterLane is None])
 egoLane = stretch[0]
 oncomingLane = stretch[-1]
 EGO_AT = Range(25, 45)  # m along its lane

@@ -33,15 +33,12 @@ PASSER_AT = EGO_AT - 20 - 5  # m along the lane
 
 behavior PasserBehavior():
     line = way(egoLane)
-    try:
-        take SetSpeedAction(PASSER_SPEED)
-        do Drive(line, PASSER_SPEED) until (distance from self to ego) < 10 + 1.6 * self.speed
-        line = way(leftLane)
-        do Drive(line, PASSER_SPEED) until lead_on(self, ego) > 12 + self.length
-        line = way(egoLane)
-        do Drive(line, PASSER_SPEED)
-    interrupt when need(self, ego) > 3:
-        do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, ego)))) until need(self, ego) <= 0
+    take SetSpeedAction(PASSER_SPEED)
+    do Drive(line, PASSER_SPEED) until (distance from self to ego) < 10 + 1.6 * self.speed
+    line = way(leftLane)
+    do Drive(line, PASSER_SPEED) until lead_on(self, ego) > 12 + self.length
+    line = way(egoLane)
+    do Drive(line, PASSER_SPEED)
 
 passer = new Car at egoLane.centerline.pointAlongBy(PASSER_AT),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),

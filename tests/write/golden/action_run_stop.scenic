@@ -11,7 +11,7 @@ import math
 # From the map's file: approaches with a stop sign.
 junction = Uniform(*[j
     for j in [(m, approach(m, 90, ManeuverType.STRAIGHT)) for m in [m for i in network.intersections for m in i.maneuvers
-    if (i.id, m.startLane.road.id) in {(107, 13), (108, 14), (108, 21), (112, 22), (112, 24), (112, 25), (112, 26)} and m.type is ManeuverType.STRAIGHT and m.startLane.centerline.length > 69]] if all(j)])
+    if (i.id, m.startLane.road.id) in {(107, 13), (108, 14), (108, 21), (112, 22), (112, 24), (112, 25), (112, 26)} and m.type is ManeuverType.STRAIGHT and m.startLane.centerline.length > 69]] if all(j) and (j[0].intersection.id, j[1].road.id) in {(107, 13), (108, 14), (108, 21), (112, 22), (112, 24), (112, 25), (112, 26)}])
 egoTurn = junction[0]
 egoLane = egoTurn.startLane
 rightApproach = junction[1]

@@ -1,0 +1,57 @@
+"""One form for each thing that S can say in several: positions that the place or a manoeuvre turns into others."""
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.write.typed.tables import is_static, is_vehicle
+
+
+def normal(structure: Structure) -> Structure:
+    """S as the writer reads it."""
+    place, ego = structure.place.spec, structure.ego.spec
+    assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
+    turn = _turn(place, ego)
+    for component in structure.objects:
+        spec = component.spec
+        if not isinstance(spec, ObjectSpec) or not is_vehicle(spec.type) or is_static(spec):
+            continue
+        found = spec
+        if _meets_turning(spec, place, turn):
+            found = _placed(spec, position="opposite_approach", along=None, gap=None)
+            place = place.model_copy(update={"oncoming": place.oncoming is not False or None})
+        elif turn == "right" and spec.type == "bicycle" and spec.placement.position == "right_lane":
+            behind = "behind" if spec.placement.along == "behind" else None
+            found = _placed(spec, position="partly_in_lane", side="right", along=behind)
+            place = place.model_copy(update={"ego_lane": "rightmost" if place.ego_lane else None})
+        elif _is_let_by(component.id, spec, ego):
+            found = spec.model_copy(update={"phases": (Phase(action="overtake", target="ego"),)})
+        if found is not spec:
+            structure = structure.with_component(component.model_copy(update={"spec": found}))
+    if place is not structure.place.spec:
+        structure = structure.with_component(structure.place.model_copy(update={"spec": place}))
+    return structure
+
+
+def _turn(place: PlaceSpec, ego: EgoSpec) -> str | None:
+    """Ego's manoeuvre at the junction: what R says, else what ego does."""
+    of = {"turn_left": "left", "turn_right": "right", "u_turn": "u_turn"}
+    done = next((of[p.action] for p in ego.phases if p.action in of), None)
+    return place.manoeuvre or (done if place.kind in ("road", "intersection") else None)
+
+
+def _meets_turning(spec: ObjectSpec, place: PlaceSpec, turn: str | None) -> bool:
+    """Whether an oncoming driver's way crosses ego's at the junction, as one of the two turns there."""
+    if place.kind not in ("road", "intersection") or spec.placement.position != "oncoming_lane":
+        return False
+    own = any(p.action in ("turn_left", "turn_right") for p in spec.phases)
+    return spec.placement.of == "ego" and (own or turn == "left")
+
+
+def _is_let_by(cid: str, spec: ObjectSpec, ego: EgoSpec) -> bool:
+    """Whether ego makes way for one that comes up behind it in its lane: that one then goes by."""
+    stays = not any(p.action in ("lane_change", "cut_out") for p in ego.phases)
+    return ego.reaction == "yield" and ego.react_to == cid and spec.placement.position == "behind" and stays \
+        and not spec.phases  # fmt: skip
+
+
+def _placed(spec: ObjectSpec, **changes: object) -> ObjectSpec:
+    return spec.model_copy(update={"placement": spec.placement.model_copy(update=changes)})

@@ -11,6 +11,9 @@ from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.structure.specs import PlaceSpec
 
 PARTLY = re.compile(r"\b(partly|partially|half|part) [^;]*\b(lane|road|carriageway)\b")
+ON_MOTORWAY = re.compile(
+    r"\b(on|along|in) the (main |through )?(motorway|highway|freeway|interstate|carriageway|main road)"
+)
 OPPOSITE = {"left": "right", "right": "left"}
 
 
@@ -72,6 +75,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             "along": along_of(rel or ("behind" if passes_ego(scene, entity) or _gains(scene, entity) else None)),
             "said": True,
         }
+    if place.kind == "on_ramp" and rel is None and lane in (None, "same") and ON_MOTORWAY.search(_told(scene, entity)):
+        return {"position": "beside", "side": "left", "said": True}
     if (
         junction
         and place.manoeuvre in ("left", "right")
@@ -204,6 +209,11 @@ def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, fi
     if junction and any(e.act == "yield" and e.patient is entity for e in scene.events(scene.cast.ego)):
         return {"position": "opposite_approach" if place.manoeuvre == "left" else "crossing_left"}
     return {"position": "ahead"}
+
+
+def _told(scene: Scene, entity: Entity) -> str:
+    """What is said of one's place, and the clauses of what it does."""
+    return " ; ".join([*(t for _, t in scene.where(entity).phrases), *(e.whole for e in scene.events(entity))])
 
 
 def _side_of_events(scene: Scene, entity: Entity) -> str | None:

@@ -5,6 +5,7 @@ import re
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.groups import split_groups
+from c2s_engine.interpret.implied import implied_places
 from c2s_engine.interpret.inferred import Inferred
 from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.whereabouts import STATES, Where, read, side_of_text
@@ -15,9 +16,9 @@ __all__ = ["STATES", "Places", "Where", "read", "side_of_text"]
 AGAINST = re.compile(r"wrong[- ](way|direction)|(against|contrary to) (the )?(traffic|direction|flow|stream|current)")
 
 FILLED = re.compile(
-    r"((?:oncoming|opposite|opposing|left|right|adjacent|neighbou?ring|other|next)(?:-hand)? lane) (?:be|is|was) (?:\w+ )?"
-    r"(?:full of|fill(?:ed)? with|occup(?:y|ied) by|pack(?:ed)? with|block(?:ed)? (?:by|with)|take(?:n)? by)(?: the| an?)?"
-    r"(?: \w+)?$"
+    r"((?:oncoming|opposite|opposing|left|right|adjacent|neighbou?ring|other|next)(?:-hand)? lane) (?:be|is|was)"
+    r" (?:\w+ )?(?:full of|fill(?:ed)? with|occup(?:y|ied) by|pack(?:ed)? with|block(?:ed)? (?:by|with)|take(?:n)? by)"
+    r"(?: the| an?)?(?: \w+)?$"
 )
 
 PLACING = frozenset(("facing", "following", "level", "side", "abreast", "alongside", "next", "adjacent"))
@@ -40,6 +41,7 @@ class Places(Inferred):
                 where.lane, where.side = "same", None
                 self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
         split_groups(cast, clauses, self.of)
+        implied_places(cast, clauses, self.of)
         self._referred()
         self._between()
         self._joined()
@@ -91,6 +93,8 @@ class Places(Inferred):
                         "",
                         part,
                     )
+                    if event.act == "cross_path":  # whose path is crossed is not behind whom one starts
+                        part = re.sub(r"\b(in front of|ahead of) (the )?@\w+", "", part)
                     if not (event.act == "overtake" and re.match(r"in|on|ahead", part)):
                         read(part, where, entity, self.cast, event.act)
                 if event.act in ("cut_in", "brake", "follow", "run_red", "turn"):
@@ -134,7 +138,10 @@ class Places(Inferred):
                     continue
                 if other.dep == "acl" and child in self.clauses.by_word:
                     continue
-                if other.dep == "appos" and child in self.cast.of and self.cast.of[child] is not entity:
+                if other.dep == "prep" and self._of_another(child, i, entity):
+                    continue
+                named = self.cast.of.get(child)
+                if other.dep in ("appos", "dep", "nmod") and named is not None and named is not entity:
                     continue
                 indices += self.clauses._below(child)
         apposed = [
@@ -230,6 +237,15 @@ class Places(Inferred):
             rest = self.clauses.own(word)
             read(self.clauses.render([r for r in rest if r > i]), where, entity, self.cast, "noun")
             self._gap(rest, where)
+
+    def _of_another(self, child: int, i: int, entity: Entity) -> bool:
+        """Whether a phrase before a noun belongs to another's part of the list: "ego in the left lane, bus drifts"."""
+        if child > i or not any(w.norm in (",", ";") for w in self.words[child:i]):
+            return False
+        start = next((w.i for w in reversed(self.words[:child]) if w.norm in (",", ";", ".", ":")), -1)
+        heads = [self.cast.of.get(w.i) for w in self.words[start + 1 : child] if w.span is not None]
+        verb = any(w.verb for w in self.words[start + 1 : i] if w.sentence == self.words[i].sentence)
+        return bool(heads) and not verb and heads[0] is not None and heads[0] is not entity
 
     def _following(self, i: int) -> list[int]:
         """The words right after a noun that may say where it is, up to the end of the phrase."""

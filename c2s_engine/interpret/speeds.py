@@ -127,6 +127,8 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
         ):
             verb = scene.clauses._governor(word)
             event = scene.clauses.by_word.get(verb.i) if verb is not None else None
+            if event is not None and event.agent is not entity and _heads_part(scene, word):
+                return entity
             if event is not None and event.agent is not entity and _below_verb(scene, word, verb):
                 return None
             return (
@@ -142,6 +144,21 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
                 else entity
             )
     return None
+
+
+def _heads_part(scene: Scene, word: syntax.Word) -> bool:
+    """Whether a road user heads a part of a list without a verb: "ego at 60 km/h in the left lane, truck drifts"."""
+    before = scene.words[word.i - 1] if word.i else None
+    if before is not None and before.norm == "the" and word.i > 1:
+        before = scene.words[word.i - 2]
+    if before is not None and before.sentence == word.sentence and before.norm not in (",", ";", ":", "the"):
+        return False
+    for other in scene.words[word.i + 1 :]:
+        if other.sentence != word.sentence or other.norm in (",", ";"):
+            return other.norm in (",", ";")
+        if other.verb:
+            return False
+    return False
 
 
 def _below_verb(scene: Scene, word: syntax.Word, verb: syntax.Word | None) -> bool:

@@ -8,6 +8,9 @@ from c2s_engine.interpret.mentions import VEHICLES, Entity
 from c2s_engine.interpret.scene import Scene
 
 
+GOES_ON = re.compile(r"(continue|proceed|carry|go|drive|travel|roll|move)( on)?( \w+ing)?( on)? at #speed")
+
+
 def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
     """Whose each speed is: the agent of the clause it stands in, the noun that it describes, or both parties."""
     clauses, cast = scene.clauses, scene.cast
@@ -62,6 +65,9 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
                 },
             ]
             scene.speeds.setdefault(owner, (span.data["first"], span.data["first"], span.start, span.end))
+            continue
+        if changing and event is not None and event.act == "travel" and GOES_ON.match(event.text):
+            changing[-1].quantities = [*changing[-1].quantities, {**span.data, "start": span.start, "role": "target"}]
             continue
         if changing and (
             event is None or event.act not in ("brake", "brake_stop", "accelerate") or changing[-1].word > event.word

@@ -82,7 +82,26 @@ class Agents(Patients):
         told = self._after_bracket(word)
         if told is not None:
             return self.cast.of[told], told, False
+        beside = self._joined_subject(word)
+        if beside is not None:
+            return self.cast.of[beside], beside, False
         return self._inherited(word, depth)
+
+    def _joined_subject(self, word: Word) -> int | None:
+        """Who stands between "and" and a finite verb, taken for the partner of a noun before it: "slowed for a jam and
+        V1 struck V2"."""
+        at = word.i - 1
+        if (
+            word.dep != "conj"
+            or word.tag not in ("VBZ", "VBD")
+            or at not in self.cast.of
+            or self.words[at].span is None
+        ):
+            return None
+        before = [w.norm for w in self.words[max(0, at - 2) : at] if w.sentence == word.sentence]
+        while before and before[-1] in ("the", "a", "an"):
+            before.pop()
+        return at if before[-1:] in (["and"], ["but"]) and self.words[at].dep == "conj" else None
 
     def _reduced(self, word: Word) -> Entity | None:
         """The noun of "vehicle approaching from the left does not yield", which is parsed as a clause for a subject."""

@@ -178,6 +178,7 @@ class Places(Inferred):
         ):
             following = self._following(i)
             read(" ".join([*lead, self.clauses.render(following)]), where, entity, self.cast, "noun")
+        text = self._unhit(text, entity)
         if known and text.strip():
             read(text, where, entity, self.cast, "noun")
             self._gap(indices, where)
@@ -221,7 +222,7 @@ class Places(Inferred):
                 self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO")
                 or self.words[after[0]].norm in PLACING
             ):
-                read(self.clauses.render(after), where, entity, self.cast, "noun")
+                read(self._unhit(self.clauses.render(after), entity), where, entity, self.cast, "noun")
                 self._gap(after, where)
         if self.clauses.fragment(i):
             rest = self.clauses.about(i)
@@ -237,6 +238,12 @@ class Places(Inferred):
             rest = self.clauses.own(word)
             read(self.clauses.render([r for r in rest if r > i]), where, entity, self.cast, "noun")
             self._gap(rest, where)
+
+    def _unhit(self, text: str, entity: Entity) -> str:
+        """The words about one without those that say how it is hit: who is hit from behind is not behind."""
+        if any(e.act == "collide" and e.patient is entity and e.done for e in self.clauses.events):
+            return re.sub(r"\b(from behind|(from|in|at) the (rear|back))\b", "", text)
+        return text
 
     def _of_another(self, child: int, i: int, entity: Entity) -> bool:
         """Whether a phrase before a noun belongs to another's part of the list: "ego in the left lane, bus drifts"."""

@@ -7,7 +7,6 @@ from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import VEHICLES, Entity
 from c2s_engine.interpret.scene import Scene
 
-
 GOES_ON = re.compile(r"(continue|proceed|carry|go|drive|travel|roll|move)( on)?( \w+ing)?( on)? at #speed")
 
 

@@ -27,6 +27,7 @@ class Clauses(Nominal):
                 self._noun(word)
         for word in words:
             self._attributive(word)
+            self._striking(word)
         self._order()
         self._triggers()
         self.events.sort(key=lambda e: e.order)
@@ -100,6 +101,9 @@ class Clauses(Nominal):
         if agent is not None and word.tag == "VBG" and not passive and self._dangles(word, agent):
             agent = self.cast.ego
         patient = self._patient(word, own, agent, passive)
+        if patient is None and word.dep == "amod" and word.head == word.i + 1:  # "collided head-on with V2"
+            later = [i for i in range(word.i + 2, min(word.i + 6, len(self.words))) if i in self.cast.of]
+            patient = self.cast.of[later[0]] if later and self.words[word.i + 2].norm in ("with", "into") else None
         event = self._event(lemma, word, text, whole, agent, patient)
         if event is None:
             return

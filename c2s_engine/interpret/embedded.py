@@ -110,7 +110,8 @@ def _missed(found: Scene, text: str, mended: Mended) -> list[Unmet]:
     taken += [(s.start, s.end) for s in found.spans if s.kind == "quantity"]
     taken += [u.note.span for u in unmet.find(found) if u.note.span]
     if type_named := typologies.named(mended.text):
-        taken.append(type_named[2])
+        first, last = type_named[2]
+        taken += [(max(s, first), min(e, last)) for s, e in found.sentences if s < last and first < e]
     missed = []
     for start, end in found.sentences:
         if not any(start <= s and e <= end for s, e in taken):

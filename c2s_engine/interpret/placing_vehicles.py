@@ -65,7 +65,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         same = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
         if (
             same == lane
-            and rel in ("behind", "ahead")
+            and (rel in ("behind", "ahead") or (rel := _met(scene, entity)) is not None)
             and re.search(rf"{lane}(-hand|most)? lane", text)
             and where.of is None
         ):
@@ -209,6 +209,12 @@ def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, fi
     if junction and any(e.act == "yield" and e.patient is entity for e in scene.events(scene.cast.ego)):
         return {"position": "opposite_approach" if place.manoeuvre == "left" else "crossing_left"}
     return {"position": "ahead"}
+
+
+def _met(scene: Scene, entity: Entity) -> str | None:
+    """Ahead, where ego approaches or follows it."""
+    met = any(e.patient is entity and e.act in ("approach", "follow", "held_up") for e in scene.events(scene.cast.ego))
+    return "ahead" if met else None
 
 
 def _told(scene: Scene, entity: Entity) -> str:

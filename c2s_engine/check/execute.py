@@ -1,6 +1,7 @@
 """What a forked child does: run a preamble, a program or expressions, and report over its socket."""
 
 import contextlib
+import functools
 import importlib
 import io
 import itertools
@@ -14,7 +15,19 @@ import warnings
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from c2s_engine.check import caching, confine, diagnose, library, networks, reading, sampling, warm, wire, zygote
+from c2s_engine.check import (
+    caching,
+    confine,
+    diagnose,
+    library,
+    networks,
+    pieces,
+    reading,
+    sampling,
+    warm,
+    wire,
+    zygote,
+)
 from c2s_engine.check.naming import Names
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 
@@ -81,13 +94,14 @@ def _load_map(conn: socket.socket, job: dict[str, Any]) -> None:
         network = Network.fromFile(job["path"])
         saving = networks.save_apart()
         warm.prepare(network, job["path"])
+        networks.prepare(network)
         library.load()
     except Exception as error:
         wire.send(conn, {"failed": str(error)})
         return
     networks.save_later = False
     wire.send(conn, {"ready": True})
-    zygote.serve(conn, handle, children={saving})
+    zygote.serve(conn, handle, functools.partial(_rehearse_model, job["path"]), children={saving})
 
 
 def _preamble(conn: socket.socket, job: dict[str, Any], blob: bytes) -> None:
@@ -147,6 +161,13 @@ def _unload(names: list[str]) -> None:
         if parent in sys.modules:
             vars(sys.modules[parent]).pop(child, None)
         del sys.modules[name]
+
+
+def _rehearse_model(path: str) -> None:
+    """Do what most snapshots on this map do: run the world model."""
+    namespace, _ = begin({"params": {"map": path, "carla_map": None}})
+    tree, _, _ = pieces.compile_text(f"model {reading.MODEL}\n", "model.scenic")
+    _exec(compile(tree, "model.scenic", "exec"), namespace)
 
 
 def _rehearse() -> None:

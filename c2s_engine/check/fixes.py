@@ -20,6 +20,9 @@ def attach(diagnostic: Diagnostic, line: str) -> Diagnostic:
 
 def propose(entry: catalogue.Entry, values: dict[str, str], lines: list[str], number: int | None) -> TextEdit | None:
     """The edit of a catalogue entry for an exception on a line (1-based) of the program."""
+    if entry.code in ELSEWHERE:
+        cause, by = ELSEWHERE[entry.code]
+        return _elsewhere(lines, re.compile(cause), by, catalogue.fill(entry.fix, values))
     if number is None or not 1 <= number <= len(lines):
         return None
     reason = catalogue.fill(entry.fix, values)
@@ -97,6 +100,19 @@ def _interrupt(lines: list[str], number: int, reason: str) -> TextEdit | None:
     return TextEdit(first=first, last=number - 1, text="\n".join([f"{pad}try:", *body]), reason=reason)
 
 
+def _elsewhere(lines: list[str], pattern: re.Pattern[str], by: str, reason: str) -> TextEdit | None:
+    """The edit of the line that caused what showed itself on another one, or on none."""
+    for number, line in enumerate(lines, 1):
+        changed = pattern.sub(by, line.rstrip("\r\n"), count=1)
+        if changed != line.rstrip("\r\n"):
+            return TextEdit(first=number, last=number, text=changed, reason=reason)
+    return None
+
+
+ELSEWHERE = {
+    "no_actions": (r"^(\s*model\s+)scenic\.domains\.driving\.model\b", r"\1scenic.simulators.carla.model"),
+    "render_text": (r"^(\s*param\s+render\s*=\s*)(['\"])([01])\2", r"\1\3"),
+}
 SPECIAL = {"missing_comma": _comma, "old_monitor": _monitor, "interrupt_without_try": _interrupt}
 
 

@@ -17,6 +17,8 @@ _networks: dict[tuple, Any] = {}
 _unsaved: list[tuple[Any, Path, bytes]] = []
 save_later = False
 """Whether networks that were parsed wait for `save`."""
+_unions: dict[tuple, tuple[tuple, Any]] = {}
+_remember = False
 
 
 def from_file(original: Callable[..., Any]) -> Callable[..., Any]:
@@ -40,19 +42,43 @@ def _load(original: Callable[..., Any], cls: Any, path: Path, options: dict[str,
     """The network from the cache; else parsed, and to be saved there."""
     from scenic.core.serialization import deterministicHash
 
-    data = path.read_bytes()
-    digest, chosen = hashlib.blake2b(data).digest(), deterministicHash(options, digest_size=8)
-    copy = _cached_copy(path, data)
-    cached = copy.with_suffix(cls.pickledExt)
+    digest, chosen = hashlib.blake2b(path.read_bytes()).digest(), deterministicHash(options, digest_size=8)
+    cached = paths.cache_folder() / "maps" / digest.hex()[:24] / f"network{cls.pickledExt}"
     try:
         return cls.fromPickle(cached, originalDigest=digest, optionsDigest=chosen)
     except (OSError, pickle.UnpicklingError, cls.DigestMismatchError):
-        network = original(cls, copy, useCache=False, writeCache=False, **options)
-    if copy != path:
-        _unsaved.append((network, cached, struct.pack("<I", cls._currentFormatVersion()) + digest + chosen))
-        if not save_later:
-            save()
+        network = original(cls, path, useCache=False, writeCache=False, **options)
+    _unsaved.append((network, cached, struct.pack("<I", cls._currentFormatVersion()) + digest + chosen))
+    if not save_later:
+        save()
     return network
+
+
+def union(original: Callable[..., Any]) -> Callable[..., Any]:
+    """Scenic's polygonUnion, `original`: a union that `prepare` made is not made again. Polygons do not change."""
+
+    def found_or_made(polys: Any, *args: Any, **kwargs: Any) -> Any:
+        parts = tuple(polys)
+        key = (tuple(map(id, parts)), args, tuple(kwargs.items()))
+        known = _unions.get(key)
+        if known is not None:
+            return known[1]
+        made = original(parts, *args, **kwargs)
+        if _remember:
+            _unions[key] = parts, made
+        return made
+
+    return found_or_made
+
+
+def prepare(network: Any) -> None:
+    """Make once what the world model makes of a network each time that it is executed: roads with their shoulders."""
+    global _remember
+    _remember = True
+    try:
+        network.drivableRegion.union(network.shoulderRegion)
+    finally:
+        _remember = False
 
 
 def save() -> None:
@@ -76,11 +102,3 @@ def save_apart() -> int:
             os._exit(0)
     _unsaved.clear()
     return pid
-
-
-def _cached_copy(path: Path, data: bytes) -> Path:
-    folder = paths.cache_folder() / "maps" / hashlib.blake2b(data, digest_size=12).hexdigest()
-    copy = folder / path.name
-    if not copy.exists():
-        caching.write(copy, data)
-    return copy if copy.exists() else path

@@ -33,6 +33,7 @@ class Pool:
         self.preambles: OrderedDict[Any, asyncio.Task[Zygote | None]] = OrderedDict()
         self.read_params: OrderedDict[tuple, frozenset[str]] = OrderedDict()
         self._spared: list[Zygote] = []
+        self._spared_maps: list[Zygote] = []
         self._expected: set[asyncio.Task[Zygote | None]] = set()
         self._reader: Child | None = None
         self._reading = asyncio.Lock()
@@ -130,14 +131,19 @@ class Pool:
         return zygote
 
     def used(self, zygote: Zygote) -> None:
-        """A check is over: fork a child for the next one ahead, where it is likely to start from."""
-        if zygote in self._spared:
-            self._spared.remove(zygote)
-        self._spared.append(zygote)
-        for old in self._spared[:-SPARES]:
+        """A check is over: fork a child ahead for the next one, and one for the next snapshot of its map."""
+        self._spare(self._spared, zygote, SPARES, REST)
+        if zygote.parent is not None and zygote.parent is not self.root:
+            self._spare(self._spared_maps, zygote.parent, 1, 2 * REST)
+
+    def _spare(self, spared: list[Zygote], zygote: Zygote, bound: int, rest: float) -> None:
+        if zygote in spared:
+            spared.remove(zygote)
+        spared.append(zygote)
+        for old in spared[:-bound]:
             old.drop_spare()
-        del self._spared[:-SPARES]
-        asyncio.get_running_loop().call_later(REST, zygote.prepare)
+        del spared[:-bound]
+        asyncio.get_running_loop().call_later(rest, zygote.prepare)
 
     async def _get(
         self,

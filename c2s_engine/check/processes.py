@@ -18,6 +18,7 @@ class Zygote:
     def __init__(self, control: socket.socket, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         self.control, self.reader, self.writer = control, reader, writer
         self.alive = True
+        self.parent: Zygote | None = None
         self.grown: dict[str, Any] = {}
         self.warm = asyncio.Event()
         self.spare: asyncio.Task[Child] | None = None
@@ -157,5 +158,6 @@ class Child:
         """The handle on a child that has become a zygote itself, and has said so in the message `grown`."""
         zygote = Zygote(self.sock, self.reader, self.writer)
         zygote.grown = grown
+        zygote.parent = self.zygote
         zygote.warm.set()
         return zygote

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from c2s_engine.check import landlock, library, networks
+from c2s_engine.check import landlock, library, networks, quick_parser
 
 _prepare: Callable[[Any, str], None] | None = None
 
@@ -23,11 +23,13 @@ def warm(standins: Path, runner: str | None = None) -> None:
     if standins.is_dir():
         sys.path.insert(0, str(standins))
     import scenic.syntax.translator as translator
-    from scenic.core import type_support
+    from scenic.core import regions, type_support
     from scenic.domains.driving import roads
 
     translator.compileStream = _compile_stream
     type_support.saveErrorLocation = _error_location
+    quick_parser.install()
+    regions.polygonUnion = networks.union(regions.polygonUnion)
     roads.Network.fromFile = classmethod(networks.from_file(roads.Network.fromFile.__func__))
     for name in (
         "scenic.domains.driving.actions", "scenic.domains.driving.simulators", "scenic.domains.driving.workspace",

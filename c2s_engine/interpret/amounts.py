@@ -82,12 +82,17 @@ def _value(text: str) -> float:
     return float(text.replace(",", "."))
 
 
+AWAY = re.compile(r"\s+(ahead|behind|away|before|after|from|in front|apart|or)\b")
+
+
 def quantities(text: str) -> list[Span]:
     """Numbers with a unit, in SI; a range has `low` and `high`."""
     found = []
     for match in _quantity().finditer(text):
         dimension, factor = language.units()[" ".join(match["unit"].split())]
         if match["unit"] in ("'", "mi", "g") and not match["low"][-1:].isdigit():
+            continue
+        if match["unit"] == "yard" and match["low"] in ("a", "one") and not AWAY.match(text[match.end() :]):
             continue
         if match["unit"] == "m" and not match["low"][-1:].isdigit():
             continue

@@ -11,6 +11,8 @@ from c2s_engine.interpret.syntax import Word
 
 STRIKES = frozenset(("hit", "strike", "clip", "ram", "bump", "contact", "touch", "graze", "scrape", "sideswipe"))
 
+LOOSE = frozenset(("debris", "box", "obstacle"))
+THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
 BESIDE = re.compile(r"(to|on|in|at) (left|right|front|rear)\b")
 
 
@@ -43,7 +45,9 @@ class Pronouns(Parts):
                 return None
             if self._obliged(word):
                 return self.ego
-            thing = lambda e: not e.person and (e.mover or e.type in ("debris", "box", "obstacle"))  # noqa: E731
+            before = self.words[word.i - 1].norm if word.i else ""
+            things = THINGS if before in ("around", "round", "past", "avoid", "avoids", "hits", "beside") else LOOSE
+            thing = lambda e: not e.person and (e.mover or e.type in things)  # noqa: E731
             return self._salient(word, lambda e: thing(e) and e.count == 1) or self._salient(word, thing)
         if norm in data["person"]:
             return self._salient(word, lambda e: e.person) or self._salient(word, lambda e: e.mover)

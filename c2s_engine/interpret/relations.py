@@ -16,8 +16,8 @@ __all__ = ["STATES", "Places", "Where", "read", "side_of_text"]
 AGAINST = re.compile(r"wrong[- ](way|direction)|(against|contrary to) (the )?(traffic|direction|flow|stream|current)")
 
 FILLED = re.compile(
-    r"((?:oncoming|opposite|opposing|left|right|adjacent|neighbou?ring|other|next)(?:-hand)? lane) (?:be|is|was)"
-    r" (?:\w+ )?(?:full of|fill(?:ed)? with|occup(?:y|ied) by|pack(?:ed)? with|block(?:ed)? (?:by|with)|take(?:n)? by)"
+    r"((?:oncoming|opposite|opposing|left|right|adjacent|neighbou?ring|other|next)(?:-hand)? lane) (?:be|is|was) "
+    r"(?:\w+ )?(?:full of|fill(?:ed)? with|occup(?:y|ied) by|pack(?:ed)? with|block(?:ed)? (?:by|with)|taken? by)"
     r"(?: the| an?)?(?: \w+)?$"
 )
 

@@ -62,7 +62,7 @@ def vocabulary() -> frozenset[str]:
             words |= {verb, f"{verb}s", *(_stem(verb) + ending for ending in ("ed", "ing"))}
     words |= {w for form in irregular() for w in re.findall(r"[a-z]+", form)}
     for name in ("environment", "places"):
-        words |= set(re.findall(r"[a-z]{5,}", re.sub(r"\\+[a-z]", " ", str(language.table(name)))))
+        words |= set(re.findall(r"[a-z]{5,}(?![a-z\\[(?*])", re.sub(r"(?<!\\)\\b", " ", str(language.table(name)))))
     return frozenset(w for w in words if len(w) >= 4 and w.isalpha())
 
 
@@ -85,9 +85,12 @@ def known(word: str) -> bool:
 
 @cache
 def _doubtful() -> frozenset[str]:
-    """Verb forms with a consonant too few ("stoped"), which look like English to the parser's word list."""
+    """Verb forms with a letter too few ("stoped", "overtaks"), which look like English to the parser's word list."""
+    silent = {v[:-1] + "s" for rule in language.table("motions")["verbs"] for v in rule["verbs"] if v.endswith("e")}
     verbs = {v for rule in language.table("motions")["verbs"] for v in rule["verbs"] if _stem(v) == v + v[-1]}
-    return frozenset(v + ending for v in verbs for ending in ("ed", "ing")) - {"planed", "bared"}
+    return frozenset(v + ending for v in verbs for ending in ("ed", "ing")) - {"planed", "bared"} | {
+        s for s in silent if len(s) > 6
+    }
 
 
 @cache

@@ -19,7 +19,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.edits import Edit
 from c2s_engine.structure.progress import StructureChanged
-from c2s_engine.write.by_hand import with_marks
+from c2s_engine.write import by_hand
 
 EDITS: TypeAdapter[list[Edit]] = TypeAdapter(list[Edit])
 
@@ -81,11 +81,11 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
 
     async def configure(state: State) -> State:
         emit = get_stream_writer()
-        before = with_marks(structure_of(state))
+        before = by_hand.with_marks(structure_of(state))
         edits = EDITS.validate_python(state.get("edits") or [])
         structure = before
         for edit in edits:
-            structure = with_marks(steps.apply(structure, edit))
+            structure = by_hand.apply(structure, edit)
         method = method_of(state)
         for edit in method.described(before, structure) if edits else []:
             structure = steps.apply(structure, edit)

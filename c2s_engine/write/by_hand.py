@@ -6,12 +6,25 @@ of others that it uses. A mark of other code is of no worth: that fragment was w
 
 import contextlib
 
-from c2s_engine.structure import names
+from c2s_engine.structure import edits, names
 from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.edits import Edit
 from c2s_engine.structure.regenerate import FragmentWriter, digest, interface
 
 OWN = ("by_hand", "imported")
+TAKEN = "taken"
+"""The key of an offer that was taken, until the writer that it comes from gives it its own; others write it anew."""
 _SIGN = "hand"
+
+
+def apply(structure: Structure, edit: Edit) -> Structure:
+    """The structure after an edit, with marks; where code by hand is given up for its offer, the offer itself is taken:
+    a model asked again might write something else. Raises EditError."""
+    after = edits.apply(structure, edit)
+    if isinstance(edit, edits.SetCode) and edit.code is None and (offer := structure[edit.component].conflict):
+        update = {"code": offer, "origin": "generated", "key": TAKEN}
+        after = after.with_component(after[edit.component].model_copy(update=update))
+    return with_marks(after)
 
 
 def used(structure: Structure, cid: ComponentId) -> dict[str, str]:

@@ -325,3 +325,11 @@ def test_what_is_left_of_an_upgrade_is_said_at_its_own_line() -> None:
     assert found.line == text.count("\n")
     assert found.text == "x = = 3"
     assert found.edit is None
+
+
+def test_an_object_of_unknown_place_keeps_its_required_distance() -> None:
+    text = HEAD + "ego = new Car\nbin = new Trash on visible curb\nrequire 30 < (distance from ego to bin) < 50\n"
+    found = imported(text)["O1"]
+    assert found.spec.placement.gap == (30, pytest.approx(50 - 2.3 - 0.4))
+    assert [u.text for u in found.unmet] == ["its place"]
+    assert found.description == "bin is a trash on a place near curb."

@@ -2,6 +2,9 @@
 
 import asyncio
 
+from hypothesis import HealthCheck, settings
+from hypothesis.stateful import RuleBasedStateMachine, run_state_machine_as_test
+
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import AddObject, EditError, apply
 from c2s_engine.structure.program import assemble
@@ -46,3 +49,14 @@ class FakeEngine:
                 structure = structure.with_component(written)
         yield StructureChanged(structure=structure)
         yield Finished(ok=True, structure=structure, program=assemble(structure))
+
+
+def run_machine(machine: type[RuleBasedStateMachine], examples: int, steps: int) -> None:
+    """Random runs of a machine, the same ones each time."""
+    run_state_machine_as_test(
+        machine,
+        settings=settings(
+            max_examples=examples, stateful_step_count=steps, deadline=None, database=None, derandomize=True,
+            suppress_health_check=list(HealthCheck),
+        ),
+    )  # fmt: skip

@@ -160,3 +160,7 @@ async def test_code_by_hand_is_kept_and_a_conflict_is_said(server, session, meth
     assert any(w.startswith("O1: the code by hand stays") for w in warnings(events))
     events = await take(session.apply([], method=method, run=False))
     assert not any("by hand" in w for w in warnings(events)), "said once"
+    offered = session.structure["O1"].conflict
+    await take(session.apply(SetCode(component="O1", code=None), method=method, run=False))
+    assert session.structure["O1"].code == offered and session.structure["O1"].conflict is None
+    assert all(c.key and c.key != "taken" for c in session.structure.components)

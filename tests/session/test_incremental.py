@@ -7,9 +7,9 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
-from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule, run_state_machine_as_test
+from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
+from session_fake import run_machine
 
 from c2s_engine.maps.library import MapLibrary
 from c2s_engine.session.places import map_choice
@@ -200,23 +200,13 @@ class Editing(RuleBasedStateMachine):
         assert [c.key for c in fresh.components] == [c.key for c in self.session.structure.components]
 
 
-def _run(examples, steps):
-    run_state_machine_as_test(
-        Editing,
-        settings=settings(
-            max_examples=examples, stateful_step_count=steps, deadline=None, database=None, derandomize=True,
-            suppress_health_check=list(HealthCheck),
-        ),
-    )  # fmt: skip
-
-
 def test_step_by_step_equals_all_anew():
-    _run(6, 8)
+    run_machine(Editing, 6, 8)
 
 
 @pytest.mark.full
 def test_step_by_step_equals_all_anew_at_length():
-    _run(40, 20)
+    run_machine(Editing, 40, 20)
 
 
 def test_the_weather_is_a_line_of_g_only():

@@ -10,9 +10,9 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
-from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule, run_state_machine_as_test
+from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
+from session_fake import run_machine
 
 from c2s_engine.models import ModelSettings, OllamaClient
 from c2s_engine.session.sessions import Sessions
@@ -21,6 +21,7 @@ from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Finished
 from c2s_engine.structure.regenerate import dirty
 from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.write import by_hand
 from c2s_engine.write.prompted.method import PromptedMethod
 from tests.models.fake_ollama import FakeOllama, said
 
@@ -93,7 +94,8 @@ class Describing(RuleBasedStateMachine):
 
     def edit(self, edit):
         keys, first = self.engine.method.keys, len(self.server.requests)
-        touched = set(dirty(e.apply(self.session.structure, edit), keys))
+        changed = e.apply(self.session.structure, edit)
+        touched = {*dirty(changed, keys), *by_hand.outdated(changed, words=True)}
         before = self.session.structure
         self.take(self.session.apply(edit))
         after = self.session.structure
@@ -146,6 +148,12 @@ class Describing(RuleBasedStateMachine):
         assert self.session.program.text == self.past[-1]
 
     @invariant()
+    def nothing_is_stale(self):
+        structure, keys = self.session.structure, self.engine.method.keys
+        if self.session.program.text:
+            assert dirty(structure, keys) == [] and by_hand.outdated(structure, words=True) == []
+
+    @invariant()
     def equals_writing_all_anew(self):
         structure = self.session.structure
         if not self.session.program.text:
@@ -161,20 +169,10 @@ def edit_component(edit):
     return getattr(edit, "component", None)
 
 
-def _run(examples, steps):
-    run_state_machine_as_test(
-        Describing,
-        settings=settings(
-            max_examples=examples, stateful_step_count=steps, deadline=None, database=None, derandomize=True,
-            suppress_health_check=list(HealthCheck),
-        ),
-    )  # fmt: skip
-
-
 def test_step_by_step_equals_all_anew_with_a_model():
-    _run(3, 6)
+    run_machine(Describing, 3, 6)
 
 
 @pytest.mark.nightly
 def test_step_by_step_equals_all_anew_with_a_model_at_length():
-    _run(40, 15)
+    run_machine(Describing, 40, 15)

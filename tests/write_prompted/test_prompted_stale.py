@@ -127,6 +127,10 @@ async def test_code_by_hand_stays_and_gets_an_offer_where_its_sentence_changes(s
     assert after["O1"].code == mine and "new Truck" in after["O1"].conflict and told.asked == ["O1"]
     assert mine in assemble(after).text and "new Truck" not in assemble(after).text
     assert await method.write(after) == after and told.asked == ["O1"], "offered once"
+    told.codes["O1"] = "first = new Bus ahead of ego by 5"
+    taken = await method.write(by_hand.apply(after, edits.SetCode(component="O1", code=None)))
+    assert taken["O1"].code == after["O1"].conflict and taken["O1"].origin == "generated" and told.asked == ["O1"]
+    assert taken["O1"].conflict is None and dirty(taken, method.keys) == [], "what was shown is what is taken"
     kept = await method.write(edits.apply(after, edits.SetCode(component="O1", code=mine)))
     assert kept["O1"].conflict is None and told.asked == ["O1"]
 

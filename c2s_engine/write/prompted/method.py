@@ -126,6 +126,9 @@ class PromptedMethod:
         written: dict[ComponentId, dict[str, str]] = {}
         again: set[ComponentId] = set()
         failed: set[ComponentId] = set()
+        for component in structure.components:
+            if component.key == by_hand.TAKEN:
+                written[component.id] = used(structure, component.id)
         while cid := self._next(structure, written, again):
             before = structure[cid]
             structure = await self.write_component(structure, cid, on_event)

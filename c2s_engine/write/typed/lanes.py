@@ -53,7 +53,13 @@ def leads(
         same = lanes[other] == lane_of[cid] or other == "ego" and lane_of[cid] in comes
         return same and other != cid and at[other] > at[cid]
 
-    return {c: tuple(o for o in at if before(c, o)) for c in movers if objects[c].placement.facing != "against"}
+    queued = {
+        c: (o.placement.of,)
+        for c, o in objects.items()
+        if o.placement.position == "behind" and o.placement.of in objects and lane_of[c] is None
+    }
+    found = {c: tuple(o for o in at if before(c, o)) for c in movers if objects[c].placement.facing != "against"}
+    return queued | found
 
 
 def needs_oncoming(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> bool:

@@ -7,8 +7,8 @@ from c2s_engine.write.typed import behaviour, reactions, scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.placement import Spot, place_object
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS, ROLE, is_static, is_vehicle, is_walker
-from c2s_engine.write.typed.usual import reach, speed_of, turn_of
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, BLUEPRINTS, CLASS, ROLE, is_static, is_vehicle, is_walker
+from c2s_engine.write.typed.usual import reach, speed_of, turn_of, walks_first
 
 
 def write_object(structure: Structure, cid: str, plan: Plan) -> str:
@@ -127,7 +127,8 @@ def _driver(
     statements = behaviour.body(actor)
     own = {"collide", "yield", "stop", "run_stop", "wait"} & {p.action for p in spec.phases}
     statements = reactions.heeding(actor, statements)
-    if spot.approach and plan.junction and not own and not standing:
+    timed = spot.approach and spec.placement.position in APPROACH_ANGLE
+    if timed and plan.junction and not own and not standing:
         struck = any(
             p.action == "collide" and p.target in (cid, None) for p in getattr(structure.ego.spec, "phases", ())
         )
@@ -203,17 +204,20 @@ def _walker(
     value = middle(speed) or 1.4
     phases = spec.phases or (Phase(action="move_along"),)
     struck = _is_struck(structure, cid, spec)
+    heading = "self.heading"
     for i, phase in enumerate(phases):
         last = i == len(phases) - 1
         own = scope.quantity(phase.speed) if phase.speed is not None and i > 0 else pace
         if phase.action in ("cross_road", "enter_road", "collide"):
             if i == 0 and low(speed) == 0 or phase.trigger or i == 0:
                 lines += [f"while not ({_start_condition(structure, spec, phase, plan, value)}):", "    wait"]
-            step = f"do Walk(self.heading, {own})"
+            if walks_first(spec):
+                heading = f"self.heading {'-' if spec.placement.side == 'left' else '+'} 90 deg"
+            step = f"do Walk({heading}, {own})"
         elif phase.action in ("stop", "stationary", "wait"):
             step = "do Walk(self.heading, 0)"
         else:
-            step = f"do Walk(self.heading, {own})"
+            step = f"do Walk({heading}, {own})"
         ending = f" for {scope.quantity(phase.duration)} seconds" if phase.duration is not None else ""
         if last and struck and phase.action in ("cross_road", "enter_road", "collide"):
             lines += [
@@ -225,6 +229,8 @@ def _walker(
             following = phases[i + 1]
             if following.trigger and following.trigger.kind == "distance" and following.trigger.value is not None:
                 ending = f" until (distance from self to ego) < {scope.number(middle(following.trigger.value))}"
+            elif walks_first(spec) and following.action == "cross_road" and following.trigger is None:
+                ending = f" until {_start_condition(structure, spec, following, plan, value)}"
             else:
                 crossing = phase.action in ("cross_road", "enter_road")
                 ending = f" for {scope.number(4.5 / max(value, 0.3) if crossing else 2)} seconds"

@@ -11,7 +11,7 @@ from c2s_engine.write.typed.course import EDGE
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_NAME, LENGTH, MOVES_OFF_ROAD, is_vehicle, is_walker
-from c2s_engine.write.typed.usual import default_gap, right_behind, speed_of, turn_of, uses_crosswalk
+from c2s_engine.write.typed.usual import default_gap, right_behind, speed_of, turn_of, uses_crosswalk, walks_first
 
 
 @dataclass(frozen=True)
@@ -327,9 +327,8 @@ def _edge(spec: ObjectSpec, at: str, constant: str, point: str, lane: str, plan:
 def _facing(spec: ObjectSpec, left: bool) -> str:
     """Those that will cross look across; those that go against the road look back."""
     actions = {p.action for p in spec.phases}
-    crosses = bool(actions & {"cross_road", "enter_road", "collide"}) and (
-        is_walker(spec.type) or spec.type == "bicycle"
-    )
+    on_foot = is_walker(spec.type) or spec.type == "bicycle"
+    crosses = bool(actions & {"cross_road", "enter_road", "collide"}) and on_foot and not walks_first(spec)
     if "reverse" in actions and is_vehicle(spec.type) and spec.placement.facing == "across":  # its back to the road
         return "90 deg relative to " if left else "-90 deg relative to "
     if spec.placement.facing == "across" or (crosses and spec.placement.facing is None):

@@ -4,8 +4,9 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import is_static, is_vehicle
+from c2s_engine.write.typed.tables import is_static
 from c2s_engine.write.typed.threats import every, once_seen, threatening
+from c2s_engine.write.typed.usual import turn_of
 
 SOFT = "lambda: max(1, min(9, 1.1 * {force}))"
 HARD = "lambda: max(4.5, min(9, 1.1 * {force}))"
@@ -17,8 +18,9 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     spec = actor.spec
     assert isinstance(spec, EgoSpec)
     cids = threatening(actor.structure)
-    if spec.reaction == "yield" and (let_in := _let_in(actor, cids)):
-        return _around(statements, [every(actor.structure, let_in)], 2, SOFT)
+    if spec.reaction == "yield" and cids:  # whom it let pass may then be ahead
+        moving = [c for c in cids if not is_static(actor.structure[c].spec)]  # type: ignore[arg-type]
+        return _around(statements, once_seen(actor.structure, moving), 3, SOFT) if moving else statements
     if spec.reaction != "brake" or not cids:
         return statements
     threats = [every(actor.structure, spec.react_to)] if spec.react_to else once_seen(actor.structure, cids)
@@ -33,21 +35,31 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     return _around(statements, threats, limit, rate)
 
 
-def _let_in(actor: Actor, cids: list[str]) -> str:
-    """The vehicle that ego lets onto its lane and then follows."""
-    cid = getattr(actor.spec, "react_to", None) or (cids[0] if cids else "")
-    spec = actor.structure[cid].spec if cid in actor.structure else None
-    if not isinstance(spec, ObjectSpec) or not is_vehicle(spec.type):
-        return ""
-    return cid if {"enter_road", "cut_in", "lane_change"} & {p.action for p in spec.phases} else ""
-
-
 def heeding(actor: Actor, statements: list[str]) -> list[str]:
     """Another driver's way, braking for those ahead in its lane, unless it is to hit somebody."""
+    if joins_ego(actor):
+        return _around(statements, ["ego"], 3, SOFT, when="self._lane is ego._lane and ")
     leads = [c for c in actor.plan.leads.get(actor.cid, ()) if not _gets_past(actor, c)]
     if not leads or actor.value <= 0 or any(p.action == "collide" for p in actor.spec.phases):
         return statements
     return _around(statements, [every(actor.structure, cid) for cid in leads], 3, SOFT)
+
+
+_BEHIND = {  # where ways over a junction lead, seen from ego's approach
+    "crossing_left": {"LEFT_TURN": "straight", "STRAIGHT": "right"},
+    "crossing_right": {"STRAIGHT": "left", "RIGHT_TURN": "straight"},
+    "opposite_approach": {"LEFT_TURN": "right", "RIGHT_TURN": "left"},
+}
+
+
+def joins_ego(actor: Actor) -> bool:
+    """Whether a driver from another approach comes onto the road on which ego leaves the junction."""
+    spec = actor.spec
+    if not isinstance(spec, ObjectSpec) or actor.value <= 0 or any(p.action == "collide" for p in spec.phases):
+        return False
+    onto = _BEHIND.get(spec.placement.position, {}).get(turn_of(spec.phases))
+    struck = any(p.action == "collide" for p in getattr(actor.structure.ego.spec, "phases", ()))
+    return actor.plan.place.kind == "intersection" and onto == actor.plan.place.manoeuvre and not struck
 
 
 def _gets_past(actor: Actor, cid: str) -> bool:
@@ -60,9 +72,11 @@ def _gets_past(actor: Actor, cid: str) -> bool:
     return isinstance(spec, ObjectSpec) and is_static(spec)
 
 
-def _around(statements: list[str], threats: list[str], limit: float, rate: str, release: float = 0) -> list[str]:
+def _around(
+    statements: list[str], threats: list[str], limit: float, rate: str, release: float = 0, when: str = ""
+) -> list[str]:
     """The statements, interrupted by braking at `rate` when the need (m/s2) for one of the threats is over `limit`,
-    until it is no more than `release`."""
+    until it is no more than `release`; `when`: a condition of that, with its `and`."""
     force = f"need(self, {threats[0]})"
     if len(threats) > 1 or threats[0].startswith("*"):
         force = f"most_need(self, [{', '.join(threats)}])"
@@ -71,7 +85,7 @@ def _around(statements: list[str], threats: list[str], limit: float, rate: str, 
         *head,
         "try:",
         *(f"    {s}" for s in rest),
-        f"interrupt when {force} > {scope.number(limit)}:",
+        f"interrupt when {when}{force} > {scope.number(limit)}:",
         f"    do Drive(line, 0, rate={rate.format(force=force)}) until {force} <= {scope.number(release)}",
     ]
 
@@ -88,7 +102,8 @@ def reacting_phases(spec: EgoSpec, others: list[str], plan: Plan) -> tuple[Phase
     if spec.reaction == "yield" and others and "yield" not in actions:
         yielding = Phase(action="yield", target=spec.react_to or others[0])
         aside = 1 if spec.phases and spec.phases[0].action == "lane_change" else 0  # out of the way first
-        return (*spec.phases[:aside], yielding, *spec.phases[aside:])
+        moved = tuple(p.model_copy(update={"duration": p.duration or 2.5}) for p in spec.phases[:aside])
+        return (*moved, yielding, *spec.phases[aside:])
     if spec.reaction == "evade" and others and not actions & {"lane_change", "swerve", "overtake", "oncoming"}:
         return (*spec.phases, Phase(action="lane_change", side="left", target=spec.react_to))
     return spec.phases

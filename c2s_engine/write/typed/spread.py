@@ -17,7 +17,7 @@ def spread(structure: Structure) -> Structure:
     structure = normal(structure)
     place = structure.place.spec
     speed = middle(speed_of(structure.ego.spec, place))  # type: ignore[arg-type]
-    structure = _queued_on_ramp(structure)
+    structure = _queued(structure)
     taken: dict[tuple, list[tuple[float, float]]] = {}
     objects = [c for c in structure.objects if isinstance(c.spec, ObjectSpec) and not right_behind(c.spec)]
     for component in sorted(objects, key=lambda c: (c.spec.placement.gap is None, _comes_later(c.spec))):  # type: ignore
@@ -27,17 +27,13 @@ def spread(structure: Structure) -> Structure:
         if spec.placement.gap is not None:
             row.append((low(spec.placement.gap), high(spec.placement.gap) + size))
             continue
-        if spec.placement.position in APPROACH_ANGLE:
-            start, timed = 0.0, bool(row)
-        else:
-            start, timed = default_gap(spec, speed, place), True  # type: ignore[arg-type]
-        gap = start
+        if spec.placement.position in APPROACH_ANGLE:  # timed to meet ego
+            continue
+        gap = start = default_gap(spec, speed, place)  # type: ignore[arg-type]
         while any(gap < end + ROOM and begin < gap + size + ROOM for begin, end in row):
             gap += 2.0
         row.append((gap, gap + size))
-        if gap != start and timed:
-            if spec.placement.position in APPROACH_ANGLE:
-                gap += 40  # behind the one that is timed to meet ego
+        if gap != start:
             moved = spec.placement.model_copy(update={"gap": round(gap, 1)})
             structure = structure.with_component(
                 component.model_copy(update={"spec": spec.model_copy(update={"placement": moved})})
@@ -51,21 +47,22 @@ def _comes_later(spec: ObjectSpec) -> bool:
     return passes and spec.placement.position == "oncoming_lane"
 
 
-def _queued_on_ramp(structure: Structure) -> Structure:
-    """Of several on the on-ramp the first is timed to ego; each other comes behind the one before it."""
-    before = None
+def _queued(structure: Structure) -> Structure:
+    """Of several on the on-ramp or on an approach the first is timed to ego; each other comes behind the one before."""
+    before: dict[str, str] = {}
     for component in structure.objects:
         spec = component.spec
-        if not isinstance(spec, ObjectSpec) or spec.placement.position != "on_ramp":
+        if not isinstance(spec, ObjectSpec) or spec.placement.position not in (*APPROACH_ANGLE, "on_ramp"):
             continue
-        if before is not None:
-            last = structure[before].spec
+        position = spec.placement.position
+        if position in before and (position == "on_ramp" or spec.placement.gap is None):
+            last = structure[before[position]].spec
             assert isinstance(last, ObjectSpec)
-            gap = 8.0 + _size(last) - LENGTH[last.type]
-            behind = spec.placement.model_copy(update={"position": "behind", "of": before, "along": None, "gap": gap})
+            changes = {"position": "behind", "of": before[position], "along": None, "gap": 8.0}
+            behind = spec.placement.model_copy(update=changes)
             changed = component.model_copy(update={"spec": spec.model_copy(update={"placement": behind})})
             structure = structure.with_component(changed)
-        before = component.id
+        before[position] = component.id
     return structure
 
 

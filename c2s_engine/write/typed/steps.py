@@ -200,7 +200,7 @@ def _leave_road(c: Course, p: Phase) -> list[Step]:
     width = LANE_WIDTH * (max(offsets) - lane if p.side == "left" else lane - min(offsets))
     two_way = c.actor.plan.place.kind not in {"motorway", *RAMP} and not c.oncoming
     if p.side == "left" and two_way:  # beyond the oncoming lanes
-        width += LANE_WIDTH * max(c.actor.plan.place.lanes or 1, 1)
+        width += LANE_WIDTH * (c.actor.plan.place.lanes or 2)
     return _sideways(c, p, -(width + 5), 2, None)
 
 

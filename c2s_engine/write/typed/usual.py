@@ -72,7 +72,7 @@ def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
         own = middle(speed_of(o, place)) if place else ego_speed
         return max(60.0, min(5.5 * (ego_speed + own), 260.0))
     if position == "intersection_exit":
-        return 14.0
+        return 3.0 if place and place.kind == "roundabout" else 14.0  # on the ring, whose pieces are short
     if is_static(o) or not is_vehicle(o.type) or position in MOVES_OFF_ROAD:
         catching = _to_catch(o, ego_speed, place) if position not in MOVES_OFF_ROAD else 0.0
         return max(30.0, min(4.0 * ego_speed, 90.0), _while_crossing(o, ego_speed, place), catching)
@@ -84,13 +84,15 @@ def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
 
 
 def _to_catch(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float:
-    """How far (m) ahead a slower one must be for ego to hold its speed and then to brake at 2 m/s2: for a second, or
-    longer before it is to creep behind one that moves."""
+    """How far (m) ahead a slower one must be for ego to hold its speed for some seconds and then to brake at 2 m/s2."""
     if place is None or o.placement.along == "behind":
         return 0.0
     own = 0.0 if is_static(o) else middle(speed_of(o, place))
     closing = max(ego_speed - own, 0.0)
-    seconds = 1.0 if is_static(o) else min(max(closing / 2 - 5, 1.0), 6.0)
+    calm = {p.action for p in o.phases} <= {"keep_lane", "move_along", "follow"}
+    to_stand = 2.5 if 12 < closing < 18 else 1.0  # so that it stands within the run
+    to_creep = min(max(closing - 8, 1.0), 6.0) if calm else 1.0
+    seconds = to_stand if is_static(o) else to_creep
     limit = 150.0 if place.kind in {*JUNCTION, *RAMP, "crosswalk"} else LONGEST_VIEW  # approaches are short
     return min(closing**2 / 4 + seconds * closing + ROOM_BEHIND, limit)
 
@@ -111,6 +113,11 @@ def uses_crosswalk(o: ObjectSpec) -> bool:
     return crosses and placement.position in ("roadside", "sidewalk") and not own and not right_behind(o)
 
 
+def walks_first(o: ObjectSpec) -> bool:
+    """Whether somebody on foot goes along the road before crossing it."""
+    return is_walker(o.type) and bool(o.phases) and o.phases[0].action == "move_along"
+
+
 def right_behind(o: ObjectSpec) -> bool:
     """Whether it stands by what hides it, wherever that is."""
     beside = o.placement.position in MOVES_OFF_ROAD and not is_vehicle(o.type)
@@ -123,4 +130,5 @@ def _while_crossing(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) ->
     if place is None or not crosses or not (is_walker(o.type) or o.type == "bicycle"):
         return 0.0
     pace = max(middle(speed_of(o, place)), 0.8)
-    return min(reach(o, place) / pace * ego_speed + 8, 150.0)
+    seconds = reach(o, place) / pace + (4 if walks_first(o) else 0)
+    return min(seconds * ego_speed + 8, 150.0)

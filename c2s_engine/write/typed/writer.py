@@ -76,7 +76,8 @@ class TypedWriter:
         """The code that selects the place on the map."""
         room = (plan.before + plan.after) * self.room if plan.distance is None else high(plan.distance) + plan.before
         spec = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place
-        return place_code(spec, self.map.extras, room=room, exit_room=plan.exit_room if plan.exit_room > 25 else 0)
+        short = plan.place.kind != "roundabout" and plan.exit_room < 25  # every junction has that much behind it
+        return place_code(spec, self.map.extras, room=room, exit_room=0 if short else plan.exit_room)
 
     def candidates(self, structure: Structure) -> str:
         """The list from which the program draws its place; how long it is says how many places there are."""

@@ -23,10 +23,13 @@ EGO_SPEED = 11  # m/s
 
 behavior EgoBehavior():
     line = way(egoLane, egoTurn)
-    take SetSpeedAction(EGO_SPEED)
-    do Drive(line, EGO_SPEED) until (distance from self to egoLane.centerline[-1]) < 5 + self.speed ** 2 / 6
-    do Drive(line, 0, rate=3) until passed(crosser, self)
-    do Drive(line, EGO_SPEED, rate=2)
+    try:
+        take SetSpeedAction(EGO_SPEED)
+        do Drive(line, EGO_SPEED) until (distance from self to egoLane.centerline[-1]) < 5 + self.speed ** 2 / 6
+        do Drive(line, 0, rate=3) until passed(crosser, self)
+        do Drive(line, EGO_SPEED, rate=2)
+    interrupt when need(self, crosser) > 3:
+        do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, crosser)))) until need(self, crosser) <= 0
 
 ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
@@ -39,8 +42,11 @@ CROSSER_TO_JUNCTION = 47  # m
 behavior CrosserBehavior():
     line = way(rightApproach, ManeuverType.STRAIGHT)
     spot = meeting(line, way(egoLane, egoTurn))
-    take SetSpeedAction(CROSSER_SPEED)
-    do Drive(line, lambda: meet(self, ego, spot, CROSSER_SPEED))
+    try:
+        take SetSpeedAction(CROSSER_SPEED)
+        do Drive(line, lambda: meet(self, ego, spot, CROSSER_SPEED))
+    interrupt when self._lane is ego._lane and need(self, ego) > 3:
+        do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, ego)))) until need(self, ego) <= 0
 
 crosser = new Car at rightApproach.centerline.pointAlongBy(-CROSSER_TO_JUNCTION),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),

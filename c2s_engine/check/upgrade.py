@@ -154,8 +154,7 @@ def difference(old: str, new: str, filename: str) -> str:
     """The change as a unified diff; empty where there is none."""
     if old == new:
         return ""
-    return "".join(
-        difflib.unified_diff(
-            old.splitlines(keepends=True), new.splitlines(keepends=True), filename, f"{filename} (Scenic 3)"
-        )
+    lines = difflib.unified_diff(
+        old.splitlines(keepends=True), new.splitlines(keepends=True), filename, f"{filename} (Scenic 3)"
     )
+    return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines)

@@ -65,7 +65,7 @@ def import_(
         raise typer.Exit(OK)
     if found.diff:
         err.print(Text("upgraded from Scenic 2:", style="yellow"))
-        err.print(Text(found.diff), soft_wrap=True)
+        typer.echo(found.diff, err=True)  # as it is: wrapped or without its tabs it could not be applied
     show.structure(found.structure)
 
 

@@ -4,7 +4,9 @@ from collections.abc import Iterable
 from typing import Any
 
 from rich.style import Style
+from textual.document._document import Selection
 from textual.document._document_navigator import DocumentNavigator
+from textual.reactive import Reactive, reactive
 from textual.widgets.text_area import TextAreaTheme
 
 from c2s_engine.structure.diagnostics import Diagnostic
@@ -30,6 +32,8 @@ class CodeArea(OrderedArea):
     """A TextArea whose highlights come from Pygments (Textual's own are tree-sitter's)."""
 
     HELP_NAME = "code"
+    selection: Reactive[Selection] = reactive(Selection(), init=False, always_update=True, repaint=False)
+    """As in TextArea, where each key draws the whole pane anew: here only the rows that it touches."""
 
     def __init__(self, **options: Any):
         self.problems: dict[int, Diagnostic] = {}
@@ -64,6 +68,17 @@ class CodeArea(OrderedArea):
         self._line_cache.clear()
         for key, strip in kept:
             self._line_cache[key] = strip
+        if after > first:
+            self.refresh_lines(first, after - first)
+
+    def _watch_selection(self, previous_selection: Selection, selection: Selection) -> None:
+        """Draw the rows that were and that are selected, have the cursor or its bracket."""
+        brackets = [self._matching_bracket_location]
+        super()._watch_selection(previous_selection, selection)
+        brackets.append(self._matching_bracket_location)
+        for place in (previous_selection, selection, *(Selection(b, b) for b in brackets if b)):
+            first, last = sorted((place.start[0], place.end[0]))
+            self.refresh_lines(first, last - first + 1)
 
     def _drawn(self) -> list[tuple[Any, Any]]:
         """The lines that are drawn already: Textual's key (its third part is the row) and the strip."""
@@ -75,11 +90,17 @@ class CodeArea(OrderedArea):
         for diagnostic in diagnostics:
             if diagnostic.line:
                 found.setdefault(diagnostic.line, diagnostic)
-        if found != self.problems:
-            self.problems = found
-            self._line_cache.clear()
-            self._build_highlight_map()
-            self.refresh()
+        if found == self.problems:
+            return
+        rows = {line - 1 for line in _underlined(found) ^ _underlined(self.problems)}
+        self.problems = found
+        self._highlights.problems = found  # type: ignore[attr-defined]
+        kept = [(key, strip) for key, strip in self._drawn() if key[2] not in rows]
+        self._line_cache.clear()
+        for key, strip in kept:
+            self._line_cache[key] = strip
+        for row in rows:
+            self.refresh_lines(row)
 
     def replace_text(self, text: str) -> None:
         """Show another program; cursor and scroll stay where they can, and the change can be undone by key."""
@@ -92,6 +113,11 @@ class CodeArea(OrderedArea):
         last = self.document.line_count - 1
         self.move_cursor((min(row, last), column if row <= last else 0))
         self.scroll_to(at.x, at.y, animate=False, force=True)
+
+
+def _underlined(problems: dict[int, Diagnostic]) -> set[int]:
+    """The lines (1-based) that are underlined."""
+    return {line for line, problem in problems.items() if problem.severity != "info"}
 
 
 class _Highlights:

@@ -333,3 +333,9 @@ def test_an_object_of_unknown_place_keeps_its_required_distance() -> None:
     assert found.spec.placement.gap == (30, pytest.approx(50 - 2.3 - 0.4))
     assert [u.text for u in found.unmet] == ["its place"]
     assert found.description == "bin is a trash on a place near curb."
+
+
+def test_the_diff_marks_an_end_without_a_newline() -> None:
+    diff = importer.import_program(ImportRequest(text=HEAD + "ego = Car at 3 @ 4")).diff
+    mark = "\\ No newline at end of file\n"
+    assert diff.endswith(f"-ego = Car at 3 @ 4\n{mark}+ego = new Car at 3 @ 4\n{mark}")

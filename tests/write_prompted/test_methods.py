@@ -27,24 +27,30 @@ LEFT_TURN = "Ego turns left at an intersection while an oncoming car goes straig
 
 
 class Shelf:
-    """The shipped snippets, found by words in common (the real retriever needs its worker)."""
+    """The shipped snippets, found by words in common (the real retriever needs its worker): as there, each by the
+    nearest of its description and paraphrases."""
 
     def __init__(self) -> None:
         self.rows = []
         for path in sorted(paths.shipped("snippets").glob("*/*.scenic")):
             head, _, code = path.read_text(encoding="utf-8").partition("# ---\n")
             title = re.search(r"# description: (.*)", head)[1]
-            self.rows.append((path.parent.name, title, head, code))
+            told = [_words(t) for t in (title, *re.findall(r"#   - (.*)", head))]
+            self.rows.append((path.parent.name, title, told, code))
 
     async def __call__(self, query: str, kind: str, component: str | None, limit: int) -> list[Passage]:
-        wanted = set(re.findall(r"[a-z]{3,}", query.lower()))
+        wanted = _words(query)
         near = [
-            (len(wanted & set(re.findall(r"[a-z]{3,}", head.lower()))) / len(head), title, code)
-            for c, title, head, code in self.rows
+            (max(len(wanted & words) / len(wanted | words) for words in told), title, code)
+            for c, title, told, code in self.rows
             if c == component
         ]
         best = sorted(near, reverse=True)[:limit]
         return [Passage(kind="snippet", title=t, text=c, score=s, component=component or "") for s, t, c in best]
+
+
+def _words(text: str) -> set[str]:
+    return set(re.findall(r"[a-z]{3,}", text.lower()))
 
 
 def tools(client=None, **more) -> MethodTools:
@@ -78,7 +84,8 @@ def test_without_a_model_only_those_that_need_none():
 
 
 async def test_chatscene_without_a_model_takes_the_nearest_snippets_as_they_are(checker):
-    structure, program = await program_of("chatscene", LEFT_TURN, tools(search=Shelf()))
+    text = "On a straight road the car ahead of ego brakes hard."  # whose snippets rest on the same names
+    structure, program = await program_of("chatscene", text, tools(search=Shelf()))
     assert [c.id for c in structure.components if c.code] == ["G", "R", "E", "O1"]
     codes = {code.strip() for _, _, _, code in Shelf().rows}
     for cid in ("R", "E", "O1"):
@@ -92,7 +99,7 @@ async def test_chatscene_with_a_model_extracts_one_adversary(server, client_of, 
     extract = {
         "adversary": "A car.",
         "behavior": "It goes straight over the intersection.",
-        "geometry": "Ego turns left at an intersection across oncoming traffic.",
+        "geometry": "A crossroads with the lane of the opposite approach at hand.",
         "position": "On the opposite approach.",
     }
     server.respond = lambda request: json.dumps(extract)

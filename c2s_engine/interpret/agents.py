@@ -48,7 +48,7 @@ class Agents(Patients):
             return (None, None, True) if whom is None else (whom, subjects[0] if subjects else None, True)
         for child in subjects:
             other = self.words[child]
-            found = self.cast.referent(child)
+            found = self.cast.referent(child) or self._reduced(other)
             if found:
                 return found, child, False
             if other.lemma in ("there",) or other.dep == "expl":
@@ -82,7 +82,33 @@ class Agents(Patients):
         told = self._after_bracket(word)
         if told is not None:
             return self.cast.of[told], told, False
+        beside = self._joined_subject(word)
+        if beside is not None:
+            return self.cast.of[beside], beside, False
         return self._inherited(word, depth)
+
+    def _joined_subject(self, word: Word) -> int | None:
+        """Who stands between "and" and a finite verb, taken for the partner of a noun before it: "slowed for a jam and
+        V1 struck V2"."""
+        at = word.i - 1
+        if (
+            word.dep != "conj"
+            or word.tag not in ("VBZ", "VBD")
+            or at not in self.cast.of
+            or self.words[at].span is None
+        ):
+            return None
+        before = [w.norm for w in self.words[max(0, at - 2) : at] if w.sentence == word.sentence]
+        while before and before[-1] in ("the", "a", "an"):
+            before.pop()
+        return at if before[-1:] in (["and"], ["but"]) and self.words[at].dep == "conj" else None
+
+    def _reduced(self, word: Word) -> Entity | None:
+        """The noun of "vehicle approaching from the left does not yield", which is parsed as a clause for a subject."""
+        if word.dep != "csubj" or word.tag not in ("VBG", "VBN"):
+            return None
+        nouns = [c for c in word.children if c < word.i and self.words[c].dep in ("nsubj", "nsubjpass")]
+        return self.cast.referent(nouns[0]) if nouns else None
 
     def _after_bracket(self, word: Word) -> int | None:
         """Who stands before the participle between commas, for it and for the verb behind it: "the van, having lost
@@ -249,6 +275,12 @@ class Agents(Patients):
             if current.verb or self._is_verb(current):
                 return current
         return None
+
+    def _beside_preposition(self, word: Word) -> Entity | None:
+        """The noun between a preposition and its participle: "due to a child running into the road"."""
+        nouns = [c for c in self.words[word.head].children if self.words[c].dep == "pobj" and c < word.i]
+        near = [c for c in nouns if word.i - c <= 2 and self.words[c].span is not None]
+        return self.cast.of.get(near[-1]) if near else None
 
     def topic(self, word: Word) -> Entity | None:
         """The one that a sentence is headed with: "Challenger: left lane, 90 km/h, cuts in"."""

@@ -139,6 +139,8 @@ def _mere_background(scene: Scene, entity: Entity) -> bool:
         head = scene.words[scene.words[mention.word].head]
         if scene.words[mention.word].dep == "pobj" and head.norm in ("in", "during", "within"):
             return True
+        if _reason(scene, mention.word):
+            return True
     return any(
         e is not entity
         and e.type in VEHICLES
@@ -147,6 +149,19 @@ def _mere_background(scene: Scene, entity: Entity) -> bool:
         and ("stationary" in e.roles or any(v.act in ("stationary", "stop") for v in scene.events(e)))
         for e in scene.cast.entities
     )
+
+
+def _reason(scene: Scene, i: int) -> bool:
+    """Whether a queue is only why another (not ego) stops or slows: "V3 stopped for congestion"."""
+    head = scene.words[scene.words[i].head]
+    if scene.words[i].dep != "pobj" or head.norm not in ("for", "of", "to", "with"):
+        return False
+    halts = [
+        e
+        for e in scene.clauses.events
+        if i in e.words and e.word < i and e.act in ("stop", "brake", "brake_stop", "stationary")
+    ]
+    return bool(halts) and not halts[-1].agent.ego
 
 
 def _pass_on(scene: Scene, generic: Entity, members: list[Entity]) -> None:

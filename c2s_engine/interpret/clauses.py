@@ -27,6 +27,7 @@ class Clauses(Nominal):
                 self._noun(word)
         for word in words:
             self._attributive(word)
+            self._striking(word)
         self._order()
         self._triggers()
         self.events.sort(key=lambda e: e.order)
@@ -91,11 +92,18 @@ class Clauses(Nominal):
             and word.head < word.i
         ):
             agent = self.by_word[word.head].agent
+        if agent is None and word.tag == "VBG" and word.dep == "pcomp":
+            agent = self._beside_preposition(word)
         if agent is None:
             agent = self.topic(word)
         if agent is None:
             agent = self._nearest(word, at) or (self._continued(word) if at is None else None)
+        if agent is not None and word.tag == "VBG" and not passive and self._dangles(word, agent):
+            agent = self.cast.ego
         patient = self._patient(word, own, agent, passive)
+        if patient is None and word.dep == "amod" and word.head == word.i + 1:  # "collided head-on with V2"
+            later = [i for i in range(word.i + 2, min(word.i + 6, len(self.words))) if i in self.cast.of]
+            patient = self.cast.of[later[0]] if later and self.words[word.i + 2].norm in ("with", "into") else None
         event = self._event(lemma, word, text, whole, agent, patient)
         if event is None:
             return
@@ -198,6 +206,12 @@ class Clauses(Nominal):
             late.adverbial = event.adverbial
             self.events.append(late)
         self.by_word[word.i] = event
+
+    def _dangles(self, word: Word, agent: Entity) -> bool:
+        """Whether a participle's object is the one taken for its agent ("following a truck, it stops"): ego does it."""
+        if agent.ego or any(self.words[c].dep in ("nsubj", "nsubjpass") for c in word.children):
+            return False
+        return any(self.words[c].dep == "dobj" and self.cast.of.get(c) is agent for c in word.children)
 
     def _event(
         self, lemma: str, word: Word, text: str, whole: str, agent: Entity | None, patient: Entity | None

@@ -1,10 +1,9 @@
 """The embedded interpreter: text to S by rules over a parsed text, without a language model."""
 
-import re
 from dataclasses import dataclass, field
 from typing import Any
 
-from c2s_engine.interpret import compose, language, scan, understanding, unmet
+from c2s_engine.interpret import compose, typologies, unmet
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.spelling import Mended
 from c2s_engine.structure.components import Structure, Unmet
@@ -49,11 +48,7 @@ class EmbeddedInterpreter:
 
     def _read(self, text: str) -> Interpretation:
         mended = Mended(text[:READ_AT_MOST])
-        head = mended.text
-        meant = typology(head)
-        understood = understanding.understand(head)
-        if meant and not _tells(understood, meant):
-            understood = understanding.understand(f"{head} {meant}" if _adds(head) else meant)
+        understood = typologies.understand(mended.text)
         if not _has_scene(understood):
             raise InterpretError(
                 "Nothing in the text tells of a driving scene: name the vehicles or people, where they "
@@ -98,33 +93,6 @@ def _spans_back(value: Any, mended: Mended) -> Any:
     return [_spans_back(v, mended) for v in value] if isinstance(value, list) else value
 
 
-def typology(text: str) -> str | None:
-    """What a text means in plain words that is little more than the name of a crash type."""
-    table = language.table("typologies")
-    plain = " ".join(scan.normalised(text).split()).strip(" .")
-    if len(plain.split()) > table["words_at_most"]:
-        return None
-    for entry in table["types"]:
-        if re.search(entry["find"], plain) and not ("not" in entry and re.search(entry["not"], plain)):
-            rest = re.sub(entry["find"], " ", plain)
-            detail = [s for s in scan.names(rest) if s.kind in ("ego", "actor", "label")]
-            return None if len(detail) >= 2 else entry["means"]
-    return None
-
-
-def _tells(found: Scene, meant: str) -> bool:
-    """Whether a text says by itself what ego and others do, so that the name of a crash type in it adds nothing."""
-    own = [e for e in found.clauses.events if e.agent.ego and e.done and e.start < e.end]
-    whole = bool(found.actors) or not re.search(r"\b(car|truck|vehicle|pedestrian|cyclist|animal|deer)\b", meant)
-    return bool(found.cast.ego.mentions) and bool(own) and whole
-
-
-def _adds(text: str) -> bool:
-    """Whether a text with a type's name says more (weather, a limit, a place): then both are read."""
-    plain = scan.normalised(text)
-    return bool(re.search(r"night|rain|fog|snow|wet|rural|urban|highway|motorway|limit|\d|dusk|dawn|day", plain))
-
-
 def _has_scene(found: Scene) -> bool:
     return bool(
         found.cast.ego.mentions or found.actors or found.clauses.events or found.road.kind or found.settings.weather
@@ -141,6 +109,9 @@ def _missed(found: Scene, text: str, mended: Mended) -> list[Unmet]:
     ]
     taken += [(s.start, s.end) for s in found.spans if s.kind == "quantity"]
     taken += [u.note.span for u in unmet.find(found) if u.note.span]
+    if type_named := typologies.named(mended.text):
+        first, last = type_named[2]
+        taken += [(max(s, first), min(e, last)) for s, e in found.sentences if s < last and first < e]
     missed = []
     for start, end in found.sentences:
         if not any(start <= s and e <= end for s, e in taken):

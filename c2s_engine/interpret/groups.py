@@ -17,8 +17,14 @@ BOTH = re.compile(
 )
 
 
+FROM_BOTH = re.compile(r"\bfrom (?:both|either|each|opposite|the two) (?:sides?|directions?|arms?)\b")
+
+
 def split_groups(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Members that do or are something of their own leave their group; the others are the group itself again."""
+    for traffic in [e for e in cast.entities if e.noun == "traffic" and e.count == 1]:
+        if FROM_BOTH.search(_said(traffic, cast, of)):
+            traffic.count, traffic.noun = 2, "cars"
     for group in [e for e in cast.entities if e.count > 1 and e.mover]:
         members = sorted((e for e in cast.entities if e.group is group), key=lambda e: e.ordinal or 0)
         own = [m for m in members if _matters(m, clauses, of)]
@@ -27,7 +33,7 @@ def split_groups(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
                 _dissolve(member, group, cast, clauses, of)
         if own:
             _leave(group, own, cast, clauses, of)
-        elif BOTH.search(_said(group, cast, of)) and group.ordinal is None:
+        elif group.ordinal is None and any(p.search(_said(group, cast, of)) for p in (BOTH, FROM_BOTH)):
             _both_sides(group, cast, clauses, of)
 
 
@@ -114,10 +120,17 @@ def _both_sides(group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Wh
     if (
         queue
         or group.type not in MOVERS
-        or where.lane in ("oncoming", "crossing", "ramp")
+        or where.lane in ("oncoming", "ramp")
+        or where.lane == "crossing"
+        and where.side
         or group.roles & {"oncoming"}
     ):
         return
+    from_both = (
+        not group.person
+        and FROM_BOTH.search(_said(group, cast, of)) is not None
+        and not any(e.agent is group and e.act in ("overtake", "cut_in", "lane_change") for e in clauses.events)
+    )
     twin = copy(group)
     twin.key, twin.roles, twin.mentions = f"{group.key}0", set(group.roles), list(group.mentions)
     twin.count = max(1, group.count // 2)
@@ -128,7 +141,9 @@ def _both_sides(group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Wh
     other.phrases = list(where.phrases)
     for half, side in ((where, "left"), (other, "right")):
         half.side = side
-        if not off:
+        if from_both:
+            half.lane, half.rel = "crossing", None
+        elif not off:
             half.lane, half.rel = side, half.rel or "beside"
     of[twin] = other
     for event in clauses.events:

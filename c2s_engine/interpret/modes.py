@@ -44,7 +44,7 @@ class Modes(Agents):
                 lemma = self.words[head.head].lemma
             to = any(self.words[c].norm == "to" and self.words[c].dep == "aux" for c in word.children)
             if (
-                word.dep in ("xcomp", "ccomp", "pcomp", "advcl")
+                (word.dep in ("xcomp", "ccomp", "pcomp") or word.dep == "advcl" and self.words[word.i - 1].norm != ",")
                 and lemma
                 in (
                     "fail",
@@ -93,7 +93,8 @@ class Modes(Agents):
                 mode = "negated"
         if word.dep in ("advcl",) and self.words[word.i - 1].norm in ("than",):
             mode = "negated"
-        if word.dep == "csubj" and head.verb and self._mode(head) in ("negated", "hypothetical"):
+        denied = word.dep == "csubj" and head.verb and self._reduced(word) is None
+        if denied and self._mode(head) in ("negated", "hypothetical"):
             mode = self._mode(head)
         if (
             word.dep == "pcomp"

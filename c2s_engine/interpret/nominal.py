@@ -53,6 +53,25 @@ class Nominal(Timing):
         self.events.append(event)
         self.by_word[word.i] = event
 
+    def _striking(self, word: Word) -> None:
+        """A participle of contact taken for an adjective of whom it hits: "did not slow down, striking V1"."""
+        patient = self.cast.of.get(word.head)
+        comma = word.i > 0 and self.words[word.i - 1].norm == ","
+        if patient is None or not comma or word.tag != "VBG" or word.dep not in ("amod", "compound"):
+            return
+        verb = self._governor(self.words[word.head])
+        agent = self._subject(verb)[0] if verb is not None else None
+        own = [w.i for w in self.words[word.i :] if w.sentence == word.sentence]
+        text = self.render(own, word.i)
+        if agent is None or agent is patient:
+            return
+        event = self._event(self._lemma(word), word, text, text, agent, patient)
+        if event is None or event.act != "collide":
+            return
+        event.words, event.start, event.end = [word.i], word.start, word.end
+        self.events.append(event)
+        self.by_word[word.i] = event
+
     def _noun(self, word: Word) -> None:
         if word.i in self.by_word or word.span is not None:
             return

@@ -42,6 +42,9 @@ class Nouns(Reference):
         if noun == "traffic" and not roles and not self._halts(word):
             return None
         count = self._count(word, before, data)
+        parties = self._parties(word, before, data, roles)
+        if parties is not None:
+            return parties
         if re.search(
             r"(queue|line|row|jam|tailback|column|string) of( \w+)?$", " ".join(self._near(word)[-3:])
         ) and re.search(
@@ -142,6 +145,19 @@ class Nouns(Reference):
         ahead = r"(?:ahead|in front)(?: of \S+( \S+)?)? (?:suddenly |abruptly |\w+ly )?"
         acts = r"(?:stop|slow|brake|halt|decelerate|back(?:ed|s)? up|came to|comes to|come to|grind|ground)"
         return bool(re.match(rf"{ahead}{acts}|{acts}", after)) and word.dep in ("nsubj", "nsubjpass", "ROOT")
+
+    def _parties(self, word: Word, before: list[str], data: dict, roles: set[str]) -> Entity | None:
+        """The other of the two parties that "the vehicles" means ("both vehicles", "the two cars"), once two single
+        ones were spoken of and no group was."""
+        if not data.get("plural") or data.get("noun") not in ("vehicles", "cars") or roles or self._distinguished(word):
+            return None
+        if not {"the", "both", "these"} & set(before) or {"other", "three", "four"} & set(before):
+            return None
+        if self.words[word.head].norm in ("between", "of", "behind", "among") or word.dep not in ("nsubj", "nsubjpass"):
+            return None
+        told = [e for e in self.entities if e.type in VEHICLES and e.mentions]
+        alone = len(told) == 1 and self.ego.mentions or len(told) == 2 and not self.ego.mentions
+        return told[-1] if alone and all(e.count == 1 for e in told) else None
 
     def _driven_by(self, word: Word) -> Entity | None:
         """Whose vehicle it is in "the defendant, operating a dump truck": the driver and the vehicle are one."""

@@ -34,6 +34,8 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             return {"position": "roadside", "side": where.side, "along": "behind", "said": True}
         if where.lane in ("left", "right") and where.rel:
             return {"position": f"{where.lane}_lane", "along": along_of(where.rel), "said": True}
+        if "oncoming" in acts and where.rel is None and not crosses:
+            return {"position": "oncoming_lane", "said": True}
         if where.lane == "oncoming" and place.kind == "intersection":
             return {"position": "opposite_approach", "said": True}
     if (

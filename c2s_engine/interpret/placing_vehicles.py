@@ -11,6 +11,9 @@ from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.structure.specs import PlaceSpec
 
 PARTLY = re.compile(r"\b(partly|partially|half|part) [^;]*\b(lane|road|carriageway)\b")
+ON_MOTORWAY = re.compile(
+    r"\b(on|along|in) the (main |through )?(motorway|highway|freeway|interstate|carriageway|main road)"
+)
 OPPOSITE = {"left": "right", "right": "left"}
 
 
@@ -62,7 +65,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         same = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
         if (
             same == lane
-            and rel in ("behind", "ahead")
+            and (rel in ("behind", "ahead") or (rel := _met(scene, entity)) is not None)
             and re.search(rf"{lane}(-hand|most)? lane", text)
             and where.of is None
         ):
@@ -72,6 +75,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             "along": along_of(rel or ("behind" if passes_ego(scene, entity) or _gains(scene, entity) else None)),
             "said": True,
         }
+    if place.kind == "on_ramp" and rel is None and lane in (None, "same") and ON_MOTORWAY.search(_told(scene, entity)):
+        return {"position": "beside", "side": "left", "said": True}
     if (
         junction
         and place.manoeuvre in ("left", "right")
@@ -159,6 +164,8 @@ def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, fi
         return {"position": "opposite_approach" if junction else "oncoming_lane", "said": True}
     if "oncoming" in acts:
         return {"position": "oncoming_lane", "said": True}
+    if any(e.patient is entity and e.act in ("follow", "overtake", "held_up") for e in scene.events(scene.cast.ego)):
+        return {"position": "ahead", "said": True}
     if junction and {"run_red", "run_stop"} & set(acts):
         return {"position": "crossing_left"}
     if junction and "turn" in acts:
@@ -189,8 +196,6 @@ def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, fi
         return {"position": "behind"}
     if any(e.act == "follow" and e.patient is not None and e.patient.ego for e in scene.events(entity)):
         return {"position": "behind", "said": True}
-    if any(e.patient is entity and e.act in ("follow", "overtake", "held_up") for e in scene.events(scene.cast.ego)):
-        return {"position": "ahead", "said": True}
     if (
         ego_hits is not None
         and junction
@@ -204,6 +209,17 @@ def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, fi
     if junction and any(e.act == "yield" and e.patient is entity for e in scene.events(scene.cast.ego)):
         return {"position": "opposite_approach" if place.manoeuvre == "left" else "crossing_left"}
     return {"position": "ahead"}
+
+
+def _met(scene: Scene, entity: Entity) -> str | None:
+    """Ahead, where ego approaches or follows it."""
+    met = any(e.patient is entity and e.act in ("approach", "follow", "held_up") for e in scene.events(scene.cast.ego))
+    return "ahead" if met else None
+
+
+def _told(scene: Scene, entity: Entity) -> str:
+    """What is said of one's place, and the clauses of what it does."""
+    return " ; ".join([*(t for _, t in scene.where(entity).phrases), *(e.whole for e in scene.events(entity))])
 
 
 def _side_of_events(scene: Scene, entity: Entity) -> str | None:

@@ -5,6 +5,7 @@ import re
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.groups import split_groups
+from c2s_engine.interpret.implied import implied_places
 from c2s_engine.interpret.inferred import Inferred
 from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.whereabouts import STATES, Where, read, side_of_text
@@ -40,6 +41,7 @@ class Places(Inferred):
                 where.lane, where.side = "same", None
                 self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
         split_groups(cast, clauses, self.of)
+        implied_places(cast, clauses, self.of)
         self._referred()
         self._between()
         self._joined()
@@ -91,6 +93,8 @@ class Places(Inferred):
                         "",
                         part,
                     )
+                    if event.act == "cross_path":  # whose path is crossed is not behind whom one starts
+                        part = re.sub(r"\b(in front of|ahead of) (the )?@\w+", "", part)
                     if not (event.act == "overtake" and re.match(r"in|on|ahead", part)):
                         read(part, where, entity, self.cast, event.act)
                 if event.act in ("cut_in", "brake", "follow", "run_red", "turn"):
@@ -134,7 +138,10 @@ class Places(Inferred):
                     continue
                 if other.dep == "acl" and child in self.clauses.by_word:
                     continue
-                if other.dep == "appos" and child in self.cast.of and self.cast.of[child] is not entity:
+                if other.dep == "prep" and self._of_another(child, i, entity):
+                    continue
+                named = self.cast.of.get(child)
+                if other.dep in ("appos", "dep", "nmod") and named is not None and named is not entity:
                     continue
                 indices += self.clauses._below(child)
         apposed = [
@@ -171,6 +178,7 @@ class Places(Inferred):
         ):
             following = self._following(i)
             read(" ".join([*lead, self.clauses.render(following)]), where, entity, self.cast, "noun")
+        text = self._unhit(text, entity)
         if known and text.strip():
             read(text, where, entity, self.cast, "noun")
             self._gap(indices, where)
@@ -214,7 +222,7 @@ class Places(Inferred):
                 self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO")
                 or self.words[after[0]].norm in PLACING
             ):
-                read(self.clauses.render(after), where, entity, self.cast, "noun")
+                read(self._unhit(self.clauses.render(after), entity), where, entity, self.cast, "noun")
                 self._gap(after, where)
         if self.clauses.fragment(i):
             rest = self.clauses.about(i)
@@ -230,6 +238,21 @@ class Places(Inferred):
             rest = self.clauses.own(word)
             read(self.clauses.render([r for r in rest if r > i]), where, entity, self.cast, "noun")
             self._gap(rest, where)
+
+    def _unhit(self, text: str, entity: Entity) -> str:
+        """The words about one without those that say how it is hit: who is hit from behind is not behind."""
+        if any(e.act == "collide" and e.patient is entity and e.done for e in self.clauses.events):
+            return re.sub(r"\b(from behind|(from|in|at) the (rear|back))\b", "", text)
+        return text
+
+    def _of_another(self, child: int, i: int, entity: Entity) -> bool:
+        """Whether a phrase before a noun belongs to another's part of the list: "ego in the left lane, bus drifts"."""
+        if child > i or not any(w.norm in (",", ";") for w in self.words[child:i]):
+            return False
+        start = next((w.i for w in reversed(self.words[:child]) if w.norm in (",", ";", ".", ":")), -1)
+        heads = [self.cast.of.get(w.i) for w in self.words[start + 1 : child] if w.span is not None]
+        verb = any(w.verb for w in self.words[start + 1 : i] if w.sentence == self.words[i].sentence)
+        return bool(heads) and not verb and heads[0] is not None and heads[0] is not entity
 
     def _following(self, i: int) -> list[int]:
         """The words right after a noun that may say where it is, up to the end of the phrase."""

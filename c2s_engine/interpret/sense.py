@@ -99,6 +99,8 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 later,
             ):
                 event.mode = "hypothetical"
+        if event.act == "collide" and event.patient is None and _follows(cast, clauses, event):
+            event.agent, event.patient = cast.ego, event.agent
     for event in clauses.events:
         if event.mode == "intended" and not event.agent.ego and event.act in ("turn", "u_turn", "go_straight"):
             waits = cast.words[cast.words[event.word].head].lemma in ("wait", "signal", "prepare", "indicate", "try")
@@ -125,6 +127,15 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
         ):
             event.mode = "hypothetical"
     clauses.events.sort(key=lambda e: e.order)
+
+
+def _follows(cast: Cast, clauses: Clauses, event: Event) -> bool:
+    """Whether "the vehicles collide" where ego follows the other: then ego runs into it."""
+    parties = re.search(r"@a\d+ collide|(both|two|vehicles|cars) ", event.whole) and not event.agent.ego
+    return bool(parties) and any(
+        e.act in ("follow", "approach") and e.agent.ego and e.patient is event.agent and e.done and e.word < event.word
+        for e in clauses.events
+    )
 
 
 GIVES_UP = re.compile(
@@ -302,8 +313,8 @@ def _echoes(cast: Cast, clauses: Clauses) -> None:
             told
             and re.match(
                 (
-                    r"(the |they |)(two|both|they)( vehicles| cars| of them)? (then )?(collide|collided|crash"
-                    r"|crashed|meet|met|came into contact|made contact)\b"
+                    r"(the |they |)(two|both|they|vehicles|cars)( vehicles| cars| of them)? (then )?"
+                    r"(collide|collided|crash|crashed|meet|met|came into contact|made contact)\b"
                 ),
                 ahead,
             )

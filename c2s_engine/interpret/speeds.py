@@ -7,6 +7,8 @@ from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import VEHICLES, Entity
 from c2s_engine.interpret.scene import Scene
 
+GOES_ON = re.compile(r"(continue|proceed|carry|go|drive|travel|roll|move)( on)?( \w+ing)?( on)? at #speed")
+
 
 def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
     """Whose each speed is: the agent of the clause it stands in, the noun that it describes, or both parties."""
@@ -62,6 +64,9 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
                 },
             ]
             scene.speeds.setdefault(owner, (span.data["first"], span.data["first"], span.start, span.end))
+            continue
+        if changing and event is not None and event.act == "travel" and GOES_ON.match(event.text):
+            changing[-1].quantities = [*changing[-1].quantities, {**span.data, "start": span.start, "role": "target"}]
             continue
         if changing and (
             event is None or event.act not in ("brake", "brake_stop", "accelerate") or changing[-1].word > event.word
@@ -127,6 +132,8 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
         ):
             verb = scene.clauses._governor(word)
             event = scene.clauses.by_word.get(verb.i) if verb is not None else None
+            if event is not None and event.agent is not entity and _heads_part(scene, word):
+                return entity
             if event is not None and event.agent is not entity and _below_verb(scene, word, verb):
                 return None
             return (
@@ -142,6 +149,21 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
                 else entity
             )
     return None
+
+
+def _heads_part(scene: Scene, word: syntax.Word) -> bool:
+    """Whether a road user heads a part of a list without a verb: "ego at 60 km/h in the left lane, truck drifts"."""
+    before = scene.words[word.i - 1] if word.i else None
+    if before is not None and before.norm == "the" and word.i > 1:
+        before = scene.words[word.i - 2]
+    if before is not None and before.sentence == word.sentence and before.norm not in (",", ";", ":", "the"):
+        return False
+    for other in scene.words[word.i + 1 :]:
+        if other.sentence != word.sentence or other.norm in (",", ";"):
+            return other.norm in (",", ";")
+        if other.verb:
+            return False
+    return False
 
 
 def _below_verb(scene: Scene, word: syntax.Word, verb: syntax.Word | None) -> bool:

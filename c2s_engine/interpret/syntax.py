@@ -81,7 +81,7 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
         base = len(words)
         found: dict[int, Word] = {}
         for part, doc in parsed[number]:
-            outer = part[0] - 1
+            outer = part[0] - 1 if part else -1  # a sentence may be blank: the name of a crash type is blotted out
             for token, i in zip(doc, part, strict=True):
                 proxy, start, end, span = piece[i]
                 norm = plain[start:end]

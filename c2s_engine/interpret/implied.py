@@ -1,0 +1,76 @@
+"""Places that follow from what happens: whom ego hits over the centre line, whom it did not see when it changed lanes,
+whose lane another comes into."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.event import Event
+from c2s_engine.interpret.mentions import Cast
+from c2s_engine.interpret.towards import side
+from c2s_engine.interpret.whereabouts import STATES, Where
+
+UNSEEN = re.compile(
+    r"(?:without (?:see|notic|spott|detect)\w*"
+    r"|(?:not|n't|never|fail\w* to|neglect\w* to) (?:see|notice|spot|detect|observe)"
+    r"|overlook\w*|unaware of|missed?|did not realise|did not check for)[^.;,]*?@(?P<who>a\d+)\b(?! 's)"
+)
+
+
+def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Fill the places that only what happens tells."""
+    for event in list(clauses.events):
+        if event.done and event.act == "oncoming" and event.agent.ego:
+            _over_the_line(event, clauses, of)
+        elif event.done and event.act in ("lane_change", "drift") and event.agent.ego:
+            _unseen(event, cast, clauses, of)
+        elif event.done and event.act in ("lane_change", "drift", "swerve") and event.agent in of:
+            _into_whose_lane(event, clauses, of)
+
+
+def _open(where: Where) -> bool:
+    return where.rel is None and where.lane in (None, "same")
+
+
+def _over_the_line(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Whom ego hits after it crossed the centre line comes towards it."""
+    for hit in clauses.events:
+        other = hit.patient if hit.agent.ego else hit.agent
+        if hit.act != "collide" or not hit.done or hit.order < event.order or other is None or other not in of:
+            continue
+        still = other.roles & {"lead", "stationary", "parked"} or any(
+            e.act == "stationary" and e.agent is other for e in clauses.events
+        )
+        passed = any(e.patient is other and e.act in ("overtake", "follow") for e in clauses.events)
+        behind = re.search(r"rear|behind|back of", hit.whole)
+        if other.mover and not other.person and _open(of[other]) and not still and not passed and not behind:
+            of[other].lane = "oncoming"
+
+
+def _unseen(event: Event, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Whom ego did not see when it changed lanes is beside it on that side."""
+    towards = side(event)
+    sentence = cast.words[event.word].sentence
+    text = clauses.render([w.i for w in cast.words if w.sentence in (sentence, sentence + 1)])
+    match = UNSEEN.search(text)
+    other = next((e for e in cast.entities if match and e.key == match["who"]), None)
+    if other is None or towards is None or not other.mover or other.person or other not in of or not _open(of[other]):
+        return
+    of[other].lane, of[other].side, of[other].rel = towards, towards, "beside"
+
+
+def _into_whose_lane(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """One who comes into the lane "where ego is travelling" was in the lane beside and cuts in."""
+    words = clauses.words
+    lanes = [i for i in clauses.own(words[event.word]) if words[i].norm == "lane" and i > event.word]
+    for state in clauses.events:
+        clause = words[state.word]
+        if state.agent.ego and state.act in STATES and clause.dep == "relcl" and clause.head in lanes:
+            event.act = "cut_in"
+            where = of[event.agent]
+            if _open(where):
+                where.lane, where.rel = "adjacent", where.rel
+            towards = side(event)
+            where.side = where.side or ({"left": "right", "right": "left"}[towards] if towards else None)

@@ -1,0 +1,107 @@
+"""Names of crash types: what they mean in plain words, as far as the text itself leaves it open."""
+
+import re
+
+from c2s_engine.interpret import language, scan, understanding
+from c2s_engine.interpret.entities import PERSONS, VEHICLES, Entity
+from c2s_engine.interpret.scene import Scene
+
+SAYS_MORE = re.compile(
+    r"night|rain|fog|snow|wet|icy|rural|urban|highway|motorway|limit|\d|dusk|dawn|day|turning|approach|while"
+    r"|from (the )?(left|right)|: \w"
+)
+MANOEUVRES = frozenset(
+    ("turn", "lane_change", "overtake", "reverse", "u_turn", "go_straight", "lose_control", "follow")
+)
+IDLE = frozenset(("travel", "keep_lane"))
+ADJECTIVES = "(?:oncoming|slower|stopped|stationary|lead|parked|slow) "
+
+
+def named(text: str) -> tuple[str, str, tuple[int, int]] | None:
+    """(what the crash type means that a text names, the rest of the text, where the name stands)."""
+    table = language.table("typologies")
+    whole = scan.normalised(text)
+    plain = " ".join(whole.split()).strip(" .")
+    if len(plain.split()) > table["words_at_most"]:
+        return None
+    for entry in table["types"]:
+        if re.search(entry["find"], plain) and not ("not" in entry and re.search(entry["not"], plain)):
+            rest = re.sub(entry["find"], " ", plain)
+            detail = [s for s in scan.names(rest) if s.kind in ("ego", "actor", "label")]
+            at = re.search(entry["find"], whole)
+            headed = (
+                at is not None and re.match(r"[^:.;]{0,40}:", whole[at.end() :]) and not whole[: at.start()].strip()
+            )
+            if len(detail) >= (3 if headed else 2):
+                return None
+            return entry["means"], rest, at.span() if at else (0, 0)
+    return None
+
+
+def understand(text: str) -> Scene:
+    """The scene of a text; a named crash type only fills what the text leaves open."""
+    found = named(text)
+    if found is None:
+        return understanding.understand(text)
+    meant, rest, (start, end) = found
+    own = understanding.understand(text)
+    if _tells(own, meant):
+        return own
+    if not SAYS_MORE.search(scan.normalised(rest)):
+        return understanding.understand(meant)
+    usual = understanding.understand(meant)
+    if _complete(own, usual):
+        return own
+    outside = {e.key for e in own.cast.entities for m in e.mentions if not start <= m.start < end and e.mover}
+    inside = {e.key for e in own.cast.entities for m in e.mentions if start <= m.start < end} - outside
+    if inside and outside:
+        text = text[:start] + " " * (end - start) + text[end:]
+    elif (colon := re.match(r"[^:.;]{0,40}:", text[end:])) and not text[
+        :start
+    ].strip():  # "Lead vehicle stopped: truck"
+        text = " " * (end + colon.end()) + text[end + colon.end() :]
+    own = understanding.understand(f"{text}. Ego drives on.")
+    return understanding.understand(f"{text} {_fitted(meant, rest, own, usual)}")
+
+
+def _tells(found: Scene, meant: str) -> bool:
+    """Whether a text says by itself what ego and others do, so that the name of a crash type in it adds nothing."""
+    own = [e for e in found.clauses.events if e.agent.ego and e.done and e.start < e.end]
+    whole = bool(found.actors) or not re.search(r"\b(car|truck|vehicle|pedestrian|cyclist|animal|deer)\b", meant)
+    return bool(found.cast.ego.mentions) and bool(own) and whole
+
+
+def _complete(own: Scene, usual: Scene) -> bool:
+    """Whether the text tells by itself who is there, what they do, and what ego does where the type lets it do more
+    than drive on."""
+    if not usual.actors or len(own.actors) < len(usual.actors):
+        return False
+    if own.cast.ego.mentions and not own.cast.strong_ego and not own.events(own.cast.ego):
+        return False
+    told = all(any(e.act not in IDLE for e in own.events(a)) or "stationary" in a.roles for a in own.actors)
+    usually = {e.act for e in usual.events(usual.cast.ego)} & MANOEUVRES
+    return told and (not usually - {"go_straight", "follow"} or bool(own.events(own.cast.ego)))
+
+
+def _fitted(meant: str, rest: str, own: Scene, usual: Scene) -> str:
+    """The type's meaning with the side and the road user that the text names in place of the usual ones."""
+    side = re.search(r"\b(?:turn\w*|lanes?)(?: to the)? (left|right)\b|\b(left|right) turn", rest)
+    if side is not None:
+        meant = re.sub(
+            r"(?<=turns )(?:left|right)|(?<=lanes to the )(?:left|right)", side[1] or side[2], meant, count=1
+        )
+    source = re.search(r"\bfrom (?:the |its )?(left|right)\b", rest)
+    if source is not None:
+        meant = re.sub(r"(?<=from the )(?:left|right)", source[1], meant, count=1)
+    told = [e for e in own.cast.entities if e.mover and e.noun]
+    replaced = usual.actors[0] if len(usual.actors) == 1 else None
+    if replaced is not None and len(told) == 1 and told[0].count == 1 and _alike(told[0], replaced):
+        meant = re.sub(rf"\b(?:an?|the) (?:{ADJECTIVES})*{replaced.noun}\b", f"the {told[0].noun}", meant, flags=re.I)
+    return meant
+
+
+def _alike(one: Entity, other: Entity) -> bool:
+    """Whether both are vehicles, people or animals."""
+    return (
+        one.type == other.type or {one.type, other.type} <= VEHICLES or {one.type, other.type} <= PERSONS - {"animal"}
+    )

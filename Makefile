@@ -6,7 +6,7 @@ BIN = $(VENV)/bin
 STAMP = $(VENV)/.installed
 SAMPLE = "At night in the rain the ego follows a truck on a straight road at 50 km/h. After five seconds the truck brakes hard, and the ego has to brake as well."
 
-.PHONY: run test test-full nightly lint bench bench-check bench-dryrun bench-interpret bench-retrieval bench-through bench-ui clean
+.PHONY: run test test-full nightly lint bench bench-check bench-dryrun bench-interpret bench-retrieval bench-through bench-fresh bench-ui clean
 
 $(VENV)/bin/python:
 	$(PYTHON) -m venv $(VENV)
@@ -55,6 +55,9 @@ bench-dryrun: $(STAMP)
 
 bench-through: $(STAMP)
 	$(BIN)/python -m c2s_bench.through --records
+
+bench-fresh: $(STAMP)
+	$(BIN)/c2s bench --runs 3 $(foreach file,$(wildcard benchmark/fresh/*.yaml),--records $(file))
 
 bench-ui: $(STAMP)
 	$(BIN)/python -m c2s_bench.ui

@@ -88,9 +88,8 @@ async def resolve(
             break
         assumed.append(Assumption(field="map", value=SHIPPED, reason=f"{wanted} has no such place"))
     nearest = await _nearest(structure, library, check, given)
-    return Resolution(
-        None, diagnostic=_diagnostic(f"{given or 'no map at hand'} has no such place. {nearest}", "no-place", ("R",))
-    )
+    lack = f"{given} has no such place" if given else "no map at hand has such a place"
+    return Resolution(None, diagnostic=_diagnostic(f"{lack}. {nearest}", "no-place", ("R",)))
 
 
 def library_has(library: MapLibrary, name: str) -> bool:

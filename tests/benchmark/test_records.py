@@ -69,3 +69,10 @@ def test_an_id_that_is_used_twice_is_refused(tmp_path):
     file.write_text(WHOLE + WHOLE)
     with pytest.raises(records.BenchmarkError, match="mine.yaml:12: mine-01: id: is used before, at mine.yaml:2"):
         records.load([file])
+
+
+def test_the_fresh_descriptions_are_records():
+    files = sorted((records.FOLDER.parent / "fresh").glob("*.yaml"))
+    found = records.load(files)
+    assert len(found) == 180
+    assert {r.part for r in found} == {"dev", "test"}

@@ -9,7 +9,7 @@ from langgraph.config import get_stream_writer
 from langgraph.graph import END, START, StateGraph
 from pydantic import TypeAdapter
 
-from c2s_engine.session import steps, unwritten
+from c2s_engine.session import in_place, steps, unwritten
 from c2s_engine.session.citing import resting_on, uncited
 from c2s_engine.session.improving import can_improve, improved, summed
 from c2s_engine.session.methods import Method, method_named
@@ -47,6 +47,7 @@ class State(TypedDict, total=False):
     room: float
     map_name: str
     details: dict[str, Any]
+    in_place: list[str]
     stop: bool
 
 
@@ -92,8 +93,11 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         structure, found, result = await steps.configure(
             structure, tools, emit, given=state.get("map"), needed=method.needs_place, lenient=bool(state.get("text"))
         )
+        changed: list[str] = []
         if found.writer is None:
             structure = unwritten.left(before, structure, emit)
+        elif edits:
+            structure, changed = await in_place.followed(before, structure, found.writer.map, tools.check, emit)
         emit(StructureChanged(structure=structure))
         update: State = {
             "before": before.model_dump(mode="json"),
@@ -101,6 +105,7 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
             "edits": [],
             "stages": with_stage(state, result),
             "places": found.count,
+            "in_place": changed,
             "stop": found.writer is None,
         }
         if found.writer is not None:
@@ -115,8 +120,13 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         emit = get_stream_writer()
         method = method_of(state)
         before = Structure.model_validate(state["before"])
+        changed = state.get("in_place", [])
         structure, program, written, result = await method.write(
-            structure_of(state), emit, map_name=state["map_name"], room=state["room"], folder=state["folder"]
+            structure_of(state),
+            in_place.told_of(changed, emit),
+            map_name=state["map_name"],
+            room=state["room"],
+            folder=state["folder"],
         )
         if result.ok:
             unwritten.conflicts(before, structure, emit)
@@ -126,8 +136,8 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         return {
             "structure": structure.model_dump(mode="json"),
             "program": program.model_dump(mode="json"),
-            "rewritten": written,
-            "details": summed(state.get("details", {}), method.account(structure)),
+            "rewritten": [*written, *(c for c in changed if c not in written)],
+            "details": {**summed(state.get("details", {}), method.account(structure)), "in_place": changed},
             "stages": with_stage(state, result),
             "stop": not result.ok,
         }

@@ -182,13 +182,16 @@ async def _picked(engine: Any, number: int, passages: Sequence[Any]) -> AsyncGen
 
 
 def outcome(finished: Finished) -> str:
-    """What an edit made the writer write anew, and what stayed."""
-    written = [c for c in finished.details.get("rewritten", []) if c in finished.structure]
-    stayed = [c for c in finished.structure.ids if c not in written]
+    """What an edit made the writer write anew, where code by hand followed it, and what stayed."""
+    followed = [c for c in finished.details.get("in_place", []) if c in finished.structure]
+    rewritten = finished.details.get("rewritten", [])
+    written = [c for c in rewritten if c in finished.structure and c not in followed]
+    stayed = [c for c in finished.structure.ids if c not in (*written, *followed)]
+    changed = f"Changed in its code: {', '.join(followed)}" if followed else ""
     if not written:
-        return "Nothing had to be written anew."
+        return f"{changed or 'Nothing had to be written anew'}."
     kept = f"; {', '.join(stayed)} stayed as {'they were' if len(stayed) > 1 else 'it was'}" if stayed else ""
-    return f"Written anew: {', '.join(written)}{kept}."
+    return f"{f'{changed}. ' if changed else ''}Written anew: {', '.join(written)}{kept}."
 
 
 async def answer(

@@ -67,6 +67,21 @@ def with_offers(structure: Structure, writer: FragmentWriter) -> Structure:
     return structure
 
 
+def followed(structure: Structure, before: Structure, cid: ComponentId, whole: bool) -> Structure:
+    """The structure in which a component's code, changed with its fields, is marked: as in step with the `whole` of
+    them, else as written upon the fields of before."""
+    if whole:
+        return _with_mark(structure.with_component(structure[cid].model_copy(update={"conflict": None})), cid)
+    was = before[cid].key.split(":") if _marked(before[cid]) else _mark(before, cid).split(":")
+    key = ":".join([*was[:1], digest(structure[cid].code), *was[2:]])
+    return structure.with_component(structure[cid].model_copy(update={"key": key}))
+
+
+def in_step(structure: Structure, cid: ComponentId) -> bool:
+    """Whether code by hand says what its component's fields say, as far as is known."""
+    return structure[cid].conflict is None and cid not in outdated(structure, words=False)
+
+
 def _own(structure: Structure) -> list[Component]:
     return [c for c in structure.components if c.origin in OWN]
 

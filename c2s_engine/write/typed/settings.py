@@ -19,24 +19,27 @@ def weather_parameters(spec: SettingsSpec) -> dict[str, float]:
     return values
 
 
+def weather_value(spec: SettingsSpec) -> str:
+    """The value of `param weather`: a preset's name, or CARLA's parameters."""
+    plain = not spec.parameters and set(spec.weather) <= {"clear"}
+    if spec.preset:
+        return f"'{spec.preset}'"
+    if plain and (spec.time or "day") in _SUNNY:
+        return f"'{_SUNNY[spec.time or 'day']}'"
+    pairs = [f"'{k}': {number(v)}" for k, v in weather_parameters(spec).items()]
+    rows = [", ".join(pairs[i : i + 4]) for i in range(0, len(pairs), 4)]
+    return "{" + ",\n    ".join(rows) + "}"
+
+
 def write_settings(component: Component, map_file: str, carla_map: str | None) -> str:
     """The header of the program."""
     spec = component.spec
     assert isinstance(spec, SettingsSpec)
-    plain = not spec.parameters and set(spec.weather) <= {"clear"}
-    if spec.preset:
-        weather = f"'{spec.preset}'"
-    elif plain and (spec.time or "day") in _SUNNY:
-        weather = f"'{_SUNNY[spec.time or 'day']}'"
-    else:
-        pairs = [f"'{k}': {number(v)}" for k, v in weather_parameters(spec).items()]
-        rows = [", ".join(pairs[i : i + 4]) for i in range(0, len(pairs), 4)]
-        weather = "{" + ",\n    ".join(rows) + "}"
     lines = [
         f"param map = localPath('{map_file}')",
         f"param carla_map = {carla_map!r}",
         "param timestep = 0.1",
-        f"param weather = {weather}",
+        f"param weather = {weather_value(spec)}",
         "model scenic.simulators.carla.model",
     ]
     if spec.light:

@@ -21,6 +21,7 @@ from c2s_engine.write.in_place import (
     changes,
     ends,
     ground,
+    halves,
     same,
     sky,
     swapped,
@@ -150,7 +151,10 @@ class _Work:
             if change.name == "name" and kind:
                 continue  # the variable keeps its name
             loose = kind or cid == "T" and change.path[0] == "require"
-            if not await self._change(cid, there, change, loose):
+            parts = halves(change)
+            if not await self._change(cid, there, change, loose) and not (
+                parts and all([await self._change(cid, there, part, loose) for part in parts])
+            ):
                 self.structure, self.read, self.notes = kept
                 return False
         return True

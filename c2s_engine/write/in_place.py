@@ -6,7 +6,7 @@ and nothing else anew (session/in_place.py).
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import PurePath
 from typing import Any
@@ -16,7 +16,7 @@ from c2s_engine.structure import layout, names
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.specs import SettingsSpec
 from c2s_engine.write.by_hand import OWN
-from c2s_engine.write.literals import Site, blueprint, numbers, params, statements, strings, words
+from c2s_engine.write.literals import Site, blueprints, numbers, params, statements, words
 from c2s_engine.write.typed.settings import weather_value
 from c2s_engine.write.typed.writer import MapChoice
 
@@ -98,12 +98,26 @@ def same(a: Any, b: Any) -> bool:
     return bool(a == b)
 
 
+def halves(change: Change) -> list[Change]:
+    """The change of a range as one of each end, so that it is a range in between; of others nothing."""
+    old, new = ends(change.old), ends(change.new)
+    if old is None or new is None or old[0] == old[1] or new[0] == old[0] or new[1] == old[1]:
+        return []
+    between = [old[0], new[1]] if new[1] > old[0] else [new[0], old[1]]
+    return [replace(change, new=between), replace(change, old=between)]
+
+
 def candidates(structure: Structure, cid: ComponentId, change: Change) -> Iterator[Swap]:
     """The swaps that might make a component say a field's new value, the likeliest first, then in reading order."""
     if change.old is None:
         return
-    places = [(cid, own) for own in _own(structure, cid)]
-    places += [(other, site) for other, site in _constants(structure, cid)]
+    if cid == "R" and change.name in _WORDS:  # places are what others rest on
+        places = [(cid, (start, start + len(p.text))) for start, p in statements(structure[cid].code)]
+    else:
+        places = [(cid, own) for own in _own(structure, cid)]
+    places += _constants(structure, cid)
+    if cid == "R" and change.name == "distance":  # which requirements tell
+        places += [("T", own) for own in _own(structure, "T") if structure["T"].origin in OWN]
     code = {c: structure[c].code for c, _ in places}
 
     def within(found: Callable[[str], list[Site]]) -> Iterator[tuple[ComponentId, Site]]:
@@ -121,10 +135,12 @@ def candidates(structure: Structure, cid: ComponentId, change: Change) -> Iterat
             for becomes in _classes(change.new)[:1]:
                 yield from _texts(within(partial(words, wanted=[was])), becomes)
     elif change.name == "model":
-        found = strings if change.new is not None else blueprint
         text = "" if change.new is None else f"'{change.new}'"
-        yield from _texts(within(partial(found, value=change.old)), text)
+        yield from _texts(within(partial(blueprints, whole=not text)), text)
     elif old is not None and new is not None:
+        if old[0] != old[1] and (old[0] == new[0]) != (old[1] == new[1]):
+            end = 0 if old[1] == new[1] else 1
+            yield from _numeric(list(within(numbers)), (old[end], old[end]), (new[end], new[end]))
         yield from _numeric(list(within(numbers)), old, new)
 
 
@@ -160,7 +176,8 @@ def told(structure: Structure, swap: Swap) -> str:
     before = code[code.rfind("\n", 0, site.start) + 1 : site.start].lstrip()
     before = before if len(before) <= _SHOWN else "..." + before[-_SHOWN:]
     closed = re.match(r"[)\]]*", code[site.end :])
-    return f"{before}{_short(site.text)} -> {_short(swap.text)}{closed[0] if closed else ''}"
+    sign = "-" if before.endswith("-") else ""
+    return f"{before}{_short(site.text)} -> {sign}{_short(swap.text)}{closed[0] if closed else ''}"
 
 
 def sky(structure: Structure, spec: SettingsSpec) -> list[Swap] | None:
@@ -251,14 +268,14 @@ def _numeric(
 ) -> Iterator[Swap]:
     """The value itself, in another unit, or with what the reader adds or takes (half a length); then as a factor."""
     seen = set()
-    for meant in (_equal, _scaled, _moved, _factor):
+    for meant in (_equal, _scaled, _moved, _mirrored, _factor):
         for component, site in found:
             assert site.ends is not None
             single = site.ends[0] == site.ends[1]
             if single != (old[0] == old[1]):
                 continue
             becomes = meant(site.ends, old, new)
-            if becomes is None or becomes[0] < 0:
+            if becomes is None or (becomes[0] < 0) != (site.ends[0] < 0):
                 continue
             swap = Swap(component, site, site.with_ends(*becomes))
             if swap.text != site.text and swap not in seen:
@@ -282,6 +299,11 @@ def _scaled(here: Ends, old: Ends, new: Ends) -> Ends | None:
 
 def _moved(here: Ends, old: Ends, new: Ends) -> Ends | None:
     return here[0] + new[0] - old[0], here[1] + new[1] - old[1]
+
+
+def _mirrored(here: Ends, old: Ends, new: Ends) -> Ends | None:
+    """Of what is behind: a distance against the direction of travel."""
+    return (here[0] + old[1] - new[1], here[1] + old[0] - new[0]) if here[1] < 0 else None
 
 
 def _factor(here: Ends, old: Ends, new: Ends) -> Ends | None:

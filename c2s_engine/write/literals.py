@@ -13,7 +13,9 @@ from c2s_engine.check.pieces import Cut, Piece, cut
 from c2s_engine.write.typed.scope import number
 
 RANGES = frozenset({"Range", "VerifaiRange", "DiscreteRange", "VerifaiDiscreteRange"})
-_DECIMAL = re.compile(r"\d+(\.\d*)?([eE][+-]?\d+)?|\.\d+")
+_NUMBER = r"(?:\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+)"
+_DECIMAL = re.compile(_NUMBER)
+_PAIR = re.compile(rf"\( (?P<low>(?:- )?{_NUMBER}) , (?P<high>(?:- )?{_NUMBER}) \)")
 
 
 @dataclass(frozen=True)
@@ -28,7 +30,7 @@ class Site:
 
     def with_ends(self, low: float, high: float) -> str:
         """The text of another number or range, written as this one is."""
-        if low == high:
+        if self._number(low) == self._number(high):
             return self._number(low)
         return f"{self.call or 'Range'}({self._number(low)}, {self._number(high)})"
 
@@ -77,26 +79,24 @@ def numbers(code: str) -> list[Site]:
     found = tokens(code)
     ranges, singles = [], []
     for i, token in enumerate(found):
-        texts = [t.text for t in found[i : i + 6]]
-        if (
-            token.text in RANGES
-            and len(texts) == 6
-            and (texts[1], texts[3], texts[5]) == ("(", ",", ")")
-            and _DECIMAL.fullmatch(texts[2])
-            and _DECIMAL.fullmatch(texts[4])
-        ):
-            start, end = token.start, found[i + 5].end
-            ranges.append(Site(start, end, code[start:end], (float(texts[2]), float(texts[4])), token.text))
+        if token.text in RANGES and (drawn := _drawn(found[i + 1 : i + 8])):
+            start, end = token.start, found[i + len(drawn[1])].end
+            ranges.append(Site(start, end, code[start:end], drawn[0], token.text))
         if token.kind == tokenize.NUMBER and _DECIMAL.fullmatch(token.text):
             value = float(token.text)
             singles.append(Site(token.start, token.end, token.text, (value, value)))
     return [*ranges, *singles]
 
 
-def strings(code: str, value: str) -> list[Site]:
-    """The string literals of that value."""
-    quoted = (f"'{value}'", f'"{value}"')
-    return [Site(t.start, t.end, t.text) for t in tokens(code) if t.kind == tokenize.STRING and t.text in quoted]
+def _drawn(found: Sequence[Token]) -> tuple[tuple[float, float], list[str]] | None:
+    """The ends of `(low, high)`, where both are numbers, and its tokens."""
+    texts = [t.text for t in found]
+    taken = texts[: texts.index(")") + 1] if ")" in texts else []
+    match = _PAIR.fullmatch(" ".join(taken))
+    if match is None:
+        return None
+    low, high = (float(match[name].replace(" ", "")) for name in ("low", "high"))
+    return (low, high), taken
 
 
 def words(code: str, wanted: Sequence[str]) -> list[Site]:
@@ -110,15 +110,17 @@ def words(code: str, wanted: Sequence[str]) -> list[Site]:
     return sites
 
 
-def blueprint(code: str, value: str) -> list[Site]:
-    """The specifiers `, with blueprint '...'` of that value, with the comma before them."""
+def blueprints(code: str, whole: bool) -> list[Site]:
+    """What `with blueprint` is given as a string or a name; the `whole` specifiers, with the comma before them."""
     found = [t for t in tokens(code) if t.kind != tokenize.NEWLINE]
     sites = []
-    for i, token in enumerate(found):
-        run = [t.text for t in found[i : i + 4]]
-        if run[:3] == [",", "with", "blueprint"] and run[3:] in ([f"'{value}'"], [f'"{value}"']):
-            end = found[i + 3].end
-            sites.append(Site(token.start, end, code[token.start : end]))
+    for i in range(len(found) - 3):
+        comma, *words, value = found[i : i + 4]
+        after = found[i + 4].text if i + 4 < len(found) else ","
+        plain = value.kind in (tokenize.STRING, tokenize.NAME) and after not in ("(", "[", ".")
+        if plain and comma.text == "," and [w.text for w in words] == ["with", "blueprint"]:
+            start = comma.start if whole else value.start
+            sites.append(Site(start, value.end, code[start : value.end]))
     return sites
 
 

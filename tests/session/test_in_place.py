@@ -81,6 +81,31 @@ def at(structure, cid, path):
     return value
 
 
+JUNCTION = (
+    HEAD
+    + """
+MODEL = 'vehicle.audi.tt'
+APART = [20, 25]
+junction = Uniform(*filter(lambda i: i.is4Way, network.intersections))
+lane = Uniform(*junction.incomingLanes)
+turn = Uniform(*filter(lambda m: m.type is ManeuverType.LEFT_TURN, lane.maneuvers))
+way = [lane, turn.connectingLane, turn.endLane]
+ego = new Car on lane.centerline,
+    with blueprint MODEL, with behavior FollowTrajectoryBehavior(9, way)
+last = new Car following roadDirection from ego for Range(-30, -20), with blueprint MODEL
+require APART[0] <= (distance from ego to junction) <= APART[1]
+"""
+)
+JUNCTIONS = [
+    ([("R", "distance", [15, 30])], "[20, 25]", "[15, 30]"),
+    ([("R", "arms", 3)], "is4Way", "is3Way"),
+    ([("R", "manoeuvre", "right")], "LEFT_TURN", "RIGHT_TURN"),
+    ([("O1", "placement.gap", [20.4, 35.4])], "Range(-30, -20)", "Range(-40, -25)"),
+    ([("O1", "placement.gap", 20.4)], "Range(-30, -20)", "-25"),
+    ([("O1", "model", "vehicle.seat.leon")], "-20), with blueprint MODEL", "-20), with blueprint 'vehicle.seat.leon'"),
+    ([("E", "type", "truck"), ("E", "model", None)], "ego = new Car on lane.centerline,\n    with blueprint MODEL,",
+     "ego = new Truck on lane.centerline,"),
+]  # fmt: skip
 CASES = [
     (("O2", "speed", 12), "LEAD_SPEED = 10", "LEAD_SPEED = 12"),
     (("O2", "speed", [8, 12]), "LEAD_SPEED = 10", "LEAD_SPEED = Range(8, 12)"),
@@ -118,6 +143,15 @@ async def test_the_literal_is_changed_and_nothing_else(engine, edit, old, new):
     if edit[0] != "G":
         assert all(same(data(a), data(b)) for a, b in zip(again.components, after.components, strict=True))
         assert [c.description for c in again.components] == [c.description for c in after.components]
+
+
+@pytest.mark.parametrize(("asked", "old", "new"), JUNCTIONS, ids=[f"{a[0][1]}-{new}" for a, _, new in JUNCTIONS])
+async def test_places_ranges_and_models(engine, asked, old, new):
+    structure = await engine.import_program(JUNCTION)
+    done, said, _ = await ended(engine.apply(structure, edits(*asked), run=False))
+    assert done.program.text == JUNCTION.replace(old, new) != JUNCTION, said
+    assert all(same(at(done.structure, c, path), value) for c, path, value in asked)
+    assert not any(c.conflict for c in done.structure.components)
 
 
 async def test_an_edit_after_an_edit(engine):

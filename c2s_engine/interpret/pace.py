@@ -91,7 +91,7 @@ def pace_of(
     factor = "same"
     if (
         "slow" in entity.roles
-        or re.search(r"\b(crawl|creep|trundle|slow(ly|er)?|dawdle|grind|inch|plod|chug)\b", text)
+        or re.search(r"\b(crawl|creep|trundle|slow(ly|er)|dawdle|grind|inch|plod|chug)\b", text)
         or any(p.action == "overtake" and p.target == own_id for p in ego.phases)
         or _passed_by_another(scene, entity)
     ):
@@ -107,6 +107,7 @@ def pace_of(
         placement.along == "behind"
         and placement.position in ("left_lane", "right_lane")
         or "fast" in entity.roles
+        or _hurries(scene, entity, kind, placement)
         or any(p.action == "overtake" for p in phases)
         or placement.position == "behind"
         and any(p.action == "collide" for p in phases)
@@ -127,6 +128,21 @@ def pace_of(
         return None
     assumed.append(Assumption(field="speed", value=f"{speed * 3.6:.0f} km/h", reason=value["reason"]))
     return speed
+
+
+FAST = re.compile(
+    r"\b((at|with) (a )?(very )?(high|great|excessive) speed|(too )?fast|speeding|at speed|rapidly|quickly|tailgat\w+"
+    r"|clos(es|ing) (in|up)|catch(es|ing) up|rac(es|ing)|blue lights|sirens?)\b"
+)
+
+
+def _hurries(scene: Scene, entity: Entity, kind: str, placement: Placement) -> bool:
+    """Whether it is said to be fast, or is an emergency vehicle that comes from behind."""
+    if placement.position == "behind" and kind in ("police_car", "ambulance", "fire_truck"):
+        return True
+    if any(e.act == "follow" for e in scene.events(entity)):
+        return False
+    return any(e.agent is entity and FAST.search(e.whole) for e in scene.events(entity))
 
 
 def _passed_by_another(scene: Scene, entity: Entity) -> bool:

@@ -24,7 +24,7 @@ OVERSHOOT = 0.003
 MIN_STRAIGHT = math.radians(25)
 LEVER = 3.4
 """m by which a lane may lie aside of a ring's line for each radian that a piece of it turns: Scenic, which samples
-pieces at 20 points and turns lanes' ends by half of a step, else leaves gaps of more than 9 cm between lanes and ways."""
+pieces at 20 points and turns lanes' ends by half of a step, else leaves gaps of more than 9 cm from lane to way."""
 
 
 class Town:

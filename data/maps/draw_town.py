@@ -10,6 +10,7 @@ HERE = Path(__file__).parent
 VIEWS = [
     ("Signalised, two lanes each way", (-600.0, 0.0), 110.0),
     ("Roundabout", (1150.0, 500.0), 130.0),
+    ("Roundabout of three lanes", (-2250.0, 1450.0), 190.0),
     ("Crosswalk between junctions", (-300.0, 500.0), 70.0),
     ("Exit of the motorway", (-610.0, -1520.0), 240.0),
 ]

@@ -50,6 +50,10 @@ def test_every_place_of_the_survey_is_there(names, extras):
         ({"kind": "motorway", "lanes": 2, "speed_limit": 55 * 0.44704}, 1200, 2),
         ({"kind": "motorway", "lanes": 3, "speed_limit": 65 * 0.44704}, 1200, 3),
         ({"kind": "roundabout"}, 150, 4),
+        ({"kind": "roundabout", "lanes": 3, "ego_lane": "middle", "oncoming": True, "sidewalk": True}, 500, 2),
+        ({"kind": "crosswalk", "lanes": 3, "oncoming": True, "sidewalk": True}, 150, 6),
+        ({"kind": "intersection", "lanes": 3, "control": "none", "arms": 4, "oncoming": True}, 500, 4),
+        ({"kind": "intersection", "lanes": 3, "control": "none", "manoeuvre": "u_turn", "oncoming": True}, 500, 2),
         ({"kind": "on_ramp"}, 250, 1),
         ({"kind": "off_ramp"}, 500, 1),
     ],
@@ -84,6 +88,24 @@ def test_ways_join_their_lanes(names):
             assert math.dist(line.points[-1], behind.points[0]) < 0.1
             assert abs((line[1] - line[0]).angleWith(before[-1] - before[-2])) < 0.08
             assert abs((line[-1] - line[-2]).angleWith(behind[1] - behind[0])) < 0.08
+
+
+def test_a_ring_of_lanes_leads_on_lane_by_lane(names, extras):
+    """On every lane of the three-lane ring one drives on in the same lane or leaves; every lane of an arm leads in."""
+    for junction in (141, 142, 143):
+        place = next(i for i in names["network"].intersections if i.id == junction)
+        coming = [lane for lane in place.incomingLanes if lane.road.name == "ring"]
+        assert len(coming) == 3
+        for lane in coming:
+            place_in = abs(lane.sections[0].openDriveID)
+            onward = [m.endLane for m in lane.maneuvers if m.endLane.road.name == "ring"]
+            assert [abs(each.sections[0].openDriveID) for each in onward] == [place_in]
+        arm = next(lane for lane in place.incomingLanes if lane.road.name != "ring").road
+        entries = [m for lane in place.incomingLanes if lane.road is arm for m in lane.maneuvers]
+        exits = [m for lane in coming for m in lane.maneuvers if m.endLane.road is arm]
+        assert len(exits) == 3
+        assert len(entries) == len({m.endLane for m in entries}) == extras.roads[arm.id].left
+        assert all(m.conflictingManeuvers for m in entries)
 
 
 def test_roads_keep_clear_of_each_other(names):

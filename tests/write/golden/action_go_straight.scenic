@@ -11,7 +11,7 @@ import math
 # From the map's file: intersections without lights and signs.
 junction = Uniform(*[j
     for j in [(m, approach(m, 90, ManeuverType.STRAIGHT)) for m in [m for i in network.intersections for m in i.maneuvers
-    if i.id in {109, 110} and m.type is ManeuverType.STRAIGHT and m.startLane.centerline.length > 69]] if all(j)])
+    if i.id in {109, 110, 113} and m.type is ManeuverType.STRAIGHT and m.startLane.centerline.length > 69]] if all(j)])
 egoTurn = junction[0]
 egoLane = egoTurn.startLane
 rightApproach = junction[1]

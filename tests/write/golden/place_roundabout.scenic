@@ -11,7 +11,7 @@ import math
 # From the map's file: ways into the roundabout.
 egoTurn = Uniform(*[m
     for i in network.intersections for m in i.maneuvers
-    if (i.id, m.startLane.road.id) in {(121, 30), (122, 27), (123, 16), (124, 28)} and m.startLane.centerline.length > 60])
+    if (i.id, m.startLane.road.id) in {(121, 30), (122, 27), (123, 16), (124, 28), (141, 71), (142, 70), (143, 72)} and m.startLane.centerline.length > 60])
 egoLane = egoTurn.startLane
 EGO_TO_JUNCTION = 35  # m
 EGO_AT = egoLane.centerline.length - EGO_TO_JUNCTION

@@ -3,7 +3,7 @@
 import pytest
 
 from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.specs import ObjectSpec, PlaceSpec
+from c2s_engine.structure.specs import ObjectSpec, Placement, PlaceSpec
 from tests.write import closed, draws
 
 
@@ -56,3 +56,13 @@ async def test_a_contradiction_names_its_fields(engine):
     assert not last.ok
     assert "R.oncoming" in last.diagnostics[0].text
     assert "motorway" in last.diagnostics[0].message
+
+
+async def test_works_stand_behind_another(engine):
+    ahead = ObjectSpec(name="van", type="van", placement=Placement(position="parked", gap=100))
+    works = ObjectSpec(name="works", type="lane_closure", placement=Placement(position="behind", of="O1", gap=30))
+    structure = Structure(
+        place=Component(id="R", spec=PlaceSpec(kind="straight")),
+        objects=(Component(id="O1", spec=ahead), Component(id="O2", spec=works)),
+    )
+    assert (await closed.outcome(engine, structure, run=False))[0] == "ok"

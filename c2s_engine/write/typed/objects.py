@@ -75,9 +75,9 @@ def _blueprint(spec: ObjectSpec) -> str:
 
 def _works(spec: ObjectSpec, spot: Spot, name: str) -> str:
     """Cones across and along the lane, a barrier and a sign: what makes a work zone or closes a lane."""
-    at = spot.specifiers[0].removeprefix("at ")
-    origin = f"{name}_spot"
-    oriented = at if at.startswith("(new OrientedPoint") else f"(new OrientedPoint at {at}, facing roadDirection)"
+    where, origin = spot.specifiers[0], f"{name}_spot"
+    made = where.startswith("at (new OrientedPoint")
+    oriented = where.removeprefix("at ") if made else f"(new OrientedPoint {where}, facing roadDirection)"
     lines = [*spot.constants, f"{origin} = {oriented}"]
     looks = f"with blueprint {_blueprint(spec)}, with regionContainedIn everywhere"
     cone = f"new Cone at {origin} offset by {{x}} @ {{y}}, {looks}"

@@ -107,9 +107,10 @@ def pulls_out(ego: EgoSpec) -> bool:
     return bool(ego.phases) and ego.phases[0].action == "enter_road"
 
 
-def kerb_side(objects: dict[str, ObjectSpec]) -> str | None:
-    """The side of the road on which somebody waits to cross or stands: ego drives next to it."""
+def kerb_side(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> str | None:
+    """The side of the road on which somebody waits to cross or stands, or leaves it: ego drives next to it."""
     sides = [o.placement.side or "right" for o in objects.values() if o.placement.position in MOVES_OFF_ROAD]
+    sides += ["right" for p in all_phases(ego, objects) if p.action == "leave_road" and p.side != "left"]
     return sides[0] if sides else None
 
 

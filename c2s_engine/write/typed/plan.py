@@ -62,13 +62,13 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         raise ResolveError(broken.because, broken.fields)
     ramp = any(o.placement.position == "on_ramp" for o in objects.values())
     oncoming = place.oncoming is True or lanes.needs_oncoming(ego, objects)
-    if place.kind not in {"motorway", *RAMP} and place.oncoming is None and lanes.kerb_side(objects) == "left":
+    if place.kind not in {"motorway", *RAMP} and place.oncoming is None and lanes.kerb_side(ego, objects) == "left":
         oncoming = True  # the far side of a street lies beyond its oncoming lanes
     offsets = lanes.offsets_of(place, ego, objects, lane_of)
     if ramp or place.kind in RAMP:
         place, base, offsets = lanes.ramp_lanes(place, offsets, ramp)
     else:
-        beside = "right" if lanes.pulls_out(ego) else lanes.kerb_side(objects)
+        beside = "right" if lanes.pulls_out(ego) else lanes.kerb_side(ego, objects)
         if oncoming and beside is None and lanes.by_oncoming(ego, objects):  # no lane of their own in between
             beside = "left"
         place, base, offsets = lanes.lanes_for(place, offsets, beside)

@@ -10,7 +10,7 @@ import math
 
 egoLane = Uniform(*[lane
     for road in network.roads for lane in road.lanes
-    if lane.group._opposite is not None and lane.centerline.length > 325])
+    if lane.group._opposite is not None and lane.sections[0]._slowerLane is None and lane.centerline.length > 325])
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E

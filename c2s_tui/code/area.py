@@ -3,10 +3,14 @@
 from collections.abc import Iterable
 from typing import Any
 
+from rich.segment import Segment
 from rich.style import Style
+from rich.text import Text
 from textual.document._document import Selection
 from textual.document._document_navigator import DocumentNavigator
+from textual.geometry import Offset, Region, Spacing
 from textual.reactive import Reactive, reactive
+from textual.strip import Strip
 from textual.widgets.text_area import TextAreaTheme
 
 from c2s_engine.structure.diagnostics import Diagnostic
@@ -28,6 +32,9 @@ def code_theme(app_theme: str) -> TextAreaTheme:
     return TextAreaTheme(name=f"c2s:{app_theme}", syntax_styles=styles)
 
 
+KEPT_ROWS = 5000
+
+
 class CodeArea(OrderedArea):
     """A TextArea whose highlights come from Pygments (Textual's own are tree-sitter's)."""
 
@@ -38,6 +45,7 @@ class CodeArea(OrderedArea):
     def __init__(self, **options: Any):
         self.problems: dict[int, Diagnostic] = {}
         self._blocks = Blocks()
+        self._plain: dict[Any, Strip] = {}  # by text and highlights of a row
         super().__init__(
             "", language=None, soft_wrap=False, show_line_numbers=True, tab_behavior="indent", compact=True, **options
         )
@@ -47,6 +55,7 @@ class CodeArea(OrderedArea):
         self.app.theme_changed_signal.subscribe(self, lambda _: self._dress())
 
     def _dress(self) -> None:
+        self._plain.clear()
         theme = code_theme(self.app.theme)
         self.register_theme(theme)
         self.theme = theme.name
@@ -79,6 +88,48 @@ class CodeArea(OrderedArea):
         for place in (previous_selection, selection, *(Selection(b, b) for b in brackets if b)):
             first, last = sorted((place.start[0], place.end[0]))
             self.refresh_lines(first, last - first + 1)
+
+    def _render_line(self, y: int) -> Strip:
+        """As TextArea draws it; a row without cursor, selection or bracket is a cut from what was made for its text."""
+        left, top = self.scroll_offset
+        row = top + y
+        first, last = sorted((self.selection.start[0], self.selection.end[0]))
+        bracket = self._matching_bracket_location
+        if row >= self.document.line_count or first <= row <= last or bracket and bracket[0] == row or not self._theme:
+            return super()._render_line(y)
+        base = self._theme.base_style or self.rich_style
+        width = max(self.virtual_size.width, self.region.width) - self.gutter_width
+        text = self._text_strip(row).crop(left, left + self.virtual_size.width).extend_cell_length(width, base)
+        number = Segment(f"{row + self.line_number_start:>{self.gutter_width - 2}}  ", self._theme.gutter_style)
+        return Strip.join([Strip([number], self.gutter_width), text]).apply_style(base)
+
+    def _text_strip(self, row: int) -> Strip:
+        """A whole row in its colours, made once for equal rows."""
+        line, spans = self.document.get_line(row), tuple(self._highlights[row])
+        strip = self._plain.get((line, spans))
+        if strip is None:
+            text, raw = Text(line + " ", end="", no_wrap=True), line.encode()
+            for start, end, name in spans:
+                style = self._theme.syntax_styles.get(name) if self._theme else None
+                if style is not None:
+                    text.stylize(style, len(raw[:start].decode()), len(raw[:end].decode()))
+            text.expand_tabs(self.indent_width)
+            strip = Strip(text.render(self.app.console), cell_length=text.cell_len)
+            if len(self._plain) > KEPT_ROWS:
+                self._plain.clear()
+            self._plain[line, spans] = strip
+        return strip
+
+    def scroll_cursor_visible(self, center: bool = False, animate: bool = False) -> Offset:
+        """As in TextArea, but sideways by a third of the pane, not by a column a key, which draws every row anew."""
+        self._recompute_cursor_offset()
+        x, y = self._cursor_offset
+        seen = self.scrollable_content_region.width - self.gutter_width
+        room, left = seen // 3, self.scroll_offset.x
+        if center or not self._has_cursor or room < 3 or left <= x <= left + seen - 3:
+            return super().scroll_cursor_visible(center, animate)
+        area = Region(x, y, room, 1) if x > left else Region(max(0, x - room), y, room, 1)
+        return self.scroll_to_region(area, spacing=Spacing(right=self.gutter_width), animate=animate, force=True)
 
     def _drawn(self) -> list[tuple[Any, Any]]:
         """The lines that are drawn already: Textual's key (its third part is the row) and the strip."""

@@ -3,7 +3,7 @@
 from rich.segment import Segment
 from rich.style import Style
 from textual.events import Click
-from textual.geometry import Size
+from textual.geometry import Region, Size
 from textual.strip import Strip
 from textual.widget import Widget
 
@@ -27,6 +27,7 @@ class Gutter(Widget):
         self.changed: frozenset[int] = frozenset()
         self.problems: dict[int, Diagnostic] = {}
         self.here: str | None = None
+        self._styles: dict[str, Style] = {}  # of one drawing
 
     def show(self, **values) -> None:
         """Set any of top, spans, changed, problems, here; draws only if something differs."""
@@ -41,9 +42,14 @@ class Gutter(Widget):
     def component_at(self, line: int) -> FragmentSpan | None:
         return next((s for s in self.spans if s.first <= line <= s.last), None)
 
+    def render_lines(self, crop: Region) -> list[Strip]:
+        """Styles are looked up once a drawing, not once a row."""
+        self._styles = {"": self.rich_style}
+        return super().render_lines(crop)
+
     def render_line(self, y: int) -> Strip:
         line = self.top + y + 1
-        base = self.rich_style
+        base = self._style("")
         span = self.component_at(line)
         changed, problem = line in self.changed, self.problems.get(line)
         segments = [self._cell(mark("changed") if changed else " ", "changed", base)]
@@ -64,7 +70,11 @@ class Gutter(Widget):
         return Segment(text, base + self._style(name))
 
     def _style(self, name: str) -> Style:
-        return self.get_component_rich_style(f"gutter--{name}", partial=True)
+        if name not in self._styles:
+            self._styles[name] = (
+                self.get_component_rich_style(f"gutter--{name}", partial=True) if name else self.rich_style
+            )
+        return self._styles[name]
 
     def on_click(self, event: Click) -> None:
         line = self.top + event.y + 1

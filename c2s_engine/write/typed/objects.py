@@ -7,7 +7,16 @@ from c2s_engine.write.typed import behaviour, reactions, scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.placement import Spot, place_object
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, BLUEPRINTS, CLASS, ROLE, is_static, is_vehicle, is_walker
+from c2s_engine.write.typed.tables import (
+    APPROACH_ANGLE,
+    BLUEPRINTS,
+    CLASS,
+    ROLE,
+    WORKS,
+    is_static,
+    is_vehicle,
+    is_walker,
+)
 from c2s_engine.write.typed.usual import reach, speed_of, turn_of, walks_first
 
 
@@ -15,12 +24,12 @@ def write_object(structure: Structure, cid: str, plan: Plan) -> str:
     """The fragment of one object."""
     spec = structure[cid].spec
     assert isinstance(spec, ObjectSpec)
-    if spec.type in ("construction_zone", "lane_closure"):
+    if spec.type in WORKS:
         spec = spec.model_copy(update={"count": 1})
         structure = structure.with_component(structure[cid].model_copy(update={"spec": spec}))
     spot = place_object(structure, cid, plan)
     name = scope.variables(structure)[cid]
-    if spec.type in ("construction_zone", "lane_closure"):
+    if spec.type in WORKS:
         return _works(spec, spot, name)
     lines: list[str] = []
     moving = not is_static(spec)

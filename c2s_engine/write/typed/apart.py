@@ -85,8 +85,15 @@ def _now(spec: ObjectSpec, plan: Plan) -> float:
 def _refusal(structure: Structure, pair: tuple[str, str]) -> ResolveError:
     """In S's terms: who starts inside whom, and what to change."""
     first, last = pair
-    fields = [f"{cid}.placement" for cid in dict.fromkeys((last, first)) if cid != "ego"]
+    fields = [f"{cid}.placement.{_open(structure, cid)}" for cid in dict.fromkeys((last, first)) if cid != "ego"]
     counted = [cid for cid in dict.fromkeys(pair) if cid != "ego" and getattr(structure[cid].spec, "count", 1) > 1]
     fields += [f"{cid}.{name}" for cid in counted for name in ("count", "spacing")]
     who = f"the members of {first} start inside each other" if first == last else f"{last} starts inside {first}"
     return ResolveError(f"{who} wherever they are drawn: change {' or '.join(fields)}", tuple(fields))
+
+
+def _open(structure: Structure, cid: str) -> str:
+    """The field of an object's placement that would move it."""
+    spec = structure[cid].spec
+    assert isinstance(spec, ObjectSpec)
+    return "gap" if stations.along(spec) or spec.placement.gap is not None else "along"

@@ -117,3 +117,14 @@ async def test_the_layout_is_that_of_the_scene(engine, things):
     at = [(track.x[0], track.y[0]) for track in report.trajectories[0].tracks]
     expected = [math.hypot(box.s, box.y) for row in layout.values() for box in row]
     assert sorted(math.dist(one, at[0]) for one in at) == pytest.approx(sorted(expected), abs=1.0)
+
+
+@pytest.mark.parametrize(("ego", "blueprint"), [
+    ({}, "dirtdebris"),
+    ({"reaction": "brake"}, "platformgarbage01"),
+    ({"phases": [{"action": "collide"}]}, "platformgarbage01"),
+    ({"reaction": "brake", "react_to": "O2"}, "dirtdebris"),
+])  # fmt: skip
+def test_debris_in_the_way_is_nothing_to_drive_over(writer, ego, blueprint):
+    structure = made({"type": "debris"}, {"type": "car", "placement": {"position": "left_lane"}}, ego=ego)
+    assert blueprint in writer.write(structure, "O1").code

@@ -11,6 +11,7 @@ from c2s_engine.write.typed.tables import (
     APPROACH_ANGLE,
     BLUEPRINTS,
     CLASS,
+    OBSTRUCTING,
     ROLE,
     WORKS,
     is_static,
@@ -52,7 +53,7 @@ def write_object(structure: Structure, cid: str, plan: Plan) -> str:
 
 def _statement(spec: ObjectSpec, spot: Spot, name: str, moving: bool) -> list[str]:
     extras = [f"with blueprint {_blueprint(spec)}"]
-    role = ROLE.get(spec.type)
+    role = spec.type if spec.model and spec.model == OBSTRUCTING.get(spec.type) else ROLE.get(spec.type)
     if spec.type == "speed_sign":
         role = f"speed_sign:{round((spec.limit or 13.9) * 3.6)}"
     if role:

@@ -13,6 +13,7 @@ _TABLES: dict[str, Any] = yaml.safe_load(shipped("writer.yaml").read_text())
 CLASS: dict[str, str] = {k: v["class"] for k, v in _TABLES["types"].items()}
 BLUEPRINTS: dict[str, list[str]] = {k: v["blueprints"] for k, v in _TABLES["types"].items() if v.get("blueprints")}
 LENGTH: dict[str, float] = {k: v["length"] for k, v in _TABLES["types"].items()}
+OBSTRUCTING: dict[str, str] = _TABLES["obstructing"]
 WIDTH: dict[str, float] = {k: v["width"] for k, v in _TABLES["types"].items()}
 ROLE: dict[str, str] = {k: v["role"] for k, v in _TABLES["types"].items() if v.get("role")}
 DEFAULT_SPEED: dict[str, dict[str, float]] = _TABLES["speeds"]

@@ -10,7 +10,6 @@ from c2s_engine.interpret.motions import rules
 from c2s_engine.interpret.nominal import Nominal
 from c2s_engine.interpret.syntax import Word
 
-
 FORCEFUL = frozenset(("hard", "harsh", "emergency", "full", "maximum", "sudden", "sharp", "heavy", "panic", "violent"))
 
 
@@ -147,9 +146,9 @@ class Clauses(Nominal):
             and not re.search(r"\bby @", whole)
         ):
             event.act = "stationary"
-        if event.act == "collide" and passive and event.agent is agent and event.patient in (None, agent):
-            if not event.agent.ego and not re.search(r"\bby (the |a |an )?@", whole):
-                event.agent, event.patient = self.cast.ego, agent  # "the deer was hit"
+        struck = event.act == "collide" and passive and event.agent is agent and event.patient in (None, agent)
+        if struck and not event.agent.ego and not re.search(r"\bby (the |a |an )?@", whole):
+            event.agent, event.patient = self.cast.ego, agent  # "the deer was hit"
         if (
             event.act == "follow"
             and passive

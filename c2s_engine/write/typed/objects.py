@@ -7,7 +7,17 @@ from c2s_engine.write.typed import behaviour, reactions, scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.placement import Spot, place_object
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, BLUEPRINTS, CLASS, ROLE, is_static, is_vehicle, is_walker
+from c2s_engine.write.typed.tables import (
+    APPROACH_ANGLE,
+    BLUEPRINTS,
+    CLASS,
+    OBSTRUCTING,
+    ROLE,
+    WORKS,
+    is_static,
+    is_vehicle,
+    is_walker,
+)
 from c2s_engine.write.typed.usual import reach, speed_of, turn_of, walks_first
 
 
@@ -15,12 +25,12 @@ def write_object(structure: Structure, cid: str, plan: Plan) -> str:
     """The fragment of one object."""
     spec = structure[cid].spec
     assert isinstance(spec, ObjectSpec)
-    if spec.type in ("construction_zone", "lane_closure"):
+    if spec.type in WORKS:
         spec = spec.model_copy(update={"count": 1})
         structure = structure.with_component(structure[cid].model_copy(update={"spec": spec}))
     spot = place_object(structure, cid, plan)
     name = scope.variables(structure)[cid]
-    if spec.type in ("construction_zone", "lane_closure"):
+    if spec.type in WORKS:
         return _works(spec, spot, name)
     lines: list[str] = []
     moving = not is_static(spec)
@@ -43,7 +53,7 @@ def write_object(structure: Structure, cid: str, plan: Plan) -> str:
 
 def _statement(spec: ObjectSpec, spot: Spot, name: str, moving: bool) -> list[str]:
     extras = [f"with blueprint {_blueprint(spec)}"]
-    role = ROLE.get(spec.type)
+    role = spec.type if spec.model and spec.model == OBSTRUCTING.get(spec.type) else ROLE.get(spec.type)
     if spec.type == "speed_sign":
         role = f"speed_sign:{round((spec.limit or 13.9) * 3.6)}"
     if role:

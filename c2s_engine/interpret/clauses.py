@@ -10,6 +10,8 @@ from c2s_engine.interpret.motions import rules
 from c2s_engine.interpret.nominal import Nominal
 from c2s_engine.interpret.syntax import Word
 
+FORCEFUL = frozenset(("hard", "harsh", "emergency", "full", "maximum", "sudden", "sharp", "heavy", "panic", "violent"))
+
 
 class Clauses(Nominal):
     """The events of a text."""
@@ -122,7 +124,8 @@ class Clauses(Nominal):
             self.events.append(then)
         if event.act in ("brake", "brake_stop", "stop") and not event.hard:
             following = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5] if w.sentence == word.sentence)
-            event.hard = bool(
+            forceful = word.i > 0 and self.words[word.i - 1].norm in FORCEFUL  # "harsh braking by the VUT"
+            event.hard = forceful or bool(
                 re.match(
                     (
                         r"((very|quite|rather|so|pretty|really) )?(hard|harder|sharply|abruptly|heavily|strongly"
@@ -131,6 +134,9 @@ class Clauses(Nominal):
                     following,
                 )
             )
+        if event.patient is not None and event.patient is event.agent:  # "the driver took the bus around a truck"
+            others = (self.cast.of[i] for i in own if i > word.i and i in self.cast.of)
+            event.patient = next((e for e in others if e is not event.agent), None)
         event.words, event.mode, event.passive = own, self._mode(word), passive
         if (
             event.act == "stop"
@@ -140,6 +146,9 @@ class Clauses(Nominal):
             and not re.search(r"\bby @", whole)
         ):
             event.act = "stationary"
+        struck = event.act == "collide" and passive and event.agent is agent and event.patient in (None, agent)
+        if struck and not event.agent.ego and not re.search(r"\bby (the |a |an )?@", whole):
+            event.agent, event.patient = self.cast.ego, agent  # "the deer was hit"
         if (
             event.act == "follow"
             and passive

@@ -97,8 +97,10 @@ class Cast(Nouns):
         return self._actor(word)
 
     def _ego_type(self, word: Word) -> None:
-        for kind in ("truck", "van", "bus", "motorcycle"):
-            if re.search(rf"\b{kind}\b", word.norm):
+        nouns = language.actor_nouns()
+        for noun in re.findall(r"[a-z]+", word.norm):
+            kind = nouns.get(noun, ("", False, False))[0]
+            if kind in MOTOR - {"vehicle", "car"}:
                 self.ego.type, self.ego.typed = kind, True
 
     def _label_is_ego(self) -> bool:

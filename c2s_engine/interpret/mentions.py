@@ -123,10 +123,18 @@ class Cast(Nouns):
             if host and not host.ego and len(host.mentions) == 1:
                 self._become_ego(host)
             return self.ego
-        for entity in self.entities:
-            if entity.label == label:
-                return entity
+        host = self._copula(word)
+        known = next((e for e in self.entities if e.label == label), None)
+        if host is not None and host.ego:  # "the ego is car C"
+            if known is not None:
+                self._become_ego(known)
+            return self.ego
+        if known is not None:
+            return known
         host = self._apposed(word)
+        if host is not None and host.count > 1:  # "three cars: A is in front"
+            host.roles.add("group")
+            return self._new(Entity("", host.type, noun=host.noun, label=label, typed=host.typed))
         if host is None and word.i and self.words[word.i - 1].norm == "(":
             near = [
                 i

@@ -63,9 +63,10 @@ LABEL_NUMBERS = {"one": "1", "two": "2", "three": "3", "four": "4", "five": "5"}
 )
 
 
-def names(text: str) -> list[Span]:
-    """Names of ego, labels of vehicles (V2, Unit 2), road users and things, without overlaps."""
-    found: list[Span] = []
+def names(text: str, letters: list[Span] | None = None) -> list[Span]:
+    """Names of ego, labels of vehicles (V2, Unit 2), road users and things, without overlaps; with the letters that the
+    text's own case gave, where it was looked at."""
+    found: list[Span] = list(letters or ())
     found += [Span("ego", match.start(), match.end()) for match in _ego().finditer(text)]
     for match in _letter().finditer(text):
         role = "following" if match["word"] == "fv" else "lead" if match["word"] == "lv" else ""
@@ -77,7 +78,10 @@ def names(text: str) -> list[Span]:
                 {"type": "vehicle", "label": match[0].removeprefix("the "), "roles": [role] if role else []},
             )
         )
+    lettered = [(s.start, s.end) for s in letters or ()]
     for match in _label().finditer(text):
+        if any(s < match.end() and match.start() < e for s, e in lettered):
+            continue
         word, number = match["word"], match["id"]
         bare = text[match.end("word") : match.start("id")]
         if word in ("v", "u", "d") and bare.strip(" #-"):
@@ -160,7 +164,7 @@ def names(text: str) -> list[Span]:
                 },
             )
         )
-    found += _letters(text, found)
+    found += _letters(text, found) if not letters else []
     found += _shortened(text, found)
     found.sort(key=lambda s: (s.start, -s.end))
     kept: list[Span] = []

@@ -1,6 +1,6 @@
 """All stages up to the scene, in their order."""
 
-from c2s_engine.interpret import amounts, division, environment, place, scan, syntax
+from c2s_engine.interpret import amounts, division, environment, letters, place, scan, syntax
 from c2s_engine.interpret.casting import actors
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.mentions import Cast
@@ -21,7 +21,7 @@ def understand(text: str) -> Scene:
         b for b in amounts.bare_speeds(plain) if not any(q.start < b.end and b.start < q.end for q in quantities)
     ]
     quantities.sort(key=lambda s: s.start)
-    names = scan.names(plain)
+    names = scan.names(plain, letters.letters(text, plain))
     taken = [(q.start, q.end) for q in quantities]
     names = [n for n in names if not any(s < n.end and n.start < e for s, e in taken)]
     spans = sorted(names + quantities, key=lambda s: s.start)

@@ -11,6 +11,9 @@ from c2s_engine.interpret.nominal import Nominal
 from c2s_engine.interpret.syntax import Word
 
 
+BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
+
+
 class Clauses(Nominal):
     """The events of a text."""
 
@@ -137,7 +140,7 @@ class Clauses(Nominal):
             and passive
             and lemma != "bring"
             and event.agent is agent
-            and not re.search(r"\bby @", whole)
+            and not BY.search(whole)
         ):
             event.act = "stationary"
         if (
@@ -145,7 +148,7 @@ class Clauses(Nominal):
             and passive
             and event.agent is agent
             and not event.agent.ego
-            and not re.search(r"\bby @", whole)
+            and not BY.search(whole)
         ):
             event.agent, event.patient = self.cast.ego, agent
         late: Event | None = None

@@ -35,7 +35,7 @@ class Nouns(Reference):
             return None
         if "no" in before or previous in ("no", "without", "any"):
             return None
-        if kind in ("pedestrian", "child") and self._rides(word):
+        if (kind in ("pedestrian", "child") or noun in language.table("actors")["drivers"]) and self._rides(word):
             return None
         if self._is_modifier(word) or self._proper(word):
             return None

@@ -24,6 +24,7 @@ class Pronouns(Parts):
     ego: Entity
     of: dict[int, Entity]
     subjects: list[tuple[int, Entity]]
+    asking: frozenset[int]
 
     def _near(self, word: Word) -> list[str]:
         raise NotImplementedError
@@ -37,7 +38,7 @@ class Pronouns(Parts):
         if self._on_foot(word):
             return self._new(Entity("", "pedestrian", noun=norm, typed=True))
         if norm in data["ego"]:
-            return self.ego
+            return None if word.i in self.asking else self.ego
         if norm in ("who", "which", "that", "whose", "whom") and word.tag in ("WDT", "WP", "WP$"):
             return self._antecedent(word)
         if norm in ("it", "its", "itself"):
@@ -47,10 +48,14 @@ class Pronouns(Parts):
                 return self.ego
             before = self.words[word.i - 1].norm if word.i else ""
             things = THINGS if before in ("around", "round", "past", "avoid", "avoids", "hits", "beside") else LOOSE
-            thing = lambda e: not e.person and (e.mover or e.type in things)  # noqa: E731
+            i = self._first_person() and not self._ego_is_thing()
+            thing = lambda e: not e.person and (e.mover or e.type in things) and not (i and e.ego)  # noqa: E731
             return self._salient(word, lambda e: thing(e) and e.count == 1) or self._salient(word, thing)
         if norm in data["person"]:
-            return self._salient(word, lambda e: e.person) or self._salient(word, lambda e: e.mover)
+            found = self._salient(word, lambda e: e.person)
+            if found is None and self._first_person():  # who says "I" is never "he"
+                found = self._salient(word, lambda e: e.mover and not e.ego)
+            return found or self._salient(word, lambda e: e.mover)
         if norm in ("they", "them", "their", "themselves"):
             many = [e for e in self.entities if e.count > 1]
             if many:
@@ -60,6 +65,15 @@ class Pronouns(Parts):
                 return person[-1]
             return self._salient(word, lambda e: e.mover)
         return self._elliptic(word) or self._unknown(word)
+
+    def _first_person(self) -> bool:
+        """Whether ego speaks of itself: "I", "we", "our"."""
+        first = ("i", "we", "me", "us", "my", "our")
+        return any(self.words[m.word].norm in first for m in self.ego.mentions)
+
+    def _ego_is_thing(self) -> bool:
+        """Whether ego was spoken of as a vehicle, too ("our test car")."""
+        return any(m.kind in ("ego", "label", "actor") and self.words[m.word].norm != "i" for m in self.ego.mentions)
 
     def _obliged(self, word: Word) -> bool:
         """Whether "it" is whom something is demanded of ("it must wait"): that is ego, where ego was spoken of."""

@@ -8,6 +8,7 @@ from functools import cache
 from typing import Any
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.askers import asked
 
 SAME = str.maketrans(
     "\u2018\u2019\u201b\u2032\u201c\u201d\u00a0\u2010\u2011\u2012\u2013\u2014\u2015\u2212\u202f\t",
@@ -67,7 +68,12 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
     """Names of ego, labels of vehicles (V2, Unit 2), road users and things, without overlaps; with the letters that the
     text's own case gave, where it was looked at."""
     found: list[Span] = list(letters or ())
-    found += [Span("ego", match.start(), match.end()) for match in _ego().finditer(text)]
+    asking = asked(text)
+    found += [
+        Span("ego", match.start(), match.end())
+        for match in _ego().finditer(text)
+        if match[0] != "i" or not any(s <= match.start() < e for s, e in asking)
+    ]
     for match in _letter().finditer(text):
         role = "following" if match["word"] == "fv" else "lead" if match["word"] == "lv" else ""
         found.append(
@@ -131,6 +137,8 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
         if any(s < end and start < e for s, e in taken):
             continue
         noun = re.sub(r"[\s-]+", " ", match["noun"])
+        if noun in VERBS_TOO and any(s.end == start - 1 and s.kind != "quantity" for s in found):
+            continue
         if noun in language.makes() and not _stands_for_a_vehicle(text, start, end):
             continue
         if noun == "cab" and re.search(r"(?:\b(?:his|her|its|their)|'s)\s+$", text[max(0, start - 8) : start]):
@@ -175,6 +183,10 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             continue
         kept.append(span)
     return kept
+
+
+VERBS_TOO = frozenset(("ducks", "cycles", "bikes", "rams", "tails", "hounds", "badgers", "coaches", "bulls", "bucks", "barrels"))
+"""Plural nouns that are what somebody does where a road user stands right before them."""
 
 
 _BUS_STOP = re.compile(

@@ -4,6 +4,7 @@ from c2s_engine.interpret import amounts, division, environment, letters, place,
 from c2s_engine.interpret.casting import actors
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.mentions import Cast
+from c2s_engine.interpret.passives import unnamed_doers
 from c2s_engine.interpret.protagonist import choose_ego
 from c2s_engine.interpret.relations import Places
 from c2s_engine.interpret.scene import Scene
@@ -30,6 +31,7 @@ def understand(text: str) -> Scene:
     words = syntax.parse(text, plain, sentences, spans)
     cast = Cast(words)
     clauses = Clauses(words, cast)
+    unnamed_doers(cast, clauses)
     choose_ego(cast, clauses)
     places = Places(cast, clauses)
     rules_of_sense(cast, clauses, road)

@@ -137,6 +137,8 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
         if any(s < end and start < e for s, e in taken):
             continue
         noun = re.sub(r"[\s-]+", " ", match["noun"])
+        if noun == "mini" and re.match(r"[\s-]+(?:roundabout|cab|van|bus|series)", text[end : end + 12]):
+            continue
         if noun in VERBS_TOO and any(s.end == start - 1 and s.kind != "quantity" for s in found):
             continue
         if noun in language.makes() and not _stands_for_a_vehicle(text, start, end):
@@ -153,6 +155,7 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
         ):
             continue
         kind, plural, person = _noun(noun)
+        plural = plural or noun in INVARIANT and _several(text, match.start(), end)
         words = re.split(r"[\s]+", match["roles"].strip()) if match["roles"].strip() else []
         known = language.roles()
         found.append(
@@ -185,7 +188,25 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
     return kept
 
 
-VERBS_TOO = frozenset(("ducks", "cycles", "bikes", "rams", "tails", "hounds", "badgers", "coaches", "bulls", "bucks", "barrels"))
+INVARIANT = frozenset(
+    ("deer", "sheep", "moose", "elk", "bison", "reindeer", "roe deer", "wild boar", "swine", "livestock")
+)
+"""Nouns that are the same in singular and plural."""
+
+
+def _several(text: str, start: int, end: int) -> bool:
+    """Whether a number before or a plural verb after such a noun tells that there are several."""
+    counts = "|".join(c for c in language.table("actors")["counts"] if c not in ("one",))
+    before = re.search(rf"\b(?:{counts}|[2-9]|[1-9]\d)(?: of)?(?: \w+){{0,2}}\s*$", text[max(0, start - 28) : start])
+    after = re.match(
+        r"\s+(?:are|were|have|stand|cross|graze|run|walk|block|wander|come|lie|appear|jump|leap)\b", text[end:]
+    )
+    return bool(before or after)
+
+
+VERBS_TOO = frozenset(
+    ("ducks", "cycles", "bikes", "rams", "tails", "hounds", "badgers", "coaches", "bulls", "bucks", "barrels")
+)
 """Plural nouns that are what somebody does where a road user stands right before them."""
 
 

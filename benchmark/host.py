@@ -94,6 +94,7 @@ class EngineHost:
             seconds=last or finished.seconds,
             tokens=finished.details.get("tokens", tokens),
             folder=finished.details.get("folder") or "",
+            share=finished.details.get("share") if setup.model else None,
             error=said if not finished.stages and not finished.ok else "",
         )
 

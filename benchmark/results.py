@@ -28,6 +28,7 @@ class Result:
     error: str
     first: RunFacts | None = None  # the first rollout that ran; not kept in files
     folder: str = ""  # where the program's map lies
+    share: float | None = None  # of the components that no fallback stands in for, where a model was at work
 
     @property
     def id(self) -> str:
@@ -37,7 +38,8 @@ class Result:
         """The figures of one record, percentages as numbers, under the names of the paper's columns."""
         s = self.score
         figures: dict[str, Any] = {"CSR": s.csr, "SQ": s.sq, "FA": s.fa, "RT": self.seconds, "tokens": self.tokens}
-        return {**figures, **s.layers, "reason": self.reason}
+        own = {} if self.share is None else {"share": self.share}
+        return {**figures, **own, **s.layers, "reason": self.reason}
 
 
 def result_of(record: Record, outcome: Outcome, runs: int) -> Result:
@@ -54,11 +56,18 @@ def result_of(record: Record, outcome: Outcome, runs: int) -> Result:
         outcome.error,
         next((f for f in facts if f.ran), None),
         outcome.folder,
+        outcome.share,
     )
 
 
 def total_of(results: Sequence[Result]) -> Totals:
     return totals([r.score for r in results], [r.seconds for r in results], [r.tokens for r in results])
+
+
+def share_of(results: Iterable[Result]) -> float | None:
+    """The mean share of components that no fallback stands in for, over the records that a model worked on."""
+    shares = [r.share for r in results if r.share is not None]
+    return sum(shares) / len(shares) if shares else None
 
 
 def grouped(results: Sequence[Result]) -> dict[str, Sequence[Result]]:
@@ -109,6 +118,7 @@ def as_json(results: Sequence[Result], setup: Setup, reveal: bool) -> dict[str, 
         "by_record": {r.id: r.as_dict() for r in shown},
         "by_kind": {kind: {"holds": held, "of": number} for kind, (held, number) in kinds(results).items()},
         "withheld": len(results) - len(shown),
+        **({} if (share := share_of(results)) is None else {"share": share}),
     }
 
 
@@ -151,5 +161,6 @@ def _result(row: dict[str, Any]) -> Result:
     atoms = tuple(AtomScore(**a) for a in row["atoms"])
     scored = RecordScore(row["id"], row["source"], row["ran"], {x: row[x] for x in LAYERS}, row["SQ"], atoms)
     return Result(
-        row["part"], row["withheld"], scored, row["RT"], row["tokens"], row["program"], row["reason"], row["error"]
-    )
+        row["part"], row["withheld"], scored, row["RT"], row["tokens"], row["program"], row["reason"], row["error"],
+        share=row.get("share"),
+    )  # fmt: skip

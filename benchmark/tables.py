@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from c2s_bench.paper import paper
-from c2s_bench.results import Result, grouped, kinds, label_of, parts, total_of
+from c2s_bench.results import Result, grouped, kinds, label_of, parts, share_of, total_of
 from c2s_bench.scorer import Totals
 
 COLUMNS = ("CSR", "RT", "tokens", "RL", "TI", "TM", "DO", "EN", "SQ", "FA")
@@ -30,6 +30,8 @@ def by_source(results: Sequence[Result]) -> str:
     lines += [_line([name, str(row.number)], _figures(row)) for name, row in rows.items()]
     excluded = rows["**Total**"].excluded
     note = f" Left out: {excluded} atom{'s' if excluded != 1 else ''} about snow." if excluded else ""
+    if (share := share_of(results)) is not None:
+        note += f" No fallback stands in for {100 * share:.0f} % of the components."
     return "\n".join([*lines, "", LEGEND + note])
 
 

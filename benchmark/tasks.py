@@ -63,6 +63,7 @@ class Outcome:
     seconds: float = 0.0
     tokens: float = 0.0
     folder: str = ""  # where the program's map lies
+    share: float | None = None  # of the components that no fallback stands in for; None: no model was at work
     error: str = ""  # why there is no result; such an outcome is not kept
 
     def run_facts(self) -> Sequence[RunFacts]:

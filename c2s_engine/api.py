@@ -72,11 +72,13 @@ class Engine:
         runs: int | None = None,
         trajectories: bool = False,
         improve: bool | None = None,
+        own: Structure | None = None,
     ) -> AsyncGenerator[Progress, None]:
-        """A new scenario from a text. The last event is Finished.
+        """A new scenario from a text, with the code by hand of `own` kept in it. The last event is Finished.
 
         `improve`: whether a model is told what the run did not show, to change S (default: as the settings say)."""
-        inputs: dict[str, Any] = {"text": text, "structure": {}, "edits": [], "improve": improve}
+        kept = own.model_dump(mode="json") if own is not None else {}
+        inputs: dict[str, Any] = {"text": text, "own": kept, "structure": {}, "edits": [], "improve": improve}
         async with aclosing(self.turn(inputs, method, map, seed, run, runs, trajectories)) as events:
             async for event in events:
                 yield event

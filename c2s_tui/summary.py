@@ -8,8 +8,13 @@ def summary(desk: Desk) -> tuple[str, str]:
     """What was rewritten, how far it came, what was seen; and whether that is a note, a warning or an error."""
     if desk.stale and not desk.rewritten:
         return "", "note"
-    own = [c.id for c in desk.structure.components if c.origin == "by_hand" and c.code.strip() not in desk.before]
-    done = [f"{', '.join(ids)} {what}" for ids, what in ((own, "by hand"), (desk.rewritten, "written")) if ids]
+    new = [c for c in desk.structure.components if c.origin == "by_hand" and c.code.strip() not in desk.before]
+    own = [c.id for c in new if c.id not in desk.rewritten]
+    origins = {c.id: c.origin for c in desk.structure.components}
+    changed = [cid for cid in desk.rewritten if origins.get(cid) in ("by_hand", "imported")]
+    written = [cid for cid in desk.rewritten if cid not in changed]
+    kinds = ((own, "by hand"), (changed, "changed in your code"), (written, "written"))
+    done = [f"{', '.join(ids)} {what}" for ids, what in kinds if ids]
     parts = done or ["nothing rewritten"]
     failed = next((s for s in desk.stages if not s.ok), None)
     if failed is not None:

@@ -22,6 +22,7 @@ from c2s_tui.chat.pane import ChatPane
 from c2s_tui.code.pane import CodePane
 from c2s_tui.commands import bindings, split
 from c2s_tui.desk import Desk
+from c2s_tui.drawing import Drawing
 from c2s_tui.files import WATCH_SECONDS
 from c2s_tui.messages import CodeTyped, CommandAsked, EditsAsked, Picked, ReachAsked, Said
 from c2s_tui.palette import Palette
@@ -31,13 +32,11 @@ from c2s_tui.status import Choice, StatusBar
 
 DRAFT_SECONDS = 1.0
 _BACK = re.compile(r"(?:please )?(undo|redo)(?: (?:it|that|this|the last (?:change|edit|turn)))?[.!]?")
-DRAW_SECONDS = 0.06
-"""Events of a turn come in bursts; the panes are drawn once for those within this time."""
 LIVE_SECONDS = 0.4
 """How long typing in the code must rest before the text is checked."""
 
 
-class Workbench(Actions, Screen):
+class Workbench(Actions, Drawing, Screen):
     """Owns the desk; panes show it and post what they want."""
 
     BINDINGS = [*bindings()]
@@ -59,7 +58,6 @@ class Workbench(Actions, Screen):
         self._waiting_edits: tuple[Any, ...] = ()
         self._typed: set[str] = set()
         self._live: Any = None
-        self._due: Any = None
         self.file_seen: float | None = None
         self.told_change: float | None = None
         self.saved_text: str | None = None
@@ -104,23 +102,6 @@ class Workbench(Actions, Screen):
         self.call_after_refresh(self.begin)  # the engine is imported behind the panes' first frame
         self.set_interval(DRAFT_SECONDS, self.save_drafts)
         self.set_interval(WATCH_SECONDS, self.watch_file)
-
-    def show(self) -> None:
-        """Draw the desk everywhere."""
-        self.chat.show(self.desk.structure, self.here)
-        self.sheet.show(self.desk)
-        self.code.show(self.desk)
-        self.picture.show(self.desk)
-        self.show_status()
-
-    def _show_soon(self) -> None:
-        """Draw the desk in a moment, once for all that comes until then."""
-        if self._due is None:
-            self._due = self.set_timer(DRAW_SECONDS, self._show_due)
-
-    def _show_due(self) -> None:
-        self._due = None
-        self.show()
 
     def show_status(self) -> None:
         self.query_one(StatusBar).show(self.desk, self.choice, self.working)
@@ -178,7 +159,7 @@ class Workbench(Actions, Screen):
         self.desk = desks.step(self.desk, event)
         await self.chat.take(event)
         if event.type not in ("token", "say", "passage"):
-            self._show_soon()
+            self.show_soon()
 
     def _optimistic(self, edits: tuple[Any, ...]) -> Structure:
         structure = self.session.structure

@@ -19,9 +19,10 @@ from c2s_engine.check import (
     caching,
     confine,
     diagnose,
+    draws,
     library,
     networks,
-    pieces,
+    prefault,
     reading,
     sampling,
     warm,
@@ -54,8 +55,10 @@ def handle(conn: socket.socket) -> None:
         from c2s_engine.check import places
 
         places.answer(conn, job, _prepared)
+    elif job["kind"] == "ahead":
+        Check(conn, job, blob).ahead()
     else:
-        _Check(conn, job, blob).run()
+        Check(conn, job, blob).run()
 
 
 def _silence() -> None:
@@ -89,6 +92,8 @@ def _load_map(conn: socket.socket, job: dict[str, Any]) -> None:
     """Load a map and stay, so that programs on it start from here. What must be saved is, meanwhile."""
     from scenic.domains.driving.roads import Network
 
+    from c2s_engine.check import rehearse
+
     networks.save_later = True
     try:
         network = Network.fromFile(job["path"])
@@ -101,7 +106,7 @@ def _load_map(conn: socket.socket, job: dict[str, Any]) -> None:
         return
     networks.save_later = False
     wire.send(conn, {"ready": True})
-    zygote.serve(conn, handle, functools.partial(_rehearse_model, job["path"]), children={saving})
+    zygote.serve(conn, handle, functools.partial(rehearse.model, job["path"]), children={saving})
 
 
 def _preamble(conn: socket.socket, job: dict[str, Any], blob: bytes) -> None:
@@ -111,17 +116,19 @@ def _preamble(conn: socket.socket, job: dict[str, Any], blob: bytes) -> None:
     """
     from scenic.syntax import veneer
 
+    from c2s_engine.check import rehearse
+
     namespace, options = begin(job)
     try:
         with _params_read() as read:
             for code in pickle.loads(blob)[0][: job["count"]]:
-                _exec(marshal.loads(code), namespace)
+                run_code(marshal.loads(code), namespace)
     except BaseException as error:
         wire.send(conn, {"failed": str(error)})
         return
     _prepared.update(namespace=namespace, options=options, veneer=veneer, modules=_scenic_modules(sys.modules))
     wire.send(conn, {"ready": True, "read": sorted(read)})
-    zygote.serve(conn, handle, _rehearse)
+    zygote.serve(conn, handle, rehearse.check)
 
 
 @contextlib.contextmanager
@@ -163,25 +170,6 @@ def _unload(names: list[str]) -> None:
         del sys.modules[name]
 
 
-def _rehearse_model(path: str) -> None:
-    """Do what most snapshots on this map do: run the world model."""
-    namespace, _ = begin({"params": {"map": path, "carla_map": None}})
-    tree, _, _ = pieces.compile_text(f"model {reading.MODEL}\n", "model.scenic")
-    _exec(compile(tree, "model.scenic", "exec"), namespace)
-
-
-def _rehearse() -> None:
-    """Do what most checks do, for nobody: compile and sample a few objects."""
-    from c2s_engine.check.protocol import CheckRequest
-
-    code, requirements, digest = library.code(library.REHEARSAL.read_bytes(), str(library.REHEARSAL))
-    job = CheckRequest(program="", filename=str(library.REHEARSAL)).model_dump(mode="json")
-    blob = pickle.dumps(([marshal.dumps(code)], requirements, digest))
-    listener, conn = socket.socketpair()
-    with listener, conn:
-        _Check(conn, {**job, "settings": [], "count": 0}, blob).run()
-
-
 def begin(job: dict[str, Any]) -> tuple[dict[str, Any], Any]:
     """Scenic's start of a top-level module: the namespace and the options."""
     from scenic.syntax import translator, veneer
@@ -194,31 +182,60 @@ def begin(job: dict[str, Any]) -> tuple[dict[str, Any], Any]:
     return namespace, options
 
 
-def _exec(code: Any, namespace: dict[str, Any]) -> None:
+def run_code(code: Any, namespace: dict[str, Any]) -> None:
+    """Execute compiled statements as Scenic does."""
     from scenic.syntax import translator
 
     translator.executeCodeIn(code, namespace)
 
 
-class _Check:
+class Check:
     """One program in this process."""
 
     def __init__(self, conn: socket.socket, job: dict[str, Any], blob: bytes) -> None:
-        self.conn, self.job = conn, job
+        self.conn = conn
+        self.done = -1  # how many of the statements; none of the settings either
+        self.modules = len(sys.modules)
+        self._take(job, blob)
+        self.names = Names(self.program)
+
+    def _take(self, job: dict[str, Any], blob: bytes) -> None:
+        self.job, self.limits = job, job["limits"]
         self.codes, self.requirements, self.digest = pickle.loads(blob)
         self.program = diagnose.Program(job["program"], job["filename"], job["spans"])
-        self.limits = job["limits"]
 
     def run(self) -> None:
-        isolation = confine.confine(self.job)
+        self._enter()
+        warm.reseed(self.job["seed"])
+        self._check()
+
+    def ahead(self) -> None:
+        """Do the program's first statements, and go on with the program that begins with them, if its seed lets it."""
+        self._enter()
+        with draws.Draws() as drawn:
+            self.execute(self.job["until"])
+        if not drawn.known:
+            return
+        prefault.populate(prefault.later)
+        self._send({"ready": True})
+        self._take(*wire.receive(self.conn))
+        self.names.program = self.program
+        fit = drawn.repeat(self.job["seed"])
+        self._send({"fit": fit})
+        if fit:
+            self._check()
+
+    def _enter(self) -> None:
+        self.isolation = confine.confine(self.job)
         _Counted.limit = self.limits["output"]
         caching.may_write = bool(self.job.get("trust"))
-        wire.send(self.conn, {"isolation": isolation})
-        warm.reseed(self.job["seed"])
+
+    def _check(self) -> None:
+        self._send({"isolation": self.isolation})
         scenario = self._stage("compile", self._compile)
         if scenario is not None and self.job["upto"] != "compile":
             self._scenes(scenario)
-        wire.send(self.conn, {"end": True})
+        self._send({"end": True})
 
     def _stage(self, name: Any, work: Any) -> Any:
         started = time.perf_counter()
@@ -242,24 +259,34 @@ class _Check:
     def _send(self, message: dict[str, Any]) -> None:
         wire.send(self.conn, message)
 
+    def execute(self, until: int) -> None:
+        """Execute the statements up to that one which have not been executed yet."""
+        if self.done < 0 and _prepared:
+            for i in self.job["settings"]:
+                self._statement(i)
+            self.done = self.job["count"]
+        elif self.done < 0:
+            _prepared.update(zip(("namespace", "options"), begin(self.job), strict=True))
+            self.done = 0
+        for i in range(self.done, until):
+            self._statement(i)
+        self.done = until
+
+    def _statement(self, i: int) -> None:
+        with self.names.watching():
+            run_code(marshal.loads(self.codes[i]), _prepared["namespace"])
+
     def _compile(self) -> Any:
         from scenic.syntax import translator, veneer
 
-        known = len(sys.modules)
-        if _prepared:
-            namespace, options = _prepared["namespace"], _prepared["options"]
-            codes = [self.codes[i] for i in self.job["settings"]] + self.codes[self.job["count"] :]
-        else:
-            (namespace, options), codes = begin(self.job), self.codes
-        self.names = Names(self.program)
         try:
+            self.execute(len(self.codes))
             with self.names.watching():
-                for code in codes:
-                    _exec(marshal.loads(code), namespace)
+                namespace, options = _prepared["namespace"], _prepared["options"]
                 translator.storeScenarioStateIn(namespace, self.requirements, self.digest, options)
         finally:
             veneer.deactivate()
-            new = itertools.islice(reversed(sys.modules), len(sys.modules) - known)
+            new = itertools.islice(reversed(sys.modules), len(sys.modules) - self.modules)
             _unload(_prepared.get("modules", []) + _scenic_modules(new))
         with self.names.watching():
             scenario = translator.constructScenarioFrom(namespace)

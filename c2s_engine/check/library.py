@@ -26,7 +26,7 @@ MODULES = (
     "scenic.simulators.carla.behaviors",
     "scenic.simulators.carla.model",
 )
-REHEARSAL = Path(__file__).with_name("rehearsal.scenic")
+REHEARSALS = tuple(Path(__file__).with_name(f"{name}.scenic") for name in ("rehearsal", "rehearsal_objects"))
 Compiled = tuple[Any, list, bytes]  # code, requirements, digest
 _code: dict[tuple[bytes, str], Compiled] = {}
 _coming: int | None = None  # a pipe that ends with the process that compiles the library
@@ -84,7 +84,7 @@ def _compile(source: bytes, filename: str, cached: Path) -> Compiled:
     from c2s_engine.check import pieces, world
 
     tree = pieces.parse(source.decode(), filename)
-    if Path(filename) != REHEARSAL:
+    if Path(filename) not in REHEARSALS:
         world.keep(source, tree)
     python, requirements, _ = pieces.translate(tree, filename, [], 0)
     digest = hashlib.blake2b(ast.dump(python).encode(), digest_size=4).digest()
@@ -116,4 +116,4 @@ def _sources() -> tuple[Path, ...]:
     for name in MODULES:
         package, _, last = name.rpartition(".")
         found.append(Path(importlib.import_module(package).__file__ or "").parent / f"{last}.scenic")
-    return (*found, REHEARSAL)
+    return (*found, *REHEARSALS)

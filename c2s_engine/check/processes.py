@@ -9,6 +9,7 @@ import socket
 from typing import Any
 
 from c2s_engine.check import wire
+from c2s_engine.check.ahead import Ahead
 from c2s_engine.check.zygote import NOW, SPARE
 
 
@@ -22,6 +23,7 @@ class Zygote:
         self.grown: dict[str, Any] = {}
         self.warm = asyncio.Event()
         self.spare: asyncio.Task[Child] | None = None
+        self.ahead = Ahead(self)
         self._waiting: dict[int, asyncio.Future[int]] = {}
         self._task = asyncio.create_task(self._watch())
 
@@ -51,11 +53,12 @@ class Zygote:
     def prepare(self) -> None:
         """Have a child forked ahead of the next job."""
         if self.alive and self.spare is None:
-            self.spare = asyncio.create_task(self._fork(SPARE))
+            self.spare = asyncio.create_task(self.fork(SPARE))
             self.spare.add_done_callback(_seen)
 
     def drop_spare(self) -> None:
-        """Do without the child that was forked ahead."""
+        """Do without the children that were forked ahead."""
+        self.ahead.drop()
         spare, self.spare = self.spare, None
         if spare is not None:
             spare.cancel() if not spare.done() else _kill(spare)
@@ -69,18 +72,17 @@ class Zygote:
             with contextlib.suppress(wire.Closed):
                 child = await spare
         if child is None or child.gone:
-            child = await self._fork(NOW)
-        try:
-            child.writer.write(wire.encode(job, blob))
-            await child.writer.drain()
-        except BaseException as error:
-            child.kill()
-            if isinstance(error, OSError):
-                raise wire.Closed from None
-            raise
+            child = await self.fork(NOW)
+        await child.give(job, blob)
         return child
 
-    async def _fork(self, when: bytes) -> "Child":
+    @property
+    def has_spare(self) -> bool:
+        """Whether a child that was forked ahead is ready."""
+        return self.spare is not None and self.spare.done()
+
+    async def fork(self, when: bytes = NOW) -> "Child":
+        """A child without a job; raises wire.Closed where the zygote is gone."""
         ours, theirs = socket.socketpair()
         try:
             socket.send_fds(self.control, [when], [theirs.fileno()])
@@ -136,6 +138,17 @@ class Child:
     @property
     def gone(self) -> bool:
         return self.ended is None or self.ended.done()
+
+    async def give(self, job: dict[str, Any], blob: bytes) -> None:
+        """Send a job; where that fails, kill it and raise wire.Closed."""
+        try:
+            self.writer.write(wire.encode(job, blob))
+            await self.writer.drain()
+        except BaseException as error:
+            self.kill()
+            if isinstance(error, OSError):
+                raise wire.Closed from None
+            raise
 
     def kill(self) -> None:
         """Kill it with all that it started, and close the socket."""

@@ -22,6 +22,7 @@ class Compiled:
     """One piece: its code, what it adds to the requirements, its digest's text, and what the lints found in it."""
 
     code: bytes
+    digest: str  # of the code
     requirements: list
     syntax_id: int
     dump: str
@@ -106,8 +107,10 @@ class Reader:
         unsafe = safety.examine(tree)
         beginning = lint.beginning(tree)
         python, requirements, syntax_id = pieces.translate(tree, filename, [None] * count, syntax_id, part.first)
+        code = marshal.dumps(compile(python, filename, "exec"))
         return Compiled(
-            code=marshal.dumps(compile(python, filename, "exec")),
+            code=code,
+            digest=hashlib.blake2b(code, digest_size=16).hexdigest(),
             requirements=requirements[count:],
             syntax_id=syntax_id,
             dump=", ".join(ast.dump(s) for s in python.body),
@@ -138,7 +141,9 @@ def _beginning(parts: list[Compiled]) -> dict[str, Any]:
     count = next((i + 1 for i, p in enumerate(parts) if p.beginning.model), 0)
     before = [p.beginning for p in parts[:count]]
     maps = [b.map for b in before if b.map]
-    found: dict[str, Any] = {"map": maps[-1] if maps else "", "preamble": ""}
+    found: dict[str, Any] = {"map": maps[-1] if maps else "", "preamble": "", "count": 0, "settings": []}
+    found["pieces"] = [p.digest for p in parts]
+    found["ego"] = next((i + 1 for i, p in enumerate(parts) if p.facts.ego), 0)
     if not before or not all(b.simple for b in before):
         return found
     shape = [[name for name, _ in p.beginning.params] or p.dump for p in parts[:count]]

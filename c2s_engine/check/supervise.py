@@ -11,7 +11,7 @@ from typing import Any
 
 from c2s_engine.check import wire
 from c2s_engine.check.pool import Pool, TooSlow
-from c2s_engine.check.processes import Child
+from c2s_engine.check.processes import Child, Zygote
 from c2s_engine.check.protocol import (
     CheckReport,
     CheckRequest,
@@ -58,14 +58,19 @@ async def check(pool: Pool, request: CheckRequest, runner: str | None) -> CheckR
     doing = {**job, **_begun(header), "kind": "check"}
     zygote = await pool.nearest(*where)
     try:
-        child = await zygote.spawn(doing, blob)
+        child = await _child(zygote, doing, header, blob)
     except wire.Closed:  # it died since it was last used
         zygote = await pool.nearest(*where)
         child = await zygote.spawn(doing, blob)
     try:
         return await _watch(child, request.limits, gathered)
     finally:
-        pool.used(zygote)
+        pool.used(zygote, doing, header, blob, gathered.executed)
+
+
+async def _child(zygote: Zygote, job: dict[str, Any], header: dict[str, Any], blob: bytes) -> Child:
+    """A child with the job: one that has done the program's beginning, else a fresh one."""
+    return await zygote.ahead.give(job, header, blob) or await zygote.spawn(job, blob)
 
 
 def _begun(header: dict[str, Any]) -> dict[str, Any]:
@@ -92,6 +97,11 @@ class _Gathered:
         self.stage: StageName = "compile"
         self.places: dict[str, Any] | None = None
         self.ended = False
+
+    @property
+    def executed(self) -> bool:
+        """Whether the program's statements came to their end."""
+        return any(s.name == "compile" and s.ok for s in self.stages)
 
     def take(self, message: dict[str, Any]) -> None:
         if "stage" in message:

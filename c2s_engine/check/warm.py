@@ -60,6 +60,14 @@ def reseed(seed: int) -> None:
     numpy.random.seed(seed % (1 << 32))
 
 
+def random_state() -> tuple:
+    """The random states that `reseed` sets, to be compared."""
+    import numpy
+
+    kind, keys, *rest = numpy.random.get_state()
+    return random.getstate(), kind, tuple(keys), *rest
+
+
 def _error_location() -> Any:
     """Scenic's saveErrorLocation without reading sources: the innermost frame outside Scenic's core."""
     import traceback

@@ -29,7 +29,7 @@ def die_with_parent() -> None:
 
 
 def serve(
-    control: socket.socket, handle: Handler, rehearse: Callable[[], None] | None = None, children: Iterable[int] = ()
+    control: socket.socket, handle: Handler, rehearse: prefault.Rehearsal | None = None, children: Iterable[int] = ()
 ) -> None:
     """Fork a child for each socket that arrives; returns when the control socket is closed.
 
@@ -40,7 +40,6 @@ def serve(
     signal.signal(signal.SIGCHLD, lambda *_: None)
     signal.set_wakeup_fd(wake_write, warn_on_full_buffer=False)
     children = {pid for pid in children if pid}
-    pages: prefault.Ranges | None = None
     control.setblocking(True)
     while True:
         waiting: list = [control, wake_read]
@@ -57,12 +56,13 @@ def serve(
             message, fds = b"", []
         if not message:
             break
-        if message == SPARE and pages is None:
-            pages = prefault.learn(rehearse) if rehearse else []
+        if message == SPARE and rehearse is not None:
+            prefault.learn(rehearse)
+            rehearse = None
         pid = os.fork()
         if pid == 0:
             if message == SPARE:
-                prefault.populate(pages or [])
+                prefault.populate(prefault.pages)
             _become_child(control, wake_read, wake_write, fds[0], handle)
         children.add(pid)
         os.close(fds[0])

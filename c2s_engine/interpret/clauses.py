@@ -10,6 +10,8 @@ from c2s_engine.interpret.motions import rules
 from c2s_engine.interpret.nominal import Nominal
 from c2s_engine.interpret.syntax import Word
 
+FORCEFUL = frozenset(("hard", "harsh", "emergency", "full", "maximum", "sudden", "sharp", "heavy", "panic", "violent"))
+
 
 BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
 
@@ -125,7 +127,8 @@ class Clauses(Nominal):
             self.events.append(then)
         if event.act in ("brake", "brake_stop", "stop") and not event.hard:
             following = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5] if w.sentence == word.sentence)
-            event.hard = bool(
+            forceful = word.i > 0 and self.words[word.i - 1].norm in FORCEFUL  # "harsh braking by the VUT"
+            event.hard = forceful or bool(
                 re.match(
                     (
                         r"((very|quite|rather|so|pretty|really) )?(hard|harder|sharply|abruptly|heavily|strongly"
@@ -134,22 +137,16 @@ class Clauses(Nominal):
                     following,
                 )
             )
+        if event.patient is not None and event.patient is event.agent:  # "the driver took the bus around a truck"
+            others = (self.cast.of[i] for i in own if i > word.i and i in self.cast.of)
+            event.patient = next((e for e in others if e is not event.agent), None)
         event.words, event.mode, event.passive = own, self._mode(word), passive
-        if (
-            event.act == "stop"
-            and passive
-            and lemma != "bring"
-            and event.agent is agent
-            and not BY.search(whole)
-        ):
+        if event.act == "stop" and passive and lemma != "bring" and event.agent is agent and not BY.search(whole):
             event.act = "stationary"
-        if (
-            event.act == "follow"
-            and passive
-            and event.agent is agent
-            and not event.agent.ego
-            and not BY.search(whole)
-        ):
+        struck = event.act == "collide" and passive and event.agent is agent and event.patient in (None, agent)
+        if struck and not event.agent.ego and not re.search(r"\bby (the |a |an )?@", whole):
+            event.agent, event.patient = self.cast.ego, agent  # "the deer was hit"
+        if event.act == "follow" and passive and event.agent is agent and not event.agent.ego and not BY.search(whole):
             event.agent, event.patient = self.cast.ego, agent
         late: Event | None = None
         into = (

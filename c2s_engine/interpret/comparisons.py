@@ -7,9 +7,10 @@ from c2s_engine.interpret.scan import Span
 from c2s_engine.interpret.scene import Scene
 
 COMPARED = re.compile(
-    r"(?:(?P<little>a (?:little|tiny|wee) bit|a bit|a little|little bit|slightly|somewhat|marginally|a touch|a shade|a tad|barely"
-    r"|only just|moderately)|(?P<lot>much|far|considerably|a lot|way|significantly|substantially|clearly|markedly|a good deal)"
-    r"|(?P<twice>twice|double) (?=as))?\s*\b(?P<how>faster|slower|quicker|as fast)\b(?P<than>(?: than| as) [^,.;]{0,40})?"
+    r"(?:(?P<little>a (?:little|tiny|wee) bit|a bit|a little|little bit|slightly|somewhat|marginally|a touch|a shade"
+    r"|a tad|barely|only just|moderately)|(?P<lot>much|far|considerably|a lot|way|significantly|substantially|clearly"
+    r"|markedly|a good deal)|(?P<twice>twice|double) (?=as))?"
+    r"\s*\b(?P<how>faster|slower|quicker|as fast)\b(?P<than>(?: than| as) [^,.;]{0,40})?"
 )
 AFTER = re.compile(r"\s*(?:faster|slower|quicker|more than|less than|above the speed of|below the speed of)\b")
 LITTLE, LOT_MORE, LOT_LESS = 0.08, 1.4, 0.6

@@ -11,6 +11,13 @@ NEGATED = re.compile(
     r"(\bno|\bnot( yet| any)?|without( any)?|free of|never|neither|instead of|isn't|wasn't|nor)\s+([\w-]+\s+)?$"
 )
 
+OF_THE_WAY = re.compile(
+    r"(nearly|almost|gets?|got|is|was|be|been|stay(s|ed)?|keeps?|kept|safely|well|fully|completely|pull(s|ed)?"
+    r"|(let|lets|allow|allows|allowed) .*|until .*|lane|road|way|path|coast|junction|intersection|crossing|becomes?"
+    r"|became|all)\s+$"
+)
+"""What stands before a "clear" that is no weather: "let the bus clear", "the road was clear"."""
+
 
 @dataclass(frozen=True)
 class Found:
@@ -37,7 +44,8 @@ def _hits(section: str, plain: str, sentences: list[tuple[int, int]]) -> list[Fo
             if unless is not None and unless.search(sentence):
                 continue
             for match in pattern.finditer(sentence):
-                if NEGATED.search(sentence[max(0, match.start() - 30) : match.start()]):
+                before = sentence[max(0, match.start() - 30) : match.start()]
+                if NEGATED.search(before) or match[0].strip(" ,.;") == "clear" and OF_THE_WAY.search(before):
                     continue
                 found.append(Found(value, 0.9, (start + match.start(), start + match.end())))
                 break
@@ -92,8 +100,11 @@ def clock(plain: str) -> Found | None:
         match["hour"]
         and not half
         and not re.search(
-            r"(?:at|around|about|approximately|approx\.?|time:?)\s+$", plain[max(0, match.start() - 16) : match.start()]
+            r"(?:at|around|about|approximately|approx\.?|time:?|hours?:?)\s+$",
+            plain[max(0, match.start() - 16) : match.start()],
         )
+        and not re.match(r"\s?(?:hours|hrs|h|local|on|in the)\b", plain[match.end() : match.end() + 8])
+        and (plain[: match.start()].strip() or CLOCK.search(plain, match.end()))
     ):
         return None
     value = "night" if hour >= 21 or hour < 5 else "dawn" if hour < 7 else "dusk" if hour >= 19 else "day"

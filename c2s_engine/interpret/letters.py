@@ -31,7 +31,22 @@ def _verbs() -> frozenset[str]:
     """The third person singular of every verb of motion, and auxiliaries."""
     lemmas = {v for rule in language.table("motions")["verbs"] for v in rule["verbs"]}
     lemmas |= {v for words in language.table("motions")["modality"].values() for v in words}
-    found = {"is", "was", "has", "had", "does", "did", "must", "will", "should", "can", "cannot", "then", "never", "goes"}
+    found = {
+        "is",
+        "was",
+        "has",
+        "had",
+        "does",
+        "did",
+        "must",
+        "will",
+        "should",
+        "can",
+        "cannot",
+        "then",
+        "never",
+        "goes",
+    }
     for verb in lemmas:
         found.add(
             verb[:-1] + "ies"
@@ -77,7 +92,14 @@ def letters(text: str, plain: str) -> list[Span]:
             sure.setdefault(letter, _label(letter, word, match.end() - 1 - len(noun[0]), match.end()))
         elif re.match(r"\s?\d", after):
             continue
-        elif acts or apposed and (opens or letter != "a") or letter not in SIDES and letter != "a" and GOVERNED.search(before):
+        elif (
+            acts
+            or apposed
+            and (opens or letter != "a")
+            or letter not in SIDES
+            and letter != "a"
+            and GOVERNED.search(before)
+        ):
             again.add(letter)
             loose.append((letter, at))
             continue

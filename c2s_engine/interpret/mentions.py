@@ -34,16 +34,6 @@ __all__ = [
 ]
 
 
-EGO_TYPES = {kind: kind for kind in ("truck", "van", "bus", "motorcycle")} | {
-    "lorry": "truck",
-    "rig": "truck",
-    "pickup": "truck",
-    "coach": "bus",
-    "shuttle": "bus",
-    "motorbike": "motorcycle",
-}
-
-
 class Cast(Nouns):
     """The entities of a text, and who each word means."""
 
@@ -109,8 +99,10 @@ class Cast(Nouns):
         return self._actor(word)
 
     def _ego_type(self, word: Word) -> None:
-        for name, kind in EGO_TYPES.items():
-            if re.search(rf"\b{name}\b", word.norm):
+        nouns = language.actor_nouns()
+        for noun in re.findall(r"[a-z]+", word.norm):
+            kind = nouns.get(noun, ("", False, False))[0]
+            if kind in MOTOR - {"vehicle", "car"}:
                 self.ego.type, self.ego.typed = kind, True
 
     def _label_is_ego(self) -> bool:
@@ -229,7 +221,10 @@ class Cast(Nouns):
         after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
         if comma and after != ",":
             return None
-        if re.search(r"@ (\(|\[|,|--?) ?(=|i\.e\. ?,?|that is ,?|here|namely|this is|call it|as|being)? ?(the |our |my )?$", text + " "):
+        if re.search(
+            r"@ (\(|\[|,|--?) ?(=|i\.e\. ?,?|that is ,?|here|namely|this is|call it|as|being)? ?(the |our |my )?$",
+            text + " ",
+        ):
             return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
         return None
 

@@ -44,7 +44,12 @@ class Modes(Agents):
                 lemma = self.words[head.head].lemma
             to = any(self.words[c].norm == "to" and self.words[c].dep == "aux" for c in word.children)
             if (
-                (word.dep in ("xcomp", "ccomp", "pcomp") or word.dep == "advcl" and self.words[word.i - 1].norm != ",")
+                (
+                    word.dep in ("xcomp", "ccomp", "pcomp")
+                    or word.dep == "advcl"
+                    and head.i < word.i
+                    and self.words[word.i - 1].norm != ","
+                )
                 and lemma
                 in (
                     "fail",

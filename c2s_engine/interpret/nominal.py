@@ -14,6 +14,7 @@ ATTRIBUTIVE = frozenset(
     ("brake", "stop", "accelerate", "reverse", "swerve", "lose_control", "drift", "u_turn", "cross_road")
 )
 
+BY_MEANS = frozenset(("by", "with", "via", "during", "through", "after", "before"))
 HALTS = frozenset(("stop", "brake", "brake_stop", "stationary"))
 
 
@@ -97,6 +98,11 @@ class Nominal(Timing):
             ):
                 return
             agent, patient = self._noun_agent(word, verb)
+            if rule["act"] == "overtake" and agent is not None and not agent.ego and verb is not None:
+                subject = self._subject(verb)[0]
+                agent, patient = (subject, agent) if subject is not None else (agent, patient)  # "its pass of a truck"
+            if agent is None and word.dep == "pobj" and verb is not None and self.words[word.head].norm in BY_MEANS:
+                agent = self._subject(verb)[0]
             if agent is None:
                 if rule["act"] == "collide":
                     others = [self.cast.of[i] for i in sorted(self.cast.of) if i < word.i and not self.cast.of[i].ego]

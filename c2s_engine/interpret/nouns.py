@@ -9,6 +9,8 @@ from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PER
 from c2s_engine.interpret.reference import Reference
 from c2s_engine.interpret.syntax import Word
 
+DRIVES = frozenset(("in", "on", "driving", "riding", "directing", "operating", "steering", "piloting", "commanding"))
+
 
 class Nouns(Reference):
     """The part of Cast that reads nouns."""
@@ -210,7 +212,7 @@ class Nouns(Reference):
     def _rides(self, word: Word) -> bool:
         """Whether a person is only the one inside a vehicle ("a man in a white van"), who stands for it."""
         following = [w for w in self.words[word.i + 1 : word.i + 6] if w.sentence == word.sentence]
-        if not following or following[0].norm not in ("in", "on", "driving", "riding"):
+        if not following or following[0].norm not in DRIVES:
             return False
         for other in following[1:]:
             if other.span is not None:
@@ -219,7 +221,7 @@ class Nouns(Reference):
                     and other.span.data["type"] in VEHICLES - {"vehicle"}
                     and not other.span.data.get("person")
                 )
-            if other.tag in ("NN", "NNS", "IN") or other.verb:
+            if other.tag in ("NN", "NNS", "IN") and other.norm not in language.makes() or other.verb:
                 return False
         return False
 

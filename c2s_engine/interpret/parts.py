@@ -6,6 +6,8 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import PERSONS, VEHICLES, Entity
 from c2s_engine.interpret.strangers import Strangers
 
+DRIVING = frozenset(("driving", "riding", "directing", "operating", "steering", "piloting", "commanding"))
+
 
 class Parts(Strangers):
     """The part of Cast that finds whom a part belongs to."""
@@ -22,14 +24,11 @@ class Parts(Strangers):
         if (
             word.span is not None
             and word.span.kind == "actor"
-            and (
-                word.span.data["type"] in PERSONS
-                or word.span.data.get("noun") in language.table("actors")["drivers"]
-            )
+            and (word.span.data["type"] in PERSONS or word.span.data.get("noun") in language.table("actors")["drivers"])
         ):
             for child in word.children:
                 other = self.words[child]
-                if other.norm in ("in", "on", "driving", "riding"):
+                if other.norm in ("in", "on") or other.norm in DRIVING:
                     for target in other.children:
                         if target in self.of and self.of[target].type in VEHICLES:
                             return self.of[target]
@@ -86,12 +85,7 @@ class Parts(Strangers):
                     return self.of[child]
             for child in word.children:
                 other = self.words[child]
-                if (
-                    other.dep == "prep"
-                    and other.norm in ("in", "on")
-                    or other.norm in ("driving", "riding")
-                    and other.dep == "acl"
-                ):
+                if other.dep == "prep" and other.norm in ("in", "on") or other.norm in DRIVING and other.dep == "acl":
                     for target in other.children:
                         if target in self.of and self.of[target].type in VEHICLES and self.words[target].tag != "PRP":
                             return self.of[target]

@@ -3,7 +3,7 @@
 import re
 
 from c2s_engine.interpret.clauses import Clauses
-from c2s_engine.interpret.mentions import MOTOR, VEHICLES, Cast
+from c2s_engine.interpret.mentions import MOTOR, VEHICLES, Cast, Entity
 
 ROLE_WORDS = frozenset(("lead", "oncoming", "parked", "stationary", "crossing", "adjacent", "cut_in", "slow"))
 
@@ -35,8 +35,20 @@ EGO_LIKE = frozenset(
         "enter_road",
         "start",
         "accelerate",
+        "cut_out",
+        "overtake",
+        "evade",
     )
 )
+
+
+def _demanded(entity: Entity, cast: Cast) -> bool:
+    """Whether a rule asks something of it: "the vehicle shall clear the lane"."""
+    return any(
+        cast.words[c].norm in ("shall", "must") and cast.words[m.word].dep == "nsubj"
+        for m in entity.mentions
+        for c in cast.words[cast.words[m.word].head].children
+    )
 
 
 def choose_ego(cast: Cast, clauses: Clauses) -> None:
@@ -47,6 +59,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     acting = {e: [v for v in clauses.events if v.agent is e and v.done] for e in vehicles}
     candidates = []
     for entity in vehicles:
+        the = entity.mentions[0].word and cast.words[entity.mentions[0].word - 1].norm == "the"
         first = " ".join(w.norm for w in cast.words[entity.mentions[0].word : entity.mentions[0].word + 7])
         if (
             entity.roles & ROLE_WORDS
@@ -54,6 +67,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
                 v.act == "overtake" and (v.patient is None or v.patient.type not in VEHICLES) for v in acting[entity]
             )
             or "following" not in entity.roles
+            and not (the and re.match(r"\S+ (is|was|were) ", first))
             and re.search(
                 (
                     r"^\S+( \S+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)|coming"
@@ -98,6 +112,9 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         candidates.append(entity)
     if not candidates:
         return
+    demanded = [e for e in candidates if _demanded(e, cast)]
+    ordinary = [e for e in candidates if e.type not in ("ambulance", "police_car", "fire_truck")]
+    candidates = demanded or ordinary or candidates
     generic = [e for e in candidates if e.noun == "vehicle"]
     if generic and "the" in [
         w.norm for w in cast.words[max(0, generic[0].mentions[0].word - 2) : generic[0].mentions[0].word]

@@ -34,6 +34,7 @@ def pieces_of(plain: str, start: int, end: int, spans: list[Span]) -> list[tuple
     return found
 
 
+NOUN_BEFORE = regex.compile(r"\b(?:the|a|an|this|that|his|its|each)\s+(?:[\w-]+\s+){0,2}$")
 VERBAL_LEFT = regex.compile(r"left\s+(?:the|its|his|their|a|that|this)\s+(?!side|lane of)")
 
 
@@ -77,6 +78,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     """The word that the parser sees in place of one that it would take for another part of speech."""
     if text in BOUND:
         return "east"
+    if text == "bend" and NOUN_BEFORE.search(plain[max(0, start - 24) : start]):
+        return "curve"
     verb = regex.match(r"\s+(?:then |suddenly )?(\p{L}+)", plain[start + len(text) : start + 40])
     if text in TOLD and verb and _finite(verb[1]) and regex.search(r"\bthe\s+$", plain[max(0, start - 5) : start]):
         return "man"
@@ -114,7 +117,7 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         and (text in language.word_list("noun_like") or text in ("waits", "signals", "stops"))
         and regex.search(
             r"(?:in front|ahead|behind|on the (?:left|right)|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly)\s*$",
-            plain[max(0, start - 9) : start],
+            plain[max(0, start - 16) : start],
         )
         or before is not None
         and before.kind != "quantity"

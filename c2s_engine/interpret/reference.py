@@ -8,6 +8,8 @@ from c2s_engine.interpret.entities import ORDINALS, VEHICLES, Entity, fits
 from c2s_engine.interpret.pronouns import Pronouns
 from c2s_engine.interpret.syntax import Word
 
+URGENT = frozenset(("ambulance", "police_car", "fire_truck"))
+
 
 class Reference(Pronouns):
     """The part of Cast that resolves definite nouns."""
@@ -60,6 +62,9 @@ class Reference(Pronouns):
         if kind == "vehicle" and noun == "vehicle" and not self.ego_named and not bare and not other:
             generic = [e for e in candidates if e.noun == "vehicle"]
             plain = [e for e in candidates if e.noun != "vehicle" and not e.roles]
+            asked = any(self.words[c].norm in ("shall", "must") for c in self.words[word.head].children)
+            if asked and not generic and word.dep == "nsubj" and all(e.type in URGENT for e in candidates):
+                return None  # "when an ambulance approaches, the vehicle shall clear the lane"
             if not generic and (len(candidates) != 1 or not plain):
                 return None
         if bare and not roles and self._distinguished(word):

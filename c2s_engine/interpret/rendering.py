@@ -13,6 +13,10 @@ PLACES = {"speed": "#speed", "distance": "#dist", "time": "#time", "acceleration
 CLAUSAL = frozenset(("advcl", "relcl", "ccomp", "acl", "csubj", "csubjpass", "parataxis", "pcomp", "xcomp"))
 
 
+COMES_TO = frozenset(("rest", "halt", "stop"))
+ENDS_IN = frozenset(("come", "brake", "decelerate", "slow", "roll", "bring", "slide", "skid", "spin", "draw", "grind"))
+
+
 class Rendering:
     """The lowest part of Clauses: verbs, their clauses, and both as text."""
 
@@ -49,6 +53,8 @@ class Rendering:
             return False
         if word.norm in ("slow", "near", "clear") and word.tag != "VB":
             return False
+        if word.norm in COMES_TO and word.i > 1 and self.words[word.i - 1].norm == "to":
+            return word.head == word.i or self._lemma(self.words[word.head]) not in ENDS_IN  # "came to rest"
         if word.norm == "slow" and not any(self.words[c].dep in ("aux", "prt", "advmod") for c in word.children):
             return False
         if word.tag.startswith("VB"):

@@ -130,6 +130,7 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
                 {"label": f"{word} {number}" if typed else LABEL_NUMBERS.get(number, number.lstrip("0")), "word": word},
             )
         )
+    found += _numbered(text, found)
     taken = [(s.start, s.end) for s in found]
     queues = language.table("actors")["queues"]
     for match in _actor().finditer(text):
@@ -208,6 +209,35 @@ VERBS_TOO = frozenset(
     ("ducks", "cycles", "bikes", "rams", "tails", "hounds", "badgers", "coaches", "bulls", "bucks", "barrels")
 )
 """Plural nouns that are what somebody does where a road user stands right before them."""
+
+
+def _numbered(text: str, found: list[Span]) -> list[Span]:
+    """The vehicle by whose number a log begins ("Coach 417, route 9", "unit 7: deer ahead"): that is ego."""
+    labels = [s for s in found if s.kind == "label"]
+    if any(s.kind == "ego" for s in found) or len({s.data["label"] for s in labels}) > 1:
+        return []
+    match = _number_of_fleet().search(text[:80])
+    if match is None or any(s.data["label"] in ("1", "2") for s in labels):
+        return []
+    for span in labels:
+        if span.start < match.end("name") and match.start("name") < span.end:
+            found.remove(span)
+    return [Span("ego", match.start("name"), match.end("name"))]
+
+
+@cache
+def _number_of_fleet() -> re.Pattern[str]:
+    known = language.actor_nouns().items()
+    named = [n for n, (kind, plural, person) in known if kind in FLEET and not plural and not person]
+    nouns = language.alternatives(named)
+    return re.compile(
+        rf"(?:^|[.:,;(\n]\s*)(?P<name>(?:{nouns}|unit|vehicle|fleet vehicle) "
+        rf"(?:no\.? ?|number |#)?(?:\d{{2,5}}|[3-9](?=\s*:)))"
+        rf"(?=\s*(?:[,.:;)]|-|\bon\b|\bwas\b|\bin\b))"
+    )
+
+
+FLEET = frozenset(("car", "truck", "van", "bus", "motorcycle", "ambulance", "police_car", "fire_truck"))
 
 
 _BUS_STOP = re.compile(

@@ -31,6 +31,8 @@ from c2s_engine.structure.progress import Token, Usage
 OnEvent = Callable[[Token | Usage], None]
 REPEATS = "repeats"
 """The reason of an answer's end where the client stopped a model that went round in circles."""
+COUNTED = (ContextOverflow, AnswerRepeats, AnswerTruncated)
+"""Faults of an answer that came: its cost is known and entered, and asking the same again gives the same."""
 SURELY_TOO_LONG = 1.5
 """A prompt estimated at over so many times `num_ctx` is not sent at all."""
 
@@ -45,6 +47,7 @@ class OllamaClient:
         self.recording = Recording(folder) if self.settings.record != "off" else None
         self._client: Any = None
         self._capabilities: frozenset[str] | None = None
+        self._largest: int | None = None  # the model's own largest context, tokens; None: not told
         self.keeps_to_forms: bool | None = None  # found by the probe; None: not tried out yet
 
     async def __aenter__(self) -> "OllamaClient":
@@ -103,6 +106,8 @@ class OllamaClient:
             with faults.translated(self.settings):
                 shown = await self.api.show(self.settings.model)
             self._capabilities = frozenset(shown.capabilities or ())
+            told = (v for k, v in (shown.modelinfo or {}).items() if k.endswith(".context_length"))
+            self._largest = next((v for v in told if isinstance(v, int) and v > 0), None)
         return self._capabilities
 
     # Asking
@@ -130,8 +135,7 @@ class OllamaClient:
             reply = self.recording.get(digest)
             if reply is None:
                 raise NotRecorded(question.purpose, str(self.recording.folder))
-            self._enter(question, reply, 1)
-            self._examine(question, reply)
+            self._judged(question, reply, 1)
             yield Piece(text=reply.text, reply=reply)
             return
         if not self.settings.model:
@@ -146,9 +150,11 @@ class OllamaClient:
             try:
                 async for piece in self._once(question):
                     if piece.reply:
-                        self._enter(question, piece.reply, attempt + 1)
+                        self._judged(question, piece.reply, attempt + 1)
                     yield piece
                 return
+            except COUNTED:
+                raise
             except ModelError as error:
                 self._enter_fault(question, error, time.monotonic() - began, attempt + 1)
                 if not error.retry or attempt == self.settings.retries:
@@ -214,20 +220,29 @@ class OllamaClient:
         if self.recording:
             digest = question.digest(settings.model, self.options(question))
             self.recording.put(digest, settings.model, question.purpose, reply)
-        self._examine(question, reply)
         yield Piece(reply=reply)
 
-    def _examine(self, question: Question, reply: Reply) -> None:
-        """Raise where the prompt was cut to the context, or the answer came to no end. (A replay raises the same.)"""
-        num_ctx = self.settings.num_ctx
+    def _judged(self, question: Question, reply: Reply, tries: int) -> None:
+        """Enter an answer with what it cost, then raise what is wrong with it. (A replay raises the same.)"""
+        fault = self._fault(question, reply)
+        self._enter(question, reply, tries, type(fault).__name__ if fault else "ok")
+        if fault:
+            raise fault
+
+    def _fault(self, question: Question, reply: Reply) -> ModelError | None:
+        """What is wrong where the prompt was cut to the context, or the answer came to no end."""
+        num_ctx, own = self.settings.num_ctx, self._largest
+        if own and own < num_ctx:  # Ollama gives a model no more than its own
+            num_ctx = own
         if reply.prompt_tokens >= num_ctx - 1 or (
             question.tokens > num_ctx and 0 < reply.prompt_tokens < 0.8 * question.tokens
         ):
-            raise ContextOverflow(max(question.tokens, reply.prompt_tokens), num_ctx)
+            return ContextOverflow(max(question.tokens, reply.prompt_tokens), num_ctx, largest=num_ctx == own)
         if reply.done_reason == REPEATS:
-            raise AnswerRepeats(self.settings.model)
+            return AnswerRepeats(self.settings.model)
         if reply.done_reason == "length":
-            raise AnswerTruncated(self.settings.model, reply.answer_tokens)
+            return AnswerTruncated(self.settings.model, reply.answer_tokens)
+        return None
 
     def _enter(self, question: Question, reply: Reply, tries: int, outcome: str = "ok") -> None:
         self.ledger.add(

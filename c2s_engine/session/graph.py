@@ -28,6 +28,7 @@ class State(TypedDict, total=False):
     """A turn's input (text or edits and how to work), and what came of it. JSON-like values only."""
 
     text: str
+    own: dict[str, Any]
     edits: list[dict[str, Any]]
     method: str
     map: str | None
@@ -71,6 +72,8 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         structure, edits, details, result = await method_of(state).interpret(text, structure_of(state), emit)
         if structure is not None:
             structure = resting_on(structure, source, state["text"])
+            if own := state.get("own"):
+                structure = by_hand.carried(structure, Structure.model_validate(own))
             emit(StructureChanged(structure=structure))
         return {
             "structure": (structure or structure_of(state)).model_dump(mode="json"),

@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from c2s_engine.check.client import CheckClient, CheckError
+from c2s_engine.check.protocol import CheckRequest
 from c2s_engine.session.steps import Emit
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import SPEC_ADAPTER
@@ -76,14 +77,22 @@ class _Reader:
 
     def __init__(self, check: CheckClient):
         self.check, self.left = check, READINGS
+        self.lacking: set[str] | None = None  # errors that the program had before
 
     async def read(self, structure: Structure) -> Structure:
         """What the program of a structure says; raises CheckError."""
         if self.left <= 0:
             raise CheckError("enough was tried")
         self.left -= 1
-        found = (await self.check.import_program(assemble(structure).text)).structure
+        program = assemble(structure).text
+        found = (await self.check.import_program(program)).structure
         assert found is not None
+        report = await self.check.check(CheckRequest(program=program, upto="parse"))
+        lacking = {d.message for stage in report.stages for d in stage.diagnostics if d.severity == "error"}
+        if self.lacking is None:
+            self.lacking = lacking
+        if lacking - self.lacking:
+            raise CheckError("the change names what the program's world model does not have")
         return found
 
 

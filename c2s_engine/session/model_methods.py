@@ -38,7 +38,7 @@ class ModelMethod:
         self.name, self.tools = name, tools
         self.usage: Counter[str] = Counter()
         self.needs_place = name in ("typed", "mixed")
-        self.reads_sentences = name.startswith(("prompted", "chat2scenic"))
+        self.reads_sentences = name.startswith(("prompted", "chat2scenic", "chatscene"))
 
     async def interpret(self, text: str, structure: Structure, emit: Emit) -> Interpreted:
         emit(StageStarted(stage="interpret"))

@@ -13,6 +13,7 @@ from c2s_engine.session.steps import Emit
 from c2s_engine.session.streams import Result, streamed
 from c2s_engine.session.why import explained
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import RemoveObject
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Finished, Passage, Progress, Say, Usage
 from c2s_engine.write.prompted.influence import label
@@ -21,7 +22,7 @@ SHOWN = 3
 """Passages that answer a question."""
 
 WHOLE = ("nl2scenic", "chatscene")
-"""Methods that write a program as one: a change is told to them as part of the text."""
+"""Methods whose model is given the whole text: a change is told to them as part of it."""
 
 
 async def say(
@@ -51,7 +52,7 @@ async def say(
                 tokens += event.prompt_tokens + event.answer_tokens if isinstance(event, Usage) else 0
                 yield event
     if turn.text:
-        source = engine.generate(turn.text, method=method, **options)
+        source = engine.generate(turn.text, method=method, own=turn.own, **options)
     elif turn.edits:
         source = engine.apply(current, turn.edits, method=method, **options)
     else:
@@ -86,8 +87,16 @@ def _as_it_was(finished: Finished, structure: Structure) -> Finished:
 class _Next:
     """What a turn leads to: a text to generate from, edits to make, or (neither) nothing more."""
 
-    def __init__(self, kind: str, text: str = "", edits: Sequence[Any] = (), **details: Any):
-        self.kind, self.text, self.edits, self.details = kind, text, list(edits), details
+    def __init__(
+        self, kind: str, text: str = "", edits: Sequence[Any] = (), own: Structure | None = None, **details: Any
+    ):
+        self.kind, self.text, self.edits, self.own, self.details = kind, text, list(edits), own, details
+
+
+def _kept(structure: Structure, edits: Sequence[Any]) -> Structure:
+    """The S whose code by hand outlives a change that is told as part of the text: all but the objects it removes."""
+    gone = {e.component for e in edits if isinstance(e, RemoveObject)}
+    return structure.model_copy(update={"objects": tuple(o for o in structure.objects if o.id not in gone)})
 
 
 async def _events(
@@ -111,8 +120,8 @@ async def _events(
     elif turn.kind == "edit" and turn.edits:
         if turn.reply:
             yield Say(text=turn.reply)
-        if structure and structure.text and method.startswith(WHOLE):
-            yield _Next("edit", text=f"{structure.text.rstrip()}\n{text}")
+        if structure and structure.text and method.startswith(WHOLE) and engine.settings.model:
+            yield _Next("edit", text=f"{structure.text.rstrip()}\n{text}", own=_kept(structure, turn.edits))
         else:
             yield _Next("edit", edits=turn.edits)
     elif turn.kind == "question":

@@ -14,6 +14,8 @@ from c2s_engine.structure.regenerate import FragmentWriter, digest, interface
 OWN = ("by_hand", "imported")
 TAKEN = "taken"
 """The key of an offer that was taken, until the writer that it comes from gives it its own; others write it anew."""
+GIVEN_BACK = "given back"
+"""The key of code by hand that was given up without an offer: it is to be written, by whatever method."""
 _SIGN = "hand"
 
 
@@ -21,8 +23,9 @@ def apply(structure: Structure, edit: Edit) -> Structure:
     """The structure after an edit, with marks; where code by hand is given up for its offer, the offer itself is taken:
     a model asked again might write something else. Raises EditError."""
     after = edits.apply(structure, edit)
-    if isinstance(edit, edits.SetCode) and edit.code is None and (offer := structure[edit.component].conflict):
-        update = {"code": offer, "origin": "generated", "key": TAKEN}
+    if isinstance(edit, edits.SetCode) and edit.code is None:
+        offer = structure[edit.component].conflict
+        update = {"code": offer, "origin": "generated", "key": TAKEN} if offer else {"key": GIVEN_BACK}
         after = after.with_component(after[edit.component].model_copy(update=update))
     return with_marks(after)
 
@@ -75,6 +78,20 @@ def followed(structure: Structure, before: Structure, cid: ComponentId, whole: b
     was = before[cid].key.split(":") if _marked(before[cid]) else _mark(before, cid).split(":")
     key = ":".join([*was[:1], digest(structure[cid].code), *was[2:]])
     return structure.with_component(structure[cid].model_copy(update={"key": key}))
+
+
+def carried(structure: Structure, before: Structure) -> Structure:
+    """A text read anew, with the code by hand of before in it: what was read is what it is said to be now."""
+    for own in (c for c in _own(before) if c.code):
+        if own.id not in structure:
+            structure = structure.model_copy(update={"objects": (*structure.objects, own)})
+            continue
+        read = structure[own.id]
+        kept = {name: getattr(own, name) for name in ("code", "origin", "key", "conflict", "layout")}
+        if not read.description:
+            kept |= {"description": own.description, "spec": own.spec}
+        structure = structure.with_component(read.model_copy(update=kept))
+    return structure
 
 
 def in_step(structure: Structure, cid: ComponentId) -> bool:

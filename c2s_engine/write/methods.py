@@ -135,7 +135,7 @@ def method(name: str, tools: MethodTools) -> Method:
         return TypedMethod(client, tools.embedded, tools.resolve, tools.writer, tools.check)
     if kind == "nl2scenic":
         variant: Variant = next((v for v in VARIANTS if v == rest), "few")
-        return _Plainly(NL2Scenic(client, tools.embed, variant, tools.ground), name)
+        return _Plainly(NL2Scenic(client, tools.embed, variant, tools.ground, tools.check), name)
     repaired = kind in ("prompted", "mixed") or extra == "repair"
     prompted = PromptedMethod(
         config or default(), client, tools.search, tools.check if repaired else None,

@@ -40,7 +40,8 @@ def outcome(text: str, filename: str) -> Any:
 
 def test_the_same_trees_and_errors() -> None:
     programs = {str(p): p.read_text(encoding="utf-8") for p in sorted((HERE / "programs").glob("*.scenic"))[::3]}
-    programs |= {str(library.REHEARSAL): library.REHEARSAL.read_text()} | {f"wrong {i}": t for i, t in enumerate(WRONG)}
+    programs |= {str(path): path.read_text() for path in library.REHEARSALS}
+    programs |= {f"wrong {i}": t for i, t in enumerate(WRONG)}
     kinds = [kind for kind in parser.ScenicParser.__mro__ if kind is not object]
     before = {kind: dict(vars(kind)) for kind in kinds}
     stock = {name: outcome(text, name) for name, text in programs.items()}

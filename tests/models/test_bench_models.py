@@ -47,7 +47,7 @@ def test_the_paper_s_rows_and_tables_are_one_command(records, server):
     figures = json.loads(bench(*common, "--method", "chat2scenic:C11", "--model", "small", "--json"))
     row = figures["by_record"]["mine-01"]
     assert (row["CSR"], row["DO"], row["FA"]) == (100, 100, 100), row
-    assert row["tokens"] > 5000 and row["RT"] > 0
+    assert row["tokens"] > 5000 and row["RT"] > 0 and row["share"] == figures["share"] == 1
     assert asked(server) == ["G", "R", "E", "O1", "O2", "T"]
     prompt = next(said(r) for r in server.requests if asked_for(r) == "O1")
     assert "Code of similar components" in prompt, "CodeICL comes from the real index"

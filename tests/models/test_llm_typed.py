@@ -16,7 +16,7 @@ from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import references
 from c2s_engine.structure.progress import Say, Usage
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Placement
-from tests.models.answers import FORMS, TEXT, asked_of, sensible
+from tests.models.answers import COMPONENTS, FORMS, TEXT, asked_of, sensible
 from tests.models.backends import BAD, BAD_NAMES, random_json, wordy
 from tests.models.fake_ollama import Answer, FakeOllama, endless, said
 
@@ -83,6 +83,42 @@ async def test_the_fault_is_told_once_and_mended(server, client_of):
     told = [r["messages"][-1]["content"] for r in server.requests if len(r["messages"]) == 4]
     assert len(told) == 2 and "highway to hell" in told[0] and "speed must lie between 0 and 50" in told[1]
     assert client.ledger.by("purpose")["place again"].calls == 1
+
+
+async def test_sentences_copied_from_the_instructions_are_refused(server, client_of):
+    """Seen with a real model of 135M parameters: it tells the examples of its instructions instead of the text."""
+    copied = {
+        **COMPONENTS,
+        "objects": [
+            {
+                "type": "car",
+                "sentence": "A car comes from the opposite approach, runs the red light and hits ego.",
+            }
+        ],
+    }
+    answers = [copied, COMPONENTS]
+
+    def respond(request):
+        return sensible(request) if asked_of(request) else json.dumps(answers.pop(0) if answers else copied)
+
+    server.respond = respond
+    async with client_of(server) as client:
+        reading = await interpret(TEXT, client=client, embedded=Plain())
+        assert not reading.fallbacks and client.ledger.by("purpose")["interpret again"].calls == 1
+        assert "the text does not say it" in said(server.requests[1])
+        again = await interpret(TEXT, client=client, embedded=Plain())
+    assert set(again.fallbacks) == set(again.structure.ids) and "is of the example" in again.notes[0]
+
+
+async def test_an_example_that_is_the_text_s_own_stands(server, client_of):
+    text = "It is dusk. A car comes from the opposite approach, runs the red light and hits ego, which drives on."
+    told = {"settings": "It is dusk.", "ego": "Ego drives on.", "objects": [
+        {"type": "car", "sentence": "A car comes from the opposite approach, runs the red light and hits ego."}
+    ] * 3}  # fmt: skip
+    server.respond = lambda request: "{}" if asked_of(request) else json.dumps(told)
+    async with client_of(server) as client:
+        reading = await interpret(text, client=client, embedded=Plain())
+    assert [c.description for c in reading.structure.objects] == [told["objects"][0]["sentence"]], "said thrice, is one"
 
 
 async def test_what_cannot_be_used_is_the_embedded_answer_marked_and_counted(server, client_of):

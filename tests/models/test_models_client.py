@@ -74,6 +74,17 @@ async def test_each_fault_has_its_error_and_its_number_of_tries(server, client_o
     assert "\n" not in sentence and sentence.endswith(".") and "Traceback" not in sentence
 
 
+async def test_an_answer_that_cannot_be_used_costs_what_the_model_counted(server, client_of):
+    server.respond = script(Answer("some words " * 8, done_reason="length", prompt_tokens=77))
+    events = []
+    async with client_of(server) as client:
+        with pytest.raises(errors.AnswerTruncated, match="cut after 22 tokens"):
+            await client.chat(ASK, events.append)
+    (row,) = client.ledger.rows
+    assert (row.prompt_tokens, row.answer_tokens) == (77, 22)
+    assert [e.answer_tokens for e in events if isinstance(e, Usage)] == [22]
+
+
 async def test_a_fault_that_passes_is_not_seen(server, client_of):
     server.respond = script(Answer("a long answer", chunk=2, fault="cut"), Answer(status=503), "whole")
     events = []

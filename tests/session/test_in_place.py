@@ -210,6 +210,15 @@ async def test_where_no_literal_says_it_the_code_stays_beside_the_offer(engine, 
     assert "stands beside it as a conflict" in said
 
 
+async def test_a_class_that_the_world_model_lacks_is_not_written(engine):
+    text = "param map = localPath('town.xodr')\nmodel scenic.simulators.newtonian.driving_model\n"
+    text += "ego = new Car on road\nlead = new Car ahead of ego by 9\n"
+    structure = await engine.import_program(text)
+    done, _, rewritten = await ended(engine.apply(structure, edits(("O1", "type", "truck")), run=False))
+    assert done.program.text == text and rewritten == ()
+    assert done.structure["O1"].conflict
+
+
 async def test_what_can_be_followed_is_and_the_rest_is_offered(engine):
     structure = await engine.import_program(FOLLOWED)
     asked = edits(("O2", "speed", 12), ("O2", "count", 2))

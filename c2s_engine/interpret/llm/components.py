@@ -74,7 +74,23 @@ async def read_components(text: str, asker: Asker) -> Sentences:
     """The sentences of a text; raises ModelError."""
     if not text.strip():
         return Sentences()
-    return await asker.form(prompt("components"), annotate(text), sentences_schema(), purpose="interpret", build=_tidy)
+    instructions = prompt("components")
+
+    def build(value: dict[str, Any]) -> Sentences:
+        found = _tidy(value)
+        for cid in found.ids:
+            if _copied(found.of(cid), instructions, text):
+                raise ValueError(f'"{found.of(cid)}" is of the example, the text does not say it')
+        return found
+
+    return await asker.form(instructions, annotate(text), sentences_schema(), purpose="interpret", build=build)
+
+
+def _copied(sentence: str, instructions: str, text: str) -> bool:
+    """Whether a sentence stands in the instructions (a small model repeats their examples) and is not of the text."""
+    said = {w[:4] for w in _content(text)}
+    own = {w[:4] for w in _content(sentence)}
+    return bool(own) and sentence in instructions and 2 * len(own & said) < len(own)
 
 
 def _tidy(value: dict[str, Any]) -> Sentences:
@@ -83,9 +99,8 @@ def _tidy(value: dict[str, Any]) -> Sentences:
     def clean(words: str) -> str:
         return re.sub(r"\s+", " ", words).strip()[:longest]
 
-    objects = tuple(
-        ObjectSentence(type=o["type"], sentence=clean(o["sentence"])) for o in value["objects"] if clean(o["sentence"])
-    )
+    told = [ObjectSentence(type=o["type"], sentence=clean(o["sentence"])) for o in value["objects"]]
+    objects = tuple(dict.fromkeys(o for o in told if o.sentence))  # one that is said again is the same one
     plain = {name: clean(value.get(name, "")) for name in ("settings", "place", "ego", "restrictions")}
     if not objects and not plain["ego"] and not plain["place"]:
         raise ValueError("nothing is said of ego, the place or any object")

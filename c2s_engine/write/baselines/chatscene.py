@@ -16,7 +16,7 @@ from c2s_engine.structure.components import Component, Link, Structure
 from c2s_engine.structure.progress import Progress
 from c2s_engine.structure.regenerate import digest
 from c2s_engine.structure.specs import SPEC_OF, ObjectSpec
-from c2s_engine.write.by_hand import OWN
+from c2s_engine.write import by_hand
 from c2s_engine.write.prompted.checking import with_code
 from c2s_engine.write.prompted.header import Ground
 from c2s_engine.write.prompted.repair import Search
@@ -73,8 +73,9 @@ class ChatScene:
         return structure
 
     async def write(self, structure: Structure, on_event: Callable[[Progress], None] | None = None) -> Structure:
-        """The nearest snippet of each component, under a plain header; code by hand stays."""
-        given = structure
+        """The nearest snippet of each component, under a plain header; code by hand stays, and where it is said in
+        other words than those it was written upon, the snippet is offered beside it."""
+        given = by_hand.with_marks(structure)
         header = (
             f"param map = localPath('{self.ground.map_file}')\nparam carla_map = {self.ground.carla_map!r}\n"
             "param timestep = 0.1\nparam weather = 'ClearNoon'\nmodel scenic.simulators.carla.model"
@@ -91,10 +92,14 @@ class ChatScene:
             component = with_code(structure[cid], found[0].text)
             links = (*component.links, Link(kind="snippet", label=found[0].title))
             structure = structure.with_component(component.model_copy(update={"links": links}))
+        outdated = by_hand.outdated(given, words=True)
         for component in structure.components:
-            update = {"key": digest(component.code)}
             kept = given[component.id]
-            structure = structure.with_component(kept if kept.origin in OWN else component.model_copy(update=update))
+            if kept.origin not in by_hand.OWN:
+                kept = component.model_copy(update={"key": digest(component.code)})
+            structure = structure.with_component(kept)
+            if component.id in outdated:
+                structure = by_hand.with_offer(structure, component.id, component.code)
         return structure
 
 

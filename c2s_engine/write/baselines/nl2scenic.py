@@ -10,9 +10,9 @@ from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.progress import Progress
 from c2s_engine.structure.regenerate import digest
 from c2s_engine.structure.specs import ObjectSpec
-from c2s_engine.write import by_hand
-from c2s_engine.write.by_hand import OWN
-from c2s_engine.write.prompted.checking import with_code
+from c2s_engine.write.baselines.own import with_own
+from c2s_engine.write.by_hand import GIVEN_BACK, OWN, TAKEN
+from c2s_engine.write.prompted.checking import Check, with_code
 from c2s_engine.write.prompted.examples import Example, Fragment, examples, fragments
 from c2s_engine.write.prompted.header import Ground
 from c2s_engine.write.prompted.parsing import program_of
@@ -25,12 +25,17 @@ SHOTS = 3
 
 
 class NL2Scenic:
-    """The method in one of its variants; `embed` ranks the examples (without it, words in common do)."""
+    """The method in one of its variants; `embed` ranks the examples (without it, words in common do).
+
+    `check` says whether code by hand still fits a program that has no component for it; the model's own is not checked.
+    """
 
     def __init__(
-        self, client: OllamaClient, embed: Embed | None = None, variant: Variant = "few", ground: Ground | None = None
-    ) -> None:
+        self, client: OllamaClient, embed: Embed | None = None, variant: Variant = "few", ground: Ground | None = None,
+        check: Check | None = None,
+    ) -> None:  # fmt: skip
         self.client, self.embed, self.variant, self.ground = client, embed, variant, ground or Ground()
+        self.check = check
         self.name = f"nl2scenic:{variant}"
 
     async def interpret(self, text: str, on_event: Callable[[Progress], None] | None = None) -> Structure:
@@ -38,10 +43,12 @@ class NL2Scenic:
         return Structure(text=text)
 
     async def write(self, structure: Structure, on_event: Callable[[Progress], None] | None = None) -> Structure:
-        """The whole program where it is not written yet or given back; code by hand stays. Raises ModelError."""
+        """The whole program where it is not written yet or given back; code by hand stays. Raises ModelError, or
+        ValueError where code by hand has no place in what the model wrote."""
         key = digest([self.name, self.client.settings.model, structure.text])
-        ours = [c for c in structure.components if c.origin not in OWN and c.code]
-        if any(c.code for c in structure.components) and all(c.key == key for c in ours):
+        for taken in (c for c in structure.components if c.key == TAKEN):
+            structure = structure.with_component(taken.model_copy(update={"key": key}))
+        if _stands(structure, key):
             return structure
         shots = await self.nearest(structure.text) if self.variant != "zero" else []
         told = "\n".join(
@@ -54,9 +61,10 @@ class NL2Scenic:
         )  # fmt: skip
         asked = question(system, f"Description: {structure.text}", purpose="generate program")
         written = taken_apart(structure, program_of((await self.client.chat(asked, on_event)).text))
-        for component in written.components:
-            written = written.with_component(component.model_copy(update={"key": key}))
-        return _with_own(structure, written)
+        whole = await with_own(structure, written, self.check)
+        for component in (c for c in whole.components if c.origin not in OWN):
+            whole = whole.with_component(component.model_copy(update={"key": key}))
+        return whole
 
     async def nearest(self, text: str, count: int = SHOTS) -> list[Example]:
         """The example programs whose descriptions are nearest to a text, the nearest first."""
@@ -88,12 +96,11 @@ def taken_apart(structure: Structure, program: str) -> Structure:
     return structure
 
 
-def _with_own(before: Structure, written: Structure) -> Structure:
-    """The program with what was written by hand before in its place, and what the model wrote there offered."""
-    for component in before.components:
-        if component.origin in OWN and component.code and component.id in written:
-            written = by_hand.with_offer(written.with_component(component), component.id, written[component.id].code)
-    return written
+def _stands(structure: Structure, key: str) -> bool:
+    """Whether the program is written, as far as it is the model's."""
+    theirs = [c for c in structure.components if c.origin not in OWN]
+    known = not theirs or any(c.key == key for c in theirs)
+    return known and all(c.key == key if c.code else c.key != GIVEN_BACK for c in theirs)
 
 
 def _in_order(ids: list[str]) -> bool:

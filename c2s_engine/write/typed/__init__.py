@@ -1,7 +1,8 @@
 """The typed writer: spec to Scenic, closed under compilation."""
 
 from c2s_engine.write.typed.contradictions import ResolveError
-from c2s_engine.write.typed.plan import Plan, make_plan
+from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.writer import TypedWriter
 
 __all__ = ["Plan", "ResolveError", "TypedWriter", "make_plan"]

@@ -2,7 +2,11 @@
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
-from c2s_engine.write.typed.tables import is_static, is_vehicle
+from c2s_engine.write.typed.tables import OBSTRUCTING, is_static, is_vehicle
+from c2s_engine.write.typed.threats import IN_WAY
+
+AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
+"""What somebody does about, or to, what lies in its way."""
 
 
 def normal(structure: Structure) -> Structure:
@@ -12,6 +16,9 @@ def normal(structure: Structure) -> Structure:
     turn = _turn(place, ego)
     for component in structure.objects:
         spec = component.spec
+        if isinstance(spec, ObjectSpec) and spec.type in OBSTRUCTING and _in_the_way(component.id, structure):
+            high = spec.model_copy(update={"model": spec.model or OBSTRUCTING[spec.type]})
+            structure = structure.with_component(component.model_copy(update={"spec": high}))
         if not isinstance(spec, ObjectSpec) or not is_vehicle(spec.type) or is_static(spec):
             continue
         found = spec
@@ -29,6 +36,17 @@ def normal(structure: Structure) -> Structure:
     if place is not structure.place.spec:
         structure = structure.with_component(structure.place.model_copy(update={"spec": place}))
     return structure
+
+
+def _in_the_way(cid: str, structure: Structure) -> bool:
+    """Whether somebody hits what lies there, or ego has to do something about it."""
+    spec, ego = structure[cid].spec, structure.ego.spec
+    assert isinstance(spec, ObjectSpec) and isinstance(ego, EgoSpec)
+    others = [p for c in structure.objects if isinstance(c.spec, ObjectSpec) for p in c.spec.phases]
+    if any(p.target == cid and p.action in AVOIDS for p in (*ego.phases, *others)):
+        return True
+    answers = ego.reaction in ("brake", "evade") or any(p.action in AVOIDS and p.target is None for p in ego.phases)
+    return answers and spec.placement.position in IN_WAY and ego.react_to in (None, cid)
 
 
 def _turn(place: PlaceSpec, ego: EgoSpec) -> str | None:

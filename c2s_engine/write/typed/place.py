@@ -6,6 +6,12 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.scope import number, quantity
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME
 
+EGO_VARIES = 20.0
+"""m of its lane within which ego starts, where nothing ahead says where."""
+NEXT_ARM = 100
+"""m between two arms of a roundabout at most, so that drivers who reach them together meet soon."""
+_OF_FEW = ("ego_lane", "shoulder", "sidewalk", "crosswalk", "speed_limit")
+"""What few roundabouts have, as are several lanes: where it is asked for, those with far arms are taken too."""
 Pairs = frozenset[tuple[int, int]]
 """(junction, road into it)"""
 
@@ -42,7 +48,9 @@ def candidates(plan: Plan, code: PlaceCode, signs: Pairs = frozenset()) -> str:
         return f"[(lane{bend}) for lane in {code.expression}]" if bend else code.expression
     if plan.ramp or plan.place.kind == "on_ramp":
         merging = "o.endLane is m.endLane.sections[0]._fasterLane.lane"
-        return f"[(m, o) for m in {code.expression} for o in m.intersection.maneuvers if {merging}]"
+        least = plan.lengths.get("rampLane", 0.0)
+        long = f" and m.startLane.centerline.length > {number(least)}" if least else ""
+        return f"[(m, o) for m in {code.expression} for o in m.intersection.maneuvers if {merging}{long}]"
     innermost = " for o in m.startLane.group.opposite.lanes if o.sections[0]._fasterLane is None"
     if not plan.approaches:
         return f"[(m, o) for m in {code.expression}{innermost}]" if plan.oncoming else code.expression
@@ -52,14 +60,25 @@ def candidates(plan: Plan, code: PlaceCode, signs: Pairs = frozenset()) -> str:
         for p, t in plan.approaches
     )
     listed = f"{{{', '.join(map(str, sorted(signs)))}}}"
-    has_sign = "".join(
+    fit = "".join(
         f" and (j[0].intersection.id, j[{i}].road.id) in {listed}"
         for i, (position, _) in enumerate(plan.approaches, start=1)
         if position in plan.stops
     )
+    fit += "".join(
+        f" and j[{i}].centerline.length > {number(plan.lengths[name])}"
+        for i, (position, turn) in enumerate(plan.approaches, start=1)
+        if (name := approach_name(plan, position, turn)) in plan.lengths
+    )
+    if ring and plan.place.lanes in (None, 1) and all(getattr(plan.place, field) is None for field in _OF_FEW):
+        ends = "j[0].startLane.centerline[-1]"
+        fit += "".join(
+            f" and j[{i}].centerline[-1].distanceTo({ends}) < {NEXT_ARM}"
+            for i, _ in enumerate(plan.approaches, start=1)
+        )
     if plan.oncoming:
-        return f"[j for j in [(m, {roles}, o) for m in {code.expression}{innermost}] if all(j){has_sign}]"
-    return f"[j for j in [(m, {roles}) for m in {code.expression}] if all(j){has_sign}]"
+        return f"[j for j in [(m, {roles}, o) for m in {code.expression}{innermost}] if all(j){fit}]"
+    return f"[j for j in [(m, {roles}) for m in {code.expression}] if all(j){fit}]"
 
 
 def _choice(plan: Plan, code: PlaceCode, signs: Pairs) -> list[str]:
@@ -145,7 +164,7 @@ def _start(plan: Plan, code: PlaceCode) -> list[str]:
             f"EGO_AT = max({number(plan.before)}, stretch[1] - EGO_TO_BEND)  # m along its lane",
         ]
     elif plan.distance is None:
-        lines.append(f"EGO_AT = Range({number(plan.before)}, {number(plan.before + 20)})  # m along its lane")
+        lines.append(f"EGO_AT = Range({number(plan.before)}, {number(plan.before + EGO_VARIES)})  # m along its lane")
     elif code.yields == "spots":
         lines += [f"EGO_TO_CROSSWALK = {quantity(plan.distance)}  # m", "EGO_AT = crossing[1] - EGO_TO_CROSSWALK"]
     else:

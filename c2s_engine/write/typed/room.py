@@ -16,6 +16,23 @@ AT_THE_EDGE = 8.0
 _BESIDE = {"partly_in_lane", "parked", "roadside", "sidewalk"}
 
 
+def too_near(distance: float) -> ResolveError:
+    """What lies ahead is nearer to ego's start (m) than an object that stands before it."""
+    return ResolveError(
+        f"ego starts {distance:.0f} m before the intersection, but an object stands further ahead: "
+        "enlarge R.distance or lessen the gap",
+        ("R.distance", "O.placement.gap"),
+    )
+
+
+def too_far(reach: float) -> ResolveError:
+    """Objects before a junction reach further (m) than approaches do."""
+    return ResolveError(
+        f"an object would stand {reach:.0f} m ahead of ego, approaches have {LONGEST_APPROACH:.0f} m: lessen the gap",
+        ("O.placement.gap",),
+    )
+
+
 def before(ego: EgoSpec, objects: dict[str, ObjectSpec], speed: float) -> float:
     """How much lane there must be behind ego's start, m."""
 
@@ -83,17 +100,10 @@ def distance(
     far = max((_junction_side(o, speed, place) for o in objects.values()), default=0)
     if place.distance is not None:
         if high(place.distance) < far:
-            raise ResolveError(
-                f"ego starts {high(place.distance):.0f} m before the intersection, but an object stands further ahead: "
-                "enlarge R.distance or lessen the gap",
-                ("R.distance", "O.placement.gap"),
-            )
+            raise too_near(high(place.distance))
         return place.distance if low(place.distance) >= far else (far, high(place.distance))
     if far > LONGEST_APPROACH:
-        raise ResolveError(
-            f"an object would stand {far:.0f} m ahead of ego, approaches have {LONGEST_APPROACH:.0f} m: lessen the gap",
-            ("O.placement.gap",),
-        )
+        raise too_far(far)
     if speed == 0 and place.kind in JUNCTION:  # ego stands at the junction's edge
         return round(max(AT_THE_EDGE, far + 4), 1)
     base = max(

@@ -6,7 +6,7 @@ import re
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.specs import ObjectSpec
-from c2s_engine.write.typed.tables import RESERVED
+from c2s_engine.write.typed.tables import RESERVED, WORKS
 
 
 def number(value: float) -> str:
@@ -45,7 +45,7 @@ def reference(structure: Structure, cid: str) -> str:
     if cid in ("ego", "E"):
         return "ego"
     spec = structure[cid].spec
-    many = isinstance(spec, ObjectSpec) and (spec.count > 1 or spec.type in ("construction_zone", "lane_closure"))
+    many = isinstance(spec, ObjectSpec) and (spec.count > 1 or spec.type in WORKS)
     return f"{name}[0]" if many else name
 
 

@@ -1,8 +1,11 @@
 """Objects whose place the text leaves open do not start inside each other: later ones are set further off."""
 
-from c2s_engine.structure.components import Structure
+from functools import lru_cache
+
+from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import high, low, middle
-from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec, RestrictionsSpec
+from c2s_engine.write.typed.apart import apart
 from c2s_engine.write.typed.forms import normal
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH
 from c2s_engine.write.typed.usual import default_gap, right_behind, speed_of
@@ -13,8 +16,35 @@ ROOM = 3.0
 
 
 def spread(structure: Structure) -> Structure:
-    """S for the writer, in its normal form: of two objects that would overlap the one whose gap is open is set off."""
-    structure = normal(structure)
+    """S for the writer, in its normal form: of two objects that would overlap the one whose gap is open is set off.
+
+    Raises ResolveError where specs contradict each other, or two of them start inside each other whatever is open.
+    """
+    key = (structure.place.spec, structure.ego.spec, structure.restrictions.spec)
+    place, objects = _spread(*key, tuple((c.id, c.spec) for c in structure.objects))
+    for component, spec in zip((structure.place, *structure.objects), (place, *objects), strict=True):
+        if spec is not component.spec:
+            structure = structure.with_component(component.model_copy(update={"spec": spec}))
+    return structure
+
+
+@lru_cache(maxsize=256)
+def _spread(
+    place: PlaceSpec, ego: EgoSpec, restrictions: RestrictionsSpec, objects: tuple[tuple[str, ObjectSpec], ...]
+) -> tuple[PlaceSpec, tuple[ObjectSpec, ...]]:
+    """The place and the objects as they are spread (each fragment of a program asks for them)."""
+    found = Structure(
+        place=Component(id="R", spec=place),
+        ego=Component(id="E", spec=ego),
+        objects=tuple(Component(id=cid, spec=spec) for cid, spec in objects),
+        restrictions=Component(id="T", spec=restrictions),
+    )
+    found = apart(_rows(normal(found)))
+    return found.place.spec, tuple(c.spec for c in found.objects)  # type: ignore[misc, return-value]
+
+
+def _rows(structure: Structure) -> Structure:
+    """Those that share a lane or a kerb, one after the other."""
     place = structure.place.spec
     speed = middle(speed_of(structure.ego.spec, place))  # type: ignore[arg-type]
     structure = _queued(structure)

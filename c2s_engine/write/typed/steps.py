@@ -196,11 +196,14 @@ def _drift(c: Course, p: Phase) -> list[Step]:
 
 
 def _leave_road(c: Course, p: Phase) -> list[Step]:
-    lane, offsets = c.lane or 0, c.actor.plan.offsets
+    lane, offsets, plan = c.lane or 0, c.actor.plan.offsets, c.actor.plan
+    two_way = plan.place.kind not in {"motorway", *RAMP} and not c.oncoming
+    if p.side == "left" and two_way and plan.oncoming:  # beyond the oncoming lanes, however many there are
+        beyond = "egoLane.group.opposite.rightEdge.distanceTo(self.position) + 4"
+        return [([c.drive(c.set(c.wanted(p, c.value)), offset=beyond, shift=2)], _ending(p, ""))]
     width = LANE_WIDTH * (max(offsets) - lane if p.side == "left" else lane - min(offsets))
-    two_way = c.actor.plan.place.kind not in {"motorway", *RAMP} and not c.oncoming
     if p.side == "left" and two_way:  # beyond the oncoming lanes
-        width += LANE_WIDTH * (c.actor.plan.place.lanes or 2)
+        width += LANE_WIDTH * (plan.place.lanes or 2)
     return _sideways(c, p, -(width + 5), 2, None)
 
 

@@ -98,11 +98,15 @@ def _to_catch(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
 
 
 def reach(o: ObjectSpec, place: PlaceSpec) -> float:
-    """From where somebody stands beside the road to the middle of ego's lane, m."""
+    """From where somebody stands beside the road to the middle of ego's lane, m (over lanes of the other direction
+    about, as many as there may be)."""
     own = 3.2 if o.placement.hidden_by else 4.75 if o.placement.position == "sidewalk" else 3.25
-    two_way = place.kind not in {"motorway", *RAMP}
-    far = o.placement.side == "left" and two_way and not o.placement.hidden_by
-    return own + (3.5 * (place.lanes or 1) if far else 0)
+    return own + (3.5 * (place.lanes or 2) if far_side(o, place) else 0)
+
+
+def far_side(o: ObjectSpec, place: PlaceSpec) -> bool:
+    """Whether lanes of the other direction lie between somebody beside the road and ego's: the map says how many."""
+    return o.placement.side == "left" and place.kind not in {"motorway", *RAMP} and not o.placement.hidden_by
 
 
 def uses_crosswalk(o: ObjectSpec) -> bool:

@@ -11,8 +11,9 @@ from c2s_engine.structure.quantity import high
 from c2s_engine.write.typed import kernel
 from c2s_engine.write.typed.ego import write_ego
 from c2s_engine.write.typed.objects import write_object
-from c2s_engine.write.typed.place import candidates, write_place
-from c2s_engine.write.typed.plan import Plan, make_plan
+from c2s_engine.write.typed.place import EGO_VARIES, candidates, write_place
+from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.restrictions import write_restrictions
 from c2s_engine.write.typed.settings import write_settings
 from c2s_engine.write.typed.spread import spread
@@ -74,10 +75,15 @@ class TypedWriter:
 
     def place(self, plan: Plan) -> PlaceCode:
         """The code that selects the place on the map."""
-        room = (plan.before + plan.after) * self.room if plan.distance is None else high(plan.distance) + plan.before
+        room = high(plan.distance) + plan.before if plan.distance is not None else self._room(plan)
         spec = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place
         short = plan.place.kind != "roundabout" and plan.exit_room < 25  # every junction has that much behind it
         return place_code(spec, self.map.extras, room=room, exit_room=0 if short else plan.exit_room)
+
+    def _room(self, plan: Plan) -> float:
+        """How long ego's lane must be where nothing ends it, m: no shorter than what stands on it ahead of ego."""
+        least = plan.before + EGO_VARIES + plan.reach if plan.reach > 0 else 0.0
+        return max((plan.before + plan.after) * self.room, least)
 
     def candidates(self, structure: Structure) -> str:
         """The list from which the program draws its place; how long it is says how many places there are."""

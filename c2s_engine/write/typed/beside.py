@@ -1,0 +1,91 @@
+"""Where an object starts beside the road, as Scenic: outwards from the edge of the lanes nearest to a point of one."""
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.write.typed import scope, stations
+from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.spot import Spot, measured, member, position_constant
+from c2s_engine.write.typed.tables import is_vehicle, is_walker
+from c2s_engine.write.typed.usual import uses_crosswalk, walks_first
+
+
+def behind_junction(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
+    """Where ego leaves the junction: on that lane, those on foot and riders at its edge."""
+    at = position_constant(structure, cid)
+    line = f"{at} = {scope.quantity(stations.exit_gap(spec, plan))}  # m behind the junction"
+    if stations.near_exit(spec):
+        point = f"exitLane.centerline.pointAlongBy({member(spec, at)})"
+        return _edge(spec, line, point, "exitLane", plan)
+    return Spot((line,), (f"at exitLane.centerline.pointAlongBy({member(spec, at)})",), "way(exitLane)")
+
+
+def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
+    """At the kerb, on the verge or on the sidewalk along ego's lane."""
+    sign, of = stations.along(spec), spec.placement.of
+    at = position_constant(structure, cid)
+    if plan.place.kind == "crosswalk" and uses_crosswalk(spec):
+        line = f"{at} = EGO_AT + EGO_TO_CROSSWALK"
+    elif sign == 0 and stations.stands_there(structure, of):  # just in front of what takes the spot itself
+        clear = scope.number(stations.clear_of(structure, spec))
+        line = f"{at} = {position_constant(structure, of)} + {clear}"
+    elif sign == 0:
+        line = (
+            f"{position_constant(structure, cid)} = {position_constant(structure, stations.base(structure, of, plan))}"
+        )
+    else:
+        line = measured(structure, cid, spec, plan, sign)
+    point = f"egoLane.centerline.pointAlongBy({member(spec, at, sign or 1)})"
+    return _edge(spec, line, point, "egoLane", plan)
+
+
+def _edge(spec: ObjectSpec, constant: str, point: str, lane: str, plan: Plan) -> Spot:
+    """Beside the road: outwards from the edge of the lanes nearest to a point of the lane."""
+    left = spec.placement.side == "left"
+    two_way = stations.two_way(plan)
+    outermost = lane == "egoLane" and plan.place.ego_lane == "rightmost"
+    right = f"{lane}.rightEdge" if outermost else f"{lane}.group.rightEdge"
+    edge = right if not left else f"{lane}.group.opposite.rightEdge" if two_way else f"{lane}.group.leftEdge"
+    out = stations.outwards(spec)
+    offset = scope.number(-out if left else out)
+    base = f"(new OrientedPoint at {edge}.project({point}), facing roadDirection at {point})"
+    heading = f"roadDirection at {point}"
+    facing = _facing(spec, left)
+    specifiers = (
+        f"at {base} offset by {offset} @ 0",
+        f"facing {facing}({heading})",
+        "with regionContainedIn everywhere",
+    )
+    return Spot(
+        (constant,), specifiers, "way(egoLane)" if lane == "egoLane" else f"way({lane})", off_road=True, heading=heading
+    )
+
+
+def _facing(spec: ObjectSpec, left: bool) -> str:
+    """Those that will cross look across; those that go against the road look back."""
+    actions = {p.action for p in spec.phases}
+    on_foot = is_walker(spec.type) or spec.type == "bicycle"
+    crosses = bool(actions & {"cross_road", "enter_road", "collide"}) and on_foot and not walks_first(spec)
+    if "reverse" in actions and is_vehicle(spec.type) and spec.placement.facing == "across":  # its back to the road
+        return "90 deg relative to " if left else "-90 deg relative to "
+    if spec.placement.facing == "across" or (crosses and spec.placement.facing is None):
+        return "-90 deg relative to " if left else "90 deg relative to "
+    if spec.placement.facing == "against":
+        return "180 deg relative to "
+    return ""
+
+
+def hidden(structure: Structure, spec: ObjectSpec) -> Spot:
+    """Right behind what hides it, as ego sees it: close ahead of the hiding object."""
+    hider = scope.reference(structure, spec.placement.hidden_by or "ego").replace("[0]", "[-1]")  # of a row the last
+    left = spec.placement.side == "left"
+    angle = "-90 deg" if left else "90 deg"
+    return Spot(
+        (),
+        (
+            f"ahead of {hider} by {member(spec, scope.number(stations.RIGHT_BEHIND))}",
+            f"facing {angle} relative to {hider}",
+            "with regionContainedIn everywhere",
+        ),
+        "straight_on(self)",
+        off_road=True,
+    )

@@ -1,0 +1,43 @@
+"""A spot as Scenic: what a fragment says of where its object starts, and how it counts members of a row."""
+
+from dataclasses import dataclass
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.write.typed import scope, stations
+from c2s_engine.write.typed.plan import Plan
+
+
+@dataclass(frozen=True)
+class Spot:
+    """`constants`: lines before the object; `specifiers`: where (`i` counts members); `line`: its way's points."""
+
+    constants: tuple[str, ...]
+    specifiers: tuple[str, ...]
+    line: str
+    lane: int | None = None
+    approach: str | None = None
+    off_road: bool = False
+    heading: str = ""  # the road's heading at the spot, where it stands beside it
+
+
+def position_constant(structure: Structure, cid: str) -> str:
+    """The constant that says how far along the lane something starts, m."""
+    return "EGO_AT" if cid in ("ego", "E") else f"{scope.constant(structure, cid)}_AT"
+
+
+def measured(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, sign: int) -> str:
+    """`X_AT = OTHER_AT + gap + half lengths`."""
+    start, gap, half = stations.from_base(structure, spec, plan, sign)
+    op = "+" if sign > 0 else "-"
+    text = scope.quantity(gap)
+    tail = f" {op} {text}" if text != "0" else ""
+    base = position_constant(structure, start)
+    return f"{position_constant(structure, cid)} = {base}{tail} {op} {scope.number(half)}  # m along the lane"
+
+
+def member(spec: ObjectSpec, base: str, sign: int = 1) -> str:
+    """Where the i-th member of a row is, from where the first is."""
+    if spec.count == 1:
+        return base
+    return f"{base} {'+' if sign > 0 else '-'} {scope.number(stations.step(spec))} * i"

@@ -1,0 +1,152 @@
+"""How far along its lane something starts, as numbers: from whom it is measured, and by how much. Lengths in m."""
+
+import math
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, MOVES_OFF_ROAD, WORKS, is_vehicle, is_walker
+from c2s_engine.write.typed.usual import default_gap, right_behind, speed_of
+
+OWN_PLACE = {*APPROACH_ANGLE, "oncoming_lane", "on_ramp", "intersection_exit", *MOVES_OFF_ROAD}
+"""Positions that name where somebody is, whomever they are seen from."""
+FROM_END = {*APPROACH_ANGLE, "on_ramp"}
+"""Positions measured back from the end of their lane."""
+CLOSEST = 0.3
+"""m between the members of a row at least."""
+RIGHT_BEHIND = 0.6
+"""m from what hides somebody to who stands by it."""
+
+
+def along(spec: ObjectSpec) -> int:
+    """+1 ahead, 0 abreast, -1 behind."""
+    stated, position = spec.placement.along, spec.placement.position
+    if position == "partly_in_lane" and stated == "abreast":
+        return 1
+    if stated and position not in ("ahead", "behind"):
+        return {"ahead": 1, "abreast": 0, "behind": -1}[stated]
+    return {"behind": -1, "beside": 0}.get(position, 1)
+
+
+def step(spec: ObjectSpec) -> float:
+    """From one member of a row to the next."""
+    return LENGTH[spec.type] + max(middle(spec.spacing) if spec.spacing is not None else 3.0, CLOSEST)
+
+
+def gap(spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
+    """The stated gap, or the usual one."""
+    if spec.placement.gap is not None:
+        return spec.placement.gap
+    place = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place  # it stands before the merge
+    return default_gap(spec, plan.ego_speed, place)
+
+
+def row_beyond(parent: ObjectSpec, ahead: bool) -> float:
+    """How far a row goes on beyond its first member, on the side of those placed ahead of it or behind it."""
+    if parent.type in WORKS:  # always one
+        return 0.0
+    backwards = parent.placement.position in (*FROM_END, "oncoming_lane") or along(parent) < 0
+    return (parent.count - 1) * step(parent) if ahead != backwards else 0.0
+
+
+def length_of(structure: Structure, of: str) -> float:
+    """The length of ego or an object."""
+    spec = structure.ego.spec if of in ("ego", "E") else structure[of].spec
+    return LENGTH.get(getattr(spec, "type", "car"), 4.8)
+
+
+def stands_there(structure: Structure, of: str) -> bool:
+    """Whether the one that an object is placed by is itself beside the road."""
+    other = structure[of].spec if of in structure and of not in ("ego", "E") else None
+    return isinstance(other, ObjectSpec) and other.placement.position in MOVES_OFF_ROAD
+
+
+def in_line(structure: Structure, spec: ObjectSpec, plan: Plan) -> bool:
+    """Whether it is placed by one that is on no lane of ego's direction, and on the same lane as that one."""
+    of = spec.placement.of
+    return of not in ("ego", "E") and plan.lane_of[of] is None and spec.placement.position not in OWN_PLACE
+
+
+def base(structure: Structure, of: str, plan: Plan) -> str:
+    """Whom something is measured from: `of` where that has a place along ego's lane, else "ego"."""
+    parent = structure[of].spec if of not in ("ego", "E") else None
+    if not isinstance(parent, ObjectSpec):
+        return "ego"
+    if right_behind(parent):
+        return base(structure, parent.placement.hidden_by or "ego", plan)
+    return "ego" if plan.lane_of[of] is None and not stands_there(structure, of) else of
+
+
+def from_base(
+    structure: Structure, spec: ObjectSpec, plan: Plan, sign: int
+) -> tuple[str, float | tuple[float, float], float]:
+    """Whom it is measured from, the gap, and what the bodies add to that, ahead (`sign` +1) or behind (-1)."""
+    of = spec.placement.of
+    half = (LENGTH[spec.type] + length_of(structure, of)) / 2 + 0.2
+    own = gap(spec, plan)
+    if stands_there(structure, of):
+        own = 2.0 if spec.placement.gap is None else own
+    start = base(structure, of, plan)
+    if start == of and start != "ego":
+        parent = structure[of].spec
+        assert isinstance(parent, ObjectSpec)
+        half += row_beyond(parent, sign > 0)
+    return start, own, half
+
+
+def clear_of(structure: Structure, spec: ObjectSpec) -> float:
+    """From the middle of what takes the spot beside the road to one that is placed abreast of it."""
+    return (LENGTH[spec.type] + length_of(structure, spec.placement.of)) / 2 + 0.8
+
+
+def bodies(spec: ObjectSpec, parent: ObjectSpec, behind: bool) -> float:
+    """What the bodies add to the gap of one in line with another."""
+    return (LENGTH[spec.type] + LENGTH[parent.type]) / 2 + row_beyond(parent, not behind)
+
+
+def to_junction(spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
+    """How far before the junction one on another approach starts: as stated, or so that it is there when ego is."""
+    if spec.placement.gap is not None:
+        return spec.placement.gap
+    own = middle(speed_of(spec, plan.place))
+    far = middle(plan.distance or 40)
+    seconds = far / max(plan.ego_speed, 4) if plan.ego_speed > 0 else math.sqrt(far + 5)
+    lead = 6 if spec.placement.position == "opposite_approach" else 3
+    return max(8.0, min(own * seconds + lead, 130.0)) if own > 0 else 8.0
+
+
+def to_merge(spec: ObjectSpec, plan: Plan) -> float:
+    """How far before the merge one on the ramp starts: so that it is there when ego is."""
+    own, ego = middle(speed_of(spec, plan.place)), max(plan.ego_speed, 4)
+    lead = 0.0
+    if any(p.action == "cut_in" for p in spec.phases):  # it comes out in front
+        lead = 6 + (middle(spec.placement.gap) if spec.placement.gap is not None else 14)
+    return max(10.0, min((own * (middle(plan.distance or 80) + 100) / ego) - 100 - lead, 250))
+
+
+def exit_gap(spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
+    """How far behind the junction one starts: those on foot and riders close to it."""
+    if near_exit(spec) and spec.placement.gap is None:
+        return 4.0
+    return gap(spec, plan)
+
+
+def near_exit(spec: ObjectSpec) -> bool:
+    """Whether it stands at the edge of the lane behind the junction."""
+    return is_walker(spec.type) or spec.type == "bicycle"
+
+
+def outwards(spec: ObjectSpec) -> float:
+    """From the road's edge to the middle of what is beside it."""
+    out = {"parked": 1.4, "sidewalk": 3.0}.get(spec.placement.position, 1.5)
+    if is_walker(spec.type):
+        return out
+    if not is_vehicle(spec.type):  # signs and props may be wide
+        return max(out, 2.4)
+    return 1.8 if spec.placement.position == "roadside" else out
+
+
+def two_way(plan: Plan) -> bool:
+    """Whether the far side of the road lies beyond lanes of the other direction."""
+    return bool(plan.oncoming or plan.place.kind in ("intersection", "crosswalk") or plan.place.oncoming)

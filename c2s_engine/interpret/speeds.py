@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret import language, scan, syntax
+from c2s_engine.interpret.comparisons import compared_speeds, is_difference
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import VEHICLES, Entity
 from c2s_engine.interpret.scene import Scene
@@ -16,6 +17,8 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
     by_span = {id(w.span): w for w in scene.words if w.span is not None and w.span.kind == "quantity"}
     for span in quantities:
         if span.data["dimension"] != "speed" or span.data.get("role") == "limit":
+            continue
+        if is_difference(scene.plain, span):
             continue
         word = by_span.get(id(span))
         if word is None:
@@ -105,6 +108,7 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
             others = [e for e in scene.actors if e.type in VEHICLES]
             for other in others[:1]:
                 scene.speeds.setdefault(other, value)
+    compared_speeds(scene, quantities)
 
 
 def _before(scene: Scene, span: scan.Span) -> Entity | None:

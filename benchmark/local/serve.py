@@ -103,7 +103,8 @@ class Handler(BaseHTTPRequestHandler):
             body = json.loads(self.rfile.read(int(self.headers.get("Content-Length") or 0)) or b"{}")
             if self.path == "/api/show":
                 self.service.known(body)
-                self._json({"capabilities": ["completion"], "model_info": {}, **self.service.row()}, 200)
+                info = {"general.architecture": "llama", "llama.context_length": self.service.llama.context}
+                self._json({"capabilities": ["completion"], "model_info": info, **self.service.row()}, 200)
             elif self.path == "/api/chat":
                 self._chat(body)
             else:

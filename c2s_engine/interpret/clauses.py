@@ -18,6 +18,9 @@ OUT_OF = re.compile(
 FORCEFUL = frozenset(("hard", "harsh", "emergency", "full", "maximum", "sudden", "sharp", "heavy", "panic", "violent"))
 
 
+BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
+
+
 class Clauses(Nominal):
     """The events of a text."""
 
@@ -143,24 +146,12 @@ class Clauses(Nominal):
             others = (self.cast.of[i] for i in own if i > word.i and i in self.cast.of)
             event.patient = next((e for e in others if e is not event.agent), None)
         event.words, event.mode, event.passive = own, self._mode(word), passive
-        if (
-            event.act == "stop"
-            and passive
-            and lemma != "bring"
-            and event.agent is agent
-            and not re.search(r"\bby @", whole)
-        ):
+        if event.act == "stop" and passive and lemma != "bring" and event.agent is agent and not BY.search(whole):
             event.act = "stationary"
         struck = event.act == "collide" and passive and event.agent is agent and event.patient in (None, agent)
         if struck and not event.agent.ego and not re.search(r"\bby (the |a |an )?@", whole):
             event.agent, event.patient = self.cast.ego, agent  # "the deer was hit"
-        if (
-            event.act == "follow"
-            and passive
-            and event.agent is agent
-            and not event.agent.ego
-            and not re.search(r"\bby @", whole)
-        ):
+        if event.act == "follow" and passive and event.agent is agent and not event.agent.ego and not BY.search(whole):
             event.agent, event.patient = self.cast.ego, agent
         late: Event | None = None
         into = (

@@ -64,7 +64,7 @@ def actor_nouns() -> dict[str, tuple[str, bool, bool]]:
                 found[noun] = (kind, noun in ("people", "cattle", "works", "roadworks", "road works"), person)
                 for plural in plurals(noun):
                     found.setdefault(plural, (kind, True, person))
-    for section, kind in (("generic", "vehicle"), ("riders", "rider")):
+    for section, kind in (("generic", "vehicle"), ("drivers", "vehicle"), ("riders", "rider")):
         for noun in data[section]:
             found[noun] = (kind, False, section == "riders")
             for plural in plurals(noun):

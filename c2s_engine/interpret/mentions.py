@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.askers import asked
 from c2s_engine.interpret.entities import (
     DEFINITE,
     MOTOR,
@@ -38,6 +39,7 @@ class Cast(Nouns):
 
     def __init__(self, words: list[Word]) -> None:
         self.words = words
+        self.asking = _asking(words)
         self.ego = Entity("ego", "car")
         self.entities: list[Entity] = []
         self.of: dict[int, Entity] = {}
@@ -103,7 +105,7 @@ class Cast(Nouns):
         assert span is not None
         if span.kind == "ego":
             self._ego_type(word)
-            named = self._copula(word) or self._which_is(word)
+            named = self._copula(word) or self._which_is(word) or self._bracketed(word)
             after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
             near = named is not None and any(0 < word.i - m.word <= 6 for m in named.mentions)
             if (
@@ -149,10 +151,18 @@ class Cast(Nouns):
             if host and not host.ego and len(host.mentions) == 1:
                 self._become_ego(host)
             return self.ego
-        for entity in self.entities:
-            if entity.label == label:
-                return entity
+        host = self._copula(word)
+        known = next((e for e in self.entities if e.label == label), None)
+        if host is not None and host.ego:  # "the ego is car C"
+            if known is not None:
+                self._become_ego(known)
+            return self.ego
+        if known is not None:
+            return known
         host = self._apposed(word)
+        if host is not None and host.count > 1:  # "three cars: A is in front"
+            host.roles.add("group")
+            return self._new(Entity("", host.type, noun=host.noun, label=label, typed=host.typed))
         if host is None and word.i and self.words[word.i - 1].norm == "(":
             near = [
                 i
@@ -211,6 +221,9 @@ class Cast(Nouns):
     def _copula(self, word: Word) -> Entity | None:
         """The subject of "X is/was a truck"."""
         head = self.words[word.head]
+        near = [w.norm for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
+        if {"behind", "beside", "near", "past", "between"} & set(near):
+            return None
         if word.dep == "attr" and head.lemma == "be":
             for child in head.children:
                 if (
@@ -224,6 +237,21 @@ class Cast(Nouns):
                     return None
         return None
 
+    def _bracketed(self, word: Word) -> Entity | None:
+        """The one after whom a bracket names ego: "one minivan (the ego here)", "the van (= our ego)"."""
+        back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
+        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
+        comma = word.i and "," in [w.norm for w in self.words[max(0, word.i - 3) : word.i]]
+        after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
+        if comma and after != ",":
+            return None
+        if re.search(
+            r"@ (\(|\[|,|--?) ?(=|i\.e\. ?,?|that is ,?|here|namely|this is|call it|as|being)? ?(the |our |my )?$",
+            text + " ",
+        ):
+            return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
+        return None
+
     def _which_is(self, word: Word) -> Entity | None:
         """The one of whom it is said "which is our ego"."""
         back = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
@@ -231,3 +259,17 @@ class Cast(Nouns):
         if re.search(r"@ ?,? (which|that|who) (is|was) (our |the |my )?$", text + " "):
             return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
         return None
+
+
+def _asking(words: list[Word]) -> frozenset[int]:
+    """The words in which somebody only asks for the scenario ("please write me a scene")."""
+    found: set[int] = set()
+    for number in {w.sentence for w in words}:
+        sentence = [w for w in words if w.sentence == number]
+        starts, text = [], ""
+        for word in sentence:
+            starts.append(len(text))
+            text += word.norm + " "
+        for first, last in asked(text):
+            found |= {w.i for w, at in zip(sentence, starts, strict=True) if first <= at < last}
+    return frozenset(found)

@@ -37,7 +37,7 @@ class Nouns(Reference):
             return None
         if "no" in before or previous in ("no", "without", "any"):
             return None
-        if kind in ("pedestrian", "child") and self._rides(word):
+        if (kind in ("pedestrian", "child") or noun in language.table("actors")["drivers"]) and self._rides(word):
             return None
         if self._is_modifier(word) or self._proper(word):
             return None
@@ -62,6 +62,9 @@ class Nouns(Reference):
             and (host.type == "vehicle" or kind in ("vehicle", host.type) or host.ego or host.label)
             and (host.mover or not MOVERS & {kind})
         ):
+            return self._retyped(host, kind, roles, noun)
+        host = self._called(word)
+        if host is not None and (fits(host, kind) or host.type == "vehicle" or host.ego and kind in MOTOR):
             return self._retyped(host, kind, roles, noun)
         host = self._apposed(word)
         if (
@@ -140,6 +143,17 @@ class Nouns(Reference):
         return self._new(
             Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
         )
+
+    def _called(self, word: Word) -> Entity | None:
+        """Whose label stands right before a noun with nothing but adjectives between: "Unit 1 gray pickup"."""
+        for other in reversed(self.words[max(0, word.i - 3) : word.i]):
+            if other.sentence != word.sentence:
+                return None
+            if other.span is not None:
+                return self.of.get(other.i) if other.span.kind == "label" else None
+            if not other.tag.startswith(("JJ", "NN", "CD")) or other.norm in language.table("actors")["never"]:
+                return None
+        return None
 
     def _halts(self, word: Word) -> bool:
         """Whether traffic is said to come to a stand or to slow down: then there is a vehicle ahead that does."""

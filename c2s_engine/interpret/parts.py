@@ -21,7 +21,11 @@ class Parts(Strangers):
         word = self.words[i]
         if depth > 3:
             return None
-        if word.span is not None and word.span.kind == "actor" and word.span.data["type"] in PERSONS:
+        if (
+            word.span is not None
+            and word.span.kind == "actor"
+            and (word.span.data["type"] in PERSONS or word.span.data.get("noun") in language.table("actors")["drivers"])
+        ):
             for child in word.children:
                 other = self.words[child]
                 if other.norm in ("in", "on") or other.norm in DRIVING:

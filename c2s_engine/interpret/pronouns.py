@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import ORDINALS, VEHICLES, Entity
-from c2s_engine.interpret.parts import Parts
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.members import Members
 from c2s_engine.interpret.syntax import Word
 
 STRIKES = frozenset(("hit", "strike", "clip", "ram", "bump", "contact", "touch", "graze", "scrape", "sideswipe"))
@@ -16,7 +16,7 @@ THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
 BESIDE = re.compile(r"(to|on|in|at) (left|right|front|rear)\b")
 
 
-class Pronouns(Parts):
+class Pronouns(Members):
     """The part of Cast that resolves words without a noun of their own."""
 
     words: list[Word]
@@ -24,6 +24,7 @@ class Pronouns(Parts):
     ego: Entity
     of: dict[int, Entity]
     subjects: list[tuple[int, Entity]]
+    asking: frozenset[int]
 
     def _near(self, word: Word) -> list[str]:
         raise NotImplementedError
@@ -37,7 +38,7 @@ class Pronouns(Parts):
         if self._on_foot(word):
             return self._new(Entity("", "pedestrian", noun=norm, typed=True))
         if norm in data["ego"]:
-            return self.ego
+            return None if word.i in self.asking else self.ego
         if norm in ("who", "which", "that", "whose", "whom") and word.tag in ("WDT", "WP", "WP$"):
             return self._antecedent(word)
         if norm in ("it", "its", "itself"):
@@ -47,10 +48,14 @@ class Pronouns(Parts):
                 return self.ego
             before = self.words[word.i - 1].norm if word.i else ""
             things = THINGS if before in ("around", "round", "past", "avoid", "avoids", "hits", "beside") else LOOSE
-            thing = lambda e: not e.person and (e.mover or e.type in things)  # noqa: E731
+            i = self._first_person() and not self._ego_is_thing()
+            thing = lambda e: not e.person and (e.mover or e.type in things) and not (i and e.ego)  # noqa: E731
             return self._salient(word, lambda e: thing(e) and e.count == 1) or self._salient(word, thing)
         if norm in data["person"]:
-            return self._salient(word, lambda e: e.person) or self._salient(word, lambda e: e.mover)
+            found = self._salient(word, lambda e: e.person)
+            if found is None and self._first_person():  # who says "I" is never "he"
+                found = self._salient(word, lambda e: e.mover and not e.ego)
+            return found or self._salient(word, lambda e: e.mover)
         if norm in ("they", "them", "their", "themselves"):
             many = [e for e in self.entities if e.count > 1]
             if many:
@@ -60,6 +65,15 @@ class Pronouns(Parts):
                 return person[-1]
             return self._salient(word, lambda e: e.mover)
         return self._elliptic(word) or self._unknown(word)
+
+    def _first_person(self) -> bool:
+        """Whether ego speaks of itself: "I", "we", "our"."""
+        first = ("i", "we", "me", "us", "my", "our")
+        return any(self.words[m.word].norm in first for m in self.ego.mentions)
+
+    def _ego_is_thing(self) -> bool:
+        """Whether ego was spoken of as a vehicle, too ("our test car")."""
+        return any(m.kind in ("ego", "label", "actor") and self.words[m.word].norm != "i" for m in self.ego.mentions)
 
     def _obliged(self, word: Word) -> bool:
         """Whether "it" is whom something is demanded of ("it must wait"): that is ego, where ego was spoken of."""
@@ -231,86 +245,4 @@ class Pronouns(Parts):
             if current.head == current.i:
                 return None
             current = self._governor(self.words[current.head])
-        return None
-
-    def _member_of(self, word: Word) -> Entity | None:
-        """ "The second", "the last one", "the first of them", after a group was spoken of: a member of it."""
-        before = [w.norm for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
-        told = word.norm if word.norm in ORDINALS else before[-1] if before and word.norm == "one" else ""
-        named = before[-1:] if told == word.norm else before[-2:-1]
-        groups = [e for e in self.entities if e.count > 1 and e.mover and "group" not in e.roles]
-        if told not in ORDINALS or not groups or named not in (["the"], ["its"]):
-            return None
-        return self._member(groups[-1], told)
-
-    def _member(self, group: Entity, told: str) -> Entity | None:
-        """The member of a group by its number; None where the group has fewer."""
-        number = ORDINALS[told] + 1 or -1
-        if number == 3 and group.count == 2:  # "several": more than two
-            group.count = 3
-        if number > group.count:
-            return None
-        number = -1 if number == group.count else number
-        known = next((e for e in self.entities if e.group is group and e.ordinal == number), None)
-        if known is not None:
-            return known
-        return self._new(
-            Entity("", group.type, noun=group.noun, typed=False, roles=set(group.roles), group=group, ordinal=number)
-        )
-
-    def _elliptic(self, word: Word) -> Entity | None:
-        """ "another", "the latter", "the other", "one", "the first", "a third", "both", "the two"."""
-        norm = word.norm
-        if word.children and any(self.words[c].span for c in word.children if self.words[c].dep == "compound"):
-            return None
-        argument = word.dep in (
-            "nsubj",
-            "nsubjpass",
-            "dobj",
-            "pobj",
-            "conj",
-            "ROOT",
-            "attr",
-            "appos",
-            "dep",
-            "npadvmod",
-        )
-        following = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
-        if (
-            following is not None
-            and (following.noun or following.tag.startswith("JJ"))
-            and following.sentence == word.sentence
-            and following.norm not in ("one",)
-            and not following.verb
-        ):
-            return None
-        movers = [e for e in self.entities if e.mover]
-        if not argument or not movers:
-            return None
-        member = self._member_of(word)
-        if member is not None:
-            return member
-        if norm == "latter":
-            last = [i for i in sorted(self.of) if i < word.i]
-            return self.of[last[-1]] if last else None
-        if norm == "former":
-            last = [i for i in sorted(self.of) if i < word.i]
-            kinds = list(dict.fromkeys(id(self.of[i]) for i in last[-4:]))
-            return next((self.of[i] for i in last[-4:] if len(kinds) > 1 and id(self.of[i]) == kinds[-2]), None)
-        if norm == "another" or norm in ("second", "third", "fourth") and self.words[word.i - 1].norm in ("a", "the"):
-            model = movers[-1]
-            return self._new(
-                Entity(
-                    "",
-                    model.type,
-                    noun=model.noun,
-                    typed=model.typed,
-                    roles=set(model.roles & {"parked", "stationary"}),
-                )
-            )
-        if norm == "one" and self.words[word.i - 1].norm in ("that", "this"):
-            return movers[-1]
-        if norm in ("other", "others") and self.words[word.i - 1].norm == "the":
-            vehicles = [e for e in movers if e.type in VEHICLES]
-            return vehicles[-1] if vehicles else movers[-1]
         return None

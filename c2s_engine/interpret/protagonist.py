@@ -82,6 +82,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         if before in ("another", "other") or any(cast.words[c].norm in ("another", "other") for c in head.children):
             continue
         acts = [v.act for v in acting[entity]]
+        if any(v.act == "collide" and v.agent is cast.ego and v.patient is entity for v in clauses.events):
+            continue
         if not acts and not any(v.patient is entity for v in clauses.events):
             continue
         if acts and not EGO_LIKE & set(acts):
@@ -132,7 +134,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     implied = re.search(
         r"\b(coming|comes) (the other way|towards)|\boncoming\b|opposite (direction|lane)|other direction", plain
     )
-    if implied and best.mentions[0].word > 6 and best is not (generic[0] if generic else None):
+    first = bool(cast.asking) and best.mentions[0].word == min(m.word for e in cast.entities for m in e.mentions)
+    if implied and not first and best.mentions[0].word > 6 and best is not (generic[0] if generic else None):
         return
     cast.entities.remove(best)
     if best.type != "vehicle":

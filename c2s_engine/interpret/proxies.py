@@ -56,6 +56,12 @@ CROSSES = regex.compile(r"\s+(?:the|a|from|in front|at the|over|on|behind|with|s
 TOLD = frozenset(("first", "second", "third", "fourth", "last", "other", "latter", "former"))
 
 
+ALONE = frozenset(("one", "other", "another"))
+
+
+OPENS = regex.compile(r"(?:^|[.,;:!?(]|\b(?:and|but|while|when|then|as|of them))\s*$")
+
+
 LETS = regex.compile(r"\b(?:let|lets|letting|help|helps|watch|watches|sees)\s+(?:\S+\s+){1,4}$")
 
 
@@ -77,6 +83,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     verb = regex.match(r"\s+(?:then |suddenly )?(\p{L}+)", plain[start + len(text) : start + 40])
     if text in TOLD and verb and _finite(verb[1]) and regex.search(r"\bthe\s+$", plain[max(0, start - 5) : start]):
         return "man"
+    if text in ALONE and verb and _finite(verb[1]) and OPENS.search(plain[max(0, start - 12) : start]):
+        return "he"
     lets = before is not None and text in language.word_list("motion") | language.word_list("base")
     if lets and LETS.search(plain[max(0, start - 48) : start]):
         return "go"

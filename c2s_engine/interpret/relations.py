@@ -155,8 +155,8 @@ class Places(Inferred):
         front = self.clauses.render([w.i for w in before])
         fronted = re.search(
             (
-                r"(?:^|, |and |: )((?:from|to|on|at) (?:the |its |@\w+ 's )+(?:left|right)(?: side)?)(?: a"
-                r"| an| another| the| \w+){0,3}$"
+                r"(?:^|, |and |: )((?:from|to|on|at|in) (?:the |its |@\w+ 's )+(?:left|right)(?:-?hand|most)?(?: side| lane)?)"
+                r"(?: a| an| another| the| \w+){0,3}$"
             ),
             front,
         )

@@ -8,6 +8,7 @@ from functools import cache
 from typing import Any
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.askers import asked
 
 SAME = str.maketrans(
     "\u2018\u2019\u201b\u2032\u201c\u201d\u00a0\u2010\u2011\u2012\u2013\u2014\u2015\u2212\u202f\t",
@@ -65,10 +66,16 @@ LABEL_NUMBERS = {"one": "1", "two": "2", "three": "3", "four": "4", "five": "5"}
 )
 
 
-def names(text: str) -> list[Span]:
-    """Names of ego, labels of vehicles (V2, Unit 2), road users and things, without overlaps."""
-    found: list[Span] = []
-    found += [Span("ego", match.start(), match.end()) for match in _ego().finditer(text)]
+def names(text: str, letters: list[Span] | None = None) -> list[Span]:
+    """Names of ego, labels of vehicles (V2, Unit 2), road users and things, without overlaps; with the letters that the
+    text's own case gave, where it was looked at."""
+    found: list[Span] = list(letters or ())
+    asking = asked(text)
+    found += [
+        Span("ego", match.start(), match.end())
+        for match in _ego().finditer(text)
+        if match[0] != "i" or not any(s <= match.start() < e for s, e in asking)
+    ]
     for match in _letter().finditer(text):
         role = "following" if match["word"] == "fv" else "lead" if match["word"] == "lv" else ""
         found.append(
@@ -79,7 +86,10 @@ def names(text: str) -> list[Span]:
                 {"type": "vehicle", "label": match[0].removeprefix("the "), "roles": [role] if role else []},
             )
         )
+    lettered = [(s.start, s.end) for s in letters or ()]
     for match in _label().finditer(text):
+        if any(s < match.end() and match.start() < e for s, e in lettered):
+            continue
         word, number = match["word"], match["id"]
         bare = text[match.end("word") : match.start("id")]
         if word in ("v", "u", "d") and bare.strip(" #-"):
@@ -130,6 +140,10 @@ def names(text: str) -> list[Span]:
         if any(s < end and start < e for s, e in taken):
             continue
         noun = re.sub(r"[\s-]+", " ", match["noun"])
+        if noun == "mini" and re.match(r"[\s-]+(?:roundabout|cab|van|bus|series)", text[end : end + 12]):
+            continue
+        if noun in VERBS_TOO and any(s.end == start - 1 and s.kind != "quantity" for s in found):
+            continue
         if noun in language.makes() and not _stands_for_a_vehicle(text, start, end):
             continue
         if noun == "cab" and re.search(r"(?:\b(?:his|her|its|their)|'s)\s+$", text[max(0, start - 8) : start]):
@@ -144,6 +158,7 @@ def names(text: str) -> list[Span]:
         ):
             continue
         kind, plural, person = _noun(noun)
+        plural = plural or noun in INVARIANT and _several(text, match.start(), end)
         words = re.split(r"[\s]+", match["roles"].strip()) if match["roles"].strip() else []
         known = language.roles()
         found.append(
@@ -163,7 +178,7 @@ def names(text: str) -> list[Span]:
                 },
             )
         )
-    found += _letters(text, found)
+    found += _letters(text, found) if not letters else []
     found += _shortened(text, found)
     found.sort(key=lambda s: (s.start, -s.end))
     kept: list[Span] = []
@@ -174,6 +189,28 @@ def names(text: str) -> list[Span]:
             continue
         kept.append(span)
     return kept
+
+
+INVARIANT = frozenset(
+    ("deer", "sheep", "moose", "elk", "bison", "reindeer", "roe deer", "wild boar", "swine", "livestock")
+)
+"""Nouns that are the same in singular and plural."""
+
+
+def _several(text: str, start: int, end: int) -> bool:
+    """Whether a number before or a plural verb after such a noun tells that there are several."""
+    counts = "|".join(c for c in language.table("actors")["counts"] if c not in ("one",))
+    before = re.search(rf"\b(?:{counts}|[2-9]|[1-9]\d)(?: of)?(?: \w+){{0,2}}\s*$", text[max(0, start - 28) : start])
+    after = re.match(
+        r"\s+(?:are|were|have|stand|cross|graze|run|walk|block|wander|come|lie|appear|jump|leap)\b", text[end:]
+    )
+    return bool(before or after)
+
+
+VERBS_TOO = frozenset(
+    ("ducks", "cycles", "bikes", "rams", "tails", "hounds", "badgers", "coaches", "bulls", "bucks", "barrels")
+)
+"""Plural nouns that are what somebody does where a road user stands right before them."""
 
 
 def _numbered(text: str, found: list[Span]) -> list[Span]:

@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.echoes import echoes
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.place import Road
@@ -117,7 +118,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             event.act = "turn"  # "a manoeuvre to the right", into a street
     _waits(cast, clauses)
     _waits_for_somebody(cast, clauses)
-    _echoes(cast, clauses)
+    echoes(cast, clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:
         if (
@@ -281,58 +282,3 @@ def _waits_for_somebody(cast: Cast, clauses: Clauses) -> None:
         if crossing:
             event.act, event.patient = "yield", crossing[-1]
             return
-
-
-def _echoes(cast: Cast, clauses: Clauses) -> None:
-    """What is said by reference to another clause: "and so must ego", "the two collided"."""
-    words = cast.words
-    for i, word in enumerate(words[:-2]):
-        ahead = " ".join(w.norm for w in words[i : i + 7] if w.sentence == word.sentence)
-        if re.match(r"so (must|does|do|did|has|should|will|had)\b", ahead):
-            target = next((cast.of[w.i] for w in words[i : i + 6] if w.i in cast.of), None)
-            earlier = [e for e in clauses.events if e.word < i and e.agent is not target and e.mode == "fact"]
-            if target is not None and earlier:
-                last = max(earlier, key=lambda e: e.word)
-                clauses.events.append(
-                    Event(
-                        last.act,
-                        target,
-                        i,
-                        last.text,
-                        last.whole,
-                        None,
-                        hard=last.hard,
-                        order=i,
-                        words=[i],
-                        start=word.start,
-                        end=word.end,
-                    )
-                )
-        told = i + 1 >= len(words) or words[i + 1].span is None or not words[i + 1].span.data.get("words")
-        if (
-            told
-            and re.match(
-                (
-                    r"(the |they |)(two|both|they|vehicles|cars)( vehicles| cars| of them)? (then )?"
-                    r"(collide|collided|crash|crashed|meet|met|came into contact|made contact)\b"
-                ),
-                ahead,
-            )
-            and not any(e.act == "collide" and abs(e.word - i) < 6 for e in clauses.events)
-        ):
-            before = [cast.of[j] for j in sorted(cast.of) if j < i and cast.of[j].mover and not cast.of[j].ego]
-            if before:
-                clauses.events.append(
-                    Event(
-                        "collide",
-                        before[-1],
-                        i,
-                        ahead,
-                        ahead,
-                        cast.ego,
-                        order=i,
-                        words=[i],
-                        start=word.start,
-                        end=word.end,
-                    )
-                )

@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret import language, scan, syntax
+from c2s_engine.interpret.comparisons import compared_speeds, is_difference
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import VEHICLES, Entity
 from c2s_engine.interpret.scene import Scene
@@ -25,6 +26,8 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         if span.data["dimension"] != "speed" or SIDEWAYS.search(scene.plain[max(0, span.start - 40) : span.start]):
             continue
         if span.data.get("role") == "limit" and not AT_LIMIT.search(scene.plain[max(0, span.start - 40) : span.start]):
+            continue
+        if is_difference(scene.plain, span):
             continue
         word = by_span.get(id(span))
         if word is None:
@@ -116,6 +119,7 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
             many = 2 if told[:2] == [word.sentence, word.sentence] else 1
             for other in others[:many]:
                 scene.speeds.setdefault(other, value)
+    compared_speeds(scene, quantities)
 
 
 def _before(scene: Scene, span: scan.Span) -> Entity | None:

@@ -1,9 +1,10 @@
 """All stages up to the scene, in their order."""
 
-from c2s_engine.interpret import amounts, division, environment, place, scan, syntax
+from c2s_engine.interpret import amounts, division, environment, letters, place, scan, syntax
 from c2s_engine.interpret.casting import actors
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.mentions import Cast
+from c2s_engine.interpret.passives import unnamed_doers
 from c2s_engine.interpret.protagonist import choose_ego
 from c2s_engine.interpret.relations import Places
 from c2s_engine.interpret.scene import Scene
@@ -21,7 +22,7 @@ def understand(text: str) -> Scene:
         b for b in amounts.bare_speeds(plain) if not any(q.start < b.end and b.start < q.end for q in quantities)
     ]
     quantities.sort(key=lambda s: s.start)
-    names = scan.names(plain)
+    names = scan.names(plain, letters.letters(text, plain))
     taken = [(q.start, q.end) for q in quantities]
     names = [n for n in names if not any(s < n.end and n.start < e for s, e in taken)]
     spans = sorted(names + quantities, key=lambda s: s.start)
@@ -30,6 +31,7 @@ def understand(text: str) -> Scene:
     words = syntax.parse(text, plain, sentences, spans)
     cast = Cast(words)
     clauses = Clauses(words, cast)
+    unnamed_doers(cast, clauses)
     choose_ego(cast, clauses)
     places = Places(cast, clauses)
     rules_of_sense(cast, clauses, road)

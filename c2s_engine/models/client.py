@@ -47,6 +47,7 @@ class OllamaClient:
         self.recording = Recording(folder) if self.settings.record != "off" else None
         self._client: Any = None
         self._capabilities: frozenset[str] | None = None
+        self._largest: int | None = None  # the model's own largest context, tokens; None: not told
         self.keeps_to_forms: bool | None = None  # found by the probe; None: not tried out yet
 
     async def __aenter__(self) -> "OllamaClient":
@@ -105,6 +106,8 @@ class OllamaClient:
             with faults.translated(self.settings):
                 shown = await self.api.show(self.settings.model)
             self._capabilities = frozenset(shown.capabilities or ())
+            told = (v for k, v in (shown.modelinfo or {}).items() if k.endswith(".context_length"))
+            self._largest = next((v for v in told if isinstance(v, int) and v > 0), None)
         return self._capabilities
 
     # Asking
@@ -228,11 +231,13 @@ class OllamaClient:
 
     def _fault(self, question: Question, reply: Reply) -> ModelError | None:
         """What is wrong where the prompt was cut to the context, or the answer came to no end."""
-        num_ctx = self.settings.num_ctx
+        num_ctx, own = self.settings.num_ctx, self._largest
+        if own and own < num_ctx:  # Ollama gives a model no more than its own
+            num_ctx = own
         if reply.prompt_tokens >= num_ctx - 1 or (
             question.tokens > num_ctx and 0 < reply.prompt_tokens < 0.8 * question.tokens
         ):
-            return ContextOverflow(max(question.tokens, reply.prompt_tokens), num_ctx)
+            return ContextOverflow(max(question.tokens, reply.prompt_tokens), num_ctx, largest=num_ctx == own)
         if reply.done_reason == REPEATS:
             return AnswerRepeats(self.settings.model)
         if reply.done_reason == "length":

@@ -109,11 +109,11 @@ class ModelFailed(ModelError):
 class ContextOverflow(ModelError):
     """The prompt does not fit the context, so that its beginning would be cut away silently."""
 
-    def __init__(self, tokens: int, num_ctx: int) -> None:
-        super().__init__(
-            f"The prompt (about {tokens} tokens) does not fit the context of {num_ctx} tokens: raise num_ctx "
-            "under [ollama] in config.toml or shorten the text."
-        )
+    def __init__(self, tokens: int, num_ctx: int, largest: bool = False) -> None:
+        remedy = "take a model with a larger one" if largest else "raise num_ctx under [ollama] in config.toml"
+        whose = "the model's largest context" if largest else "the context"
+        said = f"The prompt (about {tokens} tokens) does not fit {whose} of {num_ctx} tokens"
+        super().__init__(f"{said}: {remedy} or shorten the text.")
 
 
 class AnswerTruncated(ModelError):

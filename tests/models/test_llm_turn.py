@@ -6,7 +6,8 @@ import pytest
 
 from c2s_engine.interpret import turn as embedded_turn
 from c2s_engine.interpret.embedded import EmbeddedInterpreter
-from c2s_engine.interpret.llm.turn import route
+from c2s_engine.interpret.llm.schema import accepts
+from c2s_engine.interpret.llm.turn import route, turn_schema
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import AddObject, RemoveObject, SetSpec, apply
 from c2s_engine.structure.specs import ObjectSpec, Placement, RestrictionsSpec, SettingsSpec
@@ -52,6 +53,19 @@ def after(turn) -> Structure:
     for edit in turn.edits:
         s = apply(s, edit)
     return s
+
+
+@pytest.mark.parametrize(
+    ("change", "fault"),
+    [
+        ({"do": "change", "component": "O1"}, "changes[0] lacks sentence"),
+        ({"do": "add", "sentence": "A van."}, "changes[0] lacks type"),
+        ({"do": "remove"}, "changes[0] lacks component"),
+        ({"do": "remove", "component": "O4", "sentence": "It goes."}, ""),
+    ],
+)
+def test_the_schema_itself_asks_for_what_a_change_needs(change, fault):
+    assert accepts(turn_schema(S), {"kind": "edit", "changes": [change]}) == fault
 
 
 async def test_a_change_is_one_component_by_its_form(server, client_of):

@@ -102,7 +102,10 @@ def accepts(schema: dict[str, Any], value: Any, at: str = "") -> str:
     where = at or "the answer"
     if "anyOf" in schema:
         tried = [accepts(choice, value, at) for choice in schema["anyOf"]]
-        return "" if "" in tried else tried[-1 if isinstance(value, list) else 0]
+        if "" in tried:
+            return ""
+        meant = (n for n, choice in enumerate(schema["anyOf"]) if _meant(choice, value))
+        return tried[next(meant, -1 if isinstance(value, list) else 0)]
     if "enum" in schema and value not in schema["enum"]:
         return f"{where} must be one of {', '.join(map(str, schema['enum']))}, not {value!r}"
     kind = schema.get("type")
@@ -118,6 +121,12 @@ def accepts(schema: dict[str, Any], value: Any, at: str = "") -> str:
         wrong = (accepts(schema["items"], item, f"{at}[{i}]") for i, item in enumerate(value))
         return next((w for w in wrong if w), "")
     return ""
+
+
+def _meant(choice: dict[str, Any], value: Any) -> bool:
+    """Whether a value names the one word by which an object of that choice is told from the others."""
+    single = {n: s["enum"][0] for n, s in choice.get("properties", {}).items() if len(s.get("enum", ())) == 1}
+    return bool(single) and isinstance(value, dict) and all(value.get(n) == word for n, word in single.items())
 
 
 def _object_fault(schema: dict[str, Any], value: dict[str, Any], at: str) -> str:

@@ -77,23 +77,27 @@ async def mend(
 
 
 def turn_schema(structure: Structure) -> dict[str, Any]:
-    """The schema of the answer: only components that there are can be changed."""
-    change = {
-        "type": "object",
-        "properties": {
-            "do": {"type": "string", "enum": ["change", "add", "remove"]},
-            "component": {"type": "string", "enum": list(structure.ids)},
-            "sentence": {"type": "string", "maxLength": limits()["lengths"]["sentence"]},
-            "type": {"type": "string", "enum": list(get_args(v.ObjectType))},
-        },
-        "required": ["do"],
-        "additionalProperties": False,
+    """The schema of the answer: only components that there are can be changed, and a change has all that it needs."""
+    told = {
+        "component": {"type": "string", "enum": list(structure.ids)},
+        "sentence": {"type": "string", "maxLength": limits()["lengths"]["sentence"]},
+        "type": {"type": "string", "enum": list(get_args(v.ObjectType))},
     }
+    needed = {"change": ("component", "sentence"), "add": ("sentence", "type"), "remove": ("component",)}
+    shapes = [
+        {
+            "type": "object",
+            "properties": {"do": {"type": "string", "enum": [do]}, **told},
+            "required": ["do", *names],
+            "additionalProperties": False,
+        }
+        for do, names in needed.items()
+    ]
     return {
         "type": "object",
         "properties": {
             "kind": {"type": "string", "enum": list(KINDS)},
-            "changes": {"type": "array", "items": change, "maxItems": limits()["lengths"]["objects"]},
+            "changes": {"type": "array", "items": {"anyOf": shapes}, "maxItems": limits()["lengths"]["objects"]},
         },
         "required": ["kind"],
         "additionalProperties": False,

@@ -18,7 +18,7 @@ from c2s_engine.write.typed.tables import (
     is_vehicle,
     is_walker,
 )
-from c2s_engine.write.typed.usual import reach, speed_of, turn_of, walks_first
+from c2s_engine.write.typed.usual import far_side, reach, speed_of, turn_of, walks_first
 
 
 def write_object(structure: Structure, cid: str, plan: Plan) -> str:
@@ -143,18 +143,19 @@ def _driver(
             p.action == "collide" and p.target in (cid, None) for p in getattr(structure.ego.spec, "phases", ())
         )
         sooner = None if struck else _sooner(structure, spec, plan)
-        statements = [_synchronised(s, prefix, sooner) for s in statements]
+        bends = turn_of(spec.phases) != "STRAIGHT"
+        statements = [_synchronised(s, prefix, sooner, bends) for s in statements]
         statements.insert(1, "spot = meeting(line, way(egoLane, egoTurn))")
     if any(p.action == "run_red" for p in spec.phases):
         statements.insert(1, "take SetTrafficLightAction('red', distance=150)")
     return statements
 
 
-def _synchronised(statement: str, prefix: str, sooner: float | None) -> str:
+def _synchronised(statement: str, prefix: str, sooner: float | None, bends: bool) -> str:
     """On a crossing way it arrives when ego does, or a little sooner (s); None: ego is to hit it."""
     early = f", {scope.number(sooner)}" if sooner else ""
     timed = (
-        f"strike(self, ego, spot, {prefix}_SPEED)"
+        f"strike(self, ego, spot, {prefix}_SPEED{', 0.6' if bends else ''})"
         if sooner is None
         else f"meet(self, ego, spot, {prefix}_SPEED{early})"
     )
@@ -177,6 +178,10 @@ def _sooner(structure: Structure, spec: ObjectSpec, plan: Plan) -> float:
     return 3.0 if turning else 1.8
 
 
+TO_LANE = "egoLane.centerline.distanceTo(self.position)"
+"""How far somebody is from the middle of ego's lane, m."""
+
+
 def _start_condition(structure: Structure, spec: ObjectSpec, phase: Phase, plan: Plan, walk: float) -> str:
     """When somebody sets out across the road: the stated trigger, or so that ego meets it on its lane."""
     t = phase.trigger
@@ -189,7 +194,10 @@ def _start_condition(structure: Structure, spec: ObjectSpec, phase: Phase, plan:
         return f"(distance from self to {other}) < {scope.number(middle(t.value))}"
     if t and t.kind == "action":
         return f"{other}.speed < 0.5" if t.action in ("stop", "stationary") else f"(distance from self to {other}) < 25"
-    return f"(distance from self to ego) < {scope.number(reach(spec, plan.place) / max(walk, 0.3))} * ego.speed + 4"
+    seconds = scope.number(reach(spec, plan.place) / max(walk, 0.3))
+    if far_side(spec, plan.place):
+        seconds = f"{TO_LANE} / {scope.number(max(walk, 0.3))}"
+    return f"(distance from self to ego) < {seconds} * ego.speed + 4"
 
 
 def _is_struck(structure: Structure, cid: str, spec: ObjectSpec) -> bool:
@@ -230,10 +238,9 @@ def _walker(
             step = f"do Walk({heading}, {own})"
         ending = f" for {scope.quantity(phase.duration)} seconds" if phase.duration is not None else ""
         if last and struck and phase.action in ("cross_road", "enter_road", "collide"):
-            lines += [
-                f"{step} for {scope.number(reach(spec, plan.place) / max(value, 0.3))} seconds",
-                "do Walk(self.heading, 0)",
-            ]
+            there = f"for {scope.number(reach(spec, plan.place) / max(value, 0.3))} seconds"
+            there = f"until {TO_LANE} < 0.4" if far_side(spec, plan.place) else there
+            lines += [f"{step} {there}", "do Walk(self.heading, 0)"]
             break
         if not ending and not last:
             following = phases[i + 1]

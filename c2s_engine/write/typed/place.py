@@ -8,6 +8,10 @@ from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, LANE_NA
 
 EGO_VARIES = 20.0
 """m of its lane within which ego starts, where nothing ahead says where."""
+NEXT_ARM = 100
+"""m between two arms of a roundabout at most, so that drivers who reach them together meet soon."""
+_OF_FEW = ("ego_lane", "shoulder", "sidewalk", "crosswalk", "speed_limit")
+"""What few roundabouts have, as are several lanes: where it is asked for, those with far arms are taken too."""
 Pairs = frozenset[tuple[int, int]]
 """(junction, road into it)"""
 
@@ -66,6 +70,12 @@ def candidates(plan: Plan, code: PlaceCode, signs: Pairs = frozenset()) -> str:
         for i, (position, turn) in enumerate(plan.approaches, start=1)
         if (name := approach_name(plan, position, turn)) in plan.lengths
     )
+    if ring and plan.place.lanes in (None, 1) and all(getattr(plan.place, field) is None for field in _OF_FEW):
+        ends = "j[0].startLane.centerline[-1]"
+        fit += "".join(
+            f" and j[{i}].centerline[-1].distanceTo({ends}) < {NEXT_ARM}"
+            for i, _ in enumerate(plan.approaches, start=1)
+        )
     if plan.oncoming:
         return f"[j for j in [(m, {roles}, o) for m in {code.expression}{innermost}] if all(j){fit}]"
     return f"[j for j in [(m, {roles}) for m in {code.expression}] if all(j){fit}]"

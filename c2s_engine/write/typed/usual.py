@@ -77,7 +77,9 @@ def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
         catching = _to_catch(o, ego_speed, place) if position not in MOVES_OFF_ROAD else 0.0
         return max(30.0, min(4.0 * ego_speed, 90.0), _while_crossing(o, ego_speed, place), catching)
     if position == "behind" or o.placement.along == "behind":
-        return max(12.0, 1.2 * ego_speed)
+        own = middle(speed_of(o, place)) if place else ego_speed
+        brakes = position != "behind" and bool(o.phases) and o.phases[0].action in ("brake", "stop")
+        return max(12.0, 1.2 * ego_speed, own**2 / 8 if brakes and own > ego_speed + 1 else 0.0)
     if position in ("left_lane", "right_lane") and any(p.action == "cut_in" for p in o.phases) and o.speed != 0:
         return 10.0
     return max(12.0, min(1.6 * ego_speed, 45.0), _to_catch(o, ego_speed, place) - ROOM_BEHIND)
@@ -98,11 +100,15 @@ def _to_catch(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
 
 
 def reach(o: ObjectSpec, place: PlaceSpec) -> float:
-    """From where somebody stands beside the road to the middle of ego's lane, m."""
+    """From where somebody stands beside the road to the middle of ego's lane, m (over lanes of the other direction
+    about, as many as there may be)."""
     own = 3.2 if o.placement.hidden_by else 4.75 if o.placement.position == "sidewalk" else 3.25
-    two_way = place.kind not in {"motorway", *RAMP}
-    far = o.placement.side == "left" and two_way and not o.placement.hidden_by
-    return own + (3.5 * (place.lanes or 1) if far else 0)
+    return own + (3.5 * (place.lanes or 2) if far_side(o, place) else 0)
+
+
+def far_side(o: ObjectSpec, place: PlaceSpec) -> bool:
+    """Whether lanes of the other direction lie between somebody beside the road and ego's: the map says how many."""
+    return o.placement.side == "left" and place.kind not in {"motorway", *RAMP} and not o.placement.hidden_by
 
 
 def uses_crosswalk(o: ObjectSpec) -> bool:

@@ -1,11 +1,11 @@
-def strike(car, other, spot, speed):
-    """The speed (m/s), about `speed`, at which `car` reaches the spot with `other`; while that stands before the spot,
-    `car` hangs back so far as it then needs."""
+def strike(car, other, spot, speed, sooner=0):
+    """The speed (m/s), about `speed`, at which `car` reaches the spot with `other`, or `sooner` s before it (a bend
+    slows it); while that stands before the spot, `car` hangs back so far as it then needs."""
     own = (spot - car.position).rotatedBy(-car.heading).y
     far = (spot - other.position).rotatedBy(-other.heading).y
-    if own < 8 or far < 3:
+    if own < 4 or far < 3:
         return speed
     if other.speed < 1:
         return speed * max(0, min(1, (own - speed * math.sqrt(far)) / 30))
     time = min(far / other.speed, math.sqrt(far + other.speed ** 2 / 4) - other.speed / 2 if other.speed < 4 else 100)
-    return max(0.6 * speed, min(1.5 * speed, own / max(time, 0.5)))
+    return max(0.4 * speed, min(1.5 * speed, own / max(time - sooner, 0.5)))

@@ -1,0 +1,78 @@
+"""Speeds told by comparison: "20 km/h slower than the ego", "a little faster", "twice as fast as the van"."""
+
+import re
+
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.scan import Span
+from c2s_engine.interpret.scene import Scene
+
+COMPARED = re.compile(
+    r"(?:(?P<little>a (?:little|tiny|wee) bit|a bit|a little|little bit|slightly|somewhat|marginally|a touch|a shade"
+    r"|a tad|barely|only just|moderately)|(?P<lot>much|far|considerably|a lot|way|significantly|substantially|clearly"
+    r"|markedly|a good deal)|(?P<twice>twice|double) (?=as))?"
+    r"\s*\b(?P<how>faster|slower|quicker|as fast)\b(?P<than>(?: than| as) [^,.;]{0,40})?"
+)
+AFTER = re.compile(r"\s*(?:faster|slower|quicker|more than|less than|above the speed of|below the speed of)\b")
+LITTLE, LOT_MORE, LOT_LESS = 0.08, 1.4, 0.6
+
+
+def is_difference(plain: str, span: Span) -> bool:
+    """Whether a speed is only by how much one is faster or slower than another."""
+    return AFTER.match(plain[span.end : span.end + 20]) is not None
+
+
+def compared_speeds(scene: Scene, quantities: list[Span]) -> None:
+    """The speeds that follow from another's by a comparison."""
+    for match in COMPARED.finditer(scene.plain):
+        number = next((q for q in quantities if q.data["dimension"] == "speed" and _ends_at(scene, q, match)), None)
+        if number is None and not (match["little"] or match["lot"] or match["twice"]):
+            continue
+        owner = _owner(scene, match.start())
+        other = _named(scene, match) or (scene.cast.ego if owner is not scene.cast.ego else None)
+        if other is None and owner is scene.cast.ego:
+            told = [e for e in scene.actors if e in scene.speeds]
+            other = told[0] if len(told) == 1 else None
+        base = scene.speeds.get(other) if other is not None else None
+        if owner is None or other is owner or base is None:
+            continue
+        if owner in scene.speeds and number is None:
+            continue
+        scene.speeds[owner] = (*_changed(match, number, base[0], base[1]), match.start(), match.end())
+
+
+def _ends_at(scene: Scene, span: Span, match: re.Match[str]) -> bool:
+    return span.end <= match.start("how") and not scene.plain[span.end : match.start("how")].strip(" ,-")
+
+
+def _changed(match: re.Match[str], number: Span | None, low: float, high: float) -> tuple[float, float]:
+    more = match["how"] != "slower"
+    if number is not None:
+        change = number.data["low"] if more else -number.data["low"]
+        return max(0.5, low + change), max(0.5, high + change)
+    factor = 2.0 if match["twice"] else 1 + LITTLE if more else 1 - LITTLE
+    if match["lot"]:
+        factor = LOT_MORE if more else LOT_LESS
+    return low * factor, high * factor
+
+
+def _owner(scene: Scene, at: int) -> Entity | None:
+    """Who is said to be faster: the subject of the clause, else who was spoken of last in the sentence."""
+    word = next((w for w in scene.words if w.start <= at + 1 < w.end or w.start >= at), None)
+    if word is None:
+        return None
+    event = next((e for e in reversed(scene.clauses.events) if word.i in e.words), None)
+    own = [i for i in sorted(scene.cast.of) if i < word.i and scene.words[i].sentence == word.sentence]
+    if event is not None and event.agent in [scene.cast.of[i] for i in own]:
+        relative = [i for i in own if i > event.word and scene.words[i].norm in ("which", "that", "who")]
+        return scene.cast.of[relative[-1]] if relative else event.agent
+    movers = [i for i in own if scene.cast.of[i].mover or scene.cast.of[i].ego]
+    return scene.cast.of[movers[-1]] if movers else None
+
+
+def _named(scene: Scene, match: re.Match[str]) -> Entity | None:
+    """Whom one is compared with."""
+    if match["than"] is None:
+        return None
+    start, end = match.span("than")
+    inside = [i for i in sorted(scene.cast.of) if start <= scene.words[i].start < end]
+    return scene.cast.of[inside[0]] if inside else None

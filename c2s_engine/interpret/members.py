@@ -1,0 +1,125 @@
+"""Members of groups and words that leave the noun out: "the second", "one ..., the other ...", "another"."""
+
+from __future__ import annotations
+
+from c2s_engine.interpret.entities import ORDINALS, VEHICLES, Entity
+from c2s_engine.interpret.parts import Parts
+from c2s_engine.interpret.syntax import Word
+
+COUNTED = frozenset(("second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"))
+
+
+class Members(Parts):
+    """The part of Cast that finds who is meant by a number or by "another"."""
+
+    words: list[Word]
+    entities: list[Entity]
+    of: dict[int, Entity]
+
+    def _new(self, entity: Entity) -> Entity:
+        raise NotImplementedError
+
+    def _member_of(self, word: Word) -> Entity | None:
+        """ "The second", "the last one", "the first of them", after a group was spoken of: a member of it."""
+        before = [w.norm for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
+        told = word.norm if word.norm in ORDINALS else before[-1] if before and word.norm == "one" else ""
+        named = before[-1:] if told == word.norm else before[-2:-1]
+        groups = [e for e in self.entities if e.count > 1 and e.mover and "group" not in e.roles]
+        single = self._one_of(word, before, groups[-1]) if groups else None
+        if single is not None:
+            return single
+        if told not in ORDINALS or not groups or named not in (["the"], ["its"]):
+            return None
+        return self._member(groups[-1], told)
+
+    def _one_of(self, word: Word, before: list[str], group: Entity) -> Entity | None:
+        """ "One bolts across, the other stays", after two were spoken of: one member and the other."""
+        acts = word.i + 1 < len(self.words) and (self.words[word.i + 1].verb or word.dep == "nsubj")
+        if not acts or group.mentions and group.mentions[0].word >= word.i:
+            return None
+        bare = not before or before[-1] not in ("the", "that", "this", "other", "every", "each", "no", "last", "first")
+        if word.norm == "one" and bare and not (before and before[-1] in ORDINALS):
+            return self._member(group, "first")
+        known = any(e.group is group for e in self.entities)
+        if word.norm in ("other", "others") and known:
+            return self._member(group, "last")
+        return None
+
+    def _member(self, group: Entity, told: str) -> Entity | None:
+        """The member of a group by its number; None where the group has fewer."""
+        number = ORDINALS[told] + 1 or -1
+        if number == 3 and group.count == 2:  # "several": more than two
+            group.count = 3
+        if number > group.count:
+            return None
+        number = -1 if number == group.count else number
+        known = next((e for e in self.entities if e.group is group and e.ordinal == number), None)
+        if known is not None:
+            return known
+        return self._new(
+            Entity("", group.type, noun=group.noun, typed=False, roles=set(group.roles), group=group, ordinal=number)
+        )
+
+    def _elliptic(self, word: Word) -> Entity | None:
+        """ "another", "the latter", "the other", "one", "the first", "a third", "both", "the two"."""
+        norm = word.norm
+        if word.children and any(self.words[c].span for c in word.children if self.words[c].dep == "compound"):
+            return None
+        argument = word.dep in (
+            "nsubj",
+            "nsubjpass",
+            "dobj",
+            "pobj",
+            "conj",
+            "ROOT",
+            "attr",
+            "appos",
+            "dep",
+            "npadvmod",
+        )
+        following = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
+        if (
+            following is not None
+            and (following.noun or following.tag.startswith("JJ"))
+            and following.sentence == word.sentence
+            and following.norm not in ("one",)
+            and not following.verb
+        ):
+            return None
+        movers = [e for e in self.entities if e.mover]
+        if not argument or not movers:
+            return None
+        member = self._member_of(word)
+        if member is not None:
+            return member
+        if norm == "latter":
+            last = [i for i in sorted(self.of) if i < word.i]
+            return self.of[last[-1]] if last else None
+        if norm == "former":
+            last = [i for i in sorted(self.of) if i < word.i]
+            kinds = list(dict.fromkeys(id(self.of[i]) for i in last[-4:]))
+            return next((self.of[i] for i in last[-4:] if len(kinds) > 1 and id(self.of[i]) == kinds[-2]), None)
+        counted = norm == "one" and word.i > 1 and self.words[word.i - 1].norm in COUNTED
+        if (
+            norm == "another"
+            or norm in COUNTED
+            and self.words[word.i - 1].norm in ("a", "the")
+            or counted
+            and self.words[word.i - 2].norm == "a"
+        ):
+            model = movers[-1]
+            return self._new(
+                Entity(
+                    "",
+                    model.type,
+                    noun=model.noun,
+                    typed=model.typed,
+                    roles=set(model.roles & {"parked", "stationary"}),
+                )
+            )
+        if norm == "one" and self.words[word.i - 1].norm in ("that", "this"):
+            return movers[-1]
+        if norm in ("other", "others") and self.words[word.i - 1].norm == "the":
+            vehicles = [e for e in movers if e.type in VEHICLES]
+            return vehicles[-1] if vehicles else movers[-1]
+        return None

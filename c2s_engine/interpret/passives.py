@@ -1,0 +1,38 @@
+"""Who did it where a passive does not say so: "she is struck", "the ego is cut off", "the van is being overtaken"."""
+
+from __future__ import annotations
+
+from c2s_engine.interpret.clauses import BY, Clauses
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.event import Event
+from c2s_engine.interpret.mentions import Cast
+
+SUFFERED = frozenset(("collide", "overtake", "cut_in"))
+
+
+def unnamed_doers(cast: Cast, clauses: Clauses) -> None:
+    """Turn the passives without an agent round: the one spoken of suffers it from ego, or ego from the one near it."""
+    for event in clauses.events:
+        if event.act not in SUFFERED or not event.passive or BY.search(event.whole) or event.also:
+            continue
+        suffers = event.agent
+        doer = _last(cast, clauses, event) if suffers.ego else cast.ego
+        if event.patient is not None and event.patient is not suffers and not event.patient.ego:
+            continue
+        if event.act == "cut_in" and doer is cast.ego and any(e.act == "turn" and e.agent.ego for e in clauses.events):
+            event.mode = "hypothetical"  # ego's turn is what cuts it off
+        if doer is not None:
+            event.agent, event.patient = doer, suffers
+
+
+def _last(cast: Cast, clauses: Clauses, event: Event) -> Entity | None:
+    """The one that does something to ego near a passive: spoken of before it, else right after it."""
+    number = cast.words[event.word].sentence
+    movers = [i for i in sorted(cast.of) if cast.of[i].mover and not cast.of[i].ego and cast.of[i] in cast.entities]
+    before = [i for i in movers if i < event.word and cast.words[i].sentence >= number - 1]
+    after = [i for i in movers if i > event.word and cast.words[i].sentence <= number + 1]
+    near = before[-1:] or after[:1]
+    if event.act == "overtake":
+        passing = [i for i in before + after if "fast" in cast.of[i].roles]
+        near = passing[:1] or near
+    return cast.of[near[0]] if near else None

@@ -93,7 +93,7 @@ class Places(Inferred):
                         "",
                         part,
                     )
-                    if event.act == "cross_path":  # whose path is crossed is not behind whom one starts
+                    if event.act in ("cross_path", "turn"):  # whose path is crossed is not behind whom one starts
                         part = re.sub(r"\b(in front of|ahead of) (the )?@\w+", "", part)
                     if not (event.act == "overtake" and re.match(r"in|on|ahead", part)):
                         read(part, where, entity, self.cast, event.act)

@@ -26,8 +26,22 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _over_the_line(event, clauses, of)
         elif event.done and event.act in ("lane_change", "drift") and event.agent.ego:
             _unseen(event, cast, clauses, of)
+        elif event.done and event.act in ACROSS and event.agent in of and _comes_over(event, of):
+            event.act, event.side = "oncoming", "left"
         elif event.done and event.act in ("lane_change", "drift", "swerve") and event.agent in of:
             _into_whose_lane(event, clauses, of)
+
+
+ACROSS = frozenset(("lane_change", "drift", "swerve", "lose_control", "cross_path"))
+OVER_LINE = re.compile(
+    r"\b(?:over|across|onto|into|cross\w*) (?:the |a |an |its )?(?:solid |white |yellow |double |middle |broken )*"
+    r"(?:lines?|markings?|middle|@ego(?: 's (?:lane|side|half|path))?|road)\b"
+)
+
+
+def _comes_over(event: Event, of: dict[Entity, Where]) -> bool:
+    """Whether one who comes the other way gets over the line."""
+    return of[event.agent].lane == "oncoming" and OVER_LINE.search(event.text) is not None
 
 
 def _open(where: Where) -> bool:

@@ -63,6 +63,9 @@ class Nouns(Reference):
             and (host.mover or not MOVERS & {kind})
         ):
             return self._retyped(host, kind, roles, noun)
+        first = self._alternative(word)
+        if first is not None and first.type in VEHICLES | PERSONS and kind in VEHICLES | PERSONS:
+            return first
         host = self._called(word)
         if host is not None and (fits(host, kind) or host.type == "vehicle" or host.ego and kind in MOTOR):
             return self._retyped(host, kind, roles, noun)
@@ -143,6 +146,14 @@ class Nouns(Reference):
         return self._new(
             Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
         )
+
+    def _alternative(self, word: Word) -> Entity | None:
+        """The first of two nouns of which either may be meant: "a tractor or a coach"."""
+        back = [w for w in self.words[max(0, word.i - 5) : word.i] if w.sentence == word.sentence]
+        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
+        if not re.search(r"@ (?:or|/) (?:(?:an?|maybe|perhaps|some|even) ){0,2}(?:[\w-]+ )?$", text + " "):
+            return None
+        return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
 
     def _called(self, word: Word) -> Entity | None:
         """Whose label stands right before a noun with nothing but adjectives between: "Unit 1 gray pickup"."""

@@ -55,6 +55,8 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and event.text.startswith("pass")
         ):
             event.act = "travel"
+        elif event.act == "overtake" and road.kind in ("intersection", "roundabout") and _let_past(clauses, event):
+            event.act = "travel"
         passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")
         if passes and not event.agent.ego and event.agent.mover and event.mode == "fact":
             word = cast.words[event.word]
@@ -128,6 +130,14 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
         ):
             event.mode = "hypothetical"
     clauses.events.sort(key=lambda e: e.order)
+
+
+def _let_past(clauses: Clauses, event: Event) -> bool:
+    """Whether one only goes past because ego waits for it ("let him go past")."""
+    return not event.agent.ego and any(
+        e.act == "yield" and e.agent.ego and e.patient is event.agent and e.done and abs(e.word - event.word) <= 4
+        for e in clauses.events
+    )
 
 
 def _follows(cast: Cast, clauses: Clauses, event: Event) -> bool:

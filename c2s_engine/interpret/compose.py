@@ -144,7 +144,11 @@ def _ego_light(scene: Scene) -> str | None:
             start, end = _clause_span(scene, runner)
             if start - 25 <= found.span[0] <= end + 25:
                 continue
-        if found.value in ("green", "red") and len({f.value for f in scene.light}) > 1 and _of_another(scene, found.span[0]):
+        if (
+            found.value in ("green", "red")
+            and len({f.value for f in scene.light}) > 1
+            and _of_another(scene, found.span[0])
+        ):
             continue
         return found.value
     return "green" if runner is not None else None

@@ -138,6 +138,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             if target:
                 phases.append(Phase(action="collide", target=target))
                 said_reaction = True
+        elif act == "stationary" and reaction in ("brake", "evade") and not phases:
+            continue  # it waits where it has stopped
         elif act == "stationary":
             phases.append(Phase(action="wait" if phases else "stationary", duration=duration_of(event)))
         elif act == "keep_lane" and not phases:
@@ -217,7 +219,8 @@ ASIDE = ("lane_change", "leave_road", "drift")
 def _from_behind(scene: Scene) -> bool:
     """Whether somebody comes from behind for whom ego makes room."""
     return any(
-        scene.where(a).rel == "behind" and (a.type in ("ambulance", "police_car", "fire_truck") or scene.does(a, "overtake"))
+        scene.where(a).rel == "behind"
+        and (a.type in ("ambulance", "police_car", "fire_truck") or scene.does(a, "overtake"))
         for a in scene.actors
     )
 

@@ -44,6 +44,24 @@ def _comes_over(event: Event, of: dict[Entity, Where]) -> bool:
     return of[event.agent].lane == "oncoming" and OVER_LINE.search(event.text) is not None
 
 
+def evaded_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
+    """Ego's lane where it gets round one in the right lane by the left one, or the other way round: it is the same."""
+    for event in clauses.events:
+        other, towards = event.patient, side(event)
+        if not (event.done and event.agent.ego and other in of and event.act in ("lane_change", "evade", "overtake")):
+            continue
+        where = of[other]
+        halts = other.roles & {"stationary", "slow", "parked"} or any(
+            e.agent is other and e.act in ("stationary", "stop", "brake", "brake_stop", "reverse")
+            for e in clauses.events
+        )
+        across = {"left": "right", "right": "left"}.get(towards or "")
+        if across and halts and where.lane == across and where.rel in (None, "ahead") and where.of is None:
+            where.lane, where.side, where.rel = "same", None, "ahead"
+            return f"{across}most"
+    return None
+
+
 def _open(where: Where) -> bool:
     return where.rel is None and where.lane in (None, "same")
 

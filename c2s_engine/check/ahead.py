@@ -37,14 +37,17 @@ class Ahead:
         if not self._task.done() and self.zygote.has_spare:
             return None
         task, self._task = self._task, None
-        with contextlib.suppress(TimeoutError, wire.Closed):
-            child = await asyncio.wait_for(asyncio.shield(task), PATIENCE)
-            await child.give(job, blob)
-            header, _ = await asyncio.wait_for(wire.read(child.reader), PATIENCE)
-            if header.get("fit"):
-                return child
-        _end(task)
-        return None
+        fit = False
+        try:
+            with contextlib.suppress(TimeoutError, wire.Closed):
+                child = await asyncio.wait_for(asyncio.shield(task), PATIENCE)
+                await child.give(job, blob)
+                answer, _ = await asyncio.wait_for(wire.read(child.reader), PATIENCE)
+                fit = bool(answer.get("fit"))
+            return child if fit else None
+        finally:
+            if not fit:
+                _end(task)
 
     def learn(self, header: dict[str, Any], executed: bool) -> None:
         """Take note of a program that was checked, and whether its statements came to their end."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from c2s_engine.check.values import Number, Values, ends_of
+from c2s_engine.check.written import Written
 from c2s_engine.structure.specs import Phase, Trigger
 
 DEPTH = 6  # behaviours that do behaviours
@@ -18,6 +19,7 @@ class Conduct:
 
     phases: list[Phase] = field(default_factory=list)
     brakes: bool = False  # for what comes near
+    hard: bool = False
     whole: bool = True
     waits: Trigger | None = None  # of the phase that comes next
 
@@ -29,10 +31,17 @@ class Reader:
         self.values = values
         self.ids = ids
         self.known: Mapping[str, Any] = table["behaviors"]
+        self.written = Written(values, lambda cond: self._trigger(cond, {}, ast.Lt))
 
     def of(self, node: Any) -> Conduct:
         """Of the value of `with behavior`."""
         found = Conduct()
+        own = self.values.behaviors.get(_name(node))
+        drive = self.written.read(own) if own is not None else None
+        if drive is not None:
+            speed = None if drive.start is None else self.values.number(drive.start)
+            first = [Phase(action="keep_lane", speed=speed)] if speed is not None else []
+            return Conduct([*first, *drive.phases], drive.brakes, drive.hard)
         self._do(node, {}, found, None, 0)
         return found
 
@@ -160,6 +169,12 @@ class Reader:
 
         value = self.values.number(getattr(node, "value", None))
         return value if isinstance(node, s.Seconds) and isinstance(value, float) else None
+
+
+def _name(node: Any) -> str:
+    """The name of a behaviour that is given as it is or called without arguments."""
+    called = node.func if isinstance(node, ast.Call) and not node.args and not node.keywords else node
+    return called.id if isinstance(called, ast.Name) else ""
 
 
 def _near(cond: Any) -> bool:

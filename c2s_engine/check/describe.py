@@ -191,7 +191,8 @@ class Context:
         )
         if cid == "E":
             vehicle: Any = kind if kind in get_args(VehicleType) else "car"
-            spec: Any = specs.EgoSpec(type=vehicle, reaction="brake" if conduct.brakes else "none", **common)
+            common |= {"reaction": "brake" if conduct.brakes else "none", "hard": conduct.hard}
+            spec: Any = specs.EgoSpec(type=vehicle, **common)
             return spec, self._told(cid, made, common, None, behavior, conduct, units), tuple(unmet)
         placement = None if count > 1 else self._placement(cid, name, made, common)
         guess = self._as_required(cid, name or cid) if placement is None else None

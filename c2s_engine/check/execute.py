@@ -98,7 +98,6 @@ def _load_map(conn: socket.socket, job: dict[str, Any]) -> None:
     try:
         network = Network.fromFile(job["path"])
         saving = networks.save_apart()
-        warm.prepare(network, job["path"])
         networks.prepare(network)
         library.load()
     except Exception as error:
@@ -106,7 +105,7 @@ def _load_map(conn: socket.socket, job: dict[str, Any]) -> None:
         return
     networks.save_later = False
     wire.send(conn, {"ready": True})
-    zygote.serve(conn, handle, functools.partial(rehearse.model, job["path"]), children={saving})
+    zygote.serve(conn, handle, functools.partial(rehearse.model, job["path"]), _settle, children={saving})
 
 
 def _preamble(conn: socket.socket, job: dict[str, Any], blob: bytes) -> None:
@@ -128,7 +127,14 @@ def _preamble(conn: socket.socket, job: dict[str, Any], blob: bytes) -> None:
         return
     _prepared.update(namespace=namespace, options=options, veneer=veneer, modules=_scenic_modules(sys.modules))
     wire.send(conn, {"ready": True, "read": sorted(read)})
-    zygote.serve(conn, handle, rehearse.check)
+    zygote.serve(conn, handle, rehearse.check, _settle)
+
+
+def _settle() -> None:
+    """Make what runs share, now that the first check is over."""
+    for path, network in networks.known():
+        with contextlib.suppress(Exception):
+            warm.prepare(network, path)
 
 
 @contextlib.contextmanager

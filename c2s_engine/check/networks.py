@@ -2,22 +2,26 @@
 
 import gzip
 import hashlib
+import mmap
 import os
 import pickle
 import struct
+import sys
 from collections.abc import Callable
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from c2s_engine import paths
-from c2s_engine.check import caching
+from c2s_engine.check import caching, packing
 
 COMPRESSION = 6  # of gzip: level 9, Scenic's own, takes five times as long for a file of the same size
 _networks: dict[tuple, Any] = {}
-_unsaved: list[tuple[Any, Path, bytes]] = []
+_unsaved: list[tuple[Any, Path, Path | None, bytes]] = []
 save_later = False
 """Whether networks that were parsed wait for `save`."""
 _unions: dict[tuple, tuple[tuple, Any]] = {}
+_made: list[tuple] = []
 _remember = False
 
 
@@ -38,20 +42,41 @@ def from_file(original: Callable[..., Any]) -> Callable[..., Any]:
     return load
 
 
+def known() -> list[tuple[str, Any]]:
+    """The networks in memory, with the paths of their files."""
+    return [(key[0], network) for key, network in _networks.items()]
+
+
 def _load(original: Callable[..., Any], cls: Any, path: Path, options: dict[str, Any]) -> Any:
     """The network from the cache; else parsed, and to be saved there."""
     from scenic.core.serialization import deterministicHash
 
     digest, chosen = hashlib.blake2b(path.read_bytes()).digest(), deterministicHash(options, digest_size=8)
-    cached = paths.cache_folder() / "maps" / digest.hex()[:24] / f"network{cls.pickledExt}"
+    folder = paths.cache_folder() / "maps" / digest.hex()[:24]
+    cached, packed = folder / f"network{cls.pickledExt}", folder / f"network-{_tag(cls, digest + chosen)}.packed"
     try:
-        return cls.fromPickle(cached, originalDigest=digest, optionsDigest=chosen)
+        with packed.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
+            network, unions = packing.unpack(data)
+        _unions.update((_union_key(*made[:-1]), (made[0], made[-1])) for made in unions)
+        return network
+    except (OSError, ValueError, pickle.UnpicklingError):  # ValueError: of mmap, where it is empty
+        pass
+    head = struct.pack("<I", cls._currentFormatVersion()) + digest + chosen
+    try:
+        network = cls.fromPickle(cached, originalDigest=digest, optionsDigest=chosen)
+        _unsaved.append((network, packed, None, b""))
     except (OSError, pickle.UnpicklingError, cls.DigestMismatchError):
         network = original(cls, path, useCache=False, writeCache=False, **options)
-    _unsaved.append((network, cached, struct.pack("<I", cls._currentFormatVersion()) + digest + chosen))
+        _unsaved.append((network, packed, cached, head))
     if not save_later:
         save()
     return network
+
+
+def _tag(cls: Any, digest: bytes) -> str:
+    """What else a packed network depends on."""
+    versions = [sys.version, *map(version, ("scenic", "shapely", "numpy")), packing.FORMAT, cls._currentFormatVersion()]
+    return hashlib.blake2b(digest + repr(versions).encode(), digest_size=8).hexdigest()
 
 
 def union(original: Callable[..., Any]) -> Callable[..., Any]:
@@ -59,37 +84,47 @@ def union(original: Callable[..., Any]) -> Callable[..., Any]:
 
     def found_or_made(polys: Any, *args: Any, **kwargs: Any) -> Any:
         parts = tuple(polys)
-        key = (tuple(map(id, parts)), args, tuple(kwargs.items()))
+        key = _union_key(parts, args, kwargs)
         known = _unions.get(key)
-        if known is not None:
-            return known[1]
-        made = original(parts, *args, **kwargs)
+        made = original(parts, *args, **kwargs) if known is None else known[1]
         if _remember:
             _unions[key] = parts, made
+            _made.append((parts, args, kwargs, made))
         return made
 
     return found_or_made
 
 
-def prepare(network: Any) -> None:
-    """Make once what the world model makes of a network each time that it is executed: roads with their shoulders."""
+def _union_key(parts: tuple, args: tuple, kwargs: dict[str, Any]) -> tuple:
+    return tuple(map(id, parts)), args, tuple(kwargs.items())
+
+
+def prepare(network: Any) -> list[tuple]:
+    """Make once what the world model makes of a network each time that it is executed: roads with their shoulders.
+
+    Gives what was made: the parts, the further arguments, the union.
+    """
     global _remember
+    _made.clear()
     _remember = True
     try:
         network.drivableRegion.union(network.shoulderRegion)
     finally:
         _remember = False
+    return list(_made)
 
 
 def save() -> None:
-    """Write the networks that were parsed to the cache, as Scenic reads them."""
-    for network, path, head in _unsaved:
-        caching.write(path, head + gzip.compress(pickle.dumps(network), COMPRESSION))
+    """Write the networks that were parsed to the cache: packed, and as Scenic reads them."""
+    for network, packed, plain, head in _unsaved if caching.may_write else ():
+        caching.write(packed, packing.pack((network, prepare(network))))
+        if plain is not None:
+            caching.write(plain, head + gzip.compress(pickle.dumps(network), COMPRESSION))
     _unsaved.clear()
 
 
 def save_apart() -> int:
-    """The same in a process of its own that outlives this one for about a second; its id, 0 for none."""
+    """The same in a process of its own that outlives this one for some seconds; its id, 0 for none."""
     if not _unsaved or not caching.may_write:
         return 0
     pid = os.fork()

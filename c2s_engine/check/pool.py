@@ -131,12 +131,13 @@ class Pool:
         return zygote
 
     def used(self, zygote: Zygote, job: dict[str, Any], header: dict[str, Any], blob: bytes, executed: bool) -> None:
-        """A check is over: fork children ahead for the next one, and one for the next snapshot of its map."""
+        """A check is over: fork children ahead for the next one, for the next snapshot of its map, for the next map."""
         zygote.ahead.learn(header, executed)
         self._spare(self._spared, zygote, SPARES, REST)
         asyncio.get_running_loop().call_later(REST, zygote.ahead.begin, job, header, blob)
         if zygote.parent is not None and zygote.parent is not self.root:
             self._spare(self._spared_maps, zygote.parent, 1, 2 * REST)
+        asyncio.get_running_loop().call_later(3 * REST, self.root.prepare)
 
     def _spare(self, spared: list[Zygote], zygote: Zygote, bound: int, rest: float) -> None:
         if zygote in spared:

@@ -29,11 +29,16 @@ def die_with_parent() -> None:
 
 
 def serve(
-    control: socket.socket, handle: Handler, rehearse: prefault.Rehearsal | None = None, children: Iterable[int] = ()
+    control: socket.socket,
+    handle: Handler,
+    rehearse: prefault.Rehearsal | None = None,
+    settle: Callable[[], None] | None = None,
+    children: Iterable[int] = (),
 ) -> None:
     """Fork a child for each socket that arrives; returns when the control socket is closed.
 
-    `rehearse` does what a job is likely to do: a spare child copies beforehand the pages that this writes on.
+    `rehearse` does what a job is likely to do: a spare child copies beforehand the pages that this writes on. `settle`
+    makes what children share but the first can do without: before the first spare child.
     `children` are the ids of processes that were forked already (0 for none).
     """
     wake_read, wake_write = os.pipe2(os.O_NONBLOCK | os.O_CLOEXEC)
@@ -56,6 +61,9 @@ def serve(
             message, fds = b"", []
         if not message:
             break
+        if message == SPARE and settle is not None:
+            settle()
+            settle = None
         if message == SPARE and rehearse is not None:
             prefault.learn(rehearse)
             rehearse = None

@@ -19,7 +19,7 @@ def _quantity() -> re.Pattern[str]:
     unit = "|".join(re.escape(u).replace(r"\ ", r"\s+") for u in sorted(language.units(), key=len, reverse=True))
     return re.compile(
         rf"(?<![\w.])(?P<low>[+-]?{number})(?:\s*(?P<lowunit>{unit})(?![\w/]))?(?:\s*(?:-|to|and"
-        rf"|\.\.\.?|or)\s*(?P<high>{number}))?"
+        rf"|\.\.\.?|or)\s*(?P<high>{number}))?(?:\s*(?:±|\+/?-)\s*\d+(?:[.,]\d+)?\)?)?"
         rf"(?:\s*|-)(?P<unit>{unit})(?![\w/²^])(?:\s+(?P<half>and a half))?"
     )
 
@@ -34,7 +34,7 @@ def _bare() -> re.Pattern[str]:
     return re.compile(
         rf"(?:(?:\(ego\)|\b)(?:{nouns}|(?:{'|'.join(language.table('ego')['strong'])})|v[12]"
         rf"|car ?[1-9]|straight|left|right|lane|ahead|behind|doing|going|brakes? to"
-        rf"|slows? (?:down )?to|accelerates? to)"
+        rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerates? to)"
         rf"(?: at| drives| doing|:| speed)? (?:about |around |roughly |a steady "
         rf"|only )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)(?=\s*(?:[,.;)]|$|straight\b|and\b"
         rf"|in the\b|same\b|left\b|right\b|but\b|on the\b|behind\b|ahead\b|in (?:left|right)\b))"
@@ -49,6 +49,7 @@ def _bare() -> re.Pattern[str]:
         rf"|(?:speed|doing|going|at) (?:of )?(?P<spelt>(?:{DIGITS}) (?:{DIGITS})(?: "
         rf"(?:{DIGITS}))?)(?=\s*(?:[,.;)]|$|and\b|in\b|on\b))"
         rf"|\bthe speed (?P<plain>\d{{2,3}})\b(?! ?(?:km|mph|k|m/))"
+        rf"|(?:autobahn|motorway|freeway|highway|interstate|road|lane), (?P<tail>\d{{2,3}})(?=\s*(?:[.;,]|$))"
         rf"|(?<=lane )(?P<lane>\d{{2,3}})(?=\s*(?:[,.;)]|$))"
         rf"|\b(?:speed )?limit(?:ed)?(?: zone)?(?: is| of| to| at|:)? ?(?P<limit>\d{{2,3}})(?! ?(?:km|mph|k|m|s|%)\b)"
         rf"|(?<![\w.])(?P<zone>\d{{2,3}})[- ](?=zone\b|limit\b|speed limit\b)"
@@ -82,13 +83,30 @@ def _value(text: str) -> float:
     return float(text.replace(",", "."))
 
 
+def _intervals(text: str) -> list[Span]:
+    """Ranges in square brackets, as logical scenarios write them: "v in [90, 110] km/h"."""
+    found = []
+    for match in INTERVAL.finditer(text):
+        known = language.units().get(match["unit"])
+        if known is not None:
+            low, high = (float(match[g].replace(",", ".")) * known[1] for g in ("low", "high"))
+            data = {"dimension": known[0], "low": low, "high": high, "interval": True}
+            found.append(Span("quantity", match.start(), match.end(), data))
+    return found
+
+
+INTERVAL = re.compile(
+    r"\[\s*(?P<low>\d+(?:\.\d+)?)\s*(?:,|;|\.\.+|-|to)\s*(?P<high>\d+(?:\.\d+)?)\s*\]\s*(?P<unit>[a-z/%]+\d?)(?![\w/])"
+)
 AWAY = re.compile(r"\s+(ahead|behind|away|before|after|from|in front|apart|or)\b")
 
 
 def quantities(text: str) -> list[Span]:
     """Numbers with a unit, in SI; a range has `low` and `high`."""
-    found = []
+    found = _intervals(text)
     for match in _quantity().finditer(text):
+        if any(s.start < match.end() and match.start() < s.end for s in found if "interval" in s.data):
+            continue
         dimension, factor = language.units()[" ".join(match["unit"].split())]
         if match["unit"] in ("'", "mi", "g") and not match["low"][-1:].isdigit():
             continue

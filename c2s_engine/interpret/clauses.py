@@ -1,6 +1,7 @@
 """Fourth stage: what happens. Each verb (and noun) of motion becomes an event with agent, patient and circumstances."""
 
 import re
+from dataclasses import replace
 from typing import Any
 
 from c2s_engine.interpret import language
@@ -10,6 +11,10 @@ from c2s_engine.interpret.motions import rules
 from c2s_engine.interpret.nominal import Nominal
 from c2s_engine.interpret.syntax import Word
 
+OUT_OF = re.compile(
+    r"\b(out|from|off)\b.*\b(drive|driveway|parking|space|bay|garage|yard|gate|alley|lot|property)\b"
+    r"|\b(on|in)to (the |a )?(\w+ )?(road|street|carriageway|highway|roadway)\b|out in front of"
+)
 FORCEFUL = frozenset(("hard", "harsh", "emergency", "full", "maximum", "sudden", "sharp", "heavy", "panic", "violent"))
 
 
@@ -196,6 +201,8 @@ class Clauses(Nominal):
                     adverbial=self._mark(word),
                 )
             )
+        if event.act == "reverse" and not event.agent.ego and OUT_OF.search(text):
+            late = replace(event, act="enter_road", order=word.i + 0.2)
         event.start, event.end = self.words[own[0]].start, self.words[own[-1]].end
         event.quantities = self._quantities(own)
         if word.dep in ("advcl", "relcl", "pcomp", "ccomp") or word.dep == "conj":
@@ -203,7 +210,7 @@ class Clauses(Nominal):
         event.also = self._also(at)
         self.events.append(event)
         if late is not None:
-            late.adverbial = event.adverbial
+            late.adverbial, late.start, late.end = event.adverbial, event.start, event.end
             self.events.append(late)
         self.by_word[word.i] = event
 

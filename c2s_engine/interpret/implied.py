@@ -22,6 +22,8 @@ UNSEEN = re.compile(
 def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Fill the places that only what happens tells."""
     for event in list(clauses.events):
+        if event.done and event.act == "collide" and event.agent.ego and event.patient in of:
+            _behind_or_beside_road(event, clauses, of)
         if event.done and event.act == "oncoming" and event.agent.ego:
             _over_the_line(event, clauses, of)
         elif event.done and event.act in ("lane_change", "drift") and event.agent.ego:
@@ -35,7 +37,7 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
 ACROSS = frozenset(("lane_change", "drift", "swerve", "lose_control", "cross_path"))
 OVER_LINE = re.compile(
     r"\b(?:over|across|onto|into|cross\w*) (?:the |a |an |its )?(?:solid |white |yellow |double |middle |broken )*"
-    r"(?:lines?|markings?|middle|@ego(?: 's (?:lane|side|half|path))?|road)\b"
+    r"(?:lines?|markings?|middle)\b"
 )
 
 
@@ -64,6 +66,26 @@ def evaded_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
 
 def _open(where: Where) -> bool:
     return where.rel is None and where.lane in (None, "same")
+
+
+def _behind_or_beside_road(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """What ego hits while it reverses stands behind it; what it hits off the road stands beside the road."""
+    other = hit.patient
+    assert other is not None
+    before = [e for e in clauses.events if e.agent.ego and e.done and e.order < hit.order]
+    where, still = of[other], not other.mover
+    backs = (
+        before
+        and before[-1].act == "reverse"
+        or any(
+            e.act == "reverse" and e.agent.ego and e.done and e.adverbial in ("while", "when", "as", "in", "whilst")
+            for e in clauses.events
+        )
+    )
+    if backs and where.rel is None and (still or where.lane in (None, "same", "parked")):
+        where.rel, where.lane = "behind", "same"
+    elif still and any(e.act == "leave_road" for e in before) and where.lane in (None, "same"):
+        where.lane = "roadside"
 
 
 def _over_the_line(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:

@@ -52,6 +52,7 @@ class Cast(Nouns):
         )
         self.one_is_ego = self._label_is_ego()
         self._resolve()
+        self._both_to_come()
 
     # -- building ------------------------------------------------------------------------------------------------
     def _resolve(self) -> None:
@@ -72,6 +73,29 @@ class Cast(Nouns):
                 entity.mentions.append(Mention(word.i, word.start, word.end, kind=span.kind if span else "pronoun"))
                 if word.dep in ("nsubj", "nsubjpass") or self._fronted(word):
                     self.subjects.append((word.i, entity))
+
+    def _both_to_come(self) -> None:
+        """ "Both vehicles shall be driven at 50 km/h", before ego and the one other vehicle are named."""
+        first = next((e for e in self.entities if e.mentions), None)
+        if first is None or first.count != 2 or first.noun not in ("vehicles", "cars") or len(first.mentions) > 1:
+            return
+        at = first.mentions[0].word
+        others = [
+            e for e in self.entities if e is not first and e.type in VEHICLES and e.mentions and e.group is not first
+        ]
+        told = {w.norm for w in self.words[max(0, at - 2) : at]} & {"both", "the", "these"}
+        if (
+            not told
+            or not self.ego.mentions
+            or self.words[self.ego.mentions[0].word].sentence <= self.words[at].sentence
+            or len(others) != 1
+            or others[0].count > 1
+        ):
+            return
+        self.of[at] = others[0]
+        others[0].mentions.insert(0, first.mentions[0])
+        self.entities.remove(first)
+        self.subjects = [(i, others[0] if e is first else e) for i, e in self.subjects]
 
     def _fronted(self, word: Word) -> bool:
         return word.dep == "ROOT" and not word.tag.startswith("VB")

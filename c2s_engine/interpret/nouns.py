@@ -154,7 +154,7 @@ class Nouns(Reference):
         )
 
     def _titled(self, word: Word, kind: str) -> Entity | None:
-        """The driver whom a title named ("Ghost driver at 2 a.m.: ... a wrong-way car comes"), once a vehicle is told."""
+        """The driver whom a title named ("Ghost driver at 2 a.m.: ... a wrong-way car comes")."""
         if kind not in VEHICLES or word.i == 0:
             return None
         for entity in self.entities:

@@ -46,7 +46,7 @@ FOLLOWS = regex.compile(
     r"|through|behind|past|with|without|for|and|then|while|when|as|because|due|hard|sharply|"
     r"suddenly|abruptly|heavily|slowly|left|right|straight|away|up|down|back|ahead|around"
     r"|again|gradually|before|after|but|so|too|immediately|quickly|by|under|until|because"
-    r"|between|beside|just|directly|unexpectedly|strongly)\b)"
+    r"|between|beside|just|directly|unexpectedly|strongly|level|abreast|alongside|parallel|round|clear|wide|short|inside|beyond|about|upon|against|near|close|straight|apart|together|first)\b)"
 )
 
 
@@ -89,8 +89,9 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     if lets and LETS.search(plain[max(0, start - 48) : start]):
         return "go"
     person = before is not None and before.data.get("type") in ("pedestrian", "child", "animal")
-    if text == "crossing" and person and CROSSES.match(plain[start + 8 : start + 20]):
-        return "walking"
+    mover = before is not None and before.data.get("type")
+    if text == "crossing" and mover and CROSSES.match(plain[start + 8 : start + 20]):
+        return "walking" if person else "passing"
     if text == "left" and not VERBAL_LEFT.match(plain[start : start + 24]):
         return "right"
     follows = FOLLOWS.match(plain[start + len(text) : start + len(text) + 14])

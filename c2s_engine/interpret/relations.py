@@ -22,7 +22,8 @@ FILLED = re.compile(
 )
 
 ASIDE = re.compile(
-    r"\b(?:on|in|via|by|over|using|through|into|across) (?:the |its )?(?:on-?coming|opposite|opposing|other|wrong|left|right|next"
+    r"\b(?:on|in|via|by|over|using|through|into|across) (?:the |its )?(?:on-?coming|opposite|opposing|other|wrong"
+    r"|left|right|next"
     r"|adjacent)(?:-hand)? (?:\w+ )?(?:lane|side)(?: of the (?:road|street))?"
 )
 
@@ -99,7 +100,7 @@ class Places(Inferred):
                         "",
                         part,
                     )
-                    if event.act == "cross_path":  # whose path is crossed is not behind whom one starts
+                    if event.act in ("cross_path", "turn"):  # whose path is crossed is not behind whom one starts
                         part = re.sub(r"\b(in front of|ahead of) (the )?@\w+", "", part)
                     if not (event.act == "overtake" and re.match(r"in|on|ahead", part)):
                         read(part, where, entity, self.cast, event.act)

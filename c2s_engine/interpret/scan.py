@@ -56,7 +56,9 @@ def _letter() -> re.Pattern[str]:
 def _actor() -> re.Pattern[str]:
     nouns = language.alternatives(list(language.actor_nouns()))
     role = language.alternatives(list(language.roles()))
-    return re.compile(rf"(?<![\w-])(?P<roles>(?:(?:{role})[\s-]+)*)(?P<noun>{nouns})(?![\w]|-(?!(?:and|or)\b)\w)")
+    return re.compile(
+        rf"(?<![\w-])(?P<roles>(?:(?:{role})[\s-]+)*)(?P<noun>{nouns})(?:[\s-]+(?:target|dummy|surrogate))?(?![\w]|-(?!(?:and|or)\b)\w)"
+    )
 
 
 LABEL_NUMBERS = {"one": "1", "two": "2", "three": "3", "four": "4", "five": "5"} | dict(
@@ -227,7 +229,8 @@ def _numbered(text: str, found: list[Span]) -> list[Span]:
     for span in labels:
         if span.start < match.end("name") and match.start("name") < span.end:
             found.remove(span)
-    return [Span("ego", match.start("name"), match.end("name"))]
+    name = re.escape(match["name"]).replace(r"\ ", r"\s+")
+    return [Span("ego", m.start(), m.end()) for m in re.finditer(rf"(?<![\w-]){name}(?![\w-])", text)]
 
 
 @cache

@@ -49,13 +49,16 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 else "overtake"
             )
         elif (
-            event.act == "overtake"
-            and event.patient is None
-            and road.kind == "intersection"
-            and event.text.startswith("pass")
+            (
+                event.act == "overtake"
+                and event.patient is None
+                and road.kind == "intersection"
+                and event.text.startswith("pass")
+            )
+            or event.act == "overtake"
+            and road.kind in ("intersection", "roundabout")
+            and _let_past(clauses, event)
         ):
-            event.act = "travel"
-        elif event.act == "overtake" and road.kind in ("intersection", "roundabout") and _let_past(clauses, event):
             event.act = "travel"
         passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")
         if passes and not event.agent.ego and event.agent.mover and event.mode == "fact":
@@ -155,8 +158,8 @@ def _headings(cast: Cast, clauses: Clauses) -> None:
 
 
 OTHER_LANE = re.compile(
-    r"\b(?:on|in|via|by|over|using|through|into) (?:the )?(?P<lane>on-?coming|opposite|opposing|other|wrong) (?:traffic )?"
-    r"(?:lane|side)\b(?! of (?:the )?@)"
+    r"\b(?:on|in|via|by|over|using|through|into) (?:the )?(?P<lane>on-?coming|opposite|opposing|other|wrong) "
+    r"(?:traffic )?(?:lane|side)\b(?! of (?:the )?@)"
 )
 
 

@@ -8,6 +8,13 @@ from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import VEHICLES, Entity
 from c2s_engine.interpret.scene import Scene
 
+SIDEWAYS = re.compile(r"\b(?:lateral|sideways|sideward|wind|yaw)\s+(?:\w+\s+){0,2}(?:\w+\s+)?$")
+AT_LIMIT = re.compile(
+    r"\bat (?:the |a |its )?(?:posted|legal|permitted|signed|speed limit|limit)( speed)?( limit)?( of)?\s*$"
+)
+NAMED = re.compile(
+    r"\bv_?(?:(?P<ego>e|ego|vut|sv|host|e0|0)|(?P<other>o|obj|o0|t|tv|target|lead|lv|1|gvt))\s*(?:=|:|in|of)\s*$"
+)
 GOES_ON = re.compile(r"(continue|proceed|carry|go|drive|travel|roll|move)( on)?( \w+ing)?( on)? at #speed")
 
 
@@ -16,7 +23,9 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
     clauses, cast = scene.clauses, scene.cast
     by_span = {id(w.span): w for w in scene.words if w.span is not None and w.span.kind == "quantity"}
     for span in quantities:
-        if span.data["dimension"] != "speed" or span.data.get("role") == "limit":
+        if span.data["dimension"] != "speed" or SIDEWAYS.search(scene.plain[max(0, span.start - 40) : span.start]):
+            continue
+        if span.data.get("role") == "limit" and not AT_LIMIT.search(scene.plain[max(0, span.start - 40) : span.start]):
             continue
         if is_difference(scene.plain, span):
             continue
@@ -110,7 +119,9 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         if both or like:
             scene.speeds.setdefault(cast.ego, value)
             others = [e for e in scene.actors if e.type in VEHICLES]
-            for other in others[:1]:
+            told = [scene.words[m.word].sentence for e in others for m in e.mentions[:1]]
+            many = 2 if told[:2] == [word.sentence, word.sentence] else 1
+            for other in others[:many]:
                 scene.speeds.setdefault(other, value)
     compared_speeds(scene, quantities)
 
@@ -118,6 +129,12 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
 def _before(scene: Scene, span: scan.Span) -> Entity | None:
     """The owner that stands before a speed in the same stretch between commas, where the verb's subject comes later."""
     near = scene.plain[max(0, span.start - 60) : span.start]
+    named = NAMED.search(near)
+    if named is not None:
+        others = [e for e in scene.actors if e.type in VEHICLES]
+        spoken = [scene.cast.of[w] for w in sorted(scene.cast.of) if scene.words[w].start < span.start]
+        told = [e for e in spoken if e in others]
+        return scene.cast.ego if named["ego"] else told[-1] if told else others[0] if others else None
     if re.search(
         r"set[- ]speed[^.;]*$|\b(system|alks|dcas|aebs|acc|cruise control)\b(?! (vehicle|car))[^,.;]*$", near
     ) and not re.search(r"whose", near[-20:]):
@@ -197,9 +214,9 @@ def _speed_owner(scene: Scene, i: int) -> Entity | None:
         if current.i in scene.clauses.by_word:
             event = scene.clauses.by_word[current.i]
             agent, _, passive = scene.clauses._subject(current) if current.verb else (event.agent, None, False)
-            return (
-                event.patient if event.passive and event.patient is not None and event.act == "travel" else event.agent
-            )
+            moved = event.patient if event.passive and event.act == "travel" else None  # "V2 is driven at .. by"
+            first = moved is not None and any(m.word < current.i for m in moved.mentions)
+            return moved if first else event.agent
         if current.verb or scene.clauses._is_verb(current):
             agent, _, passive = scene.clauses._subject(current)
             if agent is not None:

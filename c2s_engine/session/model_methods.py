@@ -109,9 +109,10 @@ class ModelMethod:
 
 
 def share(structure: Structure) -> float:
-    """The share of components that were written and that no fallback stands in for."""
-    own = [c for c in structure.components if c.code and not any(a.field == "*" for a in c.assumed)]
-    return len(own) / len(structure.components)
+    """The share of components, of those that something is said or written of, that no fallback stands in for."""
+    told = [c for c in structure.components if c.code or c.description]
+    own = [c for c in told if c.code and not any(a.field == "*" for a in c.assumed)]
+    return len(own) / len(told) if told else 0.0
 
 
 def _failed(stage: Any, started: float, error: Exception, emit: Emit) -> StageResult:

@@ -136,6 +136,8 @@ def _changed(component: Component, edit: SetDescription | SetSpec | SetField | S
         return component.model_copy(update={"description": str(edit.value)})
     data = component.spec.model_dump(mode="json")
     _put(data, edit.path.split("."), edit.value, edit.path)
+    if edit.path == "type" and edit.value != getattr(component.spec, "type", None) and "model" in data:
+        data["model"] = None  # it was one of the other type
     try:
         spec = SPEC_ADAPTER.validate_python(data)
     except ValidationError as error:

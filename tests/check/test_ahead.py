@@ -1,7 +1,9 @@
 """Statements done before their program comes: the same scenes as without, whatever the seed; and when it is done."""
 
 import asyncio
+import contextlib
 import random
+import sys
 from collections.abc import Iterator
 from types import SimpleNamespace
 from typing import Any
@@ -10,7 +12,7 @@ import pytest
 
 from c2s_engine import paths
 from c2s_engine.check import ahead, draws
-from c2s_engine.check.client import SyncCheckClient
+from c2s_engine.check.client import CheckClient, SyncCheckClient
 from c2s_engine.check.protocol import CheckReport, CheckRequest
 
 FOLDER = str(paths.shipped("maps"))
@@ -132,3 +134,31 @@ def test_nothing_of_a_trusted_program_is_done_ahead() -> None:
         return one._task
 
     assert asyncio.run(begin()) is None
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
+def test_checks_that_are_cancelled_leave_no_process() -> None:
+    from test_snapshots import settled
+
+    async def edit(client: CheckClient, i: int, cancelled_after: float | None) -> None:
+        request = CheckRequest(program=PROGRAM.replace("30)", f"{31 + i})"), folder=FOLDER, seed=i)
+        task = asyncio.create_task(client.check(request))
+        if cancelled_after is not None:
+            await asyncio.sleep(cancelled_after)
+            task.cancel()
+        with contextlib.suppress(asyncio.CancelledError):
+            await task
+
+    async def work() -> tuple[int, int]:
+        async with CheckClient() as client:
+            for i in range(4):
+                await edit(client, i, None)
+            before = await asyncio.to_thread(settled, client.pid)
+            for i in range(12):
+                await edit(client, i, i * 0.004)
+                await asyncio.sleep(0.1)
+            await edit(client, 1, None)
+            return before, await asyncio.to_thread(settled, client.pid)
+
+    before, after = asyncio.run(work())
+    assert after <= before

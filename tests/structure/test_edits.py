@@ -56,3 +56,10 @@ def test_code_by_hand_is_kept_as_it_is(structure):
     assert after["O1"].origin == "by_hand"
     assert assemble(after).text == "lead = new Car\n"
     assert apply(after, SetCode(component="O1", code=None))["O1"].origin == "rendered"
+
+
+def test_another_type_drops_the_model_of_the_old_one(structure):
+    modelled = apply(structure, SetField(component="O1", path="model", value="vehicle.audi.a2"))
+    assert apply(modelled, SetField(component="O1", path="type", value="truck"))["O1"].spec.model is None
+    kind = modelled["O1"].spec.type
+    assert apply(modelled, SetField(component="O1", path="type", value=kind))["O1"].spec.model == "vehicle.audi.a2"

@@ -8,7 +8,7 @@ import pytest
 
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.specs import ObjectSpec, Phase, Placement, PlaceSpec
+from c2s_engine.structure.specs import Condition, ObjectSpec, Phase, Placement, PlaceSpec, RestrictionsSpec
 from c2s_engine.write.typed import ResolveError, make_plan
 from c2s_engine.write.typed.contradictions import contradictions
 from c2s_engine.write.typed.spread import spread
@@ -53,6 +53,13 @@ def test_what_is_listed_is_refused_with_its_reason(row):
         with pytest.raises(ResolveError) as refused:
             make_plan(structure)
         assert refused.value.fields and str(refused.value) in {r.because for r in contradictions()}
+
+
+def test_no_time_is_required_of_a_scene():
+    required = RestrictionsSpec(require=(Condition(kind="time", minimum=5.0),))
+    with pytest.raises(ResolveError) as refused:
+        make_plan(Structure(restrictions=Component(id="T", spec=required)))
+    assert "T.duration" in refused.value.fields
 
 
 def test_rows_name_only_what_the_vocabulary_has():

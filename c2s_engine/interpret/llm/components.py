@@ -70,8 +70,9 @@ def sentences_schema() -> dict[str, Any]:
     }
 
 
-async def read_components(text: str, asker: Asker) -> Sentences:
-    """The sentences of a text; raises ModelError."""
+async def read_components(text: str, asker: Asker, strict: bool = False) -> Sentences:
+    """The sentences of a text; raises ModelError. `strict`: sentences copied from the instructions are refused, for
+    those who have something to put in their place."""
     if not text.strip():
         return Sentences()
     instructions = prompt("components")
@@ -79,7 +80,7 @@ async def read_components(text: str, asker: Asker) -> Sentences:
     def build(value: dict[str, Any]) -> Sentences:
         found = _tidy(value)
         for cid in found.ids:
-            if _copied(found.of(cid), instructions, text):
+            if strict and _copied(found.of(cid), instructions, text):
                 raise ValueError(f'"{found.of(cid)}" is of the example, the text does not say it')
         return found
 

@@ -73,7 +73,7 @@ class TypedReader:
         """The whole text into S."""
         stand_in = fallback.Embedded(self.embedded, text)
         try:
-            sentences = await read_components(text, self.asker)
+            sentences = await read_components(text, self.asker, strict=True)
         except ModelError as error:
             return self._all_embedded(text, stand_in.strict(), str(error))
         structure = Structure(text=text)

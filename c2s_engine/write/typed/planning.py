@@ -105,6 +105,11 @@ def _placed_after(structure: Structure) -> None:
                     f"{component.id} is placed by {other}, which is not there before it: move it", (where,)
                 )
         known.add(component.id)
+    if any(c.kind == "time" for c in getattr(structure.restrictions.spec, "require", ())):
+        raise ResolveError(
+            "a scene has no time that could be required: say how long the run is, or when it ends",
+            ("T.require", "T.duration", "T.terminate_when"),
+        )
     for c in (structure.ego, structure.restrictions, *structure.objects):
         if missing := references(c) - known - {"E"}:
             raise ResolveError(f"{c.id} names {', '.join(sorted(missing))}, which is not there", (c.id,))

@@ -217,7 +217,7 @@ def _oncoming(c: Course, p: Phase) -> list[Step]:
 def _yield(c: Course, p: Phase) -> list[Step]:
     other, lane = c.actor.ref(p.target), c.actor.to_junction
     go = ([c.drive(c.set(c.wanted(p, c.actor.value or 8)), 2)], "for 4 seconds")
-    if lane is None:
+    if lane is None or _on_foot_behind(c, p):
         return [*_until_forced(c, p, other), go]
     end = f"{lane}.centerline[-1]"
     if c.same_lane(p):  # it is ahead: behind it up to the junction, until it has gone on over it
@@ -226,6 +226,13 @@ def _yield(c: Course, p: Phase) -> list[Step]:
         return [([behind], f"until {clear}"), (go[0], "")]
     near = f"until (distance from self to {end}) < 5 + self.speed ** 2 / 6"
     return [([c.drive()], near), ([c.drive("0", 3)], f"until passed({other}, self)"), go]
+
+
+def _on_foot_behind(c: Course, p: Phase) -> bool:
+    """Whether the other is on foot where ego leaves the junction: it is let pass there, not before the junction."""
+    spec = c.actor.structure[p.target].spec if p.target and p.target in c.actor.structure else None
+    behind = isinstance(spec, ObjectSpec) and spec.placement.position == "intersection_exit" and is_walker(spec.type)
+    return behind and c.actor.is_ego
 
 
 def _until_forced(c: Course, p: Phase, other: str) -> list[Step]:

@@ -1,11 +1,11 @@
 """When a phase begins: its stated trigger, or what its action waits for where none is stated."""
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.quantity import low, middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor, Course
-from c2s_engine.write.typed.tables import is_static
+from c2s_engine.write.typed.tables import WORKS, is_static
 from c2s_engine.write.typed.threats import IN_WAY, shown, standing, threatening
 from c2s_engine.write.typed.usual import speed_of
 
@@ -47,22 +47,36 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         seen = shown(a.structure, cid) if cid else ""
         return f"until {seen + ' and ' if seen else ''}need(self, {a.ref(cid)}) > {limit}"
     if phase.action == "cut_in":
-        return f"until 5 < lead_on(self, {a.ref(phase.target)}) - self.length < {scope.number(_cut_in_gap(course))}"
+        least, most = (scope.number(m) for m in _cut_in_gaps(course))
+        return f"until {least} < lead_on(self, {a.ref(phase.target)}) - self.length < {most}"
     if phase.action == "overtake" and (
         course.oncoming_both(phase) or course.lane is not None and course.same_lane(phase)
     ):
-        near = "10 + 1.6 * self.speed" if course.target_speed(phase) > 0 else "12 + 0.8 * self.speed"  # it may follow
-        return f"until (distance from self to {a.ref(phase.target)}) < {near}"
+        if course.target_speed(phase) > 0:  # it may follow
+            return f"until (distance from self to {a.ref(phase.target)}) < 10 + 1.6 * self.speed"
+        return _before(course, phase.target)
+    stands = standing(a.structure, a.plan.lane_of) if a.is_ego and phase.action == "oncoming" else None
+    if stands:
+        return _before(course, stands)
     if obstacle := _obstacle(course) if phase.action in ("swerve", "cut_out", "lane_change") else "":
         return f"until (distance from self to {obstacle}) < 12 + 1.3 * self.speed"
     if phase.action == "u_turn" and first and not a.is_ego and (course.oncoming or a.value <= 0):  # in front of ego
         return f"until (distance from self to ego) < {scope.number(10 + 2.5 * (a.value + a.plan.ego_speed))}"
+    if first and phase.action in ("brake", "stop") and _comes_over(a):
+        return "until need(self, ego) > 1"
     if not first or phase.action not in DELAYED or a.value <= 0:
         return ""
     if course.oncoming:
         ahead = 5.5 if phase.action == "drift" else 2.8  # s that it takes to be over
         return f"until (distance from self to ego) < {scope.number(ahead * (a.value + a.plan.ego_speed))}"
     return "for 3 seconds"
+
+
+def _before(course: Course, cid: str | None) -> str:
+    """So near to one that stands that there is just room to get out of its lane; of works the sign comes first."""
+    spec = course.actor.structure[cid].spec if cid and cid in course.actor.structure else None
+    room = 18 if isinstance(spec, ObjectSpec) and spec.type in WORKS else 12
+    return f"until (distance from self to {course.actor.ref(cid)}) < {room} + 1.9 * self.speed"
 
 
 def observed(structure: Structure, other: str, cid: str, action: str | None) -> str:
@@ -96,6 +110,15 @@ def _before_junction(course: Course, value: float, phase: Phase) -> str:
         braking = f"self.speed ** 2 / {scope.number(2 * rate)}"
         return f"until (distance from self to {lane}.centerline[-1]) < {scope.number(room)} + {braking}"
     return f"until (distance from self to {lane}.centerline[-1]) < {scope.number(room)}"
+
+
+def _comes_over(actor: Actor) -> bool:
+    """Whether ego comes from the next lane in front of one that comes up behind it."""
+    spec, ego = actor.spec, actor.structure.ego.spec
+    if not isinstance(spec, ObjectSpec) or spec.placement.along != "behind" or actor.plan.lane_of.get(actor.cid) == 0:
+        return False
+    over = {"u_turn", "lane_change", "cut_in"} & {p.action for p in getattr(ego, "phases", ())}
+    return spec.placement.of == "ego" and bool(over)
 
 
 def _obstacle(course: Course) -> str:
@@ -148,8 +171,13 @@ def _presses(course: Course, cid: str) -> bool:
     return slower or not calm
 
 
-def _cut_in_gap(course: Course) -> float:
-    placement = getattr(course.actor.spec, "placement", None)
-    gap = middle(placement.gap) if placement and placement.gap is not None and placement.along != "behind" else 0
+def _cut_in_gaps(course: Course) -> tuple[float, float]:
+    """Between which gaps (m) a driver cuts in: closer than usual, or further off, where it starts so."""
+    spec = course.actor.spec
+    placement = spec.placement if isinstance(spec, ObjectSpec) else None
+    if placement is None or placement.gap is None or placement.along == "behind":
+        return 5.0, 25.0
     slower = course.actor.value < course.actor.plan.ego_speed - 1
-    return max(25.0, 0.0 if slower else gap + 8)
+    beside = placement.position in ("left_lane", "right_lane")
+    least = max(1.0, low(placement.gap) - 2) if beside else 5.0
+    return min(5.0, least), max(25.0, 0.0 if slower else middle(placement.gap) + 8)

@@ -77,7 +77,9 @@ def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
         catching = _to_catch(o, ego_speed, place) if position not in MOVES_OFF_ROAD else 0.0
         return max(30.0, min(4.0 * ego_speed, 90.0), _while_crossing(o, ego_speed, place), catching)
     if position == "behind" or o.placement.along == "behind":
-        return max(12.0, 1.2 * ego_speed)
+        own = middle(speed_of(o, place)) if place else ego_speed
+        brakes = position != "behind" and bool(o.phases) and o.phases[0].action in ("brake", "stop")
+        return max(12.0, 1.2 * ego_speed, own**2 / 8 if brakes and own > ego_speed + 1 else 0.0)
     if position in ("left_lane", "right_lane") and any(p.action == "cut_in" for p in o.phases) and o.speed != 0:
         return 10.0
     return max(12.0, min(1.6 * ego_speed, 45.0), _to_catch(o, ego_speed, place) - ROOM_BEHIND)

@@ -1,0 +1,207 @@
+"""Behaviours in the shapes of the typed writer, read back: a line that is driven along at a speed, step by step.
+
+A step is a `do Drive(line, speed, rate=...)` with the condition that ends it. What is not in one of these shapes (a
+change to another line, a place to the side of it, a speed that follows another's) is not read: it stays code.
+"""
+
+import ast
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from c2s_engine.check.values import Values, ends_of
+from c2s_engine.structure.specs import Phase, Trigger
+
+_DRIVE = ("points", "speed", "rate", "offset", "shift")
+_BRAKING = {2.0: False, 4.0: True}  # ego's, where the need for it is over so many m/s2: whether hard
+_RATES = {3.0: "brake", 3.5: "stop", 2.5: "accelerate", 4.0: "wait"}  # m/s2
+_NEVER = ast.Constant(None)
+
+
+@dataclass
+class Drive:
+    """What such a behaviour says: the first speed (its expression), the phases, how ego answers to what comes near."""
+
+    start: Any
+    phases: tuple[Phase, ...]
+    brakes: bool = False
+    hard: bool = False
+
+
+@dataclass
+class _Step:
+    speed: Any
+    rate: float | None
+    until: Any  # a condition
+    seconds: float | None
+
+
+class NotWritten(Exception):
+    """The behaviour is not in one of the shapes."""
+
+
+class Written:
+    """Reads behaviours of one program; `trigger` reads `(distance from self to ...) < 9`."""
+
+    def __init__(self, values: Values, trigger: Callable[[Any], Trigger | None]) -> None:
+        self.values, self.trigger = values, trigger
+
+    def read(self, definition: Any) -> Drive | None:
+        """What a behaviour says; None where it is in none of the shapes."""
+        if definition.args.args or not self._drives():
+            return None
+        try:
+            return self._read(list(definition.body))
+        except NotWritten:
+            return None
+
+    def _drives(self) -> bool:
+        own = self.values.behaviors.get("Drive")
+        return own is not None and tuple(a.arg for a in own.args.args) == _DRIVE
+
+    def _read(self, body: list[Any]) -> Drive:
+        from scenic.syntax import ast as s
+
+        if not (body and isinstance(body[0], ast.Assign) and _called(body[0].value) == "way"):
+            raise NotWritten
+        line = body.pop(0).targets[0].id
+        limit = None
+        if len(body) == 1 and isinstance(body[0], s.TryInterrupt):
+            limit = self._braking(body[0])
+            body = list(body[0].body)
+        start: Any = None
+        if body and isinstance(body[0], s.Take) and [_called(e) for e in body[0].elts] == ["SetSpeedAction"]:
+            start = body.pop(0).elts[0].args[0]
+        steps = [self._step(node, line) for node in body]
+        phases = self._phases(start, steps)
+        return Drive(start, phases, limit in _BRAKING, bool(_BRAKING.get(limit or 0.0)))
+
+    def _braking(self, node: Any) -> float:
+        """The need (m/s2) at which the interruption brakes: `need(self, other) > 2`, until there is none."""
+        from scenic.syntax import ast as s
+
+        if len(node.interrupt_when_handlers) != 1 or len(node.interrupt_when_handlers[0].body) != 1:
+            raise NotWritten
+        handler = node.interrupt_when_handlers[0]
+        done = handler.body[0]
+        limit, rest = self._need(handler.cond), self._need(getattr(done, "cond", _NEVER))
+        brakes = isinstance(done, s.DoUntil) and len(done.elts) == 1 and _called(done.elts[0]) == "Drive"
+        if not brakes or limit is None or rest != 0 or self.values.number(done.elts[0].args[1]) != 0:
+            raise NotWritten
+        return limit
+
+    def _need(self, cond: Any) -> float | None:
+        compared = _comparison(cond)
+        if compared is None or _called(compared[0]) not in ("need", "most_need"):
+            return None
+        value = self.values.number(compared[2])
+        return value if isinstance(value, float) else None
+
+    def _step(self, node: Any, line: str) -> _Step:
+        from scenic.syntax import ast as s
+
+        if not isinstance(node, s.Do | s.DoUntil | s.DoFor) or len(node.elts) != 1:
+            raise NotWritten
+        call = node.elts[0]
+        named = {k.arg: k.value for k in call.keywords} if isinstance(call, ast.Call) else {}
+        if _called(call) != "Drive" or len(call.args) != 2 or set(named) - {"rate"}:
+            raise NotWritten
+        if not isinstance(call.args[0], ast.Name) or call.args[0].id != line:
+            raise NotWritten
+        rate, seconds = self._exactly(named["rate"]) if "rate" in named else None, None
+        if isinstance(node, s.DoFor):
+            if not isinstance(node.duration, s.Seconds):
+                raise NotWritten
+            seconds = self._exactly(node.duration.value)
+        return _Step(call.args[1], rate, node.cond if isinstance(node, s.DoUntil) else None, seconds)
+
+    def _exactly(self, node: Any) -> float:
+        value = self.values.number(node)
+        if not isinstance(value, float):
+            raise NotWritten
+        return value
+
+    def _phases(self, start: Any, steps: Sequence[_Step]) -> tuple[Phase, ...]:
+        """The phases of the steps after the first, which drives on at the first speed where there is one."""
+        found: list[Phase] = []
+        todo = list(steps)
+        now = ends_of(self._speed(start)) if start is not None else (0.0, 0.0)
+        trigger: Trigger | None = None
+        if todo and start is not None and todo[0].rate is None and ast.dump(todo[0].speed) == ast.dump(start):
+            trigger = self._waits(todo.pop(0))
+        while todo:
+            step = todo.pop(0)
+            action = _RATES.get(step.rate or 0.0, "")
+            goal = self._exactly(step.speed)
+            told: dict[str, Any] = {"action": action, "trigger": trigger}
+            if action == "stop" and goal == 0:
+                if not self._reaches(step, ast.Lt, 0.2) or not todo or todo[0].rate != 3.5:
+                    raise NotWritten
+                step = todo.pop(0)
+                ended = step.until is None and step.seconds in (1.0, None)
+            elif action == "wait" and goal == 0:
+                told["action"] = "wait" if todo or not found else "stationary"
+                ended = step.until is None and step.seconds in (3.0, None)
+            elif action == "brake" and 0 < goal < now[0] or action == "accelerate" and goal > now[1]:
+                sign, over = (ast.Lt, 0.5) if action == "brake" else (ast.Gt, -0.5)
+                usual = (now[0] + now[1]) / 4 if action == "brake" else max(0.7 * sum(now), sum(now) / 2 + 5)
+                told["speed"] = None if abs(goal - usual) < 0.005 else goal
+                ended = self._reaches(step, sign, goal + over) if todo else step.until is None
+            else:
+                raise NotWritten
+            if step.seconds is not None and not ended:
+                told["duration"], ended = step.seconds, True
+            trigger = None
+            if not ended:
+                trigger = self._waits(step)
+            found.append(Phase(**told))
+            now = (goal, goal)
+        if trigger is not None:
+            raise NotWritten
+        return tuple(found)
+
+    def _speed(self, node: Any) -> Any:
+        value = self.values.number(node)
+        if value is None:
+            raise NotWritten
+        return value
+
+    def _reaches(self, step: _Step, sign: type, speed: float) -> bool:
+        """Whether a step ends as its own speed comes under or over that many m/s."""
+        compared = _comparison(step.until)
+        if compared is None or not isinstance(compared[1], sign) or _attribute(compared[0]) != "self.speed":
+            return False
+        return abs(self._exactly(compared[2]) - speed) < 0.006
+
+    def _waits(self, step: _Step) -> Trigger | None:
+        """What the phase after a step waits for; nothing where it waits 3 s, as a phase without a trigger does."""
+        if step.until is None:
+            if step.seconds not in (3.0, None):
+                raise NotWritten
+            return None
+        compared = _comparison(step.until)
+        if compared is not None and isinstance(compared[1], ast.GtE) and isinstance(compared[0], ast.BinOp):
+            names = {n.attr for n in ast.walk(compared[0]) if isinstance(n, ast.Attribute)}
+            if names == {"currentTime", "timestep"} and isinstance(compared[0].op, ast.Mult):
+                return Trigger(kind="time", value=self._exactly(compared[2]))
+        found = self.trigger(step.until)
+        if found is None:
+            raise NotWritten
+        return found
+
+
+def _called(node: Any) -> str:
+    return node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
+
+
+def _comparison(node: Any) -> tuple[Any, Any, Any] | None:
+    """What is compared, how, and with what."""
+    if not isinstance(node, ast.Compare) or len(node.ops) != 1:
+        return None
+    return node.left, node.ops[0], node.comparators[0]
+
+
+def _attribute(node: Any) -> str:
+    if not isinstance(node, ast.Attribute) or not isinstance(node.value, ast.Name):
+        return ""
+    return f"{node.value.id}.{node.attr}"

@@ -144,8 +144,22 @@ def _ego_light(scene: Scene) -> str | None:
             start, end = _clause_span(scene, runner)
             if start - 25 <= found.span[0] <= end + 25:
                 continue
+        if (
+            found.value in ("green", "red")
+            and len({f.value for f in scene.light}) > 1
+            and _of_another(scene, found.span[0])
+        ):
+            continue
         return found.value
     return "green" if runner is not None else None
+
+
+def _of_another(scene: Scene, at: int) -> bool:
+    """Whether a light is told right after another road user than ego ("the cyclist has the green")."""
+    words = [w for w in scene.words if w.start < at]
+    near = [i for i in scene.cast.of if words and i <= words[-1].i and scene.words[i].sentence == words[-1].sentence]
+    last = scene.cast.of[max(near)] if near else None
+    return last is not None and not last.ego and last.mover
 
 
 def _clause_span(scene: Scene, event) -> tuple[int, int]:  # noqa: ANN001

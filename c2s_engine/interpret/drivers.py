@@ -61,6 +61,9 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                     pass
                 continue
             said_reaction = True
+            if stop and phases and phases[-1].action in ASIDE and _from_behind(scene):
+                phases.append(Phase(action="stop", trigger=trigger))
+                continue
             if reaction in ("none", "follow"):
                 reaction = "brake" if reaction == "none" or event.hard or stop and rate_of(event) else reaction
             hard = hard or event.hard or bool(rate_of(event) and rate_of(event) >= 4)  # type: ignore[operator]
@@ -135,6 +138,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             if target:
                 phases.append(Phase(action="collide", target=target))
                 said_reaction = True
+        elif act == "stationary" and reaction in ("brake", "evade") and not phases:
+            continue  # it waits where it has stopped
         elif act == "stationary":
             phases.append(Phase(action="wait" if phases else "stationary", duration=duration_of(event)))
         elif act == "keep_lane" and not phases:
@@ -208,9 +213,21 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     return spec, assumed
 
 
+ASIDE = ("lane_change", "leave_road", "drift")
+
+
+def _from_behind(scene: Scene) -> bool:
+    """Whether somebody comes from behind for whom ego makes room."""
+    return any(
+        scene.where(a).rel == "behind"
+        and (a.type in ("ambulance", "police_car", "fire_truck") or scene.does(a, "overtake"))
+        for a in scene.actors
+    )
+
+
 def _makes_way(scene: Scene, react_to: str | None, phases: list[Phase], ids: dict[Entity, str]) -> bool:
     """Whether ego lets one from behind pass after it moved aside."""
-    aside = phases and phases[-1].action in ("lane_change", "leave_road", "drift")
+    aside = phases and phases[-1].action in ASIDE
     return bool(aside) and any(
         scene.where(a).rel == "behind" and ids.get(a) == react_to for a in scene.actors if a.mover
     )

@@ -7,7 +7,8 @@ from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast, Entity
 
 LIKEWISE = re.compile(
-    r"(?:(?:do|does|did|doing) (?:the (?:very )?same|likewise|so(?: too| as well)?|this too|that too)|(?:follows?|followed) suit"
+    r"(?:(?:do|does|did|doing) (?:the (?:very )?same|likewise|so(?: too| as well)?|this too|that too)|(?:follows?"
+    r"|followed) suit"
     r"|reacts? (?:likewise|the same way|in the same way)|(?:follows?|followed) (?:his|her|its|their|this|that) example"
     r"|copies|copied|imitates)\b"
 )

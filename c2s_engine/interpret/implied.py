@@ -28,8 +28,40 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _over_the_line(event, clauses, of)
         elif event.done and event.act in ("lane_change", "drift") and event.agent.ego:
             _unseen(event, cast, clauses, of)
+        elif event.done and event.act in ACROSS and event.agent in of and _comes_over(event, of):
+            event.act, event.side = "oncoming", "left"
         elif event.done and event.act in ("lane_change", "drift", "swerve") and event.agent in of:
             _into_whose_lane(event, clauses, of)
+
+
+ACROSS = frozenset(("lane_change", "drift", "swerve", "lose_control", "cross_path"))
+OVER_LINE = re.compile(
+    r"\b(?:over|across|onto|into|cross\w*) (?:the |a |an |its )?(?:solid |white |yellow |double |middle |broken )*"
+    r"(?:lines?|markings?|middle)\b"
+)
+
+
+def _comes_over(event: Event, of: dict[Entity, Where]) -> bool:
+    """Whether one who comes the other way gets over the line."""
+    return of[event.agent].lane == "oncoming" and OVER_LINE.search(event.text) is not None
+
+
+def evaded_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
+    """Ego's lane where it gets round one in the right lane by the left one, or the other way round: it is the same."""
+    for event in clauses.events:
+        other, towards = event.patient, side(event)
+        if not (event.done and event.agent.ego and other in of and event.act in ("lane_change", "evade", "overtake")):
+            continue
+        where = of[other]
+        halts = other.roles & {"stationary", "slow", "parked"} or any(
+            e.agent is other and e.act in ("stationary", "stop", "brake", "brake_stop", "reverse")
+            for e in clauses.events
+        )
+        across = {"left": "right", "right": "left"}.get(towards or "")
+        if across and halts and where.lane == across and where.rel in (None, "ahead") and where.of is None:
+            where.lane, where.side, where.rel = "same", None, "ahead"
+            return f"{across}most"
+    return None
 
 
 def _open(where: Where) -> bool:

@@ -10,17 +10,20 @@ BARE = re.compile(r"(?<![\w'’/&.-])(?P<letter>[A-HJ-Z])(?![\w/&%-]|\.\w|['’]
 STARTS = re.compile(r"(?:^|[.!?:;(\"\n])\s*$")
 ARTICLE = re.compile(r"\s*,\s*(?:an?|the|our|which|who|in|on|next|behind|ahead|coming|\d)\b")
 GOVERNED = re.compile(
-    r"\b(?:behind|between|follow\w*|trail\w*|pass(?:es|ed|ing)?|overtak\w+|hit\w*|strik\w+|struck|rear-end\w*|past|let|lets"
+    r"\b(?:behind|between|follow\w*|trail\w*|pass(?:es|ed|ing)?|overtak\w+|hit\w*|strik\w+|struck|rear-end\w*|past"
+    r"|let|lets"
     r"|ahead of|in front of|seeing|and|reach\w*|approach\w*|alongside|beside|avoid\w*|towards?|by|of|to|from|into|with)"
     r"\s+$"
 )
 NO_NAME = re.compile(
-    r"\b(?:class|level|scenario|case|point|lane|street|avenue|ave|road|route|exit|gate|step|phase|part|group|zone|area|plan"
+    r"\b(?:class|level|scenario|case|point|lane|street|avenue|ave|road|route|exit|gate|step|phase|part|group|zone"
+    r"|area|plan"
     r"|grade|type|variant|version|option|figure|fig|table|section|appendix|town|junction|position|location|site|arm|leg"
     r"|vitamin|model|series|schedule|annex|article|terminal|stop|platform|vehicle type|building)\s+$"
 )
 NO_FOLLOWER = re.compile(
-    r"[\s-]*(?:roads?|junctions?|intersections?|pillar|turns?\b(?= (?:left|right|at))|shaped?|lanes?|streets?|avenue|km|side"
+    r"[\s-]*(?:roads?|junctions?|intersections?|pillar|turns?\b(?= (?:left|right|at))|shaped?|lanes?|streets?"
+    r"|avenue|km|side"
     r"|license|licence|class|crossing|kerb|curb|hand|shoulder|degrees|ramps?|exit|band)\b"
 )
 SIDES = frozenset("lrnesw")

@@ -63,6 +63,9 @@ class Nouns(Reference):
             and (host.mover or not MOVERS & {kind})
         ):
             return self._retyped(host, kind, roles, noun)
+        first = self._alternative(word)
+        if first is not None and first.type in VEHICLES | PERSONS and kind in VEHICLES | PERSONS:
+            return first
         host = self._called(word)
         if host is not None and (fits(host, kind) or host.type == "vehicle" or host.ego and kind in MOTOR):
             return self._retyped(host, kind, roles, noun)
@@ -99,6 +102,9 @@ class Nouns(Reference):
         ):
             return self._retyped(host, kind, roles, noun)
         host = self._driven_by(word)
+        if host is not None and kind in ("motorcycle", "bicycle") and host.type in ("motorcycle", "bicycle"):
+            host.type = kind
+            return host
         if host is not None and kind in VEHICLES:
             return self._retyped(host, kind, roles, noun)
         pronominal = self._type_of_definite(word, before, kind)
@@ -120,6 +126,9 @@ class Nouns(Reference):
                 ):
                     entity.type = kind
                     return entity
+        titled = self._titled(word, kind) if not other and ordinal is None and count == 1 else None
+        if titled is not None:
+            return self._retyped(titled, kind, roles, noun)
         if kind != "vehicle" and previous in ("a", "an") or {"a", "an"} & set(before):
             named = self._revealed(word, kind)
             if named is not None:
@@ -143,6 +152,30 @@ class Nouns(Reference):
         return self._new(
             Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
         )
+
+    def _titled(self, word: Word, kind: str) -> Entity | None:
+        """The driver whom a title named ("Ghost driver at 2 a.m.: ... a wrong-way car comes")."""
+        if kind not in VEHICLES or word.i == 0:
+            return None
+        for entity in self.entities:
+            if entity.type != "vehicle" or not entity.noun.endswith("driver") or len(entity.mentions) != 1:
+                continue
+            first = self.words[entity.mentions[0].word]
+            between = [w.norm for w in self.words[first.i : word.i]]
+            ends = next((w.i for w in self.words[first.i : word.i] if w.norm == ":"), None)
+            title = first.sentence == 0 and (self._heading(0) or ends is not None)
+            verbs = [w for w in self.words[: ends or first.i] if w.tag in ("VBZ", "VBD", "VBP", "MD")]
+            if title and not verbs and (ends is not None or word.sentence > 0) and "another" not in between[-3:]:
+                return entity
+        return None
+
+    def _alternative(self, word: Word) -> Entity | None:
+        """The first of two nouns of which either may be meant: "a tractor or a coach"."""
+        back = [w for w in self.words[max(0, word.i - 5) : word.i] if w.sentence == word.sentence]
+        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
+        if not re.search(r"@ (?:or|/) (?:(?:an?|maybe|perhaps|some|even) ){0,2}(?:[\w-]+ )?$", text + " "):
+            return None
+        return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
 
     def _called(self, word: Word) -> Entity | None:
         """Whose label stands right before a noun with nothing but adjectives between: "Unit 1 gray pickup"."""
@@ -189,9 +222,12 @@ class Nouns(Reference):
         if match is None:
             return None
         owner = next(self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None)
-        if match[4] in ("in", "on") and not re.search(r"driver|motorist|party|defendant|respondent|rider", owner.noun):
+        if match[4] in ("in", "on") and not re.search(
+            r"driver|motorist|party|defendant|respondent|rider|courier", owner.noun
+        ):
             return None
-        return owner if owner.type in ("vehicle", "rider") or owner.ego else None
+        two = owner.type in ("bicycle", "motorcycle") and re.search(r"rider|courier", owner.noun)
+        return owner if owner.type in ("vehicle", "rider") or owner.ego or two else None
 
     def _heading(self, sentence: int) -> bool:
         """Whether a sentence is a title: without a finite verb."""

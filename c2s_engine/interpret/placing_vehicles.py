@@ -24,6 +24,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     lane, rel, edge = where.lane, where.rel, where.side
     if rel is not None and passes_ego(scene, entity):
         rel = "behind"  # where it comes to be is said with the same words
+    if rel == "beside" and where.of is None and _met(scene, entity) == "ahead":
+        rel, lane = "ahead", "same"  # beside another, but ego comes up behind it
     if lane == "oncoming" and rel == "behind" and "oncoming" not in entity.roles:
         lane = None  # the side on which it passes
     if junction and lane in ("left", "right") and rel is None and "lane" not in " ".join(t for _, t in where.phrases):

@@ -59,6 +59,10 @@ class Reference(Pronouns):
                 if roles & {"following"} and not self.ego_named and kind == "vehicle":
                     return None
                 return None
+        second = any(self.words[m.word].norm in ("you", "your") for m in self.ego.mentions)
+        alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
+        if second and alone and not self._distinguished(word) and self.words[word.i - 1].norm == "the":
+            return self.ego  # a driver is told what to do: "you will feel the car"
         if kind == "vehicle" and noun == "vehicle" and not self.ego_named and not bare and not other:
             generic = [e for e in candidates if e.noun == "vehicle"]
             plain = [e for e in candidates if e.noun != "vehicle" and not e.roles]

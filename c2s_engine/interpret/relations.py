@@ -5,7 +5,7 @@ import re
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.groups import split_groups
-from c2s_engine.interpret.implied import implied_places
+from c2s_engine.interpret.implied import evaded_lane, implied_places
 from c2s_engine.interpret.inferred import Inferred
 from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.whereabouts import STATES, Where, read, side_of_text
@@ -19,6 +19,12 @@ FILLED = re.compile(
     r"((?:oncoming|opposite|opposing|left|right|adjacent|neighbou?ring|other|next)(?:-hand)? lane) (?:be|is|was) "
     r"(?:\w+ )?(?:full of|fill(?:ed)? with|occup(?:y|ied) by|pack(?:ed)? with|block(?:ed)? (?:by|with)|taken? by)"
     r"(?: the| an?)?(?: \w+)?$"
+)
+
+ASIDE = re.compile(
+    r"\b(?:on|in|via|by|over|using|through|into|across) (?:the |its )?(?:on-?coming|opposite|opposing|other|wrong"
+    r"|left|right|next"
+    r"|adjacent)(?:-hand)? (?:\w+ )?(?:lane|side)(?: of the (?:road|street))?"
 )
 
 PLACING = frozenset(("facing", "following", "level", "side", "abreast", "alongside", "next", "adjacent"))
@@ -42,6 +48,7 @@ class Places(Inferred):
                 self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
         split_groups(cast, clauses, self.of)
         implied_places(cast, clauses, self.of)
+        self.ego_lane = evaded_lane(clauses, self.of) or self.ego_lane
         self._referred()
         self._between()
         self._joined()
@@ -155,7 +162,8 @@ class Places(Inferred):
         front = self.clauses.render([w.i for w in before])
         fronted = re.search(
             (
-                r"(?:^|, |and |: )((?:from|to|on|at|in) (?:the |its |@\w+ 's )+(?:left|right)(?:-?hand|most)?(?: side| lane)?)"
+                r"(?:^|, |and |: )((?:from|to|on|at|in) (?:the |its |@\w+ 's )+(?:left|right)(?:-?hand|most)?"
+                r"(?: side| lane| pavement| sidewalk| footpath| verge| shoulder| kerb| curb| edge)?)"
                 r"(?: a| an| another| the| \w+){0,3}$"
             ),
             front,
@@ -178,7 +186,7 @@ class Places(Inferred):
         ):
             following = self._following(i)
             read(" ".join([*lead, self.clauses.render(following)]), where, entity, self.cast, "noun")
-        text = self._unhit(text, entity)
+        text = self._unpassed(self._unhit(text, entity), i, entity)
         if known and text.strip():
             read(text, where, entity, self.cast, "noun")
             self._gap(indices, where)
@@ -222,7 +230,13 @@ class Places(Inferred):
                 self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO")
                 or self.words[after[0]].norm in PLACING
             ):
-                read(self._unhit(self.clauses.render(after), entity), where, entity, self.cast, "noun")
+                read(
+                    self._unpassed(self._unhit(self.clauses.render(after), entity), i, entity),
+                    where,
+                    entity,
+                    self.cast,
+                    "noun",
+                )
                 self._gap(after, where)
         if self.clauses.fragment(i):
             rest = self.clauses.about(i)
@@ -243,6 +257,13 @@ class Places(Inferred):
         """The words about one without those that say how it is hit: who is hit from behind is not behind."""
         if any(e.act == "collide" and e.patient is entity and e.done for e in self.clauses.events):
             return re.sub(r"\b(from behind|(from|in|at) the (rear|back))\b", "", text)
+        return text
+
+    def _unpassed(self, text: str, i: int, entity: Entity) -> str:
+        """The words about one whom ego passes without those that say where ego goes then."""
+        passes = [e for e in self.clauses.events if e.agent.ego and e.act in ("overtake", "evade", "lane_change")]
+        if any(e.patient is entity or i in e.words for e in passes if e.word < i and i in e.words):
+            return ASIDE.sub("", text)
         return text
 
     def _of_another(self, child: int, i: int, entity: Entity) -> bool:

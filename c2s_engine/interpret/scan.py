@@ -140,6 +140,8 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
         if any(s < end and start < e for s, e in taken):
             continue
         noun = re.sub(r"[\s-]+", " ", match["noun"])
+        if noun in ("lead", "leader", "package") and WORK.search(text[max(0, start - 12) : start]):
+            continue
         if noun == "mini" and re.match(r"[\s-]+(?:roundabout|cab|van|bus|series)", text[end : end + 12]):
             continue
         if noun in VERBS_TOO and any(s.end == start - 1 and s.kind != "quantity" for s in found):
@@ -189,6 +191,9 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             continue
         kept.append(span)
     return kept
+
+
+WORK = re.compile(r"\b(?:package|team|project|work|task|group|tech|test|software) $")
 
 
 INVARIANT = frozenset(

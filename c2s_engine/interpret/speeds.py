@@ -41,6 +41,10 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(
             re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20])
         )
+        if re.search(r"\bspeeds(?: (?:of|are|were|at|around|about|is|being|each))*[: ]*$", near):
+            for other in (cast.ego, *(e for e in scene.actors if e.type in VEHICLES and e.type != "bicycle")):
+                scene.speeds.setdefault(other, value)
+            continue
         like = re.search(r"like (it|the \w+|ego)[^.;,]*$", near)
         if re.search(
             (

@@ -2,17 +2,18 @@
 
 import re
 
+from c2s_engine.interpret.avoiding import abandoned, avoided
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.echoes import echoes
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.place import Road
-from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.towards import side
 
 
 def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     """What single clauses cannot tell: a stop that is denied before a stop sign, a pass that is waited for."""
+    avoided(cast, clauses)
     for event in list(clauses.events):
         if event.act == "stop" and event.mode == "negated":
             sentence = " ".join(w.norm for w in cast.words if abs(w.sentence - cast.words[event.word].sentence) <= 1)
@@ -128,7 +129,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 event.mode = "hypothetical"
     _headings(cast, clauses)
     _by_the_other_lane(clauses, road)
-    _abandoned(cast, clauses)
+    abandoned(cast, clauses)
     turns = [e for e in clauses.events if e.agent.ego and e.act == "turn" and e.done and side(e) is None]
     for event in clauses.events:
         if turns and event.agent.ego and event.act == "lane_change" and re.search(r"man(oeuvre|euver)", event.text):
@@ -205,54 +206,6 @@ def _follows(cast: Cast, clauses: Clauses, event: Event) -> bool:
         e.act in ("follow", "approach") and e.agent.ego and e.patient is event.agent and e.done and e.word < event.word
         for e in clauses.events
     )
-
-
-GIVES_UP = re.compile(
-    r"\b(abort\w*|abandon\w*|cancel\w*|breaks? (it )?off|gives? up|gave up|changes? (its|his|her) mind"
-    r"|think(s)? better of it|(go|goes|went|move|moves|moved|pull|pulls|pulled|steer|steers|swerve|swerves|drift|drifts"
-    r"|come|comes|slip|slips|swing|swings) (right |straight )?back(?! (in|to) front)"
-    r"|returns? to (its|the|his|her) (own |original |previous |initial )?lane)\b"
-)
-BEGINS = ("start", "begin", "attempt", "try", "initiate", "commence", "want", "intend", "go")
-
-
-def _abandoned(cast: Cast, clauses: Clauses) -> None:
-    """A lane change that is begun and given up is a swerve; an overtaking that is given up does not happen."""
-    for event in clauses.events:
-        if event.act not in ("lane_change", "cut_in", "overtake") or not event.done:
-            continue
-        words, at = cast.words, cast.words[event.word]
-        begun = clauses._lemma(words[at.head]) in BEGINS and words[at.head].sentence == at.sentence
-        later = [w for w in words if w.i > event.word and w.sentence - at.sentence <= 1]
-        given_up = GIVES_UP.search(" ".join(w.norm for w in later))
-        if not begun or given_up is None:
-            continue
-        word = _word_at(later, given_up.start())
-        others = [e for e in clauses.events if event.word < e.word < word and e.agent is not event.agent]
-        if any(
-            not e.agent.ego or e.act == "overtake" for e in others if words[e.word].sentence == words[word].sentence
-        ):
-            continue
-        back = [e for e in clauses.events if e.agent is event.agent and abs(e.word - word) <= 1 and e is not event]
-        if event.act == "overtake":
-            event.act, event.mode = ("overtake", "hypothetical") if event.agent.ego else ("follow", "fact")
-            event.patient = event.patient or cast.ego
-        elif event.agent.ego:
-            event.act = "swerve"
-            for other in back:
-                other.mode = "hypothetical" if other.act in ("reverse", "lane_change", "swerve") else other.mode
-        else:
-            for other in back:
-                other.act = "lane_change" if other.act == "reverse" else other.act
-
-
-def _word_at(words: list[Word], offset: int) -> int:
-    """The index of the word at an offset of their joined text."""
-    for word in words:
-        if offset <= 0:
-            return word.i
-        offset -= len(word.norm) + 1
-    return words[-1].i
 
 
 WAITS = re.compile(

@@ -1,0 +1,68 @@
+"""What is done to avoid somebody, and what is begun and given up."""
+
+import re
+
+from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.mentions import Cast
+from c2s_engine.interpret.syntax import Word
+
+JERKS = r"(?:swerv|veer|jerk|lurch|dodg)\w+"
+AVOIDS = re.compile(
+    rf"(?:{JERKS}|(?:steer|pull|swing|swung|cut|turn|go|went|goes|head)\w*) (?:\w+ )?(?:to the )?(?:left|right) "
+    r"(?:in order |so as |trying |in an attempt )?(?:to (?:avoid|miss|dodge|evade|clear|get (?:out|around|past))"
+    r"|and (?:avoid|miss)\w*|around (?:it|the|a)|avoiding|missing)\b"
+    rf"|{JERKS} (?:\w+ )?(?:to the )?(?:left|right)(?= (?:and|but|when|as|while|[,.;])| ?$)"
+)
+GIVES_UP = re.compile(
+    r"\b(abort\w*|abandon\w*|cancel\w*|breaks? (it )?off|gives? up|gave up|changes? (its|his|her) mind"
+    r"|think(s)? better of it|(go|goes|went|move|moves|moved|pull|pulls|pulled|steer|steers|swerve|swerves|drift|drifts"
+    r"|come|comes|slip|slips|swing|swings) (right |straight )?back(?! (in|to) front)"
+    r"|returns? to (its|the|his|her) (own |original |previous |initial )?lane)\b"
+)
+BEGINS = ("start", "begin", "attempt", "try", "initiate", "commence", "want", "intend", "go")
+
+
+def avoided(cast: Cast, clauses: Clauses) -> None:
+    """Who goes left or right to avoid somebody swerves: "veered right to avoid a dog" is no turn into a street."""
+    for event in clauses.events:
+        if event.act == "turn" and AVOIDS.match(" ".join(w.norm for w in cast.words[event.word : event.word + 9])):
+            event.act = "swerve"
+
+
+def abandoned(cast: Cast, clauses: Clauses) -> None:
+    """A lane change that is begun and given up is a swerve; an overtaking that is given up does not happen."""
+    for event in clauses.events:
+        if event.act not in ("lane_change", "cut_in", "overtake") or not event.done:
+            continue
+        words, at = cast.words, cast.words[event.word]
+        begun = clauses._lemma(words[at.head]) in BEGINS and words[at.head].sentence == at.sentence
+        later = [w for w in words if w.i > event.word and w.sentence - at.sentence <= 1]
+        given_up = GIVES_UP.search(" ".join(w.norm for w in later))
+        if not begun or given_up is None:
+            continue
+        word = _word_at(later, given_up.start())
+        others = [e for e in clauses.events if event.word < e.word < word and e.agent is not event.agent]
+        if any(
+            not e.agent.ego or e.act == "overtake" for e in others if words[e.word].sentence == words[word].sentence
+        ):
+            continue
+        back = [e for e in clauses.events if e.agent is event.agent and abs(e.word - word) <= 1 and e is not event]
+        if event.act == "overtake":
+            event.act, event.mode = ("overtake", "hypothetical") if event.agent.ego else ("follow", "fact")
+            event.patient = event.patient or cast.ego
+        elif event.agent.ego:
+            event.act = "swerve"
+            for other in back:
+                other.mode = "hypothetical" if other.act in ("reverse", "lane_change", "swerve") else other.mode
+        else:
+            for other in back:
+                other.act = "lane_change" if other.act == "reverse" else other.act
+
+
+def _word_at(words: list[Word], offset: int) -> int:
+    """The index of the word at an offset of their joined text."""
+    for word in words:
+        if offset <= 0:
+            return word.i
+        offset -= len(word.norm) + 1
+    return words[-1].i

@@ -10,7 +10,9 @@ from typing import Any
 
 import c2s_engine
 from c2s_bench.records import Record
+from c2s_engine.config import load_settings
 from c2s_engine.maps.library import MapLibrary
+from c2s_engine.models.settings import settings_for
 from c2s_engine.paths import shipped
 from c2s_engine.structure.facts import RunFacts
 
@@ -82,12 +84,17 @@ class Outcome:
 
 
 def tasks_for(records: Sequence[Record], setup: Setup) -> list[Task]:
-    """The tasks of those records, each under the digest of text, setup, engine and data."""
-    state = engine_digest()
-    return [
-        Task(_digest([r.text, asdict(setup), state]), r.id, r.text, setup)  # the expectation is no part: it is scored
-        for r in records
-    ]
+    """The tasks of those records, each under the digest of text, setup, how a model is asked, engine and data."""
+    state = [asdict(setup), _asking(setup.model), engine_digest()]
+    return [Task(_digest([r.text, *state]), r.id, r.text, setup) for r in records]  # what is expected is only scored
+
+
+def _asking(model: str) -> dict[str, Any]:
+    """The settings that an answer depends on; raises BadSettings."""
+    if not model:
+        return {}
+    wanted = {"num_ctx", "answer_tokens", "think", "temperature", "seed"}
+    return settings_for(model, load_settings().ollama).model_dump(include=wanted)
 
 
 @cache

@@ -178,10 +178,15 @@ class Engine:
             return
         self._expected = True
         for name in (map, self.settings.map, DEFAULT_MAP, SHIPPED):
-            with suppress(MapNotFound):
-                if name:
-                    await self.check_client.expect(self.library.working_copy(self.library.find(name)))
-                    return
+            if name and await self.warm(name):
+                return
+
+    async def warm(self, map: str) -> bool:
+        """Have the check server read a map that is likely to be used next; whether there is such a map."""
+        with suppress(MapNotFound):
+            await self.check_client.expect(self.library.working_copy(self.library.find(map)))
+            return True
+        return False
 
     def graph(self) -> Any:
         """The graph without a checkpointer."""

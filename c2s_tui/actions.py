@@ -233,6 +233,8 @@ class Actions(Start, Files, Choices):
         self.choice = replace(self.choice, **values)
         self.app.remember(**values)
         self.show_status()
+        if values.get("map"):
+            self.run_worker(self.backend.warm(values["map"]), group="warm", exit_on_error=False)
 
 
 def as_passage(found: Any) -> Any:

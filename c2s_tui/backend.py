@@ -78,6 +78,11 @@ class Backend:
 
         return await self.thread.call(run)
 
+    async def warm(self, map: str) -> None:
+        """Have a map read that the next turn is likely to use."""
+        if self.can("warm"):
+            await self.ask("warm", map)
+
     def can(self, name: str) -> bool:
         """Whether the engine offers a service."""
         return hasattr(self.engine, name)

@@ -39,6 +39,8 @@ class Start:
             await self.enter(self.wanted or last or fresh_name(known))
         try:
             await self.backend.start()
+            if likely := self.choice.map or self.desk.structure.settings.spec.map:
+                await self.backend.warm(likely)
         except Exception as error:
             await self.chat.note(f"Programs cannot be checked: {self._sentence(error)}. /doctor says more.", "error")
         self.ready = True

@@ -147,7 +147,9 @@ def show(rows: list[dict[str, Any]]) -> None:
     print(f"{len(rows)} programs, {SECONDS:.0f} s each, load {os.getloadavg()[0]:.1f}; milliseconds")
     print(f"{'program':>8}{'cpu':>8}{'wall':>8}{'events cpu':>12}{'events wall':>12}")
     for row in rows:
-        print(f"{row['program']:>8}{row['cpu']:8.0f}{row['wall']:8.0f}{row['events_cpu']:12.0f}{row['events_wall']:12.0f}")
+        print(
+            f"{row['program']:>8}{row['cpu']:8.0f}{row['wall']:8.0f}{row['events_cpu']:12.0f}{row['events_wall']:12.0f}"
+        )
     for name, values in summary(rows).items():
         print(f"{name:>12}: median {values['median']:6.0f}   p95 {values['p95']:6.0f}")
     print(f"goal (wall): median {GOAL['median']:.0f}, p95 {GOAL['p95']:.0f}")

@@ -161,6 +161,8 @@ class Agents(Patients):
                 if above is not None and above.i != word.i and word.tag in ("VB", "VBG"):
                     return self._subject(above, depth + 1)
             return None, head.i, False
+        if word.dep == "xcomp" and head.dep == "acomp" and self.words[head.head].verb:  # "is able to go by"
+            return self._subject(self.words[head.head], depth + 1)
         if word.dep == "xcomp" or word.dep == "ccomp":
             for child in head.children:
                 other = self.words[child]

@@ -9,6 +9,7 @@ from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PER
 from c2s_engine.interpret.reference import Reference
 from c2s_engine.interpret.syntax import Word
 
+STANDS = frozenset(("stationary", "stopped", "standing", "static", "parked", "halted", "stalled", "immobile"))
 DRIVES = frozenset(("in", "on", "driving", "riding", "directing", "operating", "steering", "piloting", "commanding"))
 
 
@@ -27,8 +28,10 @@ class Nouns(Reference):
         data = word.span.data  # type: ignore[union-attr]
         kind, noun, roles = data["type"], data.get("noun", ""), set(data.get("roles", ()))
         if data.get("label"):
+            roles |= {language.roles()[b] for b in self._modifiers(word) if b in STANDS}  # "a stationary GVT"
             for entity in self.entities:
-                if entity.label == data["label"] or (roles & entity.roles):
+                if entity.label == data["label"] or (roles & entity.roles - {"stationary", "parked"}):
+                    entity.roles |= roles
                     return entity
             return self._new(Entity("", "vehicle", label=data["label"], roles=roles))
         before = self._modifiers(word)

@@ -21,6 +21,9 @@ class Parts(Strangers):
         word = self.words[i]
         if depth > 3:
             return None
+        if word.tag == "VBG" and word.dep in ("nsubj", "nsubjpass") and word.span is None:
+            told = [c for c in word.children if c < i and self.words[c].dep == "nsubj"]
+            return self.referent(told[0], depth + 1) if told else None  # "a van standing in a drive backs out"
         if (
             word.span is not None
             and word.span.kind == "actor"

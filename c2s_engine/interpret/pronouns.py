@@ -13,6 +13,23 @@ STRIKES = frozenset(("hit", "strike", "clip", "ram", "bump", "contact", "touch",
 
 LOOSE = frozenset(("debris", "box", "obstacle"))
 THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
+BUMPED = frozenset(
+    (
+        "around",
+        "round",
+        "past",
+        "avoid",
+        "avoids",
+        "hits",
+        "hit",
+        "strikes",
+        "struck",
+        "beside",
+        "into",
+        "against",
+        "over",
+    )
+)
 BESIDE = re.compile(r"(to|on|in|at) (left|right|front|rear)\b")
 
 
@@ -38,7 +55,7 @@ class Pronouns(Members):
         if self._on_foot(word):
             return self._new(Entity("", "pedestrian", noun=norm, typed=True))
         if norm in data["ego"]:
-            return None if word.i in self.asking else self.ego
+            return None if word.i in self.asking or self._only_a_name(word) else self.ego
         if norm in ("who", "which", "that", "whose", "whom") and word.tag in ("WDT", "WP", "WP$"):
             return self._antecedent(word)
         if norm in ("it", "its", "itself"):
@@ -47,7 +64,7 @@ class Pronouns(Members):
             if self._obliged(word):
                 return self.ego
             before = self.words[word.i - 1].norm if word.i else ""
-            things = THINGS if before in ("around", "round", "past", "avoid", "avoids", "hits", "beside") else LOOSE
+            things = THINGS if before in BUMPED else LOOSE
             i = self._first_person() and not self._ego_is_thing()
             thing = lambda e: not e.person and (e.mover or e.type in things) and not (i and e.ego)  # noqa: E731
             return self._salient(word, lambda e: thing(e) and e.count == 1) or self._salient(word, thing)
@@ -74,6 +91,13 @@ class Pronouns(Members):
     def _ego_is_thing(self) -> bool:
         """Whether ego was spoken of as a vehicle, too ("our test car")."""
         return any(m.kind in ("ego", "label", "actor") and self.words[m.word].norm != "i" for m in self.ego.mentions)
+
+    def _only_a_name(self, word: Word) -> bool:
+        """Whether letters are part of a road's name: "US Highway 60", "I 70"."""
+        after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
+        if word.norm == "us":
+            return word.text == "US" and not all(w.text.isupper() for w in self.words if w.text.isalpha())
+        return word.norm == "i" and (after == "-" or after[:1].isdigit())
 
     def _obliged(self, word: Word) -> bool:
         """Whether "it" is whom something is demanded of ("it must wait"): that is ego, where ego was spoken of."""
@@ -149,6 +173,8 @@ class Pronouns(Members):
         if word.dep == "poss" and verb.lemma in STRIKES and self.words[word.head].dep in ("dobj", "pobj"):
             clash = self._subject_of(verb)
         above = self.words[word.head]
+        if word.dep == "poss" and BESIDE.match(self._around(word.i)) and above.dep == "pobj":
+            clash = self.of.get(self.words[above.head].head) or clash  # "a coach to its left": not the coach's own
         holder = self.of.get(above.head) if word.dep == "pobj" and above.head != above.i else None
         if holder is not None and holder is not clash and above.head < word.i:
             inner, accept_all = holder, accept
@@ -163,6 +189,8 @@ class Pronouns(Members):
             if twin is not None and accept(twin):
                 return twin
             own = self._subject_of(verb)
+            if self._whose_driver(word, verb):
+                own = None  # "the coach was in the right lane when its driver saw": not the driver's own
             beside = BESIDE.match(self._around(word.i)) and verb.lemma in ("be", "stand", "sit", "wait", "appear")
             if beside or self._into_lane(word, verb):
                 clash, own = own, None  # nobody is on its own left, or comes into its own lane
@@ -208,6 +236,11 @@ class Pronouns(Members):
             if earlier.norm == word.norm and BESIDE.match(self._around(earlier.i)):
                 return self.of.get(earlier.i)
         return None
+
+    def _whose_driver(self, word: Word, verb: Word) -> bool:
+        """Whether a possessive belongs to the driver who is the subject of its clause."""
+        held = self.words[word.head]
+        return held.lemma in ("driver", "operator", "rider") and held.head == verb.i and held.dep.startswith("nsubj")
 
     def _into_lane(self, word: Word, verb: Word) -> bool:
         """Whether somebody comes from elsewhere into the lane that a possessive names."""

@@ -59,7 +59,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     acting = {e: [v for v in clauses.events if v.agent is e and v.done] for e in vehicles}
     candidates = []
     for entity in vehicles:
-        the = entity.mentions[0].word and cast.words[entity.mentions[0].word - 1].norm == "the"
+        at = entity.mentions[0].word
+        the = at < 3 or cast.words[at - 1].norm == "the"
         first = " ".join(w.norm for w in cast.words[entity.mentions[0].word : entity.mentions[0].word + 7])
         if (
             entity.roles & ROLE_WORDS

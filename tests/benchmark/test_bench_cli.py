@@ -160,3 +160,16 @@ def test_the_same_on_a_dask_cluster(calls, own):
 def test_a_scheduler_that_is_not_there_is_one_sentence(calls, own):
     pytest.importorskip("distributed")
     assert "no Dask scheduler answers" in bench("--records", own, "--scheduler", "tcp://127.0.0.1:1", *FAKE, code=1)
+
+
+def test_an_outcome_is_kept_for_the_settings_that_the_model_was_asked_with(monkeypatch, tmp_path):
+    record = load()[:1]
+    setup = Setup(method="typed", model="some")
+    keys = set()
+    for tokens in (256, 512, 256):
+        config = tmp_path / str(tokens) / "c2s"
+        config.mkdir(parents=True, exist_ok=True)
+        (config / "config.toml").write_text(f"[ollama]\nanswer_tokens = {tokens}\n")
+        monkeypatch.setenv("XDG_CONFIG_HOME", str(config.parent))
+        keys.add(tasks_for(record, setup)[0].key)
+    assert len(keys) == 2

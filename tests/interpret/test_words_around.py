@@ -100,3 +100,38 @@ def test_light_and_weather(text: str, value: str) -> None:
 def test_what_is_clear_of_somebody_is_no_weather() -> None:
     plain = scan.normalised("V1 was nearly clear. It let the bus clear, and went on when the road was clear.")
     assert not environment.weather(plain, [(0, len(plain))])
+
+
+@pytest.mark.parametrize(
+    ("text", "acts"),
+    [
+        ("I missed the bollard and backed into it.", ["reverse", "collide"]),
+        ("A motorcoach was in the right lane of the highway when its driver saw a ladder lying ahead. He took the "
+         "coach into the passing lane.", ["lane_change"]),
+        ("The VUT departs gradually to the right at 70 km/h on a straight road.", ["drift"]),
+    ],
+)  # fmt: skip
+def test_what_ego_does(read, text: str, acts: list[str]) -> None:
+    assert [p.action for p in read(text)["E"].spec.phases] == acts
+
+
+@pytest.mark.parametrize(
+    ("text", "position", "acts"),
+    [
+        ("A van standing in a driveway on the right backs out onto the road ahead of ego.", "roadside", ["reverse"]),
+        ("The VUT hits a stationary GVT in fog.", "ahead", ["stationary"]),
+        ("A car reaches the crossroads from the right and drives straight across; the ego gives way.",
+         "crossing_right", ["go_straight"]),
+        ("An ambulance nears from behind; it shall be able to go by the ego.", "behind", ["overtake"]),
+    ],
+)  # fmt: skip
+def test_what_another_does(read, text: str, position: str, acts: list[str]) -> None:
+    spec = read(text)["O1"].spec
+    assert spec.placement.position == position
+    assert [p.action for p in spec.phases if p.action != "stationary" or len(spec.phases) == 1] == acts
+
+
+def test_letters_of_a_road_are_no_pronoun(read) -> None:
+    s = read("A motorcoach was westbound on US Highway 60. The driver of the coach moved out to overtake a truck.")
+    assert s["E"].spec.type == "bus"
+    assert [o.spec.type for o in s.objects] == ["truck"]

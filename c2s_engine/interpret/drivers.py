@@ -13,6 +13,7 @@ from c2s_engine.interpret.ego_others import (
     yielded,
 )
 from c2s_engine.interpret.ego_pace import ego_pace
+from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import MOTOR, Entity
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.steps import duration_of, rate_of, target_speed, trigger_of
@@ -138,6 +139,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             if target:
                 phases.append(Phase(action="collide", target=target))
                 said_reaction = True
+        elif act == "stationary" and not phases and event.text.startswith("wait") and _halted_by(scene, event):
+            reaction, said_reaction = ("brake" if reaction == "none" else reaction), True
         elif act == "stationary" and reaction in ("brake", "evade") and not phases:
             continue  # it waits where it has stopped
         elif act == "stationary":
@@ -194,6 +197,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             for p in phases
         )
         and in_lane_conflict(scene, place)
+        and not _remains_passive(scene)
     ):
         reaction = "brake"
         assumed.append(
@@ -214,6 +218,33 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
 
 
 ASIDE = ("lane_change", "leave_road", "drift")
+
+
+NO_REACTION = re.compile(
+    r"\b(?:does not|doesn't|do not|don't|did not|didn't|fails? to|failed to|without|never|not) (?:even |at all )?"
+    r"(?:react|respond|brak|slow|reduc|decelerat|notic)\w*"
+)
+
+
+def _remains_passive(scene: Scene) -> bool:
+    """Whether the text denies that ego reacts ("does not react at all", "ego doesn't brake")."""
+    ego = scene.cast.ego
+    denied = any(
+        e.agent is ego and e.mode == "negated" and e.act in (*RESPONSES, "yield", "evade") for e in scene.clauses.events
+    )
+    spoken = [e for e in scene.clauses.events if e.agent is ego and NO_REACTION.search(e.whole)]
+    after = [scene.plain[m.end : m.end + 60].split(".")[0] for m in ego.mentions]
+    passive = any(re.match(r"[^,;]*?" + NO_REACTION.pattern, text) and "react" in text for text in after)
+    return denied or bool(spoken) or passive
+
+
+def _halted_by(scene: Scene, event: Event) -> bool:
+    """Whether another came to a stop ahead before ego waits: ego waits behind it."""
+    return any(
+        e.act in ("stop", "brake_stop", "stationary") and e.done and not e.agent.ego and e.order < event.order
+        for e in scene.clauses.events
+        if scene.where(e.agent).rel == "ahead" or scene.where(e.agent).lane == "same"
+    )
 
 
 def _from_behind(scene: Scene) -> bool:

@@ -33,6 +33,8 @@ def split_groups(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
                 _dissolve(member, group, cast, clauses, of)
         if own:
             _leave(group, own, cast, clauses, of)
+        elif group.ordinal is None and _every_lane(group, cast):
+            _in_every_lane(group, cast, clauses, of)
         elif group.ordinal is None and any(p.search(_said(group, cast, of)) for p in (BOTH, FROM_BOTH)):
             _both_sides(group, cast, clauses, of)
 
@@ -145,6 +147,40 @@ def _both_sides(group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Wh
             half.lane, half.rel = "crossing", None
         elif not off:
             half.lane, half.rel = side, half.rel or "beside"
+    of[twin] = other
+    for event in clauses.events:
+        if event.agent is group:
+            event.also = [*event.also, twin]
+
+
+EVERY = re.compile(
+    r"\b(?:both|all|two|all two|the two) (?:of the |the )?lanes?\b[^.;]{0,40}?\b(?:by|with|of|full)\b[^.;]{0,20}$"
+)
+
+
+def _every_lane(group: Entity, cast: Cast) -> bool:
+    """Whether standing cars fill the lanes of ego's direction ("both lanes are blocked by stationary cars")."""
+    if "stationary" not in group.roles or group.person:
+        return False
+    for mention in group.mentions:
+        number = cast.words[mention.word].sentence
+        before = [w.norm for w in cast.words[max(0, mention.word - 12) : mention.word] if w.sentence == number]
+        if EVERY.search(" ".join(before) + " "):
+            return True
+    return False
+
+
+def _in_every_lane(group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """One half of the group stands in ego's lane, the other in the lane beside."""
+    twin = copy(group)
+    twin.key, twin.roles, twin.mentions = f"{group.key}0", set(group.roles), list(group.mentions)
+    twin.count = max(1, group.count // 2)
+    group.count = max(1, group.count - twin.count)
+    cast.entities.insert(cast.entities.index(group) + 1, twin)
+    where = of[group]
+    where.lane, where.rel, where.side = "same", "ahead", None
+    other = copy(where)
+    other.phrases, other.lane = list(where.phrases), "adjacent"
     of[twin] = other
     for event in clauses.events:
         if event.agent is group:

@@ -59,7 +59,7 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         )
         return {
             "position": position,
-            "side": _from_side(text) or edge or "right",
+            "side": _from_side(text) or edge or _behind_whom(scene, where) or "right",
             "said": where.lane is not None or where.side is not None,
         }
     if (
@@ -144,3 +144,10 @@ def _facing(text: str) -> str | None:
 def _from_side(text: str) -> str | None:
     match = re.search(r"from (the |its |@\w+ 's )?(far |opposite )?(left|right)", text)
     return match[3] if match else None
+
+
+def _behind_whom(scene: Scene, where: Where) -> str | None:
+    """The side of one who hides somebody, where it stands on the other side of the road."""
+    blocker = where.hidden_by
+    theirs = scene.where(blocker) if blocker is not None else None
+    return "left" if theirs is not None and theirs.lane == "oncoming" else None

@@ -1,0 +1,59 @@
+"""Passing by the lane of oncoming traffic, passing because ego waits, and titles that only name the subject."""
+
+import re
+
+from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.event import Event
+from c2s_engine.interpret.mentions import Cast
+from c2s_engine.interpret.place import Road
+
+
+def headings(cast: Cast, clauses: Clauses) -> None:
+    """A title about merging ("Cooperative merging with three agents") does not say that ego does it."""
+    told = {cast.words[m.word].sentence for m in cast.ego.mentions}
+    for event in clauses.events:
+        number = cast.words[event.word].sentence
+        title = number == 0 and number not in cast.told and number not in told and bool(told)
+        if title and event.agent.ego and event.act == "lane_change" and "merg" in cast.words[event.word].norm:
+            event.mode = "hypothetical"
+
+
+OTHER_LANE = re.compile(
+    r"\b(?:on|in|via|by|over|using|through|into) (?:the )?(?P<lane>on-?coming|opposite|opposing|other|wrong) "
+    r"(?:traffic )?(?:lane|side)\b(?! of (?:the )?@)"
+)
+
+
+def by_the_other_lane(clauses: Clauses, road: Road) -> None:
+    """Ego that gets past by the lane of oncoming traffic gets into it."""
+    if any(e.act == "oncoming" and e.agent.ego for e in clauses.events) or road.kind == "motorway":
+        return
+    for event in list(clauses.events):
+        where = OTHER_LANE.search(event.text)
+        if not (event.done and event.agent.ego and event.act in ("overtake", "evade") and where):
+            continue
+        if where["lane"] == "other" and (road.lanes or 1) > 1:
+            continue
+        clauses.events.append(
+            Event(
+                "oncoming",
+                event.agent,
+                event.word,
+                event.text,
+                event.whole,
+                order=event.order - 0.1,
+                side="left",
+                words=event.words,
+                start=event.start,
+                end=event.end,
+            )
+        )
+        return
+
+
+def let_past(clauses: Clauses, event: Event) -> bool:
+    """Whether one only goes past because ego waits for it ("let him go past")."""
+    return not event.agent.ego and any(
+        e.act == "yield" and e.agent.ego and e.patient is event.agent and e.done and abs(e.word - event.word) <= 4
+        for e in clauses.events
+    )

@@ -35,7 +35,7 @@ def _bare() -> re.Pattern[str]:
         rf"(?:(?:\(ego\)|\b)(?:{nouns}|(?:{'|'.join(language.table('ego')['strong'])})|v[12]"
         rf"|car ?[1-9]|straight|left|right|lane|ahead|behind|doing|going|brakes? to"
         rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerates? to)"
-        rf"(?: at| drives| doing|:| speed)? (?:about |around |roughly |a steady "
+        rf"(?:,? at|,? doing| drives|:| speed)? (?:about |around |roughly |a steady "
         rf"|only )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)(?=\s*(?:[,.;)]|$|straight\b|and\b"
         rf"|in the\b|same\b|left\b|right\b|but\b|on the\b|behind\b|ahead\b|in (?:left|right)\b))"
         rf"|\b(?:ego|lead|lv|sv|vut|target) (?P<head>\d{{2,3}})(?= (?!(?:m|s|sec\w*|min\w*|hours?"

@@ -14,12 +14,18 @@ PARTLY = re.compile(r"\b(partly|partially|half|part) [^;]*\b(lane|road|carriagew
 ON_MOTORWAY = re.compile(
     r"\b(on|along|in) the (main |through )?(motorway|highway|freeway|interstate|carriageway|main road)"
 )
+CIRCULATES = re.compile(
+    r"\b(circulat\w+|(going|driving|coming|travelling|goes|drives|comes) (a)?round\b|already (in|on|inside) "
+    r"|(in|inside|on) the (roundabout|circle|ring|circulatory \w+)\b)"
+)
 OPPOSITE = {"left": "right", "right": "left"}
 
 
 def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:
     if wrong_way(scene, entity):
         return facing_ego(where, place)
+    if place.kind == "roundabout" and CIRCULATES.search(_told(scene, entity)):
+        return {"position": "crossing_left", "said": True}
     junction = place.kind == "intersection"
     lane, rel, edge = where.lane, where.rel, where.side
     if rel is not None and passes_ego(scene, entity):
@@ -81,6 +87,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             "along": along_of(rel or ("behind" if passes_ego(scene, entity) or _gains(scene, entity) else None)),
             "said": True,
         }
+    if place.kind == "on_ramp" and lane in (None, "same") and _joined_ahead_of(scene, entity):
+        return {"position": "left_lane", "along": "behind", "said": True}
     if place.kind == "on_ramp" and rel is None and lane in (None, "same") and ON_MOTORWAY.search(_told(scene, entity)):
         return {"position": "beside", "side": "left", "said": True}
     if (
@@ -221,6 +229,12 @@ def _met(scene: Scene, entity: Entity) -> str | None:
     """Ahead, where ego approaches or follows it."""
     met = any(e.patient is entity and e.act in ("approach", "follow", "held_up") for e in scene.events(scene.cast.ego))
     return "ahead" if met else None
+
+
+def _joined_ahead_of(scene: Scene, entity: Entity) -> bool:
+    """Whether ego comes from the ramp in front of it."""
+    before = re.compile(rf"(in front of|ahead of|before) (the |a |an )?(\w+ )?@{entity.key}\b")
+    return any(before.search(e.whole) for e in scene.events(scene.cast.ego))
 
 
 def _told(scene: Scene, entity: Entity) -> str:

@@ -53,6 +53,9 @@ FOLLOWS = regex.compile(
 CROSSES = regex.compile(r"\s+(?:the|a|from|in front|at the|over|on|behind|with|slowly|against|his|her|its)\b")
 
 
+LIT = regex.compile(
+    r"\bwith (?:\w+ ){0,3}?(?:beams?|lights?|headlights?|lamps?|hazards|indicators?|blinkers?|sirens?|beacons?)\s+$"
+)
 TOLD = frozenset(("first", "second", "third", "fourth", "last", "other", "latter", "former"))
 
 
@@ -92,6 +95,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     mover = before is not None and before.data.get("type")
     if text == "crossing" and mover and CROSSES.match(plain[start + 8 : start + 20]):
         return "walking" if person else "passing"
+    if text == "on" and LIT.search(plain[max(0, start - 40) : start]):
+        return "off"  # "with its lights on turns" is no "on turns"
     if text == "left" and not VERBAL_LEFT.match(plain[start : start + 24]):
         return "right"
     follows = FOLLOWS.match(plain[start + len(text) : start + len(text) + 14])

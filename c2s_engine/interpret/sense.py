@@ -12,10 +12,19 @@ from c2s_engine.interpret.place import Road
 from c2s_engine.interpret.towards import side
 
 
+def _was_over(cast: Cast, event: Event) -> bool:
+    """Whether it was done before the story begins: "had stopped", "had come to rest"."""
+    return any(cast.words[c].norm == "had" and c < event.word for c in cast.words[event.word].children)
+
+
 def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     """What single clauses cannot tell: a stop that is denied before a stop sign, a pass that is waited for."""
     avoided(cast, clauses)
     for event in list(clauses.events):
+        if event.act in ("stop", "brake_stop") and event.mode == "fact" and _was_over(cast, event):
+            event.act = "stationary"
+        if event.act == "collide" and event.patient is None and event.agent.count > 1 and not event.agent.ego:
+            event.act = "stop"  # with each other
         if event.act == "stop" and event.mode == "negated":
             sentence = " ".join(w.norm for w in cast.words if abs(w.sentence - cast.words[event.word].sentence) <= 1)
             if re.search(r"stop sign", sentence) and road.stop_sign:

@@ -7,6 +7,7 @@ from typing import Any, Protocol
 
 from c2s_engine.check.protocol import PlacesRequest
 from c2s_engine.maps.library import SHIPPED
+from c2s_engine.session.agreeing import agreeing
 from c2s_engine.session.places import map_choice
 from c2s_engine.session.reader import Unreadable, read
 from c2s_engine.session.steps import Emit, Tools, timed, write
@@ -57,6 +58,7 @@ class EmbeddedMethod:
             return None, [], {}, result
         finally:
             warming.add_done_callback(lambda task: task.cancelled() or task.exception())
+        found = agreeing(found)
         result = timed("interpret", started)
         emit(StageDone(result=result))
         if found.not_understood:

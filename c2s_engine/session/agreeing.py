@@ -1,0 +1,96 @@
+"""A text's reading that contradicts itself is made to agree: as little as possible is left out, and that is said.
+
+Only for what was read from a text as a whole: where a person edits S, a contradiction is refused with its fields named.
+"""
+
+from collections.abc import Iterator
+
+from c2s_engine.structure.components import ComponentId, Structure, Unmet
+from c2s_engine.structure.edits import Edit, EditError, RemoveObject, SetField, apply
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
+from c2s_engine.write.typed import ResolveError, make_plan
+from c2s_engine.write.typed.spread import spread
+
+STEPS = 6
+"""The most that is left out; a text that needs more is refused as it is."""
+
+
+def agreeing(structure: Structure) -> Structure:
+    """The structure without what contradicts the rest of it, which is listed as unmet. Where that does not help, the
+    structure as it is: the place is looked up next, and that refuses it.
+    """
+    changed = structure
+    for _ in range(STEPS):
+        problem = _problem(changed)
+        if problem is None:
+            return changed
+        simpler = _simpler(changed, problem)
+        if simpler is None:
+            return structure
+        changed = simpler
+    return structure if _problem(changed) else changed
+
+
+def _problem(structure: Structure) -> ResolveError | None:
+    try:
+        make_plan(spread(structure))
+    except ResolveError as error:
+        return error
+    return None
+
+
+def _simpler(structure: Structure, problem: ResolveError) -> Structure | None:
+    """With one thing less, so that the contradiction is gone; else so that it is another one."""
+    from c2s_engine.interpret.refine import described
+
+    other = None
+    for cid, what, edit in _edits(structure, problem):
+        try:
+            changed = apply(structure, edit)
+        except EditError:
+            continue
+        found = _problem(changed)
+        if found is not None and (other is not None or str(found) == str(problem)):
+            continue
+        for words in described(structure, changed):
+            changed = apply(changed, words)
+        where = cid if cid in changed else "R"
+        unmet = Unmet(text=what, reason=f"left out, because {problem}")
+        component = changed[where]
+        changed = changed.with_component(component.model_copy(update={"unmet": (*component.unmet, unmet)}))
+        if found is None:
+            return changed
+        other = changed
+    return other
+
+
+def _edits(structure: Structure, problem: ResolveError) -> Iterator[tuple[ComponentId, str, Edit]]:
+    """What could be left out: component, in words, edit; what says least first, of whom the problem names first."""
+    named = {f.split(".")[0] for f in problem.fields}
+    objects = [o.id for o in reversed(structure.objects)]
+    order = sorted([*objects, "E", "R"], key=lambda c: c not in named and not (c in objects and "O" in named))
+    for cid in order:
+        spec = structure[cid].spec
+        if isinstance(spec, ObjectSpec):
+            for field in ("gap", "along", "hidden_by", "facing"):
+                if getattr(spec.placement, field) is not None:
+                    yield cid, f"{spec.name}: {field}", SetField(component=cid, path=f"placement.{field}", value=None)
+        if isinstance(spec, PlaceSpec):
+            for field in ("distance", "ego_lane", "lanes", "shoulder", "oncoming", "control"):
+                if getattr(spec, field) is not None:
+                    yield cid, field.replace("_", " "), SetField(component=cid, path=field, value=None)
+    for cid in order:
+        spec = structure[cid].spec
+        if isinstance(spec, ObjectSpec | EgoSpec):
+            for i in reversed(range(len(spec.phases))):
+                kept = tuple(p for n, p in enumerate(spec.phases) if n != i)
+                action = spec.phases[i].action.replace("_", " ")
+                who = spec.name if isinstance(spec, ObjectSpec) else "ego"
+                yield cid, f"{who}: {action}", SetField(component=cid, path="phases", value=kept)
+    for cid in order:
+        spec = structure[cid].spec
+        if isinstance(spec, ObjectSpec) and spec.placement.position not in ("ahead", "behind"):
+            words = f"{spec.name}: {spec.placement.position.replace('_', ' ')}"
+            yield cid, words, SetField(component=cid, path="placement", value={"position": "ahead"})
+    for cid in objects:
+        yield cid, structure[cid].description or cid, RemoveObject(component=cid)

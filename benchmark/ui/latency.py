@@ -12,6 +12,12 @@ TEXTS = (
     "Ego drives at 50 km/h on a road with two lanes. A van in the left lane cuts in 15 m ahead.",
     "Ego turns left at a signalised intersection. A pedestrian crosses from the right.",
     "Ego follows a truck at 70 km/h in the rain. The truck brakes hard.",
+    "At a roundabout a motorcycle comes from the left and ego lets it pass.",
+    "A cyclist rides ahead of ego on a country road at dusk. Ego overtakes it.",
+    "On a motorway with three lanes a bus in the right lane changes into ego's lane.",
+    "A parked car on the right pulls out 20 m ahead of ego, which drives at 40 km/h.",
+    "At a stop sign ego waits for two cars that cross from the right, then turns left.",
+    "A deer runs onto the road from the left in fog. Ego brakes.",
 )
 KEYS_PER_TURN = 120
 
@@ -25,7 +31,7 @@ class Times:
 
 
 async def key_to_draw() -> Times:
-    """95th percentiles over keys typed into the chat during three turns."""
+    """95th percentiles over keys typed into the chat during these turns."""
     from c2s_tui.app import C2SApp
     from c2s_tui.backend import Backend
     from c2s_tui.prefs import Prefs

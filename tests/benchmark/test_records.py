@@ -76,3 +76,4 @@ def test_the_fresh_descriptions_are_records():
     found = records.load(files)
     assert len(found) == 376 == len({r.id for r in found})
     assert {r.part for r in found} == {"dev", "test"}
+    assert all(r.withheld == (r.part == "test") for r in found), "what is only counted is not shown"

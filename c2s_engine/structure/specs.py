@@ -90,9 +90,7 @@ class Placement(Spec):
 
     position: v.Position = "ahead"
     of: Reference = Field("ego", description="seen from whom")
-    along: v.Along | None = Field(
-        None, description="lengthwise to `of`; default: what the position says, else ahead"
-    )
+    along: v.Along | None = Field(None, description="lengthwise to `of`; default: what the position says, else ahead")
     side: v.Side | None = Field(
         None, description="beside, roadside, sidewalk, parked, partly_in_lane, intersection_exit: on which side"
     )

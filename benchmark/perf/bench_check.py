@@ -39,6 +39,11 @@ def _settings(line: str) -> Callable[[int], str]:
     return lambda i: PROGRAM.replace(SETTINGS, f"{line % (i + 1)}\n{SETTINGS}", 1)
 
 
+def _in_turn(i: int) -> str:
+    """An object edited, then what stands above it, then the object again: what was done ahead seldom fits."""
+    return _object("Range(15, %g)")(i) if i % 2 else PROGRAM.replace("'ClearNoon'", f"{{'cloudiness': {i}}}", 1)
+
+
 def _map(name: str) -> Callable[[int], str]:
     return lambda i: PROGRAM.replace(MAP, name.format(i), 1)
 
@@ -48,6 +53,7 @@ EDITS: dict[str, tuple[str, Callable[[int], str]]] = {
     "undefined name": ("compile", _object("Rage(15, %g)")),
     "object edited, compiled": ("compile", _object("Range(15, %g)")),
     "object edited, sampled": ("sample", _object("Range(15, %g)")),
+    "two edited in turn, compiled": ("compile", _in_turn),
     "weather edited, compiled": ("compile", lambda i: PROGRAM.replace("'ClearNoon'", f"{{'cloudiness': {i}}}", 1)),
     "other settings, compiled": ("compile", _settings("param setting_%d = 1")),
     "map edited, back, compiled": ("compile", lambda i: _map((MAP, "other.xodr")[i % 2])(i)),
@@ -58,6 +64,7 @@ TARGETS = {  # ms: median, 95th percentile (sampled: 90th) of issue 6
     "undefined name": (20, None),
     "object edited, compiled": (50, 100),
     "object edited, sampled": (120, 500),
+    "two edited in turn, compiled": (50, 100),
     "weather edited, compiled": (250, None),
     "other settings, compiled": (250, None),
     "map edited, back, compiled": (250, None),

@@ -141,7 +141,7 @@ class Backend:
 
     def save(self, program: Any, folder: str | None, target: Path) -> list[Path]:
         """Write a program, its map beside it; raises OSError."""
-        from c2s_engine.api import save
+        from c2s_engine.saving import save
 
         return save(program, folder, target)
 

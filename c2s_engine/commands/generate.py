@@ -43,7 +43,7 @@ def generate(
     done: Finished = work(_generate(description, options, model, as_json), as_json)
     if output is not None and done.program.text:
         with sentences(as_json):
-            from c2s_engine.api import save
+            from c2s_engine.saving import save
 
             written = save(done.program, done.details.get("folder"), output)
             if not as_json:

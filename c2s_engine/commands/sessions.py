@@ -59,7 +59,7 @@ def edit(
         text = read_program(program) if program else None
         session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume), options, model, as_json))
         if output is not None:
-            from c2s_engine.api import save
+            from c2s_engine.saving import save
 
             written = save(session.program, session.details.get("folder"), output)
             if not as_json:

@@ -119,7 +119,7 @@ def test_a_full_disk_loses_nothing():
         pytest.skip("no /dev/full here")
     from pathlib import Path
 
-    from c2s_engine.api import save
+    from c2s_engine.saving import save
     from c2s_engine.structure.program import Program
 
     with pytest.raises(OSError):

@@ -3,6 +3,8 @@
 import asyncio
 import os
 import signal
+import sys
+from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -13,6 +15,7 @@ from textual.events import Key
 from textual.widgets import Static
 
 from c2s_tui import prefs as preferences
+from c2s_tui.line import end_soon
 from c2s_tui.look.kinds import ascii_only
 from c2s_tui.look.themes import DEFAULT, themes
 
@@ -52,12 +55,10 @@ class C2SApp(App[None]):
     def on_mount(self) -> None:
         self.set_keymap(self.prefs.keys)
         self.call_after_refresh(self.furnish)
-        loop = asyncio.get_running_loop()
-        for name in (signal.SIGHUP, signal.SIGTERM):
-            try:
-                loop.add_signal_handler(name, self._dropped)
-            except (NotImplementedError, RuntimeError):  # not the main thread
-                return
+        self._loop_here = asyncio.get_running_loop()
+        with suppress(ValueError):  # not the main thread
+            for name in (signal.SIGHUP, signal.SIGTERM):
+                signal.signal(name, self._dropped)
 
     def on_key(self, event: Key) -> None:
         if self.workbench is None and event.character and event.is_printable:
@@ -81,11 +82,18 @@ class C2SApp(App[None]):
         else:
             await self.workbench.run_command("quit")
 
-    def _dropped(self) -> None:
-        """The line was dropped (SIGHUP) or the process is told to end: save and go."""
-        if self.workbench is not None:
-            self.workbench.save_drafts(now=True)
-        self.exit()
+    def _dropped(self, *_: object) -> None:
+        """The line was dropped (SIGHUP) or the process is told to end: save and go, also where nothing can be saved.
+
+        The event loop may hang in a write to the terminal that is gone, so this does not wait for its turn.
+        """
+        end_soon()
+        try:
+            if self.workbench is not None:
+                self.workbench.save_drafts(now=True)
+        except Exception as error:
+            print(f"What was typed last could not be saved: {error}", file=sys.stderr)  # into the log
+        self._loop_here.call_soon_threadsafe(self.exit)
 
     def remember(self, **choices: Any) -> None:
         """Keep choices for the next start; a file that cannot be written costs a notice, not the choice."""

@@ -15,11 +15,13 @@ def launch(session: str | None = None, file: Path | None = None, painted: Early 
     from c2s_engine.paths import cache_folder
     from c2s_tui.app import C2SApp
     from c2s_tui.guard import guarded
+    from c2s_tui.line import watch
 
     with guarded(cache_folder() / "app.log"):
         app = C2SApp(session=session, file=file)
         if painted is not None:
             painted.hand_over()
+        watch()
         app.run()
         if app.backend is not None:
             asyncio.run(app.backend.close())

@@ -165,6 +165,23 @@ def test_detach_and_attach_and_a_dropped_line_saves(terminal):
     terminal.shows("not sent")
 
 
+def test_a_line_that_drops_without_a_signal_ends_the_app_too(terminal):
+    terminal.start("work", before="trap '' HUP; setsid -w")  # no terminal of its own: nobody tells it
+    terminal.shows("embedded")
+    terminal.shows(" work ")
+    pid = int(
+        subprocess.run(["pgrep", "-f", "c2s_tui.entry app work"], capture_output=True, text=True).stdout.split()[-1]
+    )
+    terminal.type("typed and not sent")
+    terminal.shows("typed and not sent")
+    terminal.tmux("kill-server")
+    end = time.monotonic() + 30
+    while os.path.exists(f"/proc/{pid}") and time.monotonic() < end:
+        time.sleep(0.1)
+    assert not os.path.exists(f"/proc/{pid}")
+    assert "typed and not sent" in draft(terminal, "chat")
+
+
 def test_an_editor_outside_copying_and_few_colours(terminal):
     editor = terminal.home / "editor"
     editor.write_text('#!/bin/sh\nsed -i "s/^param timestep.*/&  # from outside/" "$1"\nread pressed\n')

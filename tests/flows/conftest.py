@@ -151,6 +151,7 @@ class Stage:
 
     async def still(self, pilot: Any) -> None:
         """Stop what blinks, and let the last drawing be done."""
+        await self.until(pilot, lambda: self.bench._due is None)
         for screen in self.app.screen_stack:
             for area in [*screen.query(TextArea), *screen.query(Input)]:
                 area.cursor_blink = False

@@ -69,7 +69,7 @@ def test_an_answer_is_shown_while_it_streams(stage, compare):
     async def flow(pilot):
         await stage.say(pilot, "Explain.", wait=False)
         await stage.until(pilot, lambda: stage.bench.query("Answer") and stage.bench.query_one("Answer").text)
-        await stage.until(pilot, lambda: stage.bench.query_one("Answer").text == "".join(tokens))
+        await stage.until(pilot, lambda: stage.bench.query_one("Answer Markdown").source == "".join(tokens))
         assert stage.bench.busy
 
     assert compare(flow)

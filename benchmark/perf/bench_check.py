@@ -39,9 +39,13 @@ def _settings(line: str) -> Callable[[int], str]:
     return lambda i: PROGRAM.replace(SETTINGS, f"{line % (i + 1)}\n{SETTINGS}", 1)
 
 
+def _weather(i: int) -> str:
+    return PROGRAM.replace("'ClearNoon'", f"{{'cloudiness': {i}}}", 1)
+
+
 def _in_turn(i: int) -> str:
     """An object edited, then what stands above it, then the object again: what was done ahead seldom fits."""
-    return _object("Range(15, %g)")(i) if i % 2 else PROGRAM.replace("'ClearNoon'", f"{{'cloudiness': {i}}}", 1)
+    return _object("Range(15, %g)")(i) if i % 2 else _weather(i)
 
 
 def _map(name: str) -> Callable[[int], str]:
@@ -54,7 +58,7 @@ EDITS: dict[str, tuple[str, Callable[[int], str]]] = {
     "object edited, compiled": ("compile", _object("Range(15, %g)")),
     "object edited, sampled": ("sample", _object("Range(15, %g)")),
     "two edited in turn, compiled": ("compile", _in_turn),
-    "weather edited, compiled": ("compile", lambda i: PROGRAM.replace("'ClearNoon'", f"{{'cloudiness': {i}}}", 1)),
+    "weather edited, compiled": ("compile", _weather),
     "other settings, compiled": ("compile", _settings("param setting_%d = 1")),
     "map edited, back, compiled": ("compile", lambda i: _map((MAP, "other.xodr")[i % 2])(i)),
     "map edited, new, compiled": ("compile", _map("map_{}.xodr")),  # parsed once, but not read by this server

@@ -47,7 +47,7 @@ class Ahead:
             return child if fit else None
         finally:
             if not fit:
-                _end(task)
+                end(task)
 
     def learn(self, header: dict[str, Any], executed: bool) -> None:
         """Take note of a program that was checked, and whether its statements came to their end."""
@@ -72,7 +72,7 @@ class Ahead:
             return
         self._begun = begun
         self._task = asyncio.create_task(self._wait({**job, "kind": "ahead", "until": self.cut}, blob))
-        self._task.add_done_callback(_seen)
+        self._task.add_done_callback(seen)
 
     async def _wait(self, job: dict[str, Any], blob: bytes) -> "Child":
         child = await self.zygote.fork()
@@ -88,7 +88,7 @@ class Ahead:
         """Do without the child."""
         task, self._task = self._task, None
         if task is not None:
-            _end(task)
+            end(task)
 
 
 def _circumstances(job: dict[str, Any]) -> dict[str, Any]:
@@ -96,17 +96,23 @@ def _circumstances(job: dict[str, Any]) -> dict[str, Any]:
     return {name: job[name] for name in _THE_SAME}
 
 
-def _end(task: "asyncio.Task[Child]") -> None:
+def end(task: "asyncio.Task[Child]") -> None:
+    """Do without the child that a task forks or has forked."""
     if not task.done():
         task.cancel()
-    elif not task.cancelled() and task.exception() is None:
+    elif not _failed_to_fork(task):
         task.result().kill()
 
 
-def _failed(task: "asyncio.Task[Child]") -> bool:
-    return task.done() and (task.cancelled() or task.exception() is not None or task.result().gone)
-
-
-def _seen(task: "asyncio.Task[Child]") -> None:
-    with contextlib.suppress(asyncio.CancelledError):
+def seen(task: "asyncio.Task[Child]") -> None:
+    """Take note of how a task ended, so that nothing is said of an error that nobody waits for."""
+    if not task.cancelled():
         task.exception()
+
+
+def _failed_to_fork(task: "asyncio.Task[Child]") -> bool:
+    return task.cancelled() or task.exception() is not None
+
+
+def _failed(task: "asyncio.Task[Child]") -> bool:
+    return task.done() and (_failed_to_fork(task) or task.result().gone)

@@ -9,7 +9,7 @@ import socket
 from typing import Any
 
 from c2s_engine.check import wire
-from c2s_engine.check.ahead import Ahead
+from c2s_engine.check.ahead import Ahead, end, seen
 from c2s_engine.check.zygote import NOW, SPARE
 
 
@@ -54,14 +54,14 @@ class Zygote:
         """Have a child forked ahead of the next job."""
         if self.alive and self.spare is None:
             self.spare = asyncio.create_task(self.fork(SPARE))
-            self.spare.add_done_callback(_seen)
+            self.spare.add_done_callback(seen)
 
     def drop_spare(self) -> None:
         """Do without the children that were forked ahead."""
         self.ahead.drop()
         spare, self.spare = self.spare, None
         if spare is not None:
-            spare.cancel() if not spare.done() else _kill(spare)
+            end(spare)
 
     async def spawn(self, job: dict[str, Any], blob: bytes = b"") -> "Child":
         """Give a job to the spare child or one that is forked now; raises wire.Closed where the zygote is gone."""
@@ -112,17 +112,6 @@ class Zygote:
         self._task.cancel()
         self.writer.close()
         self.alive = False
-
-
-def _seen(task: "asyncio.Task[Child]") -> None:
-    """Take note of how a task ended, so that nothing is said of an error that nobody waits for."""
-    if not task.cancelled():
-        task.exception()
-
-
-def _kill(task: "asyncio.Task[Child]") -> None:
-    if not task.cancelled() and task.exception() is None:
-        task.result().kill()
 
 
 class Child:

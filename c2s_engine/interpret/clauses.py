@@ -119,17 +119,8 @@ class Clauses(Nominal):
             return
         if event.act == "start_straight":
             event.act = "start"
-            then = Event(
-                "go_straight",
-                event.agent,
-                word.i,
-                text,
-                whole,
-                order=word.i + 0.1,
-                mode=self._mode(word),
-                words=[word.i],
-            )
-            self.events.append(then)
+            then = Event("go_straight", event.agent, word.i, text, whole, order=word.i + 0.1, mode=self._mode(word))
+            self.events.append(replace(then, words=[word.i]))
         if event.act in ("brake", "brake_stop", "stop") and not event.hard:
             following = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5] if w.sentence == word.sentence)
             forceful = word.i > 0 and self.words[word.i - 1].norm in FORCEFUL  # "harsh braking by the VUT"
@@ -165,6 +156,7 @@ class Clauses(Nominal):
             if event.act in ("run_red", "run_stop", "lose_control", "oncoming", "swerve", "drift", "leave_road")
             else None
         )
+        once = {"words": [word.i], "start": word.start, "end": word.end, "mode": event.mode}
         if into and into[2] != "path":
             struck = next((e for e in (self.cast.ego, *self.cast.entities) if e.key == into[5]), None)
             if (
@@ -172,35 +164,10 @@ class Clauses(Nominal):
                 and struck is not event.agent
                 and not re.search(rf"into (the )?(lane|path) of (the )?@{into[5]}|@{into[5]} 's", text)
             ):
-                late = Event(
-                    "collide",
-                    event.agent,
-                    word.i,
-                    text,
-                    whole,
-                    struck,
-                    order=word.i + 0.2,
-                    mode=event.mode,
-                    words=[word.i],
-                    start=word.start,
-                    end=word.end,
-                )
+                late = Event.echo(event, act="collide", patient=struck, order=word.i + 0.2, **once)
         if event.act == "collide" and lemma in ("reverse", "back"):
-            self.events.append(
-                Event(
-                    "reverse",
-                    event.agent,
-                    word.i,
-                    text,
-                    whole,
-                    order=word.i - 0.1,
-                    mode=event.mode,
-                    words=[word.i],
-                    start=word.start,
-                    end=word.end,
-                    adverbial=self._mark(word),
-                )
-            )
+            back = Event.echo(event, act="reverse", order=word.i - 0.1, **once)
+            self.events.append(replace(back, adverbial=self._mark(word)))
         if event.act == "reverse" and not event.agent.ego and OUT_OF.search(text):
             late = replace(event, act="enter_road", order=word.i + 0.2)
         event.start, event.end = self.words[own[0]].start, self.words[own[-1]].end

@@ -1,6 +1,7 @@
 """What is said by reference to another clause: "and so must ego", "B does likewise", "the two collided"."""
 
 import re
+from typing import Any
 
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.event import Event
@@ -26,21 +27,7 @@ def echoes(cast: Cast, clauses: Clauses) -> None:
             earlier = [e for e in clauses.events if e.word < i and e.agent is not target and e.mode == "fact"]
             if target is not None and earlier:
                 last = max(earlier, key=lambda e: e.word)
-                clauses.events.append(
-                    Event(
-                        last.act,
-                        target,
-                        i,
-                        last.text,
-                        last.whole,
-                        None,
-                        hard=last.hard,
-                        order=i,
-                        words=[i],
-                        start=word.start,
-                        end=word.end,
-                    )
-                )
+                clauses.events.append(Event.echo(last, agent=target, hard=last.hard, **_at(i, cast)))
         told = i + 1 >= len(words) or words[i + 1].span is None or not words[i + 1].span.data.get("words")
         if (
             told
@@ -55,20 +42,8 @@ def echoes(cast: Cast, clauses: Clauses) -> None:
         ):
             before = [cast.of[j] for j in sorted(cast.of) if j < i and cast.of[j].mover and not cast.of[j].ego]
             if before:
-                clauses.events.append(
-                    Event(
-                        "collide",
-                        before[-1],
-                        i,
-                        ahead,
-                        ahead,
-                        cast.ego,
-                        order=i,
-                        words=[i],
-                        start=word.start,
-                        end=word.end,
-                    )
-                )
+                told_here = {"text": ahead, "whole": ahead, "patient": cast.ego, **_at(i, cast)}
+                clauses.events.append(Event("collide", before[-1], **told_here))
 
 
 def _likewise(i: int, said: str, cast: Cast, clauses: Clauses) -> None:
@@ -86,19 +61,9 @@ def _likewise(i: int, said: str, cast: Cast, clauses: Clauses) -> None:
     if own is not None:
         clauses.events.remove(own)
     patient = last.patient if last.patient is not who else None
-    clauses.events.append(
-        Event(
-            last.act,
-            who,
-            i,
-            last.text,
-            last.whole,
-            patient,
-            hard=last.hard,
-            order=i,
-            words=[i],
-            start=cast.words[i].start,
-            end=cast.words[i].end,
-            side=last.side,
-        )
-    )
+    clauses.events.append(Event.echo(last, agent=who, patient=patient, hard=last.hard, side=last.side, **_at(i, cast)))
+
+
+def _at(i: int, cast: Cast) -> dict[str, Any]:
+    """Where an event is told: at one word."""
+    return {"word": i, "words": [i], "order": i, "start": cast.words[i].start, "end": cast.words[i].end}

@@ -29,6 +29,12 @@ class Event:
     adverbial: str = ""  # the word that joins its clause to the main one (when, after, before...)
     also: list[Entity] = field(default_factory=list)
 
+    @classmethod
+    def echo(cls, other: "Event", **changes: Any) -> "Event":
+        """Another event that the words of one tell, too: its agent, clause and place."""
+        kept = ("act", "agent", "word", "text", "whole", "order", "start", "end")
+        return cls(**{name: getattr(other, name) for name in kept} | {"words": [*other.words]} | changes)
+
     @property
     def done(self) -> bool:
         return self.mode in ("fact", "intended", "purpose")

@@ -34,20 +34,7 @@ def by_the_other_lane(clauses: Clauses, road: Road) -> None:
             continue
         if where["lane"] == "other" and (road.lanes or 1) > 1:
             continue
-        clauses.events.append(
-            Event(
-                "oncoming",
-                event.agent,
-                event.word,
-                event.text,
-                event.whole,
-                order=event.order - 0.1,
-                side="left",
-                words=event.words,
-                start=event.start,
-                end=event.end,
-            )
-        )
+        clauses.events.append(Event.echo(event, act="oncoming", order=event.order - 0.1, side="left"))
         return
 
 

@@ -134,17 +134,21 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
         )
     found += _numbered(text, found)
     taken = [(s.start, s.end) for s in found]
-    queues = language.table("actors")["queues"]
+    tables = language.table("actors")
+    queues = tables["queues"]
     for match in _actor().finditer(text):
         start, end = match.span()
         if any(s < end and start < e for s, e in taken):
             continue
         noun = re.sub(r"[\s-]+", " ", match["noun"])
-        if noun in ("lead", "leader", "package") and WORK.search(text[max(0, start - 12) : start]):
+        if (
+            noun in ("lead", "leader", "package")
+            and text[max(0, start - 12) : start].strip().split(" ")[-1] in tables["leads"]
+        ):
             continue
         if noun == "mini" and re.match(r"[\s-]+(?:roundabout|cab|van|bus|series)", text[end : end + 12]):
             continue
-        if noun in VERBS_TOO and any(s.end == start - 1 and s.kind != "quantity" for s in found):
+        if noun in tables["verbs_too"] and any(s.end == start - 1 and s.kind != "quantity" for s in found):
             continue
         if noun in language.makes() and not _stands_for_a_vehicle(text, start, end):
             continue
@@ -160,7 +164,7 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
         ):
             continue
         kind, plural, person = _noun(noun)
-        plural = plural or noun in INVARIANT and _several(text, match.start(), end)
+        plural = plural or noun in tables["invariant"] and _several(text, match.start(), end)
         words = re.split(r"[\s]+", match["roles"].strip()) if match["roles"].strip() else []
         known = language.roles()
         found.append(
@@ -193,15 +197,6 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
     return kept
 
 
-WORK = re.compile(r"\b(?:package|team|project|work|task|group|tech|test|software) $")
-
-
-INVARIANT = frozenset(
-    ("deer", "sheep", "moose", "elk", "bison", "reindeer", "roe deer", "wild boar", "swine", "livestock")
-)
-"""Nouns that are the same in singular and plural."""
-
-
 def _several(text: str, start: int, end: int) -> bool:
     """Whether a number before or a plural verb after such a noun tells that there are several."""
     counts = "|".join(c for c in language.table("actors")["counts"] if c not in ("one",))
@@ -210,12 +205,6 @@ def _several(text: str, start: int, end: int) -> bool:
         r"\s+(?:are|were|have|stand|cross|graze|run|walk|block|wander|come|lie|appear|jump|leap)\b", text[end:]
     )
     return bool(before or after)
-
-
-VERBS_TOO = frozenset(
-    ("ducks", "cycles", "bikes", "rams", "tails", "hounds", "badgers", "coaches", "bulls", "bucks", "barrels")
-)
-"""Plural nouns that are what somebody does where a road user stands right before them."""
 
 
 def _numbered(text: str, found: list[Span]) -> list[Span]:
@@ -235,17 +224,14 @@ def _numbered(text: str, found: list[Span]) -> list[Span]:
 
 @cache
 def _number_of_fleet() -> re.Pattern[str]:
-    known = language.actor_nouns().items()
-    named = [n for n, (kind, plural, person) in known if kind in FLEET and not plural and not person]
+    known, fleet = language.actor_nouns().items(), language.table("actors")["fleet"]
+    named = [n for n, (kind, plural, person) in known if kind in fleet and not plural and not person]
     nouns = language.alternatives(named)
     return re.compile(
         rf"(?:^|[.:,;(\n]\s*)(?P<name>(?:{nouns}|unit|vehicle|fleet vehicle) "
         rf"(?:no\.? ?|number |#)?(?:\d{{2,5}}|[3-9](?=\s*:)))"
         rf"(?=\s*(?:[,.:;)]|-|\bon\b|\bwas\b|\bin\b))"
     )
-
-
-FLEET = frozenset(("car", "truck", "van", "bus", "motorcycle", "ambulance", "police_car", "fire_truck"))
 
 
 _BUS_STOP = re.compile(

@@ -89,20 +89,8 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 event.text + " " + word.norm + " " + " ".join(w.norm for w in cast.words[event.word : event.word + 4]),
             )
             if waits and gone and not any(e.act == "yield" and e.agent.ego for e in clauses.events):
-                clauses.events.append(
-                    Event(
-                        "yield",
-                        cast.ego,
-                        event.word,
-                        event.text,
-                        event.whole,
-                        event.agent,
-                        order=event.order - 0.1,
-                        words=[event.word],
-                        start=event.start,
-                        end=event.end,
-                    )
-                )
+                given_way = {"patient": event.agent, "order": event.order - 0.1, "words": [event.word]}
+                clauses.events.append(Event.echo(event, act="yield", agent=cast.ego, **given_way))
     for event in clauses.events:
         if event.agent.ego and event.mode == "intended" and event.act in ("lane_change", "overtake", "turn", "cut_in"):
             later = " ".join(

@@ -8,8 +8,7 @@ from collections.abc import Iterator
 from c2s_engine.structure.components import ComponentId, Structure, Unmet
 from c2s_engine.structure.edits import Edit, EditError, RemoveObject, SetField, apply
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
-from c2s_engine.write.typed import ResolveError, make_plan
-from c2s_engine.write.typed.spread import spread
+from c2s_engine.write.typed import ResolveError, contradiction
 
 STEPS = 6
 """The most that is left out; a text that needs more is refused as it is."""
@@ -21,22 +20,14 @@ def agreeing(structure: Structure) -> Structure:
     """
     changed = structure
     for _ in range(STEPS):
-        problem = _problem(changed)
+        problem = contradiction(changed)
         if problem is None:
             return changed
         simpler = _simpler(changed, problem)
         if simpler is None:
             return structure
         changed = simpler
-    return structure if _problem(changed) else changed
-
-
-def _problem(structure: Structure) -> ResolveError | None:
-    try:
-        make_plan(spread(structure))
-    except ResolveError as error:
-        return error
-    return None
+    return structure if contradiction(changed) else changed
 
 
 def _simpler(structure: Structure, problem: ResolveError) -> Structure | None:
@@ -49,7 +40,7 @@ def _simpler(structure: Structure, problem: ResolveError) -> Structure | None:
             changed = apply(structure, edit)
         except EditError:
             continue
-        found = _problem(changed)
+        found = contradiction(changed)
         if found is not None and (other is not None or str(found) == str(problem)):
             continue
         for words in described(structure, changed):

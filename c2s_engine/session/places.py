@@ -10,9 +10,8 @@ from c2s_engine.maps.library import SHIPPED, MapFile, MapLibrary, MapNotFound
 from c2s_engine.structure.components import Assumption, Structure
 from c2s_engine.structure.diagnostics import Diagnostic
 from c2s_engine.structure.specs import PlaceSpec, SettingsSpec
-from c2s_engine.write.typed import ResolveError, TypedWriter, make_plan
+from c2s_engine.write.typed import ResolveError, TypedWriter, contradiction
 from c2s_engine.write.typed.kernel import source
-from c2s_engine.write.typed.spread import spread
 from c2s_engine.write.typed.writer import MapChoice
 
 DEFAULT_MAP = "Town05"
@@ -55,9 +54,7 @@ async def resolve(
     spec = structure.settings.spec
     named = spec.map if isinstance(spec, SettingsSpec) else None
     assumed: list[Assumption] = []
-    try:
-        make_plan(spread(structure))
-    except ResolveError as error:
+    if (error := contradiction(structure)) is not None:
         return Resolution(None, diagnostic=_diagnostic(str(error), "contradiction", error.fields))
     for wanted in dict.fromkeys(w for w in (given, named, default or DEFAULT_MAP, SHIPPED) if w):
         try:

@@ -13,8 +13,7 @@ from c2s_engine.structure.progress import Progress, Say
 from c2s_engine.structure.regenerate import regenerate
 from c2s_engine.write import by_hand
 from c2s_engine.write.prompted.checking import Check, first_error
-from c2s_engine.write.typed import ResolveError, TypedWriter, make_plan
-from c2s_engine.write.typed.spread import spread
+from c2s_engine.write.typed import TypedWriter, contradiction
 
 OnEvent = Callable[[Progress], None]
 Resolve = Callable[[Structure], Awaitable[Diagnostic | None]]
@@ -38,7 +37,7 @@ class TypedMethod:
         check: Check | None = None,
     ) -> None:
         self.client, self.embedded, self.writer, self.check = client, embedded, writer, check
-        self.resolve = resolve or contradiction
+        self.resolve = resolve or _contradiction
 
     async def interpret(self, text: str, on_event: OnEvent | None = None) -> Reading:
         """What was read with the model, made to resolve: a component that stands against the others falls back."""
@@ -97,7 +96,7 @@ class TypedMethod:
                 return self._written(_whole(reading, stand_in.structure, problem).structure, problem, "All", on_event)
             tried.add(culprit)
             changed = _replaced(written, culprit, stand_in, problem.message)
-            if await contradiction(changed) is None:
+            if contradiction(changed) is None:
                 written = self._written(changed, problem, culprit, on_event)
         return written
 
@@ -119,13 +118,9 @@ TRIES = 3
 """Components that fall back one by one because no scene is found, before the whole text is read by the embedded way."""
 
 
-async def contradiction(structure: Structure) -> Diagnostic | None:
-    """What in the specs contradicts itself, whatever the map."""
-    try:
-        make_plan(spread(structure))
-    except ResolveError as error:
-        return Diagnostic(stage="resolve", message=str(error), text=", ".join(error.fields))
-    return None
+async def _contradiction(structure: Structure) -> Diagnostic | None:
+    error = contradiction(structure)
+    return Diagnostic(stage="resolve", message=str(error), text=", ".join(error.fields)) if error else None
 
 
 def _suspects(reading: Reading, problem: Diagnostic) -> list[ComponentId]:

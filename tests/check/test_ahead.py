@@ -110,20 +110,10 @@ def header(*pieces: str) -> dict[str, Any]:
 
 def test_what_is_done_ahead() -> None:
     one = ahead.Ahead(None)  # type: ignore[arg-type]
-    one.learn(header(*"GMPEOT"), True)
-    assert one.cut == 4
-    one.learn(header(*"GMPEOT"), True)
-    assert one.cut == 4
-    one.learn(header(*"GMPEoT"), False)
-    assert one.cut == 4
-    one.learn(header(*"GMPeOT"), False)
-    assert one.cut == 3
-    one.learn(header(*"GMPEOt"), True)
-    assert one.cut == 5
-    one.learn(header(*"GmPEOt"), True)
-    assert one.cut == 4
-    one.learn(header(*"XmPEOt"), False)
-    assert one.cut == 0
+    steps = [("GMPEOT", True, 4), ("GMPEOT", True, 4), ("GMPEoT", False, 4), ("GMPeOT", False, 3), ("GMPEOt", True, 5)]
+    for pieces, executed, cut in [*steps, ("GmPEOt", True, 4), ("XmPEOt", False, 0)]:
+        one.learn(header(*pieces), executed)
+        assert one.cut == cut, pieces
 
 
 def test_nothing_of_a_trusted_program_is_done_ahead() -> None:

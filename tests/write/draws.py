@@ -19,9 +19,8 @@ from c2s_engine.structure.specs import (
     SettingsSpec,
     Trigger,
 )
-from c2s_engine.write.typed import ResolveError, make_plan
+from c2s_engine.write.typed import contradiction
 from c2s_engine.write.typed.contradictions import contradictions
-from c2s_engine.write.typed.spread import spread
 
 
 def _one(rng: random.Random, literal: Any) -> Any:
@@ -160,11 +159,8 @@ def structure(
 
 
 def _consistent(found: Structure) -> bool:
-    try:
-        make_plan(spread(found))
-    except ResolveError as error:
-        return str(error) not in {c.because for c in contradictions()}
-    return True
+    error = contradiction(found)
+    return error is None or str(error) not in {c.because for c in contradictions()}
 
 
 def _structure(rng: random.Random, position: str | None, action: str | None, kind: str | None) -> Structure:

@@ -29,9 +29,7 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
         clear = scope.number(stations.clear_of(structure, spec))
         line = f"{at} = {position_constant(structure, of)} + {clear}"
     elif sign == 0:
-        line = (
-            f"{position_constant(structure, cid)} = {position_constant(structure, stations.base(structure, of, plan))}"
-        )
+        line = f"{at} = {position_constant(structure, stations.base(structure, of, plan))}"
     else:
         line = measured(structure, cid, spec, plan, sign)
     point = f"egoLane.centerline.pointAlongBy({member(spec, at, sign or 1)})"

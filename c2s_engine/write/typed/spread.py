@@ -6,7 +6,9 @@ from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec, RestrictionsSpec
 from c2s_engine.write.typed.apart import apart
+from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.forms import normal
+from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH
 from c2s_engine.write.typed.usual import default_gap, right_behind, speed_of
 
@@ -26,6 +28,15 @@ def spread(structure: Structure) -> Structure:
         if spec is not component.spec:
             structure = structure.with_component(component.model_copy(update={"spec": spec}))
     return structure
+
+
+def contradiction(structure: Structure) -> ResolveError | None:
+    """What in the specs contradicts itself, whatever the map."""
+    try:
+        make_plan(spread(structure))
+    except ResolveError as error:
+        return error
+    return None
 
 
 @lru_cache(maxsize=256)

@@ -1,16 +1,20 @@
 """Reactions: what drivers do when others force them to, laid around what they do of their own accord."""
 
+from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import is_static
-from c2s_engine.write.typed.threats import every, once_seen, threatening
+from c2s_engine.write.typed.threats import every, every_passed, once_seen, threatening
+from c2s_engine.write.typed.threats import on_foot as threats_on_foot
 from c2s_engine.write.typed.usual import turn_of
 
 SOFT = "lambda: max(1, min(9, 1.1 * {force}))"
 HARD = "lambda: max(4.5, min(9, 1.1 * {force}))"
 """m/s2: how hard drivers brake for who forces them to: a little more than it takes."""
+FIRM, FULL = 3.5, 4.5
+"""m/s2: at least so hard, so that ego stands before somebody on foot has gone by."""
 
 
 def reaction(actor: Actor, statements: list[str]) -> list[str]:
@@ -32,7 +36,28 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
         return _around(statements, threats, 8, HARD)
     if "lane_change" in forced:
         return _around(statements, threats, 5, HARD, 2)
-    return _around(statements, threats, limit, rate)
+    on_foot = [c for c in threats_on_foot(actor.structure) if spec.react_to in (None, c)]
+    if not on_foot:
+        return _around(statements, threats, limit, rate)
+    others = [] if spec.react_to else once_seen(actor.structure, [c for c in cids if c not in on_foot])
+    return _around(statements, others, limit, rate) + _stop_for(actor.structure, on_foot, limit, spec.hard)
+
+
+def _force(threats: list[str]) -> str:
+    """The need (m/s2) to brake for one or several."""
+    if len(threats) > 1 or threats[0].startswith("*"):
+        return f"most_need(self, [{', '.join(threats)}])"
+    return f"need(self, {threats[0]})"
+
+
+def _stop_for(structure: Structure, on_foot: list[str], limit: float, hard: bool) -> list[str]:
+    """The interruption of ego's way by a stop for those on foot: it goes on when they have gone by."""
+    force = _force([every(structure, c) for c in on_foot])
+    gone = " and ".join([f"{force} <= 0", *(every_passed(structure, c) for c in on_foot)])
+    return [
+        f"interrupt when {force} > {scope.number(limit)}:",
+        f"    do Drive(line, 0, rate=lambda: max({FULL if hard else FIRM}, min(9, 1.1 * {force}))) until {gone}",
+    ]
 
 
 def heeding(actor: Actor, statements: list[str]) -> list[str]:
@@ -77,10 +102,10 @@ def _around(
 ) -> list[str]:
     """The statements, interrupted by braking at `rate` when the need (m/s2) for one of the threats is over `limit`,
     until it is no more than `release`; `when`: a condition of that, with its `and`."""
-    force = f"need(self, {threats[0]})"
-    if len(threats) > 1 or threats[0].startswith("*"):
-        force = f"most_need(self, [{', '.join(threats)}])"
     head, rest = statements[:1], statements[1:]
+    if not threats:
+        return [*head, "try:", *(f"    {s}" for s in rest)]
+    force = _force(threats)
     return [
         *head,
         "try:",

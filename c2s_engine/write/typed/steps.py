@@ -7,11 +7,19 @@ from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.tables import LANE_NAME, MOVES_OFF_ROAD, RAMP, is_walker
-from c2s_engine.write.typed.threats import every_passed, standing
+from c2s_engine.write.typed.threats import every_passed, slowed, standing
 from c2s_engine.write.typed.usual import reach
 
 LANE_WIDTH = 3.5
 """m, of most maps' lanes."""
+
+NARROW = 2.0
+"""m that riders keep aside from the middle of a car's lane where they pass it on the inside."""
+NARROW_TYPES = {"bicycle", "motorcycle"}
+LATE = "simulation().currentTime * simulation().timestep > 12"
+"""When whoever is to hit another no longer waits for that one to slow down."""
+FULL = 5
+"""m/s2 from which braking is meant to be full."""
 
 Step = tuple[list[str], str]
 
@@ -72,8 +80,11 @@ def _hard(c: Course) -> bool:
 
 
 def _brake(c: Course, p: Phase) -> list[Step]:
-    goal = c.wanted(p, c.value / 2)
     rate = middle(p.rate) if p.rate else (6 if _hard(c) else 3)
+    full = (
+        rate >= FULL and not c.actor.is_ego and p is c.actor.spec.phases[-1]
+    )  # who slams the brakes on comes to a stand
+    goal = c.wanted(p, 0.0 if full else c.value / 2)
     c.set(goal)
     drive = c.drive(scope.number(goal), rate)
     return [([drive], _ending(p, f"until self.speed < {scope.number(goal + 0.5)}"))]
@@ -110,6 +121,8 @@ def _reverse(c: Course, p: Phase) -> list[Step]:
     c.backwards = True
     pace = c.wanted(p, c.value or 2)
     spec, back = c.actor.spec, f"do Backwards({scope.number(pace)})"
+    if any(q.action == "collide" for q in spec.phases):  # until it is stopped by whom it hits
+        return [([back], "")]
     if isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD:  # as far as onto the lane
         onto = f"for {scope.number(reach(spec, c.actor.plan.place) / max(pace, 0.5))} seconds"
         return [([back], _ending(p, onto)), (["do Backwards(0)"], "for 3 seconds")]
@@ -155,6 +168,9 @@ def _overtake(c: Course, p: Phase) -> list[Step]:
     other = c.actor.ref(p.target)
     c.set(c.wanted(p, max(c.value, c.target_speed(p) + 5)))
     past = f"until lead_on(self, {other}) > 12 + self.length"
+    back = c.drive(shift=3) if _scrapes(c, p) else ""
+    if back:  # it comes back too early
+        past = f"until lead_on(self, {other}) > -2"
     if c.oncoming_both(p):  # by ego's lane
         aside = c.drive(offset=scope.number(LANE_WIDTH), shift=2)
         return [([aside], past), ([c.drive()], "for 5 seconds")]
@@ -164,8 +180,17 @@ def _overtake(c: Course, p: Phase) -> list[Step]:
     if home + 1 in offsets or home - 1 in offsets:
         line = c.onto(_side(p, 1))
         c.lane = home
-        return [([line, c.drive()], past), ([f"line = way({LANE_NAME[home]})", c.drive()], "for 5 seconds")]
-    return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], past), ([c.drive()], "for 5 seconds")]
+        home_line = f"line = way({LANE_NAME[home]})"
+        return [([line, c.drive()], past), ([home_line, back or c.drive()], "for 5 seconds")]
+    aside = LANE_WIDTH if p.side != "right" else -NARROW if c.actor.spec.type in NARROW_TYPES else -LANE_WIDTH
+    return [([c.drive(offset=scope.number(aside), shift=2)], past), ([back or c.drive()], "for 5 seconds")]
+
+
+def _scrapes(c: Course, p: Phase) -> bool:
+    """Whether it hits the one that it overtakes."""
+    phases = c.actor.spec.phases
+    after = phases[phases.index(p) + 1 :]
+    return any(q.action == "collide" and q.target == p.target for q in after)
 
 
 # Out of the lane.
@@ -266,13 +291,22 @@ def _collide(c: Course, p: Phase) -> list[Step]:
     spec = c.actor.spec
     if isinstance(spec, ObjectSpec) and spec.placement.position == "oncoming_lane":  # head-on, in the other's lane
         return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], "")]
+    if c.actor.is_ego and any(q.action == "oncoming" for q in spec.phases):  # it stays there
+        return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], "")]
     if c.lane is None and not c.actor.is_ego:
         turn = ", egoTurn" if c.actor.plan.turning else ""
         spot = f"spot = meeting(line, way(egoLane{turn}))"
-        return [([spot, f"do Drive(line, lambda: strike(self, {other}, spot, {c.speed}))"], "")]
+        later = (
+            ", -0.3" if c.actor.plan.turning and p.target in (None, "ego") else ""
+        )  # ego is in the midst of its turn
+        return [([spot, f"do Drive(line, lambda: strike(self, {other}, spot, {c.speed}{later}))"], "")]
     if c.same_lane(p):
         faster = max(goal, c.target_speed(p) + 4)
-        return [([c.drive(scope.number(faster) if faster > goal else None)], "")]
+        strike = ([c.drive(scope.number(faster) if faster > goal else None)], "")
+        if until := slowed(c.actor, p.target):  # behind it until then
+            behind = c.drive(f"lambda: pace(self, {other}, {scope.number(faster)})", 4)
+            return [([behind], f"until {until} or {LATE}"), strike]
+        return [strike]
     if c.lane is not None and not c.actor.is_ego:  # beside it: close behind until it comes over
         return [([f"do Drive(line, lambda: lurk(self, {other}, {c.speed}))"], "")]
     return [([c.drive()], "")]

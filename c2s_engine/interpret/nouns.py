@@ -10,6 +10,7 @@ from c2s_engine.interpret.reference import Reference
 from c2s_engine.interpret.syntax import Word
 
 STANDS = frozenset(("stationary", "stopped", "standing", "static", "parked", "halted", "stalled", "immobile"))
+LOST = frozenset(("shed", "lost", "dropped", "spilled", "spilt", "fallen", "left", "discarded", "dumped", "jettisoned"))
 DRIVES = frozenset(("in", "on", "driving", "riding", "directing", "operating", "steering", "piloting", "commanding"))
 
 
@@ -45,6 +46,8 @@ class Nouns(Reference):
         if self._is_modifier(word) or self._proper(word):
             return None
         if noun == "traffic" and not roles and not self._halts(word):
+            return None
+        if self._gone(word, before):
             return None
         count = self._count(word, before, data)
         parties = self._parties(word, before, data, roles)
@@ -154,6 +157,15 @@ class Nouns(Reference):
                 return found
         return self._new(
             Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
+        )
+
+    def _gone(self, word: Word, before: list[str]) -> bool:
+        """Whether it is only who lost something on the road before: "a ladder, shed by an unknown vehicle"."""
+        by = self.words[word.head]
+        verb = self.words[by.head]
+        lost = by.norm in ("by", "from") and verb.tag in ("VBN", "VBD") and verb.norm in LOST
+        return lost and (
+            verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))
         )
 
     def _titled(self, word: Word, kind: str) -> Entity | None:

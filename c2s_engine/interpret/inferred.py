@@ -12,7 +12,6 @@ from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.towards import side
 from c2s_engine.interpret.whereabouts import STATES, Where
 
-
 SLOWS = frozenset(("brake", "brake_stop", "stop", "stationary"))
 
 

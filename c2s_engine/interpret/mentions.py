@@ -43,6 +43,7 @@ class Cast(Nouns):
         self.ego = Entity("ego", "car")
         self.entities: list[Entity] = []
         self.of: dict[int, Entity] = {}
+        self.wheels: dict[int, Entity] = {}
         self.both: dict[int, list[Entity]] = {}
         self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
         self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD")}
@@ -267,7 +268,7 @@ class Cast(Nouns):
 
 
 def _asking(words: list[Word]) -> frozenset[int]:
-    """The words in which first persons are nobody on the road ("please write me a scene", "I saw it from my window")."""
+    """The words in which first persons are nobody on the road ("please write me a scene", "I saw it from here")."""
     if bystanding(" ".join(w.norm for w in words)):
         return frozenset(w.i for w in words)
     found: set[int] = set()

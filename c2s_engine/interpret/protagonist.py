@@ -81,7 +81,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         first = " ".join(w.norm for w in cast.words[entity.mentions[0].word : entity.mentions[0].word + 7])
         if (
             entity.roles & ROLE_WORDS
-            or any(v.act == "overtake" and _past_nobody(v) for v in acting[entity])
+            or not told_by
+            and any(v.act == "overtake" and _past_nobody(v) for v in acting[entity])
             or "following" not in entity.roles
             and not told_by
             and not (the and re.match(r"\S+ (is|was|were) ", first))

@@ -3,7 +3,7 @@
 import re
 from typing import Any
 
-from c2s_engine.interpret import changes, describe, scan
+from c2s_engine.interpret import changes, describe, language, scan
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, EditError, SetField, apply
 
@@ -55,8 +55,9 @@ def described(before: Structure, after: Structure) -> list[Edit]:
 def clauses_of(text: str) -> list[str]:
     """The single demands of a text: "make the lead a truck and remove the rain" has two."""
     plain = " ".join(scan.normalised(text).replace("?", " ").replace("!", " ").split())
-    plain = re.sub(r"^(can|could|would|will) (you|we) (please )?", "", plain)
-    plain = re.sub(r"^(please|now|then|also|ok|okay|so|well)[, ]+", "", plain)
+    table = language.table("refine")
+    plain = re.sub(table["openers"], "", plain)
+    plain = re.sub(table["the_same_but"], r"\g<what> instead", plain)
     starts = (
         r"(?:make|change|turn|replace|swap|remove|delete|drop|add|put|move|let|set|use|have"
         r"|increase|reduce|slow|speed|start|the \w+ (?:should|must|drives?|is|brakes?|stops?)"

@@ -101,6 +101,10 @@ def distance(clause: str, structure: Structure) -> Found | None:
     if component is None:
         return None
     spec = spec_of(component)
+    between = re.search(r"\bbetween (?:the |each |them\b|one )", clause)
+    if between and spec.count > 1 and quantity is not None:
+        edit = SetField(component=component.id, path="spacing", value=value_of(quantity))
+        return [edit], f"{name_of(component)}: {quantity['low']:g} m between them"
     if relative is None and quantity is not None:
         relative = _moved(clause, spec.placement)
     now = spec.placement.gap

@@ -94,10 +94,13 @@ def retype(clause: str, structure: Structure) -> Found | None:
             r"|be )?(?P<what>(?:an?|two|three|four|five|\d) [\w -]+)$"
         ),
         r"^(?:replace|swap|substitute|exchange)\s+(?P<who>.+?)\s+(?:with|by|for|to)\s+(?P<what>.+)$",
-        r"^(?:use |have |make it |put )?(?P<what>(?:an?|two|three|four|five|\d+) [\w -]+?) instead of (?P<who>.+)$",
+        (
+            r"^(?:use |have |make it |put )?(?P<what>(?:an?|two|three|four|five|\d+) [\w -]+?) "
+            r"(?:instead of|rather than) (?P<who>.+)$"
+        ),
         (
             r"^(?P<who>(?:the |o\d|ego|it)[\w -]*?) (?:should be|is|becomes|shall be|must be|are"
-            r"|should become|now is) (?P<what>(?:an?|two|three|four) [\w -]+?)(?: now| instead)?"
+            r"|should become|now is) (?P<what>(?:an?|two|three|four|(?=[\w-]+s\b)) ?[\w -]+?)(?: now| instead)?"
             r"(?P<rest> (?:with|at|doing|going|driving|running|walking|crossing|standing|that|which|who)\b.*)?$"
         ),
         (

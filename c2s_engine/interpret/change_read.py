@@ -14,7 +14,7 @@ from c2s_engine.interpret.refer import objects_of, refer, spec_of
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField
 from c2s_engine.structure.quantity import high, low
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 
 PLACE = ("kind", "manoeuvre", "arms", "control", "ego_lane", "crosswalk")
 """Fields of R that a clause about road users can say."""
@@ -38,7 +38,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
         return None
     if told is None or re.search(_table()["relative"], clause):
         return None
-    scene = _scene(structure)
+    scene = _scene(structure, told)
     was, now = _read(scene), _read(f"{scene} {told[0].upper()}{told[1:]}.")
     if was is None or now is None or len(was.objects) != len(structure.objects) or len(now.objects) < len(was.objects):
         return None
@@ -137,17 +137,27 @@ def _noun(component: Component) -> str:
     return spec_of(component).type.replace("_", " ")
 
 
-def _scene(structure: Structure) -> str:
-    """Where everything stands, without what it does."""
+def _scene(structure: Structure, told: str) -> str:
+    """Where everything stands, without what it does and without what the sentence tells anew: where somebody is, or
+    where ego goes.
+    """
+    place = structure.place.spec
+    assert isinstance(place, PlaceSpec)
+    if re.match(r"(?:the )?ego\b", told):
+        place = place.model_copy(update={"manoeuvre": None})
+    located = refer(told, structure, alone=False) if re.match(_table()["located"], told) else None
     names = {c.id: spec_of(c).name for c in structure.objects}
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
     still = ego.model_copy(update={"phases": (), "reaction": "none"})
-    told = [describe.place(structure.place.spec), describe.ego(still, structure.place.spec, names)]  # type: ignore[arg-type]
+    sentences = [describe.place(place), describe.ego(still, place, names)]
     for component in structure.objects:
+        if located is not None and component.id == located.id:
+            sentences.append(f"There is a {_noun(component)}.")
+            continue
         assumed = {"speed": None} if any(a.field == "speed" for a in component.assumed) else {}
-        told.append(describe.obj(spec_of(component).model_copy(update={"phases": (), **assumed}), names))
-    return " ".join(told)
+        sentences.append(describe.obj(spec_of(component).model_copy(update={"phases": (), **assumed}), names))
+    return " ".join(sentences)
 
 
 def _read(text: str) -> Structure | None:
@@ -199,6 +209,7 @@ def _changes(
             assert isinstance(there.spec, EgoSpec | ObjectSpec) and isinstance(now.spec, EgoSpec | ObjectSpec)
             turns = any(p.action in ("turn_left", "turn_right", "u_turn") for p in now.spec.phases)
             phases = tuple(_mapped(p, ids) for p in now.spec.phases if not (turns and p.action == "go_straight"))
+            phases = tuple(sorted(phases, key=lambda p: p.action not in ("run_red", "run_stop")))
             found.append((path, _joined(there.spec.phases, phases, clause)))
         elif path == "placement":
             found += [
@@ -230,7 +241,9 @@ def _joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tupl
     """What it does from now on: the new phases; behind the old ones where the clause says so; where they only say more
     of an old phase, that one with what is new."""
     if re.search(_table()["besides"], clause):
-        return (*old, *new)
+        ways = ("go_straight", "turn_left", "turn_right", "u_turn")
+        turns = any(p.action in ways for p in new)
+        return (*(p for p in old if not (turns and p.action in ways)), *new)
     if old and [p.action for p in new] == ["move_along"] and not re.search(r"\balong\b", clause):
         return old  # how fast it goes, not what it does
     same = [i for i, p in enumerate(old) if len(new) == 1 and p.action == new[0].action]

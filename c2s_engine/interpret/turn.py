@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from c2s_engine.interpret import language, refine, scan
+from c2s_engine.interpret.spelling import Mended
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit
 
@@ -33,6 +34,7 @@ def route(text: str, structure: Structure | None) -> Turn:
 
 
 def _route(text: str, structure: Structure | None) -> Turn:
+    text = Mended(text).text
     plain = " ".join(scan.normalised(text).split())
     table = language.table("refine")
     whole = (0, len(text))
@@ -71,9 +73,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
 
 def _supposed(plain: str) -> str:
     """What a "what if" supposes, as a demand; empty where the text is none."""
-    match = re.match(
-        r"(?:and |but |so |then )?(?:what if|what about|how about|can(?= (?:the|ego)\b)) (?P<said>[^?]+)\??$", plain
-    )
+    match = re.match(language.table("refine")["supposed"], plain)
     if not match:
         return ""
     said = re.sub(r"^there (?:were|was|is|are) (?:also )?", "add ", match["said"].strip())

@@ -41,7 +41,7 @@ def untouched(before: Structure, after: Structure, *changed: str) -> bool:
         (STREET, "make the pedestrian run", "O2", ["cross_road"]),
         (JUNCTION, "motorcycle overtakes the ego before the junction", "O2", ["overtake"]),
         (JUNCTION, "can the truck turn left?", "O1", ["turn_left"]),
-        (JUNCTION, "the truck should run the red light", "O1", ["go_straight", "run_red"]),
+        (JUNCTION, "the truck should run the red light", "O1", ["run_red", "go_straight"]),
         (JUNCTION, "the motorcycle must not follow ego", "O2", []),
     ],
 )

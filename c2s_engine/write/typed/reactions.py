@@ -5,7 +5,7 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import is_static
+from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, is_static
 from c2s_engine.write.typed.threats import every, every_passed, once_seen, threatening
 from c2s_engine.write.typed.threats import on_foot as threats_on_foot
 from c2s_engine.write.typed.usual import turn_of
@@ -28,9 +28,11 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     if spec.reaction != "brake" or not cids:
         return statements
     threats = [every(actor.structure, spec.react_to)] if spec.react_to else once_seen(actor.structure, cids)
-    if any(p.action == "collide" for p in spec.phases):  # it brakes, but too little
-        return _around(statements, threats, 3, "2")
-    limit, rate = (4, HARD) if spec.hard else (2, SOFT)
+    hit = {p.target for p in spec.phases if p.action == "collide"}
+    if hit:  # it brakes, but too little
+        met = [c for c in cids if c not in hit or not _beside(actor.structure, c)]
+        return _around(statements, once_seen(actor.structure, met), 3, "2") if met else statements
+    limit, rate = (4, HARD) if spec.hard else (3, SOFT)
     forced = {p.action for p in spec.phases if p.trigger is None}
     if "swerve" in forced:  # it gets past first
         return _around(statements, threats, 8, HARD)
@@ -40,7 +42,13 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     if not on_foot:
         return _around(statements, threats, limit, rate)
     others = [] if spec.react_to else once_seen(actor.structure, [c for c in cids if c not in on_foot])
-    return _around(statements, others, limit, rate) + _stop_for(actor.structure, on_foot, limit, spec.hard)
+    return _around(statements, others, limit, rate) + _stop_for(actor.structure, on_foot, spec.hard)
+
+
+def _beside(structure: Structure, cid: str) -> bool:
+    """Whether an object is off the road."""
+    spec = structure[cid].spec
+    return isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD
 
 
 def _force(threats: list[str]) -> str:
@@ -50,12 +58,12 @@ def _force(threats: list[str]) -> str:
     return f"need(self, {threats[0]})"
 
 
-def _stop_for(structure: Structure, on_foot: list[str], limit: float, hard: bool) -> list[str]:
+def _stop_for(structure: Structure, on_foot: list[str], hard: bool) -> list[str]:
     """The interruption of ego's way by a stop for those on foot: it goes on when they have gone by."""
     force = _force([every(structure, c) for c in on_foot])
     gone = " and ".join([f"{force} <= 0", *(every_passed(structure, c) for c in on_foot)])
     return [
-        f"interrupt when {force} > {scope.number(limit)}:",
+        f"interrupt when {force} > {4 if hard else 2}:",
         f"    do Drive(line, 0, rate=lambda: max({FULL if hard else FIRM}, min(9, 1.1 * {force}))) until {gone}",
     ]
 

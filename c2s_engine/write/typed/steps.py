@@ -7,7 +7,7 @@ from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.tables import LANE_NAME, MOVES_OFF_ROAD, RAMP
-from c2s_engine.write.typed.towards import LANE_WIDTH, Step, collides, ending, yields
+from c2s_engine.write.typed.towards import LANE_WIDTH, Step, collides, ending, struck_beside, yields
 from c2s_engine.write.typed.usual import reach
 
 NARROW = 2.0
@@ -157,9 +157,9 @@ def _overtake(c: Course, p: Phase) -> list[Step]:
     other = c.actor.ref(p.target)
     c.set(c.wanted(p, max(c.value, c.target_speed(p) + 5)))
     past = f"until lead_on(self, {other}) > 12 + self.length"
-    back = c.drive(shift=3) if _scrapes(c, p) else ""
+    back = c.drive(shift=4) if _scrapes(c, p) else ""
     if back:  # it comes back too early
-        past = f"until lead_on(self, {other}) > -2"
+        past = f"until lead_on(self, {other}) > -4"
     if c.oncoming_both(p):  # by ego's lane
         aside = c.drive(offset=scope.number(LANE_WIDTH), shift=2)
         return [([aside], past), ([c.drive()], "for 5 seconds")]
@@ -212,6 +212,8 @@ def _drift(c: Course, p: Phase) -> list[Step]:
 
 def _leave_road(c: Course, p: Phase) -> list[Step]:
     lane, offsets, plan = c.lane or 0, c.actor.plan.offsets, c.actor.plan
+    if into := struck_beside(c, p):
+        return into
     two_way = plan.place.kind not in {"motorway", *RAMP} and not c.oncoming
     if p.side == "left" and two_way and plan.oncoming:  # beyond the oncoming lanes, however many there are
         beyond = "egoLane.group.opposite.rightEdge.distanceTo(self.position) + 4"

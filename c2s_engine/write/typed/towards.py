@@ -3,7 +3,7 @@
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
-from c2s_engine.write.typed.tables import is_walker
+from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, is_walker
 from c2s_engine.write.typed.threats import every_passed, slowed, standing
 
 LANE_WIDTH = 3.5
@@ -57,11 +57,28 @@ def _until_forced(c: Course, p: Phase, other: str) -> list[Step]:
     if p.target and (is_walker(spec.type) or spec.type == "bicycle"):
         waits = f"until {every_passed(a.structure, p.target)}"
         return [([c.drive()], f"until need(self, {other}) > 2"), ([c.drive("0", 3.5)], waits)]
+    if spec.placement.position == "on_ramp":  # it comes in ahead: no more room than that takes
+        room = f"lambda: max({scope.number(0.7 * a.value)}, pace(self, {other}, {scope.number(0.9 * a.value)}, 0.5))"
+        near = f"until (distance from self to {other}) < 40 and lead_on(self, {other}) > -40"
+        return [([c.drive()], near), ([c.drive(room, 2.5)], f"until {other}._lane is self._lane")]
     near = f"{other}.speed > 0.5 and (distance from self to {other}) < 5 + 5 * self.speed"
     return [
         ([c.drive()], f"until {near}"),
         ([c.drive(scope.number(0.5 * a.value), 2.5)], f"until {other}._lane is self._lane"),  # it lets it in
     ]
+
+
+def struck_beside(c: Course, p: Phase) -> list[Step]:
+    """How one leaves the road towards what it hits there, if it does: straight for it from shortly before."""
+    phases = c.actor.spec.phases
+    hit = next((q.target for q in phases[phases.index(p) + 1 :] if q.action == "collide"), None)
+    spec = c.actor.structure[hit].spec if hit and hit in c.actor.structure else None
+    if not hit or not isinstance(spec, ObjectSpec) or spec.placement.position not in MOVES_OFF_ROAD:
+        return []
+    other = c.actor.ref(hit)
+    near = f"until (distance from self to {other}) < 15 + 1.5 * self.speed"
+    straight = f"line = [self.position + ({other}.position - self.position).normalized() * (2 * k) for k in range(99)]"
+    return [([c.drive(c.set(c.wanted(p, c.value)))], near), ([straight, c.drive()], "for 8 seconds")]
 
 
 def collides(c: Course, p: Phase) -> list[Step]:

@@ -13,7 +13,7 @@ from c2s_engine.write.typed.usual import turn_of
 SOFT = "lambda: max(1, min(9, 1.1 * {force}))"
 HARD = "lambda: max(4.5, min(9, 1.1 * {force}))"
 """m/s2: how hard drivers brake for who forces them to: a little more than it takes."""
-FIRM, FULL = 3.5, 4.5
+FIRM, FULL = 4.0, 4.5
 """m/s2: at least so hard, so that ego stands before somebody on foot has gone by."""
 
 

@@ -105,7 +105,7 @@ def reach(o: ObjectSpec, place: PlaceSpec) -> float:
     """From where somebody stands beside the road to the middle of ego's lane, m (over lanes of the other direction
     about, as many as there may be)."""
     own = 3.2 if o.placement.hidden_by else 4.75 if o.placement.position == "sidewalk" else 3.25
-    return own + (3.5 * max(place.lanes or 2, 2) if far_side(o, place) else 0)
+    return own + (3.5 * max(place.lanes or 3, 3) if far_side(o, place) else 0)
 
 
 def far_side(o: ObjectSpec, place: PlaceSpec) -> bool:

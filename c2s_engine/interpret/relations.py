@@ -283,6 +283,8 @@ class Places(Inferred):
                 other.sentence != self.words[i].sentence
                 or other.norm in (",", ".", ";", "and", "(", ":", "-", "but", "while", "when", "that", "which", "who")
                 or (other.verb and other.tag != "VBN" and other.norm not in PLACING)
+                or other.norm in ("towards", "toward", "into", "onto")
+                and self.words[i].dep == "pobj"
             ):
                 break
             found.append(other.i)

@@ -77,7 +77,11 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         same = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
         if (
             same == lane
-            and (rel in ("behind", "ahead") or (rel := _met(scene, entity)) is not None)
+            and (
+                rel in ("behind", "ahead")
+                or (rel := _met(scene, entity)) is not None
+                or (rel := "ahead" if moves == [] and (acts or roles & {"stationary", "parked"}) else None) is not None
+            )
             and re.search(rf"{lane}(-hand|most)? lane", text)
             and where.of is None
         ):

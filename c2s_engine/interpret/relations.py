@@ -179,7 +179,6 @@ class Places(Inferred):
         lead = word.span.data.get("words", []) if word.span is not None and word.span.kind == "actor" else []
         lead = [*lead, entity.noun] if re.match(r"wrong|ghost", entity.noun) else lead
         text = " ".join(lead) + " "
-        known = self.cast.of
         indices = sorted(set(indices))
         text += self.clauses.render(indices)
         if word.span is not None and (

@@ -21,6 +21,8 @@ from c2s_engine.structure.components import Assumption
 from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec
 
 RESPONSES = ("brake", "brake_stop", "stop")
+AROUND = frozenset(("overtake", "oncoming", "lane_change", "cut_out", "evade", "swerve", "u_turn", "reverse"))
+"""What ego does to get past what it stopped for."""
 
 
 def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple[EgoSpec, list[Assumption]]:
@@ -68,6 +70,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             if reaction in ("none", "follow"):
                 reaction = "brake" if reaction == "none" or event.hard or stop and rate_of(event) else reaction
             hard = hard or event.hard or bool(rate_of(event) and rate_of(event) >= 4)  # type: ignore[operator]
+            if stop and reaction == "brake" and not any(e.act in AROUND for e in events[events.index(event) :]):
+                phases.append(Phase(action="stop", target=who, trigger=trigger))
         elif act == "follow":
             phases.append(Phase(action="follow", target=who or ahead(scene, ids)))
             if phases[-1].target is None:

@@ -69,6 +69,8 @@ def actor_nouns() -> dict[str, tuple[str, bool, bool]]:
             found[noun] = (kind, False, section == "riders")
             for plural in plurals(noun):
                 found.setdefault(plural, (kind, True, section == "riders"))
+    for noun in other_agents():
+        found.setdefault(noun, ("vehicle", noun.endswith("s"), False))
     for name in data["queues"]:
         found[name] = ("car", True, False)
     for kind, names in data["makes"].items():
@@ -78,6 +80,13 @@ def actor_nouns() -> dict[str, tuple[str, bool, bool]]:
         found.update(dict.fromkeys(nouns, ("vehicle", False, False)))
     found["people"] = ("pedestrian", True, False)
     return found
+
+
+@cache
+def other_agents() -> frozenset[str]:
+    """Agents, players and drivers that are told apart from ego ("hostile drivers")."""
+    others = table("actors")["others"]
+    return frozenset(f"{w} {n}{s}" for w in others["words"] for n in others["nouns"] for s in ("", "s"))
 
 
 @cache

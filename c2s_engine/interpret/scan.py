@@ -38,6 +38,14 @@ def _ego() -> re.Pattern[str]:
 
 
 @cache
+def _another() -> re.Pattern[str]:
+    """What stands before an agent that is not ego."""
+    others = language.table("actors")["others"]
+    words = language.alternatives([*others["words"], *others["before"], *language.roles()])
+    return re.compile(rf"(?<![\w-])(?:{words})[\s-]+\Z")
+
+
+@cache
 def _label() -> re.Pattern[str]:
     labels = language.table("ego")["labels"]
     words = "|".join(sorted([*labels["words"], *labels["typed"]], key=len, reverse=True))
@@ -49,7 +57,7 @@ def _label() -> re.Pattern[str]:
 
 @cache
 def _letter() -> re.Pattern[str]:
-    return re.compile(r"(?<![\w-])(?:the )?(?P<word>lv|pov|fv|tv|gvt|vt)(?P<id>[1-9]?)(?![\w-])")
+    return re.compile(r"(?<![\w-])(?:the )?(?P<word>lv|pov|fv|tv|gvt|vt|bv|ov|nv)(?P<id>[1-9]?)(?![\w-])")
 
 
 @cache
@@ -74,7 +82,8 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
     found += [
         Span("ego", match.start(), match.end())
         for match in _ego().finditer(text)
-        if match[0] != "i" or not any(s <= match.start() < e for s, e in asking)
+        if (match[0] != "i" or not any(s <= match.start() < e for s, e in asking))
+        and not (match[0] == "agent" and _another().search(text, 0, match.start()))
     ]
     for match in _letter().finditer(text):
         role = "following" if match["word"] == "fv" else "lead" if match["word"] == "lv" else ""

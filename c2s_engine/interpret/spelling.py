@@ -55,7 +55,7 @@ def _stem(verb: str) -> str:
 def vocabulary() -> frozenset[str]:
     """The single words of the language tables, with the forms of their verbs."""
     words: set[str] = set(language.table("spelling")["extra"])
-    for noun in language.actor_nouns():
+    for noun in language.actor_nouns().keys() - language.other_agents():
         words |= set(re.findall(r"[a-z]{4,}", noun))
     for rule in language.table("motions")["verbs"]:
         for verb in rule["verbs"]:

@@ -102,7 +102,7 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             and number.isalpha()
             and not re.match(
                 (
-                    r"\s*(?:$|[.,;:)(-]|(?:is|was|has|and|in|at|on|brakes|drives|turns|cuts|stops|changes"
+                    r"\s*(?:$|[.,;:)(-]|\d{2}|(?:is|was|has|and|in|at|on|brakes|drives|turns|cuts|stops|changes"
                     r"|overtakes|follows)\b)"
                 ),
                 text[match.end() : match.end() + 12],

@@ -7,10 +7,14 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.scan import Span
 
 
+DIGITS = "zero|one|two|three|four|five|six|seven|eight|nine|niner"
+TENS = "(?:twenty|thirty|forty|fifty|sixty|seventy|eighty|ninety)"
+
+
 @cache
 def _number() -> str:
     words = language.alternatives(list(language.table("units")["numbers"]))
-    return rf"(?:\d+(?:[.,]\d+)?|\b(?:{words})\b)"
+    return rf"(?:\d+(?:[.,]\d+)?|\b{TENS}[ -](?:{DIGITS})\b|\b(?:{words})\b)"
 
 
 @cache
@@ -24,7 +28,6 @@ def _quantity() -> re.Pattern[str]:
     )
 
 
-DIGITS = "zero|one|two|three|four|five|six|seven|eight|nine|niner"
 
 
 @cache
@@ -74,6 +77,8 @@ def _value(text: str) -> float:
     text = " ".join(text.split()).lstrip("+")
     words = language.table("units")["numbers"]
     digits = text.split()
+    if compound := re.fullmatch(rf"({TENS})[ -](\w+)", text):
+        return float(words[compound[1]]) + words[compound[2]]
     if len(digits) > 1 and all(d in DIGITS.split("|") for d in digits):
         return float("".join(str(min(9, DIGITS.split("|").index(d))) for d in digits))
     if text in words:

@@ -10,6 +10,11 @@ from c2s_engine.interpret.reference import Reference
 from c2s_engine.interpret.syntax import Word
 
 STANDS = frozenset(("stationary", "stopped", "standing", "static", "parked", "halted", "stalled", "immobile"))
+TWO_WHEELERS = frozenset(("bike", "bikes", "bike rider"))
+COUNTED = re.compile(
+    r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units|animals"
+    r"|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
+)
 DRIVES = frozenset(("in", "on", "driving", "riding", "directing", "operating", "steering", "piloting", "commanding"))
 
 
@@ -34,6 +39,8 @@ class Nouns(Reference):
                     entity.roles |= roles
                     return entity
             return self._new(Entity("", "vehicle", label=data["label"], roles=roles))
+        if noun in TWO_WHEELERS and kind == "bicycle" and self._motor_bike():
+            kind = "motorcycle"
         before = self._modifiers(word)
         previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
         if previous in ("other",) and "no" in self._near(word):
@@ -155,6 +162,11 @@ class Nouns(Reference):
         return self._new(
             Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
         )
+
+    def _motor_bike(self) -> bool:
+        """Whether "the bike" is a motorcycle spoken of before, as no bicycle was."""
+        kinds = {e.type for e in self.entities}
+        return "motorcycle" in kinds and "bicycle" not in kinds
 
     def _titled(self, word: Word, kind: str) -> Entity | None:
         """The driver whom a title named ("Ghost driver at 2 a.m.: ... a wrong-way car comes")."""
@@ -300,6 +312,10 @@ class Nouns(Reference):
                 return int(text)
             if text in counts:
                 return int(counts[text])
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 9] if w.sentence == word.sentence)
+        told = COUNTED.match(after)
+        if told is not None:
+            return int(told["n"]) if told["n"].isdigit() else int(counts.get(told["n"], 2))
         return 2
 
     def _retyped(self, host: Entity, kind: str, roles: set[str], noun: str) -> Entity:

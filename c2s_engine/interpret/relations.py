@@ -27,6 +27,11 @@ ASIDE = re.compile(
     r"|adjacent)(?:-hand)? (?:\w+ )?(?:lane|side)(?: of the (?:road|street))?"
 )
 
+FRONTED = re.compile(
+    r"(?:^|, |and |: )((?:directly |just |right |immediately )?(?:in front of|ahead of|behind|beside|next to|alongside) "
+    r"(?:the )?@\w+) (?:there )?(?:is|was|be|are|were|drive|drives|drove|come|comes|came|stand|stands|stood|sit|sits|sat"
+    r"|travel|travels|travelled|follow|follows|followed) (?:a |an |another |the |\w+ ){0,3}$"
+)
 PLACING = frozenset(("facing", "following", "level", "side", "abreast", "alongside", "next", "adjacent"))
 
 
@@ -168,6 +173,7 @@ class Places(Inferred):
             ),
             front,
         )
+        fronted = fronted or FRONTED.search(front)
         if fronted and word.span is not None:
             read(fronted[1], where, entity, self.cast, "noun")
         filled = FILLED.search(front)

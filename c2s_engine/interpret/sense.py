@@ -12,16 +12,22 @@ from c2s_engine.interpret.place import Road
 from c2s_engine.interpret.towards import side
 
 
-def _was_over(cast: Cast, event: Event) -> bool:
-    """Whether it was done before the story begins: "had stopped", "had come to rest"."""
-    return any(cast.words[c].norm == "had" and c < event.word for c in cast.words[event.word].children)
+def _was_over(cast: Cast, event: Event, clauses: Clauses) -> bool:
+    """Whether it was done before the story begins: "had stopped", "had come to rest", or "a taxi has stopped in the right
+    lane" as the first thing that is said of the taxi."""
+    word = cast.words[event.word]
+    has = next((c for c in word.children if cast.words[c].norm in ("had", "has", "have") and c < event.word), None)
+    if has is None or cast.words[has].norm == "had":
+        return has is not None
+    first = not event.agent.ego and not event.adverbial and word.dep in ("ROOT", "relcl")
+    return first and not any(e.agent is event.agent and e.word < event.word for e in clauses.events)
 
 
 def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     """What single clauses cannot tell: a stop that is denied before a stop sign, a pass that is waited for."""
     avoided(cast, clauses)
     for event in list(clauses.events):
-        if event.act in ("stop", "brake_stop") and event.mode == "fact" and _was_over(cast, event):
+        if event.act in ("stop", "brake_stop") and event.mode == "fact" and _was_over(cast, event, clauses):
             event.act = "stationary"
         if event.act == "collide" and event.patient is None and event.agent.count > 1 and not event.agent.ego:
             event.act = "stop"  # with each other
@@ -67,8 +73,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 and event.text.startswith("pass")
             )
             or event.act == "overtake"
-            and road.kind in ("intersection", "roundabout")
-            and let_past(clauses, event)
+            and let_past(clauses, event, road)
         ):
             event.act = "travel"
         passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")

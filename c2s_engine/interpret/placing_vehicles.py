@@ -11,6 +11,7 @@ from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.structure.specs import PlaceSpec
 
 PARTLY = re.compile(r"\b(partly|partially|half|part) [^;]*\b(lane|road|carriageway)\b")
+ACROSS = re.compile(r"\bacross (?:the |both |two |all |@ego 's |@ego )?(?:\w+ )?(?:lanes?|road|carriageway|street)\b")
 ON_MOTORWAY = re.compile(
     r"\b(on|along|in) the (main |through )?(motorway|highway|freeway|interstate|carriageway|main road)"
 )
@@ -45,6 +46,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     roles = entity.roles
     moves = [a for a in acts if a not in ("stationary",)]
     first = scene.events(entity)[0] if scene.events(entity) else None
+    if ACROSS.search(text) and scene.does(entity, "stationary") and lane in (None, "same", "parked", "roadside"):
+        return {"position": "ahead", "said": True}
     if lane == "partly" or lane in ("parked", "roadside", None) and "parked" in roles and PARTLY.search(text):
         return {"position": "partly_in_lane", "side": edge or side_of_text(text) or "right", "said": True}
     if lane == "ramp":

@@ -58,6 +58,10 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             event.patient = cast.ego
         if event.act == "yield" and event.mode == "negated" and not event.agent.ego:
             event.act, event.mode = "cross_path", "fact"
+        if event.act == "turn_or_change":
+            verb = clauses._lemma(cast.words[event.word])
+            turns = road.kind in ("intersection", "roundabout")
+            event.act = "turn" if turns else "swerve" if verb in ("swerve", "veer", "jink") else "lane_change"
         if event.act == "pass_by":
             junction = road.kind == "intersection" and not re.search(r"lane|left|right|behind", event.whole)
             event.act = (

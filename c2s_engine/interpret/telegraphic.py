@@ -30,6 +30,7 @@ class Note:
     acts: list[str] = field(default_factory=list)
     speed: str = ""
     bare: bool = False
+    state: bool = False
     rest: str = ""
 
 
@@ -41,6 +42,7 @@ class Subject:
     name: str
     ego: bool
     plural: bool
+    label: bool
     walks: bool
 
 
@@ -68,11 +70,12 @@ def _sentence(text: str, plain: str, start: int, end: int, names: list[Span], un
         said = None
         if headed is not None:
             heads, at = headed
-            note = _read(plain[at:stop].rstrip(" .;!"), all(h.ego for h in heads), unit)
-            said = " ".join(_say(h.text, h, note) for h in heads) if note is not None and note.bare else None
+            note = _read(_unbracketed(plain[at:stop]), all(h.ego for h in heads), unit)
+            bare = note is not None and (note.bare or note.state and not any(h.label for h in heads))
+            said = " ".join(_say(h.text, h, note) for h in heads) if note is not None and bare else None
             subjects = heads if said is not None else []
         elif subjects:
-            note = _read(plain[first:stop].rstrip(" .;!"), all(h.ego for h in subjects), unit)
+            note = _read(_unbracketed(plain[first:stop]), all(h.ego for h in subjects), unit)
             again = note is not None and (note.places or note.acts or note.speed)
             said = " ".join(_say(h.name, h, note) for h in subjects) if note is not None and again else None
         if said is not None:
@@ -96,7 +99,7 @@ def _is_left(
     first, stop = part
     headed = _headed(text, plain, first, stop, names)
     ego = all(h.ego for h in (headed[0] if headed else subjects))
-    note = _read(plain[headed[1] if headed else first : stop].rstrip(" .;!"), ego, unit)
+    note = _read(_unbracketed(plain[headed[1] if headed else first : stop]), ego, unit)
     if note is None:
         return True
     return not note.bare if headed else not (note.places or note.acts or note.speed)
@@ -139,6 +142,16 @@ def _headed(text: str, plain: str, first: int, stop: int, names: list[Span]) -> 
     return heads, at
 
 
+def _unbracketed(rest: str) -> str:
+    """What a note says in a bracket right after the road user without the bracket: "car (right, 90, +30)"."""
+    rest = rest.rstrip(" .;!")
+    inside = re.match(r"\s*[(\[](?P<note>[^()\[\]]*\d[^()\[\]]*)[)\]](?P<more>.*)$", rest, re.DOTALL)
+    if inside is None:
+        return rest
+    note = re.sub(r"^\s*(left|right|middle|cent(?:er|re))(?=\s*,)", r"\1 lane", inside["note"])
+    return f"{note}, {inside['more'].strip()}".rstrip(" ,")
+
+
 def _bracket(plain: str, at: int) -> int:
     match = re.match(r"\s?\([^()\d]{1,16}\)", plain[at:])
     return at + match.end() if match else at
@@ -151,7 +164,7 @@ def _subject(text: str, plain: str, first: int, name: Span) -> Subject:
     plural = bool(data.get("plural"))
     walks = data.get("type") in ("pedestrian", "child", "animal")
     again = text[name.start : name.end] if ego or label else "the " + text[name.start : name.end]
-    return Subject(full, again, ego, plural, walks)
+    return Subject(full, again, ego, plural, label, walks)
 
 
 @cache
@@ -202,6 +215,7 @@ def _goes_on(note: Note, rest: str) -> bool:
 
 def _add(note: Note, entry: dict[str, Any], match: re.Match[str], unit: str) -> None:
     note.bare = note.bare or bool(entry.get("bare"))
+    note.state = note.state or bool(entry.get("noun"))
     if entry.get("change"):
         low, high = float(match[1]), float(match[2])
         told = re.search(r"km/?h|kph|kmph|mph|m/s", match[0])

@@ -6,7 +6,7 @@ from functools import cache
 from c2s_engine.interpret import language
 from c2s_engine.interpret.scan import Span
 
-
+MILES = re.compile(r"\bmph\b|\bmiles?\b|\bfeet\b|(?<!on )(?<!by )\bfoot\b|\d ?ft\b|\byards?\b")
 DIGITS = "zero|one|two|three|four|five|six|seven|eight|nine|niner"
 TENS = "(?:twenty|thirty|forty|fifty|sixty|seventy|eighty|ninety)"
 
@@ -26,8 +26,6 @@ def _quantity() -> re.Pattern[str]:
         rf"|\.\.\.?|or)\s*(?P<high>{number}))?(?:\s*(?:±|\+/?-)\s*\d+(?:[.,]\d+)?\)?)?"
         rf"(?:\s*|-)(?P<unit>{unit})(?![\w/²^])(?:\s+(?P<half>and a half))?"
     )
-
-
 
 
 @cache
@@ -63,7 +61,7 @@ def bare_speeds(text: str) -> list[Span]:
     """Numbers without a unit after a road user or its lane, in the shorthand of tests ("ego 60, lead 40"): mph where
     the text has mph anywhere, else km/h."""
     found = []
-    factor = 0.44704 if re.search(r"\bmph\b|\bmiles?\b|\bfeet\b|\bfoot\b|\d ?ft\b|\byards?\b", text) else 1 / 3.6
+    factor = 0.44704 if MILES.search(text) else 1 / 3.6
     for match in _bare().finditer(text):
         group = next(name for name, value in match.groupdict().items() if value)
         value = _value(match[group])

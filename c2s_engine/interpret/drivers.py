@@ -9,6 +9,7 @@ from c2s_engine.interpret.ego_others import (
     free_side,
     in_lane_conflict,
     last_actor,
+    nobody_in_the_way,
     passed,
     yielded,
 )
@@ -62,6 +63,9 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                     pass
                 continue
             said_reaction = True
+            if stop and not event.hard and nobody_in_the_way(scene, event, others):
+                phases.append(Phase(action="stop", trigger=trigger))
+                continue
             if stop and phases and phases[-1].action in ASIDE and _from_behind(scene):
                 phases.append(Phase(action="stop", trigger=trigger))
                 continue

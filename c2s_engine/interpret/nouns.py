@@ -12,8 +12,8 @@ from c2s_engine.interpret.syntax import Word
 STANDS = frozenset(("stationary", "stopped", "standing", "static", "parked", "halted", "stalled", "immobile"))
 TWO_WHEELERS = frozenset(("bike", "bikes", "bike rider"))
 COUNTED = re.compile(
-    r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units|animals"
-    r"|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
+    r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units"
+    r"|animals|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
 )
 DRIVES = frozenset(("in", "on", "driving", "riding", "directing", "operating", "steering", "piloting", "commanding"))
 
@@ -34,6 +34,10 @@ class Nouns(Reference):
         kind, noun, roles = data["type"], data.get("noun", ""), set(data.get("roles", ()))
         if data.get("label"):
             roles |= {language.roles()[b] for b in self._modifiers(word) if b in STANDS}  # "a stationary GVT"
+            host = self.of.get(word.i - 2) if word.i > 1 and self.words[word.i - 1].norm == "(" else None
+            if host is not None and not host.ego and not host.label and host.mover:  # "the lead (GVT)"
+                host.label = data["label"]
+                return host
             for entity in self.entities:
                 if entity.label == data["label"] or (roles & entity.roles - {"stationary", "parked"}):
                     entity.roles |= roles

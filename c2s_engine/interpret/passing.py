@@ -41,6 +41,9 @@ def by_the_other_lane(clauses: Clauses, road: Road) -> None:
 MEETS = re.compile(r"\b(?:other|opposite) (?:way|direction)|oncom|towards|head-on|from (?:the |its )?(?:left|right)\b")
 
 
+URGENT = frozenset(("ambulance", "police_car", "fire_truck"))
+
+
 def let_past(clauses: Clauses, event: Event, road: Road) -> bool:
     """Whether one only goes past because ego waits for it ("let him go past", "until it has gone by"): it need not come
     from behind."""
@@ -54,4 +57,5 @@ def let_past(clauses: Clauses, event: Event, road: Road) -> bool:
         e.act == "yield" and e.agent.ego and e.patient is who and e.done and abs(e.word - event.word) <= 4
         for e in clauses.events
     )
-    return waited and (across or meets) or event.adverbial in ("until", "till") and (across or meets)
+    behind = who.type in URGENT or any(re.search(r"\bbehind\b|\brear\b|faster", e.whole) for e in own)
+    return waited and (across or meets or not behind) or event.adverbial in ("until", "till") and (across or meets)

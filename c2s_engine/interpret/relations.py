@@ -8,7 +8,7 @@ from c2s_engine.interpret.groups import split_groups
 from c2s_engine.interpret.implied import evaded_lane, implied_places
 from c2s_engine.interpret.inferred import Inferred
 from c2s_engine.interpret.mentions import Cast, Entity
-from c2s_engine.interpret.whereabouts import STATES, Where, read, side_of_text
+from c2s_engine.interpret.whereabouts import FRONTED, STATES, Where, read, side_of_text
 
 __all__ = ["STATES", "Places", "Where", "read", "side_of_text"]
 
@@ -27,11 +27,6 @@ ASIDE = re.compile(
     r"|adjacent)(?:-hand)? (?:\w+ )?(?:lane|side)(?: of the (?:road|street))?"
 )
 
-FRONTED = re.compile(
-    r"(?:^|, |and |: )((?:directly |just |right |immediately )?(?:in front of|ahead of|behind|beside|next to|alongside) "
-    r"(?:the )?@\w+) (?:there )?(?:is|was|be|are|were|drive|drives|drove|come|comes|came|stand|stands|stood|sit|sits|sat"
-    r"|travel|travels|travelled|follow|follows|followed) (?:a |an |another |the |\w+ ){0,3}$"
-)
 PLACING = frozenset(("facing", "following", "level", "side", "abreast", "alongside", "next", "adjacent"))
 
 

@@ -94,6 +94,8 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
         bare = text[match.end("word") : match.start("id")]
         if word in ("v", "u", "d") and bare.strip(" #-"):
             continue
+        if number in ("one", "two", "three", "four", "five") and not re.match(r"[\s-]", bare):
+            continue  # "done"
         if number in "abcde" and (word in ("v", "u", "d", "driver") or not re.match(r"[\s-]", bare)):
             continue
         typed = word in language.table("ego")["labels"]["typed"]

@@ -13,8 +13,8 @@ from c2s_engine.interpret.towards import side
 
 
 def _was_over(cast: Cast, event: Event, clauses: Clauses) -> bool:
-    """Whether it was done before the story begins: "had stopped", "had come to rest", or "a taxi has stopped in the right
-    lane" as the first thing that is said of the taxi."""
+    """Whether it was done before the story begins: "had stopped", or "a taxi has stopped" as the first that is said of
+    the taxi."""
     word = cast.words[event.word]
     has = next((c for c in word.children if cast.words[c].norm in ("had", "has", "have") and c < event.word), None)
     if has is None or cast.words[has].norm == "had":

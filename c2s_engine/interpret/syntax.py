@@ -8,8 +8,6 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-import regex
-
 from c2s_engine.interpret import language
 from c2s_engine.interpret.motions import third_persons
 from c2s_engine.interpret.proxies import FOLLOWS, pieces_of
@@ -122,7 +120,11 @@ def _mistaken(doc: Any, piece: list[tuple[str, int, int, Span | None]], plain: s
     found: dict[int, str] = {}
     for token in doc:
         _, start, end, span = piece[token.i]
-        if token.tag_ not in ("NNS", "NN", "NNP", "NNPS") or span is not None or plain[start:end] not in third_persons():
+        if (
+            token.tag_ not in ("NNS", "NN", "NNP", "NNPS")
+            or span is not None
+            or plain[start:end] not in third_persons()
+        ):
             continue
         before = piece[token.i - 1] if token.i else None
         spoken = any(p[3] is not None and p[3].kind in ("ego", "label", "actor") for p in piece[: token.i])

@@ -1,5 +1,5 @@
-"""Notes without verbs and articles become plain sentences: "van 60 left lane 10 m behind, cuts in" is read as "van drives
-at 60 km/h in the left lane 10 m behind ego. the van cuts in", by data/language/telegraphic.yaml."""
+"""Notes without verbs and articles become plain sentences, by data/language/telegraphic.yaml: "van 60 left lane 10 m
+behind, cuts in" is read as "van drives at 60 km/h in the left lane 10 m behind ego. the van cuts in"."""
 
 import re
 from dataclasses import dataclass, field
@@ -7,11 +7,11 @@ from functools import cache
 from typing import Any
 
 from c2s_engine.interpret import division, language, letters, scan
+from c2s_engine.interpret.amounts import MILES
 from c2s_engine.interpret.motions import third_persons
 from c2s_engine.interpret.rewritten import Replacement
 from c2s_engine.interpret.scan import Span
 
-MILES = re.compile(r"\bmph\b|\bmiles?\b|\bfeet\b|\bfoot\b|\d ?ft\b|\byards?\b")
 CHANGE = re.compile(
     r"\b(?:slow|brak|decelerat|accelerat|drop|go|speed)\w*(?: up| down)? from (?P<low>\d{1,3}) to (?P<high>\d{1,3})"
     r"(?=\s*(?:[,.;)]|$|at\b|in\b|within\b|over\b|with\b|then\b|and\b))"
@@ -64,6 +64,7 @@ def spelt_out(text: str) -> list[Replacement]:
 def _sentence(text: str, plain: str, start: int, end: int, names: list[Span], unit: str) -> list[Replacement]:
     found: list[Replacement] = []
     subjects: list[Subject] = []
+    neighbour = "ego"
     last = start
     for first, stop in _parts(plain, start, end, names):
         headed = _headed(text, plain, first, stop, names)
@@ -73,11 +74,14 @@ def _sentence(text: str, plain: str, start: int, end: int, names: list[Span], un
             note = _read(_unbracketed(plain[at:stop]), all(h.ego for h in heads), unit)
             bare = note is not None and (note.bare or note.state and not any(h.label for h in heads))
             said = " ".join(_say(h.text, h, note) for h in heads) if note is not None and bare else None
+            said = said.replace("{neighbour}", neighbour) if said is not None else None
             subjects = heads if said is not None else []
+            neighbour = "ego" if heads[-1].ego else heads[-1].name
         elif subjects:
             note = _read(_unbracketed(plain[first:stop]), all(h.ego for h in subjects), unit)
             again = note is not None and (note.places or note.acts or note.speed)
             said = " ".join(_say(h.name, h, note) for h in subjects) if note is not None and again else None
+            said = said.replace("{neighbour}", "ego") if said is not None else None
         if said is not None:
             before = ". " if first > start and text[last:first].strip(" \t") in (",", "-", "and", "&", "+") else None
             at = last if before else first
@@ -107,7 +111,7 @@ def _is_left(
 
 def _parts(plain: str, start: int, end: int, names: list[Span]) -> list[tuple[int, int]]:
     """The stretches between commas, and before "and" or "+" where a road user follows."""
-    cuts = [m.span() for m in re.finditer(r",(?!\d)\s*|\s-\s+", plain[start:end])]
+    cuts = [m.span() for m in re.finditer(r",(?!\d)\s*|\s-\s+|(?<=[a-z]):\s+(?=[a-z])", plain[start:end])]
     spans = [(start + a, start + b) for a, b in cuts if plain[: start + a].count("(") == plain[: start + a].count(")")]
     for name in names:
         joined = JOINED.search(plain[start : name.start]) if start < name.start < end else None
@@ -133,12 +137,13 @@ def _headed(text: str, plain: str, first: int, stop: int, names: list[Span]) -> 
         return None
     heads = [_subject(text, plain, first, name)]
     at = _bracket(plain, name.end)
-    if len(inside) > 1 and re.fullmatch(r"\s*(?:and|&|\+|/)\s*", plain[at : inside[1].start]):
-        both = re.match(r"\s+(?:both |each )?(?:at )?\d", plain[inside[1].end : stop])
+    inside = [n for n in inside if n.start >= at]
+    if inside and re.fullmatch(r"\s*(?:and|&|\+|/)\s*", plain[at : inside[0].start]):
+        both = re.match(r"\s+(?:both |each )?(?:at )?\d", plain[inside[0].end : stop])
         if not both:
             return None
-        heads.append(_subject(text, plain, inside[1].start, inside[1]))
-        at = inside[1].end
+        heads.append(_subject(text, plain, inside[0].start, inside[0]))
+        at = inside[0].end
     return heads, at
 
 
@@ -171,9 +176,7 @@ def _subject(text: str, plain: str, first: int, name: Span) -> Subject:
 def _pieces() -> list[tuple[re.Pattern[str], dict[str, Any]]]:
     table = language.table("telegraphic")
     words: dict[str, str] = table["words"]
-    return [
-        (re.compile(re.sub(r"<(\w+)>", lambda m: words[m[1]], entry["find"])), entry) for entry in table["pieces"]
-    ]
+    return [(re.compile(re.sub(r"<(\w+)>", lambda m: words[m[1]], entry["find"])), entry) for entry in table["pieces"]]
 
 
 def _read(rest: str, ego: bool, unit: str) -> Note | None:
@@ -207,8 +210,11 @@ def _goes_on(note: Note, rest: str) -> bool:
     if PARTICIPLE.match(rest):
         note.acts.append(f"is {rest}")
         return True
-    if LINKS.match(rest) and (note.places or note.speed):
-        note.places.append(rest)
+    if LINKS.match(rest) and (note.places or note.speed or note.acts):
+        if note.acts and not note.places:
+            note.acts[-1] += f" {rest}"
+        else:
+            note.places.append(rest)
         return True
     return False
 

@@ -9,7 +9,7 @@ from c2s_bench.interpret import said
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import high, low
 
-STAGES = ("actors", "types", "actions", "order", "relations", "numbers", "environment", "road", "surplus")
+STAGES = ("actors", "types", "actions", "order", "relations", "numbers", "environment", "road", "surplus", "turns")
 
 
 @dataclass(frozen=True)

@@ -10,11 +10,12 @@ from typing import Any
 
 import yaml
 
+from c2s_bench.interpret import turns
 from c2s_bench.interpret.score import STAGES, Verdict, judge
 from c2s_engine.interpret import EmbeddedInterpreter, InterpretError
 
 HERE = Path(__file__).parent
-FILES = ("sentences", "texts", *sorted(p.stem for p in HERE.glob("fresh_*.yaml")))
+FILES = ("sentences", "texts", *sorted(p.stem for p in HERE.glob("fresh_*.yaml")), turns.STAGE)
 
 
 @dataclass
@@ -41,7 +42,7 @@ class Half:
 
 
 def entries(name: str) -> list[dict[str, Any]]:
-    """The suite's entries: `t` the text, `e` what must be understood."""
+    """The suite's entries: `t` the text, `e` what must be understood (turns.yaml: see turns.py)."""
     return yaml.safe_load((HERE / f"{name}.yaml").read_text(encoding="utf-8"))
 
 
@@ -55,6 +56,9 @@ def run(files: tuple[str, ...] = FILES) -> tuple[dict[str, dict[str, Half]], lis
         halves = {"develop": Half(), "counted": Half()}
         for number, entry in enumerate(entries(name), 1):
             half = halves["develop" if number % 2 else "counted"]
+            if name == turns.STAGE:
+                half.add(f"[{entry['scene']}] {entry['turn']}", turns.judge(entry))
+                continue
             started = perf_counter()
             try:
                 structure = interpreter.interpret(entry["t"]).structure

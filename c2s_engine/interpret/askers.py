@@ -12,6 +12,20 @@ def _asks() -> re.Pattern[str]:
     return re.compile("|".join(f"(?:{p})" for p in language.table("ego")["askers"]))
 
 
+@cache
+def _sees() -> tuple[re.Pattern[str], re.Pattern[str]]:
+    told = language.table("ego")["bystanders"]
+    says, drives = (re.compile("|".join(f"(?:{p})" for p in told[key])) for key in ("says", "not"))
+    return says, drives
+
+
+def bystanding(plain: str) -> bool:
+    """Whether the text is told by somebody off the road, who drives nothing in it."""
+    says, drives = _sees()
+    return says.search(plain) is not None and drives.search(plain) is None
+
+
 def asked(plain: str) -> list[tuple[int, int]]:
-    """The stretches of a text in which somebody asks for it, or tells of the work that it is for."""
-    return [m.span() for m in _asks().finditer(plain)]
+    """The stretches of a text in which first and second persons are nobody on the road: somebody asks for it there, or
+    tells of the work that it is for; the whole text where a bystander tells it."""
+    return [(0, len(plain))] if bystanding(plain) else [m.span() for m in _asks().finditer(plain)]

@@ -3,34 +3,59 @@
 import re
 from typing import Any
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.change_forms import VEHICLES, Found, name_of, quantity_of, value_of
 from c2s_engine.interpret.refer import refer, spec_of
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, SetField, SetSpec
-from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.quantity import high, middle
 from c2s_engine.structure.specs import Placement
 
 
 def speed(clause: str, structure: Structure) -> Found | None:
     """ "Ego at 50 km/h", "the lead drives 20 km/h", "faster", "10 km/h slower", "twice as fast"."""
-    quantity = quantity_of(clause, "speed")
+    quantity = quantity_of(clause, "speed") or _without_unit(clause)
     relative = re.search(
-        r"\b(faster|slower|quicker|speed up|slow(er)? down|twice as fast|half as fast|double|halve)\b", clause
+        r"\b(faster|slower|quicker|speed up|slow(?:er)?(?: \w+)? down|twice as fast|half as fast|double|halve)\b"
+        r"|\b(?P<more>increase|raise)|\b(?P<less>reduce|decrease|lower)",
+        clause,
     )
     if quantity is None and not relative or re.search(r"\blimit\b", clause):
         return None
+    if quantity is None and relative and not relative[1] and not re.search(r"\b(?:speed|pace)\b", clause):
+        return None
+    if quantity is not None and not re.search(_table()["by_so_much"], clause):
+        relative = None  # a speed to have, not one more or less
+    word = (relative[1] or ("slower" if relative["less"] else "faster")) if relative else ""
+    if re.search(_table()["all"], clause):
+        each = [_at_speed(c, word, quantity) for c in (structure.ego, *_moving(structure))]
+        return [edit for edit, _ in each], "; ".join(words for _, words in each)
     component = refer(clause, structure, alone=True) or (
         structure.ego if not structure.objects or not re.search(r"\b(it|its)\b", clause) else None
     )
     if component is None:
         return None
+    edit, words = _at_speed(component, word, quantity)
+    return [edit], words
+
+
+def _table() -> dict[str, str]:
+    return {**language.table("refine")}
+
+
+def _moving(structure: Structure) -> list[Component]:
+    return [c for c in structure.objects if spec_of(c).speed is not None and high(spec_of(c).speed) > 0.1]  # type: ignore
+
+
+def _at_speed(component: Component, word: str, quantity: dict[str, Any] | None) -> tuple[Edit, str]:
+    """One component at a speed, or so much faster or slower than now (`word`)."""
     spec: Any = component.spec
     now = spec.speed
-    if relative is None and quantity is not None:
+    value: Any
+    if not word and quantity is not None:
         value = value_of(quantity)
     else:
         base = middle(now) if now is not None else 10.0
-        word = relative[1] if relative else ""
         down = word in ("slower", "half as fast", "halve") or word.startswith("slow")
         if quantity is not None:
             value = base - quantity["low"] if down else base + quantity["low"]
@@ -45,9 +70,15 @@ def speed(clause: str, structure: Structure) -> Found | None:
                 else 1.3
             )
         value = round(max(0.5, value), 2)
-    edits: list[Edit] = [SetField(component=component.id, path="speed", value=value)]
     shown = value if isinstance(value, float | int) else sum(value) / 2
-    return edits, f"{name_of(component)} at {shown * 3.6:.0f} km/h"
+    edit = SetField(component=component.id, path="speed", value=value)
+    return edit, f"{name_of(component)} at {shown * 3.6:.0f} km/h"
+
+
+def _without_unit(clause: str) -> dict[str, Any] | None:
+    """A number that only a speed in km/h can be: "ego speed 70"."""
+    match = re.search(r"\bspeed\b\D{0,6}(\d{1,3})$", clause)
+    return {"low": int(match[1]) / 3.6, "high": int(match[1]) / 3.6} if match else None
 
 
 def distance(clause: str, structure: Structure) -> Found | None:
@@ -70,6 +101,12 @@ def distance(clause: str, structure: Structure) -> Found | None:
     if component is None:
         return None
     spec = spec_of(component)
+    between = re.search(r"\bbetween (?:the |each |them\b|one )", clause)
+    if between and spec.count > 1 and quantity is not None:
+        edit = SetField(component=component.id, path="spacing", value=value_of(quantity))
+        return [edit], f"{name_of(component)}: {quantity['low']:g} m between them"
+    if relative is None and quantity is not None:
+        relative = _moved(clause, spec.placement)
     now = spec.placement.gap
     base = middle(now) if now is not None else 25.0
     if relative is None and quantity is not None:
@@ -93,6 +130,15 @@ def distance(clause: str, structure: Structure) -> Found | None:
     return [
         SetField(component=component.id, path="placement.gap", value=value)
     ], f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
+
+
+def _moved(clause: str, place: Placement) -> re.Match[str] | None:
+    """ "Move it 10 m back": further from ego or closer to it, by where it is."""
+    match = re.search(r"^(?:move|shift|push|pull|set|put)\b.*\b(back|forward)(?:s|wards?)?$", clause)
+    if not match:
+        return None
+    behind = place.position == "behind" or place.along == "behind"
+    return re.match("(further|closer)", "further" if (match[1] == "back") == behind else "closer")
 
 
 def _only_one(structure: Structure) -> Component | None:
@@ -151,10 +197,8 @@ def sides(clause: str, structure: Structure) -> Found | None:
     return [SetSpec(component=component.id, spec=changed)], f"{name_of(component)} on the {side}"
 
 
-def behaviour(clause: str, structure: Structure) -> Found | None:
-    """ "The lead should stop", "let the car turn left instead", "ego does not brake", "it runs the red light"."""
-    from c2s_engine.interpret.embedded import EmbeddedInterpreter, InterpretError
-
+def reaction(clause: str, structure: Structure) -> Found | None:
+    """ "Ego does not brake", "ego swerves": how ego reacts."""
     body = re.sub(r"^(?:let|have|make)\s+", "", clause)
     body = re.sub(r"\b(should|shall|must|has to|is to|will|now|instead)\b ?", "", body).strip()
     component = refer(body, structure)
@@ -178,33 +222,4 @@ def behaviour(clause: str, structure: Structure) -> Found | None:
             return [SetField(component="E", path="reaction", value="follow")], "ego follows"
         if re.search(r"yield|give way|wait", body):
             return [SetField(component="E", path="reaction", value="yield")], "ego yields"
-        if (
-            turn := re.search(r"\bturns? (left|right)|go(?:es)? (straight)", body)
-        ) and structure.place.spec.kind == "intersection":  # type: ignore[union-attr]
-            return [SetField(component="R", path="manoeuvre", value=turn[1] or turn[2])], f"ego: {turn[1] or turn[2]}"
-        return None
-    spec = spec_of(component)
-    noun = spec.type.replace("_", " ")
-    action = re.sub(
-        (
-            r"^(the |o\d+\b|it\b|that )?([\w-]+ ){0,2}?(?=\b(brak|stop|turn|cut|chang|swerv|drift"
-            r"|cross|run|walk|accelerat|overtak|revers|stand|stay|wait|go|driv|leav|enter|pull|yield"
-            r"|collid|hit|slow))"
-        ),
-        "",
-        body,
-    )
-    setting_words = "at an intersection with traffic lights " if structure.place.spec.kind == "intersection" else ""  # type: ignore[union-attr]
-    try:
-        read = (
-            EmbeddedInterpreter().interpret(f"Ego drives {setting_words}. The {noun} ahead of ego {action}.").structure
-        )
-    except InterpretError:
-        return None
-    same = [c for c in read.objects if spec_of(c).type == spec.type and spec_of(c).phases]
-    if not same:
-        return None
-    phases = spec_of(same[0]).phases
-    return [
-        SetSpec(component=component.id, spec=spec.model_copy(update={"phases": phases}))
-    ], f"{name_of(component)}: {', then '.join(p.action.replace('_', ' ') for p in phases)}"
+    return None

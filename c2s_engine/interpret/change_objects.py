@@ -7,7 +7,7 @@ from c2s_engine.interpret import environment, language, scan
 from c2s_engine.interpret.change_forms import VEHICLES, Found, name_of
 from c2s_engine.interpret.refer import objects_of, refer, spec_of
 from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.edits import AddObject, Edit, RemoveObject, SetField, SetSpec
+from c2s_engine.structure.edits import Edit, RemoveObject, SetField, SetSpec, apply
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 
 REMOVE = (
@@ -31,7 +31,7 @@ def remove(clause: str, structure: Structure) -> Found | None:
     if re.match(r"weather", rest):
         return [SetField(component="G", path="weather", value=[])], "clear weather"
     component = refer(rest, structure)
-    if component is None or component.id == "E":
+    if component is None or component.id == "E" or re.search(r"\bother (traffic|vehicles|cars|road users)\b", rest):
         return None
     return [*_release(component, structure), RemoveObject(component=component.id)], f"{name_of(component)} removed"
 
@@ -94,25 +94,34 @@ def retype(clause: str, structure: Structure) -> Found | None:
             r"|be )?(?P<what>(?:an?|two|three|four|five|\d) [\w -]+)$"
         ),
         r"^(?:replace|swap|substitute|exchange)\s+(?P<who>.+?)\s+(?:with|by|for|to)\s+(?P<what>.+)$",
-        r"^(?:use |have |make it |put )?(?P<what>(?:an?|two|three|four|five|\d+) [\w -]+?) instead of (?P<who>.+)$",
+        (
+            r"^(?:use |have |make it |put )?(?P<what>(?:an?|two|three|four|five|\d+) [\w -]+?) "
+            r"(?:instead of|rather than) (?P<who>.+)$"
+        ),
         (
             r"^(?P<who>(?:the |o\d|ego|it)[\w -]*?) (?:should be|is|becomes|shall be|must be|are"
-            r"|should become|now is) (?P<what>(?:an?|two|three|four) [\w -]+?)(?: now| instead)?$"
+            r"|should become|now is) (?P<what>(?:an?|two|three|four|(?=[\w-]+s\b)) ?[\w -]+?)(?: now| instead)?"
+            r"(?P<rest> (?:with|at|doing|going|driving|running|walking|crossing|standing|that|which|who)\b.*)?$"
         ),
         (
             r"^(?:use |have |make it |make that |make them |with |now )?(?P<what>(?:an?|two|three|four"
             r"|five|six|\d+) [\w -]+?)(?: instead| rather)$"
         ),
         r"^(?:make it |make that |make them )(?P<what>(?:an?|two|three|four|five|six|\d+) [\w -]+?)$",
+        r"^(?:only |just )?(?P<number>(?:one|two|three|four|five|six|\d+) [\w -]+?)(?: only)?$",
+        r"^(?:have |let |make )?(?P<who>ego) (?:now )?drives? (?P<what>an? [\w -]+)$",
     )
     for pattern in patterns:
         match = re.match(pattern, clause)
         if not match:
             continue
-        named = [s for s in known if match.start("what") <= s.start < match.end("what")]
+        group = "number" if "number" in match.groupdict() else "what"
+        named = [s for s in known if match.start(group) <= s.start < match.end(group)]
         if not named:
             continue
         kind, plural = named[0].data["type"], named[0].data["plural"]
+        if group == "number" and not objects_of(structure, kind):
+            continue
         who = match.groupdict().get("who")
         component = refer(who, structure) if who else _akin(kind, structure)
         if component is None:
@@ -125,14 +134,26 @@ def retype(clause: str, structure: Structure) -> Found | None:
                 SetField(component="E", path="model", value=None),
             ], f"ego is a {kind.replace('_', ' ')}"
         edits: list[Edit] = [SetSpec(component=component.id, spec=_typed(spec_of(component), kind))]
-        count = _count_of(match["what"]) if plural else 1
+        count = _count_of(match[group]) if plural else 1
         if count != spec_of(component).count:
             edits.append(SetField(component=component.id, path="count", value=count))
-        return (
-            edits,
-            f"{component.id} is now {count if count > 1 else 'a'} {kind.replace('_', ' ')}{'s' if count > 1 else ''}",
-        )
+        noun = kind.replace("_", " ")
+        what = f"{count} {language.plurals(noun)[0]}" if count > 1 else f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
+        more, said = _rest(match.groupdict().get("rest"), noun, edits, structure)
+        return [*edits, *more], "; ".join([f"{component.id} is now {what}", *said])
     return None
+
+
+def _rest(rest: str | None, noun: str, edits: list[Edit], structure: Structure) -> tuple[list[Edit], list[str]]:
+    """What is said of the new one besides its type: "a police car with 60 km/h", "a child running"."""
+    from c2s_engine.interpret.refine import edits_of
+
+    if not rest:
+        return [], []
+    for edit in edits:
+        structure = apply(structure, edit)
+    verb = "is " if rest.split()[0].endswith("ing") else ""
+    return edits_of(f"the {noun} {verb}{re.sub(r'^(?:that|which|who) ', '', rest.strip())}", structure)
 
 
 def _count_of(what: str) -> int:
@@ -187,48 +208,3 @@ def _typed(spec: ObjectSpec, kind: str) -> ObjectSpec:
         speeds = language.table("defaults")["types"]
         update["speed"] = float(speeds.get(kind, {"value": 8.0})["value"]) if spec.speed is not None else None
     return spec.model_copy(update=update)
-
-
-def more(clause: str, structure: Structure) -> Found | None:
-    """ "Add a cyclist on the right", "another car behind ego": what the clause says is read like a scene."""
-    match = re.match(
-        (
-            r"^(?:add|include|insert|introduce|bring in|put(?: in)?|place|there (?:is|are) also"
-            r"|also(?: add)?|plus|and|with|have)\s+(?=(?:an?|another|two|three|four|some|several|more"
-            r"|one more)\b)"
-        ),
-        clause,
-    )
-    if not match and not re.match(r"^(another|one more)\b", clause):
-        return None
-    from c2s_engine.interpret.embedded import EmbeddedInterpreter, InterpretError
-
-    rest = re.sub(r"^(one more|more)\b", "another", clause[match.end() :] if match else clause)
-    rest = re.sub(r"^another\b", "a", rest)
-    sentence = (
-        f"There is {rest}." if not re.search(r"\b(that|which|who|crosses|drives|stands|is)\b", rest) else f"{rest}."
-    )
-    try:
-        read = EmbeddedInterpreter().interpret(f"Ego drives along. {sentence}").structure
-    except InterpretError:
-        return None
-    edits: list[Edit] = []
-    number = int(structure.next_object_id()[1:])
-    for component in read.objects:
-        spec = spec_of(component)
-        taken = {spec_of(c).name for c in structure.objects}
-        name = spec.name if spec.name not in taken else f"{spec.name}_{number}"
-        edits.append(
-            AddObject(
-                spec=spec.model_copy(
-                    update={
-                        "name": name,
-                        "placement": spec.placement.model_copy(update={"of": "ego", "hidden_by": None}),
-                    }
-                ),
-                description=component.description,
-                component=f"O{number}",
-            )
-        )
-        number += 1
-    return (edits, ", ".join(f"{e.component} added" for e in edits if isinstance(e, AddObject))) if edits else None

@@ -77,6 +77,8 @@ class Clauses(Nominal):
             self.light.add(word.i)
             return
         agent, at, passive = self._subject(word)
+        if (before := self._joined_subject(word)) is not None:
+            agent, at = self.cast.of[before], before
         if agent is None and word.tag.startswith("NN"):
             agent = next((self.cast.of[c] for c in word.children if c < word.i and c in self.cast.of), None)
         if (
@@ -182,6 +184,21 @@ class Clauses(Nominal):
             late.adverbial, late.start, late.end = event.adverbial, event.start, event.end
             self.events.append(late)
         self.by_word[word.i] = event
+
+    def _joined_subject(self, word: Word) -> int | None:
+        """The subject that was taken for the object before "and": "V2 struck V1 and V3 then struck V2"."""
+        if word.dep not in ("conj", "dep") or word.tag not in ("VBD", "VBZ", "VBP"):
+            return None
+        at = word.i - 1
+        while at > 0 and self.words[at].tag == "RB":
+            at -= 1
+        found = self.words[at]
+        first = at
+        while first > 0 and self.words[first - 1].tag in ("DT", "JJ", "PRP$"):
+            first -= 1
+        apart = first > 0 and self.words[first - 1].norm in ("and", "but")
+        joined = found.dep == "conj" and self.words[found.head].tag.startswith(("NN", "PRP")) and found.head < found.i
+        return at if apart and joined and at in self.cast.of and found.span is not None else None
 
     def _dangles(self, word: Word, agent: Entity) -> bool:
         """Whether a participle's object is the one taken for its agent ("following a truck, it stops"): ego does it."""

@@ -38,6 +38,7 @@ class Entity:
     typed: bool = False
     ordinal: int | None = None
     group: "Entity | None" = None  # whose member it is ("the second of them")
+    names: set[str] = field(default_factory=set)  # of the person who drives it
 
     @property
     def ego(self) -> bool:

@@ -12,6 +12,8 @@ from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.towards import side
 from c2s_engine.interpret.whereabouts import STATES, Where
 
+SLOWS = frozenset(("brake", "brake_stop", "stop", "stationary"))
+
 
 class Inferred(Concealed):
     """The part of Places that looks beyond a single phrase."""
@@ -97,7 +99,8 @@ class Inferred(Concealed):
             near = re.search(r"encroach|side|into (the )?path|too close|cut|collide|hit|strike", event.text)
             free = where.rel is None and where.lane in (None, "same")
             if free and (near or event.act == "collide") and not re.search(r"rear|behind|back", event.text):
-                where.lane, where.side, where.rel = towards, towards, "beside"
+                slows = any(e.agent is other and e.act in SLOWS and e.done for e in self.clauses.events)
+                where.lane, where.side, where.rel = towards, towards, "ahead" if slows else "beside"
 
     def _between(self) -> None:
         """ "It merges between a truck and a sedan": the first is ahead of the gap, the second behind it."""

@@ -3,7 +3,7 @@
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.askers import asked
+from c2s_engine.interpret.askers import asked, bystanding
 from c2s_engine.interpret.entities import (
     DEFINITE,
     MOTOR,
@@ -43,6 +43,7 @@ class Cast(Nouns):
         self.ego = Entity("ego", "car")
         self.entities: list[Entity] = []
         self.of: dict[int, Entity] = {}
+        self.wheels: dict[int, Entity] = {}
         self.both: dict[int, list[Entity]] = {}
         self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
         self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD")}
@@ -165,8 +166,8 @@ class Cast(Nouns):
         data = word.span.data  # type: ignore[union-attr]
         label = data["label"]
         if label == "1" and self.one_is_ego:
-            host = self._apposed(word)
-            if host and not host.ego and len(host.mentions) == 1:
+            host = self._apposed(word) or self._known_as(word)
+            if host and not host.ego and len(host.mentions) <= 2:
                 self._become_ego(host)
             return self.ego
         host = self._copula(word)
@@ -177,7 +178,7 @@ class Cast(Nouns):
             return self.ego
         if known is not None:
             return known
-        host = self._apposed(word)
+        host = self._apposed(word) or self._known_as(word)
         if host is not None and host.count > 1:  # "three cars: A is in front"
             host.roles.add("group")
             return self._new(Entity("", host.type, noun=host.noun, label=label, typed=host.typed))
@@ -270,17 +271,24 @@ class Cast(Nouns):
             return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
         return None
 
-    def _which_is(self, word: Word) -> Entity | None:
+    def _which_is(self, word: Word, told: str = r"@ ?,? (which|that|who) (is|was) (our |the |my )?$") -> Entity | None:
         """The one of whom it is said "which is our ego"."""
-        back = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
+        back = [w for w in self.words[max(0, word.i - 9) : word.i] if w.sentence == word.sentence]
         text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
-        if re.search(r"@ ?,? (which|that|who) (is|was) (our |the |my )?$", text + " "):
+        if re.search(told, text + " "):
             return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
         return None
 
+    def _known_as(self, word: Word) -> Entity | None:
+        """The one that goes by a label: "the van, which the report lists as vehicle 2", "referred to as V2"."""
+        named = r"(which|whom|that|who|here\w*|referred|designated|recorded|listed|marked|identified|described|known)"
+        return self._which_is(word, rf"@ ?,? ?\(? ?{named}( [^\s,.;]+){{0,6}} as $")
+
 
 def _asking(words: list[Word]) -> frozenset[int]:
-    """The words in which somebody only asks for the scenario ("please write me a scene")."""
+    """The words in which first persons are nobody on the road ("please write me a scene", "I saw it from here")."""
+    if bystanding(" ".join(w.norm for w in words)):
+        return frozenset(w.i for w in words)
     found: set[int] = set()
     for number in {w.sentence for w in words}:
         sentence = [w for w in words if w.sentence == number]

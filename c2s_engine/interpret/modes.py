@@ -9,6 +9,10 @@ from c2s_engine.interpret.syntax import Word
 CONTACT = frozenset(("hit", "strike", "collide", "crash", "rear-end", "run"))
 
 
+CHANCES = frozenset(("chance", "opportunity", "gap", "opening", "space", "room", "moment", "occasion", "place", "spot"))
+SEEKS = frozenset(("wait", "look", "seek", "hope", "watch", "search", "want", "need", "await"))
+
+
 class Modes(Agents):
     """The part of Clauses that tells facts from what is denied, meant or only imagined."""
 
@@ -96,6 +100,8 @@ class Modes(Agents):
                     mode = above
             elif word.dep == "pcomp" and self.words[head.head].lemma in ("instead", "rather"):
                 mode = "negated"
+        if word.dep in ("acl", "relcl") and head.lemma in CHANCES and self._sought(head):
+            mode = "hypothetical"
         if word.dep in ("advcl",) and self.words[word.i - 1].norm in ("than",):
             mode = "negated"
         denied = word.dep == "csubj" and head.verb and self._reduced(word) is None
@@ -122,6 +128,12 @@ class Modes(Agents):
         ):
             mode = "negated"
         return mode
+
+    def _sought(self, noun: Word) -> bool:
+        """Whether somebody only waits or looks for something: "waiting for a chance to pass"."""
+        above = self.words[noun.head]
+        verb = self.words[above.head] if above.dep == "prep" else above
+        return self._lemma(verb) in SEEKS
 
     def _ended(self, aux: int, verb: int) -> bool:
         """Whether "but" ends an auxiliary's clause before the verb ("as hard as I could but hit it")."""

@@ -101,6 +101,8 @@ class Nominal(Timing):
             if rule["act"] == "overtake" and agent is not None and not agent.ego and verb is not None:
                 subject = self._subject(verb)[0]
                 agent, patient = (subject, agent) if subject is not None else (agent, patient)  # "its pass of a truck"
+            if patient is agent:
+                patient = None
             if agent is None and word.dep == "pobj" and verb is not None and self.words[word.head].norm in BY_MEANS:
                 agent = self._subject(verb)[0]
             if agent is None:

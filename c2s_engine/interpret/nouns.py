@@ -6,8 +6,8 @@ import re
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PERSONS, VEHICLES, ZONES, Entity, fits
-from c2s_engine.interpret.reference import Reference
 from c2s_engine.interpret.syntax import Word
+from c2s_engine.interpret.wheel import AtWheel
 
 STANDS = frozenset(("stationary", "stopped", "standing", "static", "parked", "halted", "stalled", "immobile"))
 TWO_WHEELERS = frozenset(("bike", "bikes", "bike rider"))
@@ -15,10 +15,11 @@ COUNTED = re.compile(
     r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units"
     r"|animals|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
 )
-DRIVES = frozenset(("in", "on", "driving", "riding", "directing", "operating", "steering", "piloting", "commanding"))
+TITLES = frozenset(("mr", "mrs", "ms"))
+LOST = frozenset(("shed", "lost", "dropped", "spilled", "spilt", "fallen", "left", "discarded", "dumped", "jettisoned"))
 
 
-class Nouns(Reference):
+class Nouns(AtWheel):
     """The part of Cast that reads nouns."""
 
     told: set[int]  # the sentences with a finite verb
@@ -53,9 +54,17 @@ class Nouns(Reference):
             return None
         if (kind in ("pedestrian", "child") or noun in language.table("actors")["drivers"]) and self._rides(word):
             return None
+        if kind in ("pedestrian", "child") and not data.get("plural") and (driver := self._at_wheel(word)) is not None:
+            return driver
+        if word.i in self.wheels:
+            return self._retyped(self.wheels[word.i], kind, roles, noun)
+        if noun.split(" ")[0] in TITLES:
+            return self._titled_person(word, noun)
         if self._is_modifier(word) or self._proper(word):
             return None
-        if noun == "traffic" and not roles and not self._halts(word):
+        if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word)):
+            return None
+        if self._gone(word, before):
             return None
         count = self._count(word, before, data)
         parties = self._parties(word, before, data, roles)
@@ -172,6 +181,21 @@ class Nouns(Reference):
         kinds = {e.type for e in self.entities}
         return "motorcycle" in kinds and "bicycle" not in kinds
 
+    def _watched(self, word: Word) -> bool:
+        """Whether traffic is only looked at or checked for."""
+        above = self.words[word.head]
+        verb = self.words[above.head] if above.dep == "prep" else above
+        return word.dep in ("pobj", "dobj") and verb.lemma in ("look", "watch", "check", "monitor", "scan", "glance")
+
+    def _gone(self, word: Word, before: list[str]) -> bool:
+        """Whether it is only who lost something on the road before: "a ladder, shed by an unknown vehicle"."""
+        by = self.words[word.head]
+        verb = self.words[by.head]
+        lost = by.norm in ("by", "from") and verb.tag in ("VBN", "VBD") and verb.norm in LOST
+        return lost and (
+            verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))
+        )
+
     def _titled(self, word: Word, kind: str) -> Entity | None:
         """The driver whom a title named ("Ghost driver at 2 a.m.: ... a wrong-way car comes")."""
         if kind not in VEHICLES or word.i == 0:
@@ -227,27 +251,6 @@ class Nouns(Reference):
         alone = len(told) == 1 and self.ego.mentions or len(told) == 2 and not self.ego.mentions
         return told[-1] if alone and all(e.count == 1 for e in told) else None
 
-    def _driven_by(self, word: Word) -> Entity | None:
-        """Whose vehicle it is in "the defendant, operating a dump truck": the driver and the vehicle are one."""
-        back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
-        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
-        match = re.search(
-            (
-                r"@( ?,)?( ?\(?who (was|is|were))? (operating|driving|riding|at the wheel of|in charge of"
-                r"|in|on) (an?|his|her|the|their)( [\w-]+){0,2} $"
-            ),
-            text + " ",
-        )
-        if match is None:
-            return None
-        owner = next(self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None)
-        if match[4] in ("in", "on") and not re.search(
-            r"driver|motorist|party|defendant|respondent|rider|courier", owner.noun
-        ):
-            return None
-        two = owner.type in ("bicycle", "motorcycle") and re.search(r"rider|courier", owner.noun)
-        return owner if owner.type in ("vehicle", "rider") or owner.ego or two else None
-
     def _heading(self, sentence: int) -> bool:
         """Whether a sentence is a title: without a finite verb."""
         return sentence not in self.told
@@ -263,22 +266,6 @@ class Nouns(Reference):
             if w.i in self.of and self.of[w.i].label and self.of[w.i].type == "vehicle" and not self.of[w.i].ego
         ]
         return labels[-1] if labels and kind in MOTOR else None
-
-    def _rides(self, word: Word) -> bool:
-        """Whether a person is only the one inside a vehicle ("a man in a white van"), who stands for it."""
-        following = [w for w in self.words[word.i + 1 : word.i + 6] if w.sentence == word.sentence]
-        if not following or following[0].norm not in DRIVES:
-            return False
-        for other in following[1:]:
-            if other.span is not None:
-                return (
-                    other.span.kind == "actor"
-                    and other.span.data["type"] in VEHICLES - {"vehicle"}
-                    and not other.span.data.get("person")
-                )
-            if other.tag in ("NN", "NNS", "IN") and other.norm not in language.makes() or other.verb:
-                return False
-        return False
 
     def _proper(self, word: Word) -> bool:
         """Whether the noun is part of a name ("Van Ness", "Ford")."""

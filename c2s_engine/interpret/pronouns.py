@@ -68,6 +68,8 @@ class Pronouns(Members):
             i = self._first_person() and not self._ego_is_thing()
             thing = lambda e: not e.person and (e.mover or e.type in things) and not (i and e.ego)  # noqa: E731
             return self._salient(word, lambda e: thing(e) and e.count == 1) or self._salient(word, thing)
+        if norm in ("himself", "herself", "itself") and word.dep in ("nsubj", "npadvmod", "appos"):
+            return None  # "the driver himself moved out"
         if norm in data["person"]:
             found = self._salient(word, lambda e: e.person)
             if found is None and self._first_person():  # who says "I" is never "he"

@@ -2,7 +2,9 @@
 
 import re
 
+from c2s_engine.interpret.askers import bystanding
 from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import MOTOR, VEHICLES, Cast, Entity
 
 ROLE_WORDS = frozenset(("lead", "oncoming", "parked", "stationary", "crossing", "adjacent", "cut_in", "slow"))
@@ -51,11 +53,26 @@ def _demanded(entity: Entity, cast: Cast) -> bool:
     )
 
 
+def _past_nobody(event: Event) -> bool:
+    """Whether one goes past somebody who is not named: that may be ego."""
+    return event.patient is None or event.patient.mover and event.patient.type not in VEHICLES
+
+
+def _anchors(entity: Entity, clauses: Clauses) -> bool:
+    """Whether others are placed by it ("ahead of the coach", "behind the coach"): it is who the text is about."""
+    text = clauses.render(list(range(len(clauses.words))))
+    placed = set(
+        re.findall(rf"\b(ahead of|behind|in front of|alongside|beside|next to) (?:the )?@{entity.key}\b", text)
+    )
+    return len(placed) > 1
+
+
 def choose_ego(cast: Cast, clauses: Clauses) -> None:
     """Where nobody is called ego: the vehicle that the text is about, if there is one besides the others."""
     if cast.ego.mentions:
         return
     vehicles = [e for e in cast.entities if e.type in MOTOR and e.count == 1 and e.group is None]
+    told_by = bystanding(" ".join(w.norm for w in cast.words))
     acting = {e: [v for v in clauses.events if v.agent is e and v.done] for e in vehicles}
     candidates = []
     for entity in vehicles:
@@ -64,10 +81,10 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         first = " ".join(w.norm for w in cast.words[entity.mentions[0].word : entity.mentions[0].word + 7])
         if (
             entity.roles & ROLE_WORDS
-            or any(
-                v.act == "overtake" and (v.patient is None or v.patient.type not in VEHICLES) for v in acting[entity]
-            )
+            or not told_by
+            and any(v.act == "overtake" and _past_nobody(v) for v in acting[entity])
             or "following" not in entity.roles
+            and not told_by
             and not (the and re.match(r"\S+ (is|was|were) ", first))
             and re.search(
                 (
@@ -115,7 +132,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         return
     demanded = [e for e in candidates if _demanded(e, cast)]
     ordinary = [e for e in candidates if e.type not in ("ambulance", "police_car", "fire_truck")]
-    candidates = demanded or ordinary or candidates
+    candidates = demanded or (candidates if told_by else ordinary) or candidates
     generic = [e for e in candidates if e.noun == "vehicle"]
     if generic and "the" in [
         w.norm for w in cast.words[max(0, generic[0].mentions[0].word - 2) : generic[0].mentions[0].word]
@@ -133,10 +150,17 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         return
     plain = " ".join(w.norm for w in cast.words)
     implied = re.search(
-        r"\b(coming|comes) (the other way|towards)|\boncoming\b|opposite (direction|lane)|other direction", plain
+        r"\b(coming|comes) (the other way|towards)|(?<!\bno )\boncoming\b|opposite (direction|lane)|other direction",
+        plain,
     )
     first = bool(cast.asking) and best.mentions[0].word == min(m.word for e in cast.entities for m in e.mentions)
-    if implied and not first and best.mentions[0].word > 6 and best is not (generic[0] if generic else None):
+    if (
+        implied
+        and not first
+        and not _anchors(best, clauses)
+        and best.mentions[0].word > 6
+        and best is not (generic[0] if generic else None)
+    ):
         return
     cast.entities.remove(best)
     if best.type != "vehicle":

@@ -68,11 +68,14 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
     return None
 
 
-def _ordinal(plain: str, first: Component, structure: Structure, found: list[Component] | None = None) -> Component:
+def _ordinal(
+    plain: str, first: Component, structure: Structure, found: list[Component] | None = None
+) -> Component | None:
+    """The one that a "second" or "other" means, None where there are not so many; else the first."""
     found = found or objects_of(structure, spec_of(first).type)
     for word, index in ORDINALS.items():
-        if re.search(rf"\b{word}\b", plain) and -len(found) <= index < len(found):
-            return found[index]
+        if re.search(rf"\b{word}\b", plain):
+            return found[index] if -len(found) <= index < len(found) else None
     if re.search(r"\bother\b", plain) and len(found) > 1:
         return found[1]
     return first

@@ -3,7 +3,7 @@
 import re
 from typing import Any
 
-from c2s_engine.interpret import changes, describe, scan
+from c2s_engine.interpret import changes, describe, language, scan
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, EditError, SetField, apply
 
@@ -15,7 +15,10 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     edits: list[Edit] = []
     said: list[str] = []
     current = structure
+    before = ""
     for clause in clauses_of(text):
+        clause = _whole(clause, before, next((e.component for e in reversed(edits) if _of_one(e)), None))
+        before = clause
         for form in changes.FORMS:
             found = form(clause, current)
             if found is None:
@@ -31,6 +34,25 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
             said.append(words)
             break
     return [*edits, *described(structure, current)], said
+
+
+def _of_one(edit: Edit) -> bool:
+    return str(getattr(edit, "component", None) or "").startswith("O")
+
+
+def _whole(clause: str, before: str, topic: str | None) -> str:
+    """The clause with what it leaves out: "it" is whom the one before changed, "the child too" has what was said there,
+    and a bare number has its unit.
+    """
+    table = language.table("refine")
+    if topic is not None:
+        clause = re.sub(r"^(then )?(?:it|he|she|they)\b", rf"\g<1>{topic.lower()}", clause)
+    named = scan.names(before)
+    if (too := re.match(table["as_well"], clause)) and named and scan.names(clause):
+        head = re.sub(r"\b(?:the|an?|my|our)\s*$", "", before[: named[0].start])
+        return f"{head}{too['who']}{before[named[0].end :]}"
+    unit = re.search(table["unit"], before)
+    return f"{clause} {unit[1]}" if unit and re.search(r"[a-z] \d+$", clause) else clause
 
 
 def described(before: Structure, after: Structure) -> list[Edit]:
@@ -55,15 +77,14 @@ def described(before: Structure, after: Structure) -> list[Edit]:
 def clauses_of(text: str) -> list[str]:
     """The single demands of a text: "make the lead a truck and remove the rain" has two."""
     plain = " ".join(scan.normalised(text).replace("?", " ").replace("!", " ").split())
-    plain = re.sub(r"^(can|could|would|will) (you|we) (please )?", "", plain)
-    plain = re.sub(r"^(please|now|then|also|ok|okay|so|well)[, ]+", "", plain)
-    starts = (
-        r"(?:make|change|turn|replace|swap|remove|delete|drop|add|put|move|let|set|use|have"
-        r"|increase|reduce|slow|speed|start|the \w+ (?:should|must|drives?|is|brakes?|stops?)"
-        r"|ego (?:should|must|drives?|is|brakes?|stops?)|at night|in the|it (?:should|is))"
+    table = language.table("refine")
+    plain = re.sub(table["openers"], "", plain)
+    plain = re.sub(table["the_same_but"], r"\g<what> instead", plain)
+    starts = table["clause_starts"]
+    parts = re.split(
+        rf"(?:[.;]\s+|,?\s+(?:and|but)\s+(?=(?:then )?{starts})|,?\s+(?=then {starts})|,\s+(?={starts}))", plain
     )
-    parts = re.split(rf"(?:[.;]\s+|,?\s+(?:and|then|but)\s+(?={starts}\b)|,\s+(?={starts}\b))", plain)
-    return [p.strip(" .,;") for p in parts if p.strip(" .,;")]
+    return [re.sub(table["closers"], "", p.strip(" .,;")) for p in parts if p.strip(" .,;")]
 
 
 __all__: list[Any] = ["clauses_of", "edits_of"]

@@ -8,6 +8,7 @@ from c2s_engine.interpret.groups import split_groups
 from c2s_engine.interpret.implied import evaded_lane, implied_places
 from c2s_engine.interpret.inferred import Inferred
 from c2s_engine.interpret.mentions import Cast, Entity
+from c2s_engine.interpret.struck import struck_places
 from c2s_engine.interpret.whereabouts import FRONTED, STATES, Where, read, side_of_text
 
 __all__ = ["STATES", "Places", "Where", "read", "side_of_text"]
@@ -48,6 +49,7 @@ class Places(Inferred):
                 self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
         split_groups(cast, clauses, self.of)
         implied_places(cast, clauses, self.of)
+        struck_places(cast, clauses, self.of)
         self.ego_lane = evaded_lane(clauses, self.of) or self.ego_lane
         self._referred()
         self._between()
@@ -177,7 +179,7 @@ class Places(Inferred):
         lead = word.span.data.get("words", []) if word.span is not None and word.span.kind == "actor" else []
         lead = [*lead, entity.noun] if re.match(r"wrong|ghost", entity.noun) else lead
         text = " ".join(lead) + " "
-        known = set(self.cast.of) | set()
+        known = self.cast.of
         indices = sorted(set(indices))
         text += self.clauses.render(indices)
         if word.span is not None and (
@@ -248,7 +250,7 @@ class Places(Inferred):
             )
             read(text, where, entity, self.cast, "noun")
             self._gap(rest, where)
-        # copula without a verb of its own: "V2 in front, 20 m" and following adverbs in headless sentences
+        # "V2 in front, 20 m" and following adverbs in headless sentences
         if word.dep in ("ROOT",) and not word.verb:
             rest = self.clauses.own(word)
             read(self.clauses.render([r for r in rest if r > i]), where, entity, self.cast, "noun")
@@ -297,8 +299,8 @@ class Places(Inferred):
             before = " ".join(w.norm for w in self.words[max(0, quantity["word"] - 5) : quantity["word"]])
             after = " ".join(w.norm for w in self.words[quantity["word"] + 1 : quantity["word"] + 8])
             if quantity["dimension"] == "distance":
-                if re.match(r"to spare|to go|of (it|the)", after):
-                    continue
+                if re.match(r"to spare|to go|of (it|the)", after) or quantity["low"] > 800:
+                    continue  # a way travelled
                 if (
                     re.search(r"^(high|tall|wide|long|deep|thick)", after)
                     or re.search(

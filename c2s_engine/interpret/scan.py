@@ -134,6 +134,16 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
                 {"label": f"{word} {number}" if typed else LABEL_NUMBERS.get(number, number.lstrip("0")), "word": word},
             )
         )
+    found += [
+        Span(
+            "actor",
+            m.start(),
+            m.end(),
+            {"type": "pedestrian", "person": True, "noun": m[0].replace(".", ""), "roles": []},
+        )
+        for m in re.finditer(r"(?<![\w-])(?:mrs?|ms)\.? [a-z][a-z'-]+(?![\w-])", text)
+        if not re.search(r"\d\s*$", text[max(0, m.start() - 4) : m.start()])
+    ]
     found += _numbered(text, found)
     taken = [(s.start, s.end) for s in found]
     tables = language.table("actors")
@@ -156,7 +166,7 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             continue
         if noun == "cab" and re.search(r"(?:\b(?:his|her|its|their)|'s)\s+$", text[max(0, start - 8) : start]):
             continue
-        if noun in ("couple", "flock", "herd", "family", "group") and re.match(r"\s+of\s", text[end : end + 4]):
+        if noun in ("couple", "flock", "herd", "family", "group", "wall") and re.match(r"\s+of\s", text[end : end + 4]):
             continue
         if (
             noun in queues
@@ -232,7 +242,7 @@ def _number_of_fleet() -> re.Pattern[str]:
     return re.compile(
         rf"(?:^|[.:,;(\n]\s*)(?P<name>(?:{nouns}|unit|vehicle|fleet vehicle) "
         rf"(?:no\.? ?|number |#)?(?:\d{{2,5}}|[3-9](?=\s*:)))"
-        rf"(?=\s*(?:[,.:;)]|-|\bon\b|\bwas\b|\bin\b))"
+        rf"(?=\s*(?:[,.:;()]|-|\b(?:on|was|is|in|at|had|has|stopped|travel\w+|driv\w+|approach\w*|proceed\w*|pull\w*)\b))"
     )
 
 

@@ -9,6 +9,7 @@ from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.passing import by_the_other_lane, headings, let_past
 from c2s_engine.interpret.place import Road
+from c2s_engine.interpret.resumed import own_turns
 from c2s_engine.interpret.towards import side
 
 
@@ -141,6 +142,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     for event in clauses.events:
         if turns and event.agent.ego and event.act == "lane_change" and re.search(r"man(oeuvre|euver)", event.text):
             event.act = "turn"  # "a manoeuvre to the right", into a street
+    own_turns(cast, clauses)
     _waits(cast, clauses)
     _waits_for_somebody(cast, clauses)
     echoes(cast, clauses)
@@ -253,8 +255,14 @@ def _waits_for_somebody(cast: Cast, clauses: Clauses) -> None:
             if e.done
             and not e.agent.ego
             and e.agent.mover
-            and e.act in ("cross_road", "cross_path", "go_straight", "approach", "oncoming")
-            and e.word < event.word
+            and (
+                e.act in ("cross_road", "cross_path", "go_straight", "approach", "oncoming")
+                and e.word < event.word
+                or e.act in ("go_straight", "cross_path", "travel", "overtake", "cross_road")
+                and e.adverbial in ("after", "once", "when", "until")
+                and event.word < e.word
+                and any(o.agent.ego and o.act in ("turn", "go_straight") and o.word > e.word for o in clauses.events)
+            )
         ]
         if crossing:
             event.act, event.patient = "yield", crossing[-1]

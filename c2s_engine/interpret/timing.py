@@ -12,6 +12,23 @@ if TYPE_CHECKING:
     from c2s_engine.interpret.event import Event
 
 
+AWAY = re.compile(
+    r"(only )?(at (a |the )?(distance|range|gap) of (about |around |roughly |some )?#dist\b|with @ego #dist )"
+)
+AT_A_DISTANCE = (
+    "brake",
+    "brake_stop",
+    "stop",
+    "swerve",
+    "cross_road",
+    "enter_road",
+    "cut_in",
+    "lane_change",
+    "turn",
+    "start",
+)
+
+
 class Timing(Modes):
     """The part of Clauses that orders the events."""
 
@@ -59,8 +76,7 @@ class Timing(Modes):
         """ "when ego is 20 m away", "once the TTC falls to 2 s", "after 5 s": for the event they stand with."""
         for event in self.events:
             word = self.words[event.word]
-            candidates = [event.word, *(c for c in word.children if self.words[c].dep in ("advcl", "prep", "npadvmod"))]
-            for i in candidates[1:]:
+            for i in [c for c in word.children if self.words[c].dep in ("advcl", "prep", "npadvmod", "advmod")]:
                 inside = self._deep(i)
                 text = self.render(inside)
                 marks = self.words[inside[0]].norm if inside else ""
@@ -72,7 +88,7 @@ class Timing(Modes):
                         event.trigger = {"kind": "ttc", "value": quantity["low"]}
                     elif (
                         quantity["dimension"] == "distance"
-                        and self.words[i].dep == "advcl"
+                        and self.words[i].dep in ("advcl", "advmod")
                         and marks in ("when", "once", "as", "after", "until", "while")
                         and re.search(r"when|once|as soon as|after|until", text)
                     ):
@@ -88,8 +104,10 @@ class Timing(Modes):
                             if place
                             else {"kind": "distance", "value": quantity["low"]}
                         )
+                    elif quantity["dimension"] == "distance" and event.act in AT_A_DISTANCE and AWAY.match(text):
+                        event.trigger = {"kind": "distance", "value": quantity["low"]}
                     elif quantity["dimension"] == "time" and (
-                        re.match(r"(after|at) (about |around |roughly |t = )?#time$", text)
+                        re.match(r"(only )?(after|at) (about |around |roughly |t = )?#time$", text)
                         or re.search(r"#time (into|later|after the start|in)", text)
                     ):
                         event.trigger = {"kind": "time", "value": quantity["low"]}

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from c2s_engine.interpret import language, refine, scan
+from c2s_engine.interpret.spelling import Mended
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit
 
@@ -23,6 +24,17 @@ class Turn:
 
 def route(text: str, structure: Structure | None) -> Turn:
     """Decide what the text asks for, given the S at hand (None: there is none yet)."""
+    try:
+        return _route(text, structure)
+    except Exception as error:  # any text gives a turn, never a traceback
+        reply = (
+            f"This text defeats the embedded interpreter ({type(error).__name__}): say it in shorter, plainer words."
+        )
+        return Turn("edit", reply=reply, span=(0, len(text)))
+
+
+def _route(text: str, structure: Structure | None) -> Turn:
+    text = Mended(text).text
     plain = " ".join(scan.normalised(text).split())
     table = language.table("refine")
     whole = (0, len(text))
@@ -61,11 +73,11 @@ def route(text: str, structure: Structure | None) -> Turn:
 
 def _supposed(plain: str) -> str:
     """What a "what if" supposes, as a demand; empty where the text is none."""
-    match = re.match(r"(?:and |but |so |then )?what if (?P<said>[^?]+)\??$", plain)
+    match = re.match(language.table("refine")["supposed"], plain)
     if not match:
         return ""
     said = re.sub(r"^there (?:were|was|is|are) (?:also )?", "add ", match["said"].strip())
-    return re.sub(r"^(?!add )(?P<what>.+?) (?:were|was|is|are) (?P<how>.+)$", r"make \g<what> \g<how>", said)
+    return re.sub(r"^(?!add )(?P<what>.+?) (?:were|was|is|are|be) (?P<how>.+)$", r"make \g<what> \g<how>", said)
 
 
 def _asks(plain: str, table: dict[str, str]) -> bool:

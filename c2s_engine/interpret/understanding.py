@@ -11,6 +11,7 @@ from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.sense import rules_of_sense
 from c2s_engine.interpret.settings import SettingsDetector
 from c2s_engine.interpret.speeds import speeds
+from c2s_engine.interpret.struck import pushed, twice
 
 
 def understand(text: str) -> Scene:
@@ -32,9 +33,11 @@ def understand(text: str) -> Scene:
     cast = Cast(words)
     clauses = Clauses(words, cast)
     unnamed_doers(cast, clauses)
+    pushed(clauses)
     choose_ego(cast, clauses)
     places = Places(cast, clauses)
     rules_of_sense(cast, clauses, road)
+    twice(clauses)
     settings = SettingsDetector().detect(plain, sentences)
     light = environment.light(plain, sentences)
     scene = Scene(text, plain, sentences, words, cast, clauses, places, road, settings, light, spans=spans)

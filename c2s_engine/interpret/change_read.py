@@ -1,0 +1,288 @@
+"""Changes that are told like a scene: the clause is read amid what is there, and what that adds is what it asks for.
+
+Two texts are read: one that says where everything stands, and the same with the clause behind it. The fields in which
+they differ are set, of the components that the clause names and of those that are new.
+"""
+
+import re
+from functools import cache
+from typing import Any
+
+from c2s_engine.interpret import describe, language, scan
+from c2s_engine.interpret.change_forms import Found, name_of
+from c2s_engine.interpret.refer import objects_of, refer, spec_of
+from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField
+from c2s_engine.structure.quantity import high, low
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+
+PLACE = ("kind", "manoeuvre", "arms", "control", "ego_lane", "crosswalk")
+"""Fields of R that a clause about road users can say."""
+
+
+def acting(clause: str, structure: Structure) -> Found | None:
+    """ "Let the car brake when the pedestrian is 10 m away", "add a parked van that hides the child": who does what."""
+    return _told(clause, structure, lambda path: path.split(".")[0] in ("phases", "reaction", "manoeuvre", "+"))
+
+
+def standing(clause: str, structure: Structure) -> Found | None:
+    """ "Ego in the left lane", "the van is parked on the left", "the pedestrian comes from the other side"."""
+    return _told(clause, structure, lambda path: path not in ("speed", "type"))
+
+
+def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
+    if (denied := _denied(clause, structure)) is not None:
+        return denied
+    told = _indicative(clause, structure)
+    if re.search(r"\b(?:second|third)\b", clause) and refer(clause, structure) is None:
+        return None
+    if told is None or re.search(_table()["relative"], clause):
+        return None
+    scene = _scene(structure, told)
+    was, now = _read(scene), _read(f"{scene} {told[0].upper()}{told[1:]}.")
+    if was is None or now is None or len(was.objects) != len(structure.objects) or len(now.objects) < len(was.objects):
+        return None
+    before = _counterparts(was, now)
+    if before is None:
+        return None
+    there = {a.id: b.id for a, b in zip(was.objects, structure.objects, strict=True)}
+    number = int(structure.next_object_id()[1:])
+    ids = {}
+    for component in now.objects:
+        ids[component.id] = there[before[component.id].id] if component.id in before else f"O{number}"
+        number += component.id not in before
+    if number != int(structure.next_object_id()[1:]) and not re.search(_table()["new"], told):
+        return None
+    edits: list[Edit] = []
+    paths: list[str] = []
+    for component in now.components:
+        cid = ids.get(component.id, component.id)
+        if component.id in ("G", "T"):
+            continue
+        if component.id.startswith("O") and component.id not in before:
+            edits.append(_added(component, cid, ids, structure))
+            paths.append("+")
+        elif cid == "R" or _names(told, structure[cid], structure):
+            old = before.get(component.id) or was[component.id]
+            changed = _changes(old, component, structure[cid], ids, clause)
+            if cid == "R" and not _names(told, structure.ego, structure):
+                changed = [c for c in changed if c[0] != "ego_lane"]
+            edits += [SetField(component=cid, path=path, value=value) for path, value in changed]
+            paths += [path for path, _ in changed]
+    if not any(wanted(path) for path in paths):
+        return None
+    said = _in_words(edits, structure)
+    return [*sorted(edits, key=lambda e: not isinstance(e, AddObject)), *_moves(now, ids, structure)], said
+
+
+def _moves(now: Structure, ids: dict[str, str], structure: Structure) -> list[Edit]:
+    """New ones by which old ones are placed come before these."""
+    edits: list[Edit] = []
+    for component in now.objects:
+        place = spec_of(component).placement
+        for other in sorted({ids.get(place.of, ""), ids.get(place.hidden_by or "", "")} - {""}):
+            if ids[component.id] in structure and other not in structure:
+                index = structure.ids.index(ids[component.id]) - structure.ids.index(structure.objects[0].id)
+                edits.append(MoveObject(component=other, index=index))
+    return edits
+
+
+def _denied(clause: str, structure: Structure) -> Found | None:
+    """ "The truck should not stop": it does everything else."""
+    positive, number = re.subn(_table()["not"], "will", clause)
+    found = _told(positive, structure, lambda path: path == "phases") if number == 1 else None
+    edits: list[Edit] = []
+    for edit in found[0] if found else ():
+        if not isinstance(edit, SetField) or edit.path != "phases" or not edit.component.startswith("O"):
+            continue
+        denied = {p.action for p in edit.value} - {"go_straight"}
+        phases = spec_of(structure[edit.component]).phases
+        kept = tuple(p for p in phases if p.action not in denied)
+        if kept != phases:
+            edits.append(SetField(component=edit.component, path="phases", value=kept))
+    return (edits, _in_words(edits, structure)) if edits else None
+
+
+@cache
+def _table() -> dict[str, str]:
+    return {**language.table("refine")["told"]}
+
+
+def _indicative(clause: str, structure: Structure) -> str | None:
+    """The demand as a sentence that tells it, or None where it names nobody."""
+    table = _table()
+    said = re.sub(table["beside_the_point"], " ", clause).strip(" ,")
+    said = re.sub(r"\bo(\d+)\b", lambda m: _called(f"O{m[1]}", structure), said)
+    if match := re.match(table["adds"], said):
+        rest = re.sub(r"^(?:one more|another|more)\b", "a", said[match.end() :])
+        first = next(iter(s.data["type"] for s in scan.names(rest) if s.kind == "actor"), "")
+        rest = re.sub(r"^an?\b", "another", rest) if objects_of(structure, first) else rest
+        return rest if re.search(table["finite"], rest) else f"there is {rest}"
+    named = [s for s in scan.names(said) if s.kind in ("actor", "ego", "label")]
+    if not named:
+        return None
+    if match := re.match(table["causes"], said):
+        subject = next((s for s in named if s.start >= match.end()), None)
+        if subject is None:
+            return None
+        return f"{said[match.end() : subject.end]} will{said[subject.end :]}"
+    return re.sub(table["demands"], "will", said)
+
+
+def _called(cid: ComponentId, structure: Structure) -> str:
+    return f"the {_noun(structure[cid])}" if cid in structure else cid
+
+
+def _noun(component: Component) -> str:
+    return spec_of(component).type.replace("_", " ")
+
+
+def _scene(structure: Structure, told: str) -> str:
+    """Where everything stands, without what it does and without what the sentence tells anew: where somebody is, or
+    where ego goes.
+    """
+    place = structure.place.spec
+    assert isinstance(place, PlaceSpec)
+    if re.match(r"(?:the )?ego\b", told):
+        place = place.model_copy(update={"manoeuvre": None})
+    located = refer(told, structure, alone=False) if re.match(_table()["located"], told) else None
+    names = {c.id: spec_of(c).name for c in structure.objects}
+    ego = structure.ego.spec
+    assert isinstance(ego, EgoSpec)
+    still = ego.model_copy(update={"phases": (), "reaction": "none"})
+    sentences = [describe.place(place), describe.ego(still, place, names)]
+    for component in structure.objects:
+        if located is not None and component.id == located.id:
+            sentences.append(f"There is a {_noun(component)}.")
+            continue
+        assumed = {"speed": None} if any(a.field == "speed" for a in component.assumed) else {}
+        sentences.append(describe.obj(spec_of(component).model_copy(update={"phases": (), **assumed}), names))
+    return " ".join(sentences)
+
+
+def _read(text: str) -> Structure | None:
+    from c2s_engine.interpret.embedded import EmbeddedInterpreter, InterpretError
+
+    try:
+        return EmbeddedInterpreter().interpret(text).structure
+    except InterpretError:
+        return None
+
+
+def _names(told: str, component: Component, structure: Structure) -> bool:
+    """Whether the sentence speaks of a component."""
+    for span in scan.names(told):
+        if span.kind == "ego" and component.id == "E":
+            return True
+        if span.kind != "ego" and component.id != "E":
+            meant = refer(f"the {told[span.start : span.end]}", structure, alone=False)
+            if meant is not None and meant.id == component.id:
+                return True
+    return component.id != "E" and bool(re.search(r"\b(?:they|them|it|he|she)\b", told)) and len(structure.objects) == 1
+
+
+def _counterparts(was: Structure, now: Structure) -> dict[str, Component] | None:
+    """By id, of the objects of the later reading those of the earlier one: of the same name ("the lead" may give a car
+    another one), else of the same type; None where one is lost.
+    """
+    left, found = list(was.objects), {}
+    for same in (lambda s: s.name, lambda s: s.type):
+        for component in now.objects:
+            old = next((c for c in left if same(spec_of(c)) == same(spec_of(component))), None)
+            if old is not None and component.id not in found:
+                found[component.id] = old
+                left.remove(old)
+    return None if left else found
+
+
+def _changes(
+    was: Component, now: Component, there: Component, ids: dict[str, str], clause: str
+) -> list[tuple[str, Any]]:
+    """Paths and new values of the fields of a component that the clause says."""
+    old, new = was.spec.model_dump(), now.spec.model_dump()
+    found: list[tuple[str, Any]] = []
+    for path, value in new.items():
+        same = value == old[path] or path == "speed" and _near(value, old[path])
+        if same or path in ("name", "component", "model") or (there.id == "R" and path not in PLACE):
+            continue
+        if path == "phases":
+            assert isinstance(there.spec, EgoSpec | ObjectSpec) and isinstance(now.spec, EgoSpec | ObjectSpec)
+            turns = any(p.action in ("turn_left", "turn_right", "u_turn") for p in now.spec.phases)
+            phases = tuple(_mapped(p, ids) for p in now.spec.phases if not (turns and p.action == "go_straight"))
+            phases = tuple(sorted(phases, key=lambda p: p.action not in ("run_red", "run_stop")))
+            found.append((path, _joined(there.spec.phases, phases, clause)))
+        elif path == "placement":
+            found += [
+                (f"placement.{key}", ids.get(part, part) if key in ("of", "hidden_by") else part)
+                for key, part in value.items()
+                if part != old[path][key]
+            ]
+        elif value == "none" and not re.search(_table()["denies"], clause):
+            continue  # how it reacts goes on, unless that is denied
+        elif value is not None:
+            found.append((path, ids.get(value, value) if path == "react_to" else value))
+    return found
+
+
+def _near(a: Any, b: Any) -> bool:
+    """Whether speeds are the same but for their being told in whole km/h."""
+    return a is not None and b is not None and abs(low(a) - low(b)) < 0.15 and abs(high(a) - high(b)) < 0.15
+
+
+def _mapped(phase: Phase, ids: dict[str, str]) -> Phase:
+    trigger = phase.trigger
+    if trigger is not None and trigger.of:
+        trigger = trigger.model_copy(update={"of": ids.get(trigger.of, trigger.of)})
+    target = ids.get(phase.target, phase.target) if phase.target else None
+    return phase.model_copy(update={"trigger": trigger, "target": target})
+
+
+def _joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
+    """What it does from now on: the new phases; behind the old ones where the clause says so; where they only say more
+    of an old phase, that one with what is new."""
+    if re.search(_table()["besides"], clause):
+        ways = ("go_straight", "turn_left", "turn_right", "u_turn")
+        turns = any(p.action in ways for p in new)
+        return (*(p for p in old if not (turns and p.action in ways)), *new)
+    if old and [p.action for p in new] == ["move_along"] and not re.search(r"\balong\b", clause):
+        return old  # how fast it goes, not what it does
+    same = [i for i, p in enumerate(old) if len(new) == 1 and p.action == new[0].action]
+    if not same:
+        return new
+    said = {k: v for k, v in new[0].model_dump().items() if v is not None}
+    said |= {} if len(said) > 1 else {"rate": None}
+    merged = Phase.model_validate(old[same[0]].model_dump() | said)
+    return (*old[: same[0]], merged, *old[same[0] + 1 :])
+
+
+def _added(component: Component, cid: ComponentId, ids: dict[str, str], structure: Structure) -> AddObject:
+    spec = spec_of(component)
+    place = spec.placement
+    placement = place.model_copy(
+        update={"of": ids.get(place.of, place.of), "hidden_by": ids.get(place.hidden_by or "", place.hidden_by)}
+    )
+    taken = {spec_of(c).name for c in structure.objects}
+    name = spec.name if spec.name not in taken else f"{spec.name}_{cid[1:]}"
+    phases = tuple(_mapped(p, ids) for p in spec.phases)
+    update = {"name": name, "placement": placement, "phases": phases}
+    return AddObject(spec=spec.model_copy(update=update), description=component.description, component=cid)
+
+
+def _in_words(edits: list[Edit], structure: Structure) -> str:
+    said = []
+    for edit in edits:
+        if isinstance(edit, AddObject):
+            said.append(f"{edit.component} added")
+        elif isinstance(edit, SetField):
+            who = "the place" if edit.component == "R" else name_of(structure[edit.component])
+            said.append(f"{who}: {_value(str(edit.path), edit.value)}")
+    return "; ".join(said)
+
+
+def _value(path: str, value: Any) -> str:
+    field = path.split(".")[-1].replace("_", " ")
+    if field == "phases":
+        return ", then ".join(p.action.replace("_", " ") for p in value) or "keeps on"
+    if field == "speed" and isinstance(value, float | int):
+        return f"{value * 3.6:.0f} km/h"
+    return f"{field} {str(value).replace('_', ' ')}"

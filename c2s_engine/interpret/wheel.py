@@ -1,0 +1,103 @@
+"""Who sits in or on a vehicle: both are one road user."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import VEHICLES, Entity
+from c2s_engine.interpret.reference import Reference
+from c2s_engine.interpret.syntax import Word
+
+DRIVES = frozenset(("in", "on", "driving", "riding", "directing", "operating", "steering", "piloting", "commanding"))
+STEERS = frozenset(
+    ("drive", "ride", "steer", "pilot", "operate", "drove", "rode", "drives", "rides", "driving", "riding", "driven")
+)
+SITS = re.compile(
+    r"(?:(?:ahead|in front|behind|beside|alongside|next to|to the (?:left|right))(?: of)? ?(?:@|\w+)? ?)?"
+    r"(?:, ?)?(?:(?:who|that) (?:is|was) )?(?:(?:alone|sitting|seated|travelling|traveling|sat) )?"
+    r"(?:in|on|with|driving|riding|operating|(?:at|behind) the wheel of|aboard|astride) (?:an?|his|her|the|their|my) "
+    r"(?:[\w-]+ ){0,3}$"
+)
+
+
+class AtWheel(Reference):
+    """The part of Cast that takes a driver or rider and the vehicle for one."""
+
+    wheels: dict[int, Entity]  # the noun of a vehicle -> whom it carries, who was spoken of before
+
+    def _at_wheel(self, word: Word) -> Entity | None:
+        """A person of whom it is said later in the clause what is driven: "a woman in front of us in a red van",
+        "a pensioner drove his Opel"."""
+        for other in self.words[word.i + 1 : word.i + 12]:
+            if other.sentence != word.sentence or other.norm in (";", ":", "and", "but", "when", "while"):
+                return None
+            if (
+                other.span is None
+                or other.span.kind != "actor"
+                or other.span.data["type"] not in VEHICLES - {"vehicle"}
+            ):
+                continue
+            if other.span.data.get("person") or other.span.data.get("plural"):
+                return None
+            between = self.words[word.i + 1 : other.i]
+            text = " ".join("@" if w.span is not None and w.span.kind == "ego" else w.norm for w in between) + " "
+            verb = self.words[other.head]
+            drives = verb.norm in STEERS and verb.i > word.i and other.dep == "dobj" and self._heads(word, verb)
+            if drives or SITS.fullmatch(text):
+                found = self._new(Entity("", "vehicle"))
+                self.wheels[other.i] = found
+                return found
+            return None
+        return None
+
+    def _heads(self, word: Word, verb: Word) -> bool:
+        """Whether a word is the subject of a verb, or what its participle describes."""
+        return word.head == verb.i and word.dep == "nsubj" or verb.dep in ("acl", "relcl") and verb.head == word.i
+
+    def _titled_person(self, word: Word, noun: str) -> Entity | None:
+        """ "Mrs Pell": known by her name, once something of the road was said of her."""
+        known = next((e for e in self.entities if noun in e.names), None)
+        if known is not None:
+            return known
+        found = self._at_wheel(word)
+        if found is not None:
+            found.names.add(noun)
+        return found
+
+    def _driven_by(self, word: Word) -> Entity | None:
+        """Whose vehicle it is in "the defendant, operating a dump truck": the driver and the vehicle are one."""
+        back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
+        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
+        match = re.search(
+            (
+                r"@( ?,)?( ?\(?who (was|is|were))? (operating|driving|riding|at the wheel of|in charge of"
+                r"|in|on) (an?|his|her|the|their)( [\w-]+){0,2} $"
+            ),
+            text + " ",
+        )
+        if match is None:
+            return None
+        owner = next(self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None)
+        if match[4] in ("in", "on") and not re.search(
+            r"driver|motorist|party|defendant|respondent|rider|courier", owner.noun
+        ):
+            return None
+        two = owner.type in ("bicycle", "motorcycle") and re.search(r"rider|courier", owner.noun)
+        return owner if owner.type in ("vehicle", "rider") or owner.ego or two else None
+
+    def _rides(self, word: Word) -> bool:
+        """Whether a person is only the one inside a vehicle ("a man in a white van"), who stands for it."""
+        following = [w for w in self.words[word.i + 1 : word.i + 6] if w.sentence == word.sentence]
+        if not following or following[0].norm not in DRIVES:
+            return False
+        for other in following[1:]:
+            if other.span is not None:
+                return (
+                    other.span.kind == "actor"
+                    and other.span.data["type"] in VEHICLES - {"vehicle"}
+                    and not other.span.data.get("person")
+                )
+            if other.tag in ("NN", "NNS", "IN") and other.norm not in language.makes() or other.verb:
+                return False
+        return False

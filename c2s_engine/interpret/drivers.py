@@ -100,6 +100,9 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                 scene.where(event.patient).lane == "oncoming" or "oncoming" in event.patient.roles
             ):
                 who = passed(scene, ids) or who
+            towards = (
+                None if place.ego_lane == f"{OTHER.get(towards or '')}most" else towards
+            )  # where the passed one is
             phases.append(Phase(action="overtake", target=who or passed(scene, ids), side=towards, trigger=trigger))
             if phases[-1].target is None:
                 phases.pop()
@@ -221,6 +224,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     return spec, assumed
 
 
+OTHER = {"right": "left"}
 ASIDE = ("lane_change", "leave_road", "drift")
 
 

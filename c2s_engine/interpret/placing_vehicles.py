@@ -4,7 +4,7 @@ import re
 
 from c2s_engine.interpret.compass import compass
 from c2s_engine.interpret.event import Event
-from c2s_engine.interpret.lengthwise import along_of, passes_ego, wrong_way
+from c2s_engine.interpret.lengthwise import CIRCULATES, along_of, passes_ego, told_of, wrong_way
 from c2s_engine.interpret.mentions import Entity
 from c2s_engine.interpret.relations import Where, side_of_text
 from c2s_engine.interpret.scene import Scene, side
@@ -15,17 +15,13 @@ ACROSS = re.compile(r"\bacross (?:the |both |two |all |@ego 's |@ego )?(?:\w+ )?
 ON_MOTORWAY = re.compile(
     r"\b(on|along|in) the (main |through )?(motorway|highway|freeway|interstate|carriageway|main road)"
 )
-CIRCULATES = re.compile(
-    r"\b(circulat\w+|(going|driving|coming|travelling|goes|drives|comes) (a)?round\b|already (in|on|inside) "
-    r"|(in|inside|on) the (roundabout|circle|ring|circulatory \w+)\b)"
-)
 OPPOSITE = {"left": "right", "right": "left"}
 
 
 def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:
     if wrong_way(scene, entity):
         return facing_ego(where, place)
-    if place.kind == "roundabout" and CIRCULATES.search(_told(scene, entity)):
+    if place.kind == "roundabout" and CIRCULATES.search(told_of(scene, entity)):
         return {"position": "crossing_left", "said": True}
     junction = place.kind == "intersection"
     lane, rel, edge = where.lane, where.rel, where.side
@@ -91,7 +87,12 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         }
     if place.kind == "on_ramp" and lane in (None, "same") and _joined_ahead_of(scene, entity):
         return {"position": "left_lane", "along": "behind", "said": True}
-    if place.kind == "on_ramp" and rel is None and lane in (None, "same") and ON_MOTORWAY.search(_told(scene, entity)):
+    if (
+        place.kind == "on_ramp"
+        and rel is None
+        and lane in (None, "same")
+        and ON_MOTORWAY.search(told_of(scene, entity))
+    ):
         return {"position": "beside", "side": "left", "said": True}
     if (
         junction
@@ -106,6 +107,10 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         )
     ):
         return {"position": "intersection_exit", "said": True}
+    passing = scene.does(scene.cast.ego, "overtake") if place.ego_lane == "leftmost" and rel is None else None
+    on_right = rf"@{entity.key} (?:that is )?on (?:the |its )?right\b(?! side)"
+    if passing is not None and passing.patient is entity and re.search(on_right, passing.whole):
+        return {"position": "right_lane", "along": "ahead", "said": True}
     if lane == "adjacent" or "adjacent" in roles:
         edge = edge or _cut_side(scene, entity) or "left"
         return {
@@ -237,11 +242,6 @@ def _joined_ahead_of(scene: Scene, entity: Entity) -> bool:
     """Whether ego comes from the ramp in front of it."""
     before = re.compile(rf"(in front of|ahead of|before) (the |a |an )?(\w+ )?@{entity.key}\b")
     return any(before.search(e.whole) for e in scene.events(scene.cast.ego))
-
-
-def _told(scene: Scene, entity: Entity) -> str:
-    """What is said of one's place, and the clauses of what it does."""
-    return " ; ".join([*(t for _, t in scene.where(entity).phrases), *(e.whole for e in scene.events(entity))])
 
 
 def _side_of_events(scene: Scene, entity: Entity) -> str | None:

@@ -12,6 +12,10 @@ from c2s_engine.interpret.place import Road
 from c2s_engine.interpret.resumed import own_turns
 from c2s_engine.interpret.towards import side
 
+LEAVES = re.compile(
+    r"\b(?:down|onto|up|into|for|to take) (?:the|its|his|her|an?) (?:\w+ )?(?:off-?ramp|exit|slip road)\b"
+)
+
 
 def _was_over(cast: Cast, event: Event, clauses: Clauses) -> bool:
     """Whether it was done before the story begins: "had stopped", or "a taxi has stopped" as the first that is said of
@@ -101,6 +105,8 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             if waits and gone and not any(e.act == "yield" and e.agent.ego for e in clauses.events):
                 given_way = {"patient": event.agent, "order": event.order - 0.1, "words": [event.word]}
                 clauses.events.append(Event.echo(event, act="yield", agent=cast.ego, **given_way))
+    for event in [e for e in clauses.events if e.act == "cut_in" and e.done and LEAVES.search(e.text)]:
+        clauses.events.append(Event.echo(event, act="exit_road", order=event.order + 0.1, words=[event.word]))
     for event in clauses.events:
         if event.agent.ego and event.mode == "intended" and event.act in ("lane_change", "overtake", "turn", "cut_in"):
             later = " ".join(

@@ -26,8 +26,8 @@ def passes_ego(scene: Scene, entity: Entity) -> bool:
 
 
 CIRCULATES = re.compile(
-    r"\b(circulat\w+|(go|drive|come|ride|cycle|goes|drives|comes|going|driving|coming|riding|cycling|travelling) (a)?round\b"
-    r"|already (in|on|inside) |(in|inside|on) the (roundabout|circle|ring|circulatory \w+)\b)"
+    r"\b(circulat\w+|(go|goes|going|drive|drives|driving|come|comes|coming|ride|riding|cycle|cycling|travelling) "
+    r"(a)?round\b|already (in|on|inside) |(in|inside|on) the (roundabout|circle|ring|circulatory \w+)\b)"
 )
 OWN_LANE = re.compile(r"@ego 's (\w+ )?lane|(same|ego|own|its|@ego) lane|lane of (the )?@ego|same lane as")
 

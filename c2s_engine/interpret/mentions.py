@@ -44,7 +44,7 @@ class Cast(Nouns):
         self.entities: list[Entity] = []
         self.of: dict[int, Entity] = {}
         self.wheels: dict[int, Entity] = {}
-        self.both: dict[int, list[Entity]] = {}
+        self.both: dict[int, list[Entity]] = {}  # whom else a word means that means several
         self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
         self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD")}
         self.strong_ego = any(w.span and w.span.kind == "ego" for w in words)

@@ -249,7 +249,11 @@ class Nouns(AtWheel):
             return None
         told = [e for e in self.entities if e.type in VEHICLES and e.mentions]
         alone = len(told) == 1 and self.ego.mentions or len(told) == 2 and not self.ego.mentions
-        return told[-1] if alone and all(e.count == 1 for e in told) else None
+        if not alone or any(e.count > 1 for e in told):
+            return None
+        if {"both", "two"} & set(before):
+            self.both[word.i] = told[:-1] or [self.ego]
+        return told[-1]
 
     def _heading(self, sentence: int) -> bool:
         """Whether a sentence is a title: without a finite verb."""

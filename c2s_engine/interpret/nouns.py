@@ -11,6 +11,7 @@ from c2s_engine.interpret.wheel import AtWheel
 
 STANDS = frozenset(("stationary", "stopped", "standing", "static", "parked", "halted", "stalled", "immobile"))
 TITLES = frozenset(("mr", "mrs", "ms"))
+CARRIES = frozenset(("deliver", "collect", "unload", "load", "carry", "transport", "haul", "empty"))
 LOST = frozenset(("shed", "lost", "dropped", "spilled", "spilt", "fallen", "left", "discarded", "dumped", "jettisoned"))
 
 
@@ -175,6 +176,10 @@ class Nouns(AtWheel):
         """Whether it is only who lost something on the road before: "a ladder, shed by an unknown vehicle"."""
         by = self.words[word.head]
         verb = self.words[by.head]
+        if word.dep == "dobj" and (
+            by.lemma in CARRIES or by.lemma == "drop" and "off" in [w.norm for w in self.words[by.i : word.i + 2]]
+        ):
+            return word.span is not None and word.span.data["type"] in ("box", "trash", "container")
         lost = by.norm in ("by", "from") and verb.tag in ("VBN", "VBD") and verb.norm in LOST
         return lost and (
             verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))

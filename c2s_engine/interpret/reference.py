@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import re
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import ORDINALS, VEHICLES, Entity, fits
 from c2s_engine.interpret.pronouns import Pronouns
 from c2s_engine.interpret.syntax import Word
 
+OWNERS = frozenset(
+    ("defendant", "respondent", "third party", "at-fault driver", "offending driver", "opposing party", "opponent")
+)
 URGENT = frozenset(("ambulance", "police_car", "fire_truck"))
 
 
@@ -28,6 +32,10 @@ class Reference(Pronouns):
                 and not word.span.data.get("words")
             ):
                 return self.ego
+        owner = next((self.of[c] for c in word.children if self.words[c].dep == "poss" and c in self.of), None)
+        if owner is not None and not owner.ego and kind in VEHICLES and owner.noun in OWNERS:
+            owner.type, owner.typed = (kind, True) if kind != "vehicle" else (owner.type, owner.typed)
+            return owner  # "the defendant's car"
         if before and before[0] in ("our", "my"):
             return self.ego if kind in VEHICLES else None
         return None
@@ -100,18 +108,13 @@ class Reference(Pronouns):
                 return many[-1]
             return None
         scored = []
-        never = noun in (
-            "target",
-            "adversary",
-            "opponent",
-            "challenger",
-            "npc",
-            "pov",
-            "principal other vehicle",
-            "challenging vehicle",
-            "target vehicle",
-            "vehicle target",
-            "traffic",
+        parties = language.table("actors")["generic"]
+        never = noun in parties and noun not in (
+            "vehicle",
+            "motor vehicle",
+            "road user",
+            "traffic participant",
+            "actor",
         )
         for entity in [
             *candidates,

@@ -22,6 +22,7 @@ PUTS = frozenset(
     ("place", "position", "put", "locate", "deposit", "drop", "install", "erect", "plant", "scatter", "spill", "litter")
     + ("strew", "dump", "lay", "abandon", "leave", "lose", "shed")
 )
+NEARLY = frozenset(("nearly", "almost", "narrowly"))
 CAUSES = frozenset(("force", "cause", "make", "oblige", "compel", "require", "lead", "get"))
 BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
 
@@ -145,6 +146,8 @@ class Clauses(Nominal):
             others = (self.cast.of[i] for i in own if i > word.i and i in self.cast.of)
             event.patient = next((e for e in others if e is not event.agent), None)
         event.words, event.mode, event.passive = own, self._mode(word), passive
+        if event.act == "collide" and any(self.words[c].norm in NEARLY for c in word.children):
+            event.act = "approach"
         if event.act == "stop" and passive and lemma != "bring" and event.agent is agent and not BY.search(whole):
             event.act = "stationary"
         struck = event.act == "collide" and passive and event.agent is agent and event.patient in (None, agent)

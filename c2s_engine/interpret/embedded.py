@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from c2s_engine.interpret import compose, typologies, unmet
+from c2s_engine.interpret.entities import VEHICLES
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.spelling import Mended
 from c2s_engine.structure.components import Structure, Unmet
@@ -95,7 +96,12 @@ def _spans_back(value: Any, mended: Mended) -> Any:
 
 def _has_scene(found: Scene) -> bool:
     return bool(
-        found.cast.ego.mentions or found.actors or found.clauses.events or found.road.kind or found.settings.weather
+        found.cast.ego.mentions
+        or found.actors
+        or found.clauses.events
+        or found.road.kind
+        or found.settings.weather
+        or any(e.type in VEHICLES for e in found.cast.entities)
     )
 
 

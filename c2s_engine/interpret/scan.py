@@ -253,7 +253,8 @@ _BUS_STOP = re.compile(
 def _stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
     """Whether a make or model is the noun itself: "a black BMW" or "a 2019 Honda Civic", not "the Ford pickup"."""
     before, after = text[max(0, start - 24) : start], text[end : end + 40]
-    if re.match(r"[\s-]+(?:[\w-]+\s+)?(?:" + _noun_words() + r")\b", after):
+    model = re.match(r"[\s-]+([\w-]+)", after)
+    if model and model[1] in language.makes() or re.match(r"[\s-]+(?:[\w-]+\s+)?(?:" + _noun_words() + r")\b", after):
         return False
     named = re.search(
         (

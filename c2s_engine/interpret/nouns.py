@@ -162,9 +162,10 @@ class Nouns(AtWheel):
                 if found.noun == "traffic" and count > 1:
                     found.count, found.noun = count, noun
                 return found
-        return self._new(
-            Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
-        )
+        found = Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
+        if previous in language.makes():  # "a Ford Focus": "the Ford" is the same
+            found.names.add(previous)
+        return self._new(found)
 
     def _watched(self, word: Word) -> bool:
         """Whether traffic is only looked at or checked for."""

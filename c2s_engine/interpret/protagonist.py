@@ -71,7 +71,7 @@ def _by_whom(cast: Cast, entity: Entity) -> bool:
 
 def _runs_down(entity: Entity, clauses: Clauses) -> bool:
     """Whether it hits somebody without a motor ("a cyclist was knocked down by a van"): then it is whom it is about."""
-    hits = [v.patient for v in clauses.events if v.act == "collide" and v.agent is entity and v.done]
+    hits = [v.patient for v in clauses.events if v.act in ("collide", "approach") and v.agent is entity and v.done]
     return any(p is not None and p.mover and p.type not in MOTOR for p in hits)
 
 

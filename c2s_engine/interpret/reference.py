@@ -53,6 +53,8 @@ class Reference(Pronouns):
         bare: bool,
     ) -> Entity | None:
         candidates = [e for e in self.entities if fits(e, kind)]
+        if noun in (brands := language.makes()):  # "the Kia hit the Hyundai"
+            candidates = [e for e in candidates if e.noun not in brands or noun in (e.noun, *e.names)]
         if roles:
             same = [e for e in candidates if e.roles & roles and (definite or (e.count > 1) == (count > 1))]
             if same:

@@ -61,6 +61,7 @@ def _actor() -> re.Pattern[str]:
     )
 
 
+SHORT = ("v", "u", "d", "mv", "op", "opr", "tu", "ap")
 LABEL_NUMBERS = {"one": "1", "two": "2", "three": "3", "four": "4", "five": "5"} | dict(
     zip("abcde", "12345", strict=True)
 )
@@ -92,9 +93,9 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             continue
         word, number = match["word"], match["id"]
         bare = text[match.end("word") : match.start("id")]
-        if word in ("v", "u", "d") and bare.strip(" #-"):
+        if word in SHORT and bare.strip(" #-"):
             continue
-        if number in "abcde" and (word in ("v", "u", "d", "driver") or not re.match(r"[\s-]", bare)):
+        if number in "abcde" and (word in (*SHORT, "driver") or not re.match(r"[\s-]", bare)):
             continue
         typed = word in language.table("ego")["labels"]["typed"]
         if (
@@ -113,7 +114,8 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             number == "a"
             and not typed
             and not re.match(
-                r"\s*(?:$|[.,;:)(']|\w+(?:s|ed|ing)\b|is\b|was\b|did\b|has\b|had\b|and\b|in\b|at\b|on\b|from\b)",
+                r"\s*(?:$|[.,;:)(']|\w+(?:s|ed|ing)\b|is\b|was\b|did\b|has\b|had\b|and\b|in\b|at\b|on\b|from\b"
+                r"|hit\b|ran\b|struck\b|cut\b|went\b|came\b|drove\b|made\b|lost\b|took\b|overtook\b|swung\b)",
                 text[match.end() : match.end() + 20],
             )
         ):

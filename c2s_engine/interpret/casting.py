@@ -33,7 +33,7 @@ def actors(scene: Scene) -> list[Entity]:
         if (
             not own
             and not passive
-            and not entity.roles
+            and not entity.roles - {"adversary"}
             and where.rel is None
             and where.lane is None
             and not _mentioned_alone(scene, entity)

@@ -9,6 +9,7 @@ from c2s_engine.interpret.ego_others import (
     free_side,
     in_lane_conflict,
     last_actor,
+    nobody_in_the_way,
     passed,
     yielded,
 )
@@ -21,6 +22,8 @@ from c2s_engine.structure.components import Assumption
 from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec
 
 RESPONSES = ("brake", "brake_stop", "stop")
+AROUND = frozenset(("overtake", "oncoming", "lane_change", "cut_out", "evade", "swerve", "u_turn", "reverse"))
+"""What ego does to get past what it stopped for."""
 
 
 def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple[EgoSpec, list[Assumption]]:
@@ -62,12 +65,17 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                     pass
                 continue
             said_reaction = True
+            if stop and not event.hard and nobody_in_the_way(scene, event, others):
+                phases.append(Phase(action="stop", trigger=trigger))
+                continue
             if stop and phases and phases[-1].action in ASIDE and _from_behind(scene):
                 phases.append(Phase(action="stop", trigger=trigger))
                 continue
             if reaction in ("none", "follow"):
                 reaction = "brake" if reaction == "none" or event.hard or stop and rate_of(event) else reaction
             hard = hard or event.hard or bool(rate_of(event) and rate_of(event) >= 4)  # type: ignore[operator]
+            if stop and reaction == "brake" and not any(e.act in AROUND for e in events[events.index(event) :]):
+                phases.append(Phase(action="stop", target=who, trigger=trigger))
         elif act == "follow":
             phases.append(Phase(action="follow", target=who or ahead(scene, ids)))
             if phases[-1].target is None:
@@ -96,6 +104,9 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                 scene.where(event.patient).lane == "oncoming" or "oncoming" in event.patient.roles
             ):
                 who = passed(scene, ids) or who
+            towards = (
+                None if place.ego_lane == f"{OTHER.get(towards or '')}most" else towards
+            )  # where the passed one is
             phases.append(Phase(action="overtake", target=who or passed(scene, ids), side=towards, trigger=trigger))
             if phases[-1].target is None:
                 phases.pop()
@@ -217,6 +228,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     return spec, assumed
 
 
+OTHER = {"right": "left"}
 ASIDE = ("lane_change", "leave_road", "drift")
 
 

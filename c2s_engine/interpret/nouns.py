@@ -10,6 +10,11 @@ from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.wheel import AtWheel
 
 STANDS = frozenset(("stationary", "stopped", "standing", "static", "parked", "halted", "stalled", "immobile"))
+TWO_WHEELERS = frozenset(("bike", "bikes", "bike rider"))
+COUNTED = re.compile(
+    r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units"
+    r"|animals|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
+)
 TITLES = frozenset(("mr", "mrs", "ms"))
 CARRIES = frozenset(("deliver", "collect", "unload", "load", "carry", "transport", "haul", "empty"))
 LOST = frozenset(("shed", "lost", "dropped", "spilled", "spilt", "fallen", "left", "discarded", "dumped", "jettisoned"))
@@ -31,11 +36,17 @@ class Nouns(AtWheel):
         kind, noun, roles = data["type"], data.get("noun", ""), set(data.get("roles", ()))
         if data.get("label"):
             roles |= {language.roles()[b] for b in self._modifiers(word) if b in STANDS}  # "a stationary GVT"
+            host = self.of.get(word.i - 2) if word.i > 1 and self.words[word.i - 1].norm == "(" else None
+            if host is not None and not host.ego and not host.label and host.mover:  # "the lead (GVT)"
+                host.label = data["label"]
+                return host
             for entity in self.entities:
                 if entity.label == data["label"] or (roles & entity.roles - {"stationary", "parked"}):
                     entity.roles |= roles
                     return entity
             return self._new(Entity("", "vehicle", label=data["label"], roles=roles))
+        if noun in TWO_WHEELERS and kind == "bicycle" and self._motor_bike():
+            kind = "motorcycle"
         before = self._modifiers(word)
         previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
         if previous in ("other",) and "no" in self._near(word):
@@ -167,6 +178,11 @@ class Nouns(AtWheel):
             found.names.add(previous)
         return self._new(found)
 
+    def _motor_bike(self) -> bool:
+        """Whether "the bike" is a motorcycle spoken of before, as no bicycle was."""
+        kinds = {e.type for e in self.entities}
+        return "motorcycle" in kinds and "bicycle" not in kinds
+
     def _watched(self, word: Word) -> bool:
         """Whether traffic is only looked at or checked for."""
         above = self.words[word.head]
@@ -239,7 +255,11 @@ class Nouns(AtWheel):
             return None
         told = [e for e in self.entities if e.type in VEHICLES and e.mentions]
         alone = len(told) == 1 and self.ego.mentions or len(told) == 2 and not self.ego.mentions
-        return told[-1] if alone and all(e.count == 1 for e in told) else None
+        if not alone or any(e.count > 1 for e in told):
+            return None
+        if {"both", "two"} & set(before):
+            self.both[word.i] = told[:-1] or [self.ego]
+        return told[-1]
 
     def _heading(self, sentence: int) -> bool:
         """Whether a sentence is a title: without a finite verb."""
@@ -293,6 +313,10 @@ class Nouns(AtWheel):
                 return int(text)
             if text in counts:
                 return int(counts[text])
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 9] if w.sentence == word.sentence)
+        told = COUNTED.match(after)
+        if told is not None:
+            return int(told["n"]) if told["n"].isdigit() else int(counts.get(told["n"], 2))
         return 2
 
     def _retyped(self, host: Entity, kind: str, roles: set[str], noun: str) -> Entity:

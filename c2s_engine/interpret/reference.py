@@ -12,6 +12,10 @@ from c2s_engine.interpret.syntax import Word
 OWNERS = frozenset(
     ("defendant", "respondent", "third party", "at-fault driver", "offending driver", "opposing party", "opponent")
 )
+ANYBODY = frozenset(("vehicle", "motor vehicle", "road user", "traffic participant"))
+"""Nouns of no type by which ego may be meant, too: not "the target", "the attacker"."""
+TOLD_APART = frozenset(("oncoming", "crossing", "lead", "following", "cut_in", "adjacent", "adversary"))
+"""Parts in the scene by which another one is meant, unless somebody had that part before."""
 URGENT = frozenset(("ambulance", "police_car", "fire_truck"))
 
 
@@ -65,9 +69,7 @@ class Reference(Pronouns):
                     return ahead[-1]
             if not definite and roles & {"stationary", "parked", "slow", "turning", "fast"}:
                 return None
-            if roles & {"oncoming", "crossing", "lead", "following", "cut_in", "adjacent"} or not candidates:
-                if roles & {"following"} and not self.ego_named and kind == "vehicle":
-                    return None
+            if roles & TOLD_APART or not candidates:
                 return None
         second = any(self.words[m.word].norm in ("you", "your") for m in self.ego.mentions)
         alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
@@ -108,16 +110,15 @@ class Reference(Pronouns):
             many = [e for e in candidates if e.count > 1]
             if many:
                 return many[-1]
+            told = {w.norm for w in self.words[max(0, word.i - 2) : word.i]} & {"both", "the", "these", "all"}
+            singles = sorted((e for e in candidates if e.mentions), key=lambda e: e.mentions[-1].word)
+            if self.ego_named and self.ego.mentions and kind == "vehicle" and len(singles) == count - 1:
+                singles.append(self.ego)
+            if told and not self._distinguished(word) and len(singles) >= count:
+                return self._all_of(word, sorted(singles[-count:], key=lambda e: (e.ego, e.mentions[0].word)))
             return None
         scored = []
-        parties = language.table("actors")["generic"]
-        never = noun in parties and noun not in (
-            "vehicle",
-            "motor vehicle",
-            "road user",
-            "traffic participant",
-            "actor",
-        )
+        never = kind == "vehicle" and noun in language.actor_nouns() and noun not in ANYBODY
         for entity in [
             *candidates,
             *(

@@ -9,7 +9,7 @@ from c2s_engine.interpret.implied import evaded_lane, implied_places
 from c2s_engine.interpret.inferred import Inferred
 from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.struck import struck_places
-from c2s_engine.interpret.whereabouts import STATES, Where, read, side_of_text
+from c2s_engine.interpret.whereabouts import FRONTED, STATES, Where, read, side_of_text
 
 __all__ = ["STATES", "Places", "Where", "read", "side_of_text"]
 
@@ -28,6 +28,7 @@ ASIDE = re.compile(
     r"|adjacent)(?:-hand)? (?:\w+ )?(?:lane|side)(?: of the (?:road|street))?"
 )
 
+DIRECTED = frozenset(("towards", "toward", "into", "onto"))
 PLACING = frozenset(("facing", "following", "level", "side", "abreast", "alongside", "next", "adjacent"))
 
 
@@ -170,6 +171,7 @@ class Places(Inferred):
             ),
             front,
         )
+        fronted = fronted or FRONTED.search(front)
         if fronted and word.span is not None:
             read(fronted[1], where, entity, self.cast, "noun")
         filled = FILLED.search(front)
@@ -178,7 +180,6 @@ class Places(Inferred):
         lead = word.span.data.get("words", []) if word.span is not None and word.span.kind == "actor" else []
         lead = [*lead, entity.noun] if re.match(r"wrong|ghost", entity.noun) else lead
         text = " ".join(lead) + " "
-        known = self.cast.of
         indices = sorted(set(indices))
         text += self.clauses.render(indices)
         if word.span is not None and (
@@ -189,7 +190,7 @@ class Places(Inferred):
             following = self._following(i)
             read(" ".join([*lead, self.clauses.render(following)]), where, entity, self.cast, "noun")
         text = self._unpassed(self._unhit(text, entity), i, entity)
-        if known and text.strip():
+        if self.cast.of and text.strip():
             read(text, where, entity, self.cast, "noun")
             self._gap(indices, where)
         if (
@@ -285,6 +286,7 @@ class Places(Inferred):
                 other.sentence != self.words[i].sentence
                 or other.norm in (",", ".", ";", "and", "(", ":", "-", "but", "while", "when", "that", "which", "who")
                 or (other.verb and other.tag != "VBN" and other.norm not in PLACING)
+                or (other.norm in DIRECTED and self.words[i].dep == "pobj")
             ):
                 break
             found.append(other.i)

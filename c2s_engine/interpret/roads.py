@@ -5,6 +5,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret import place as places
 from c2s_engine.interpret.lengthwise import at_edge, wrong_way
+from c2s_engine.interpret.mentions import MOTOR
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.structure.specs import PlaceSpec
 
@@ -117,6 +118,13 @@ def _at_junction(scene: Scene) -> bool:
     if re.search(r"unprotected (left|right)|protected left", scene.plain):
         return True
     crossing = [e for e in scene.actors if scene.where(e).lane == "crossing" and not e.person and e.type != "bicycle"]
+    meets = [
+        e
+        for e in scene.clauses.events
+        if e.act == "cross_path" and e.done and e.patient is scene.cast.ego and e.agent in scene.actors
+    ]
+    if any(e.agent.type in MOTOR and scene.where(e.agent).lane is None for e in meets):
+        return not scene.road.no_intersection
     return (
         bool(crossing)
         and not scene.road.no_intersection

@@ -38,6 +38,14 @@ def _ego() -> re.Pattern[str]:
 
 
 @cache
+def _another() -> re.Pattern[str]:
+    """What stands before an agent that is not ego."""
+    others = language.table("actors")["others"]
+    words = language.alternatives([*others["words"], *others["before"], *language.roles()])
+    return re.compile(rf"(?<![\w-])(?:{words})[\s-]+\Z")
+
+
+@cache
 def _label() -> re.Pattern[str]:
     labels = language.table("ego")["labels"]
     words = "|".join(sorted([*labels["words"], *labels["typed"]], key=len, reverse=True))
@@ -49,7 +57,7 @@ def _label() -> re.Pattern[str]:
 
 @cache
 def _letter() -> re.Pattern[str]:
-    return re.compile(r"(?<![\w-])(?:the )?(?P<word>lv|pov|fv|tv|gvt|vt)(?P<id>[1-9]?)(?![\w-])")
+    return re.compile(r"(?<![\w-])(?:the )?(?P<word>lv|pov|fv|tv|gvt|vt|bv|ov|nv)(?P<id>[1-9]?)(?![\w-])")
 
 
 @cache
@@ -75,7 +83,8 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
     found += [
         Span("ego", match.start(), match.end())
         for match in _ego().finditer(text)
-        if match[0] != "i" or not any(s <= match.start() < e for s, e in asking)
+        if (match[0] != "i" or not any(s <= match.start() < e for s, e in asking))
+        and not (match[0] == "agent" and _another().search(text, 0, match.start()))
     ]
     for match in _letter().finditer(text):
         role = "following" if match["word"] == "fv" else "lead" if match["word"] == "lv" else ""
@@ -95,6 +104,8 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
         bare = text[match.end("word") : match.start("id")]
         if word in SHORT and bare.strip(" #-"):
             continue
+        if number in ("one", "two", "three", "four", "five") and not re.match(r"[\s-]", bare):
+            continue  # "done"
         if number in "abcde" and (word in (*SHORT, "driver") or not re.match(r"[\s-]", bare)):
             continue
         typed = word in language.table("ego")["labels"]["typed"]
@@ -103,7 +114,7 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             and number.isalpha()
             and not re.match(
                 (
-                    r"\s*(?:$|[.,;:)(-]|(?:is|was|has|and|in|at|on|brakes|drives|turns|cuts|stops|changes"
+                    r"\s*(?:$|[.,;:)(-]|\d{2}|(?:is|was|has|and|in|at|on|brakes|drives|turns|cuts|stops|changes"
                     r"|overtakes|follows)\b)"
                 ),
                 text[match.end() : match.end() + 12],
@@ -166,7 +177,7 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             continue
         if noun == "cab" and re.search(r"(?:\b(?:his|her|its|their)|'s)\s+$", text[max(0, start - 8) : start]):
             continue
-        if noun in ("couple", "flock", "herd", "family", "group") and re.match(r"\s+of\s", text[end : end + 4]):
+        if noun in ("couple", "flock", "herd", "family", "group", "wall") and re.match(r"\s+of\s", text[end : end + 4]):
             continue
         if (
             noun in queues

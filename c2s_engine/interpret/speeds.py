@@ -15,6 +15,7 @@ AT_LIMIT = re.compile(
 NAMED = re.compile(
     r"\bv_?(?:(?P<ego>e|ego|vut|sv|host|e0|0)|(?P<other>o|obj|o0|t|tv|target|lead|lv|1|gvt))\s*(?:=|:|in|of)\s*$"
 )
+AT_REST = frozenset(("stationary", "stop", "brake", "brake_stop", "held_up", "yield"))
 GOES_ON = re.compile(r"(continue|proceed|carry|go|drive|travel|roll|move)( on)?( \w+ing)?( on)? at #speed")
 
 
@@ -159,20 +160,9 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
             event = scene.clauses.by_word.get(verb.i) if verb is not None else None
             if event is not None and event.agent is not entity and _heads_part(scene, word):
                 return entity
-            if event is not None and event.agent is not entity and _below_verb(scene, word, verb):
-                return None
-            return (
-                None
-                if event is not None
-                and event.agent is not entity
-                and (
-                    event.act in ("collide", "overtake", "follow", "approach")
-                    or event.act in ("travel", "lead")
-                    and word.dep == "pobj"
-                    and verb.dep in ("relcl", "ROOT", "acl")
-                )
-                else entity
-            )
+            if event is None or event.agent is entity or not _fast_enough(scene, event, span):
+                return entity
+            return None
     return None
 
 
@@ -191,16 +181,14 @@ def _heads_part(scene: Scene, word: syntax.Word) -> bool:
     return False
 
 
-def _below_verb(scene: Scene, word: syntax.Word, verb: syntax.Word | None) -> bool:
-    """Whether a noun hangs on a verb by prepositions alone ("runs out from behind the van"), not on another noun."""
-    current = word
-    for _ in range(5):
-        current = scene.words[current.head]
-        if verb is None or current.i == verb.i:
-            return verb is not None
-        if current.i in scene.cast.of or current.tag.startswith("NN"):
-            return False
-    return False
+def _fast_enough(scene: Scene, event: Event, span: scan.Span) -> bool:
+    """Whether a speed after the one whom a verb is about is its doer's: "crosses the path of the ego at 15 km/h", but
+    not "stands in front of the ego at 60 km/h" nor "a child runs in front of the ego at 60 km/h"."""
+    if event.act in AT_REST or event.agent in scene.speeds:
+        return False
+    slow = event.agent.type in ("bicycle", "animal")
+    fastest = 13.0 if slow else 4.5 if event.agent.person else None
+    return fastest is None or span.data["low"] <= fastest
 
 
 def _event_of(scene: Scene, i: int) -> Event | None:

@@ -3,7 +3,7 @@
 import re
 from functools import cache
 
-from c2s_engine.interpret import language, notation
+from c2s_engine.interpret import grids, language, notation, telegraphic
 from c2s_engine.interpret.motions import irregular
 from c2s_engine.interpret.rewritten import Replacement, Rewritten
 
@@ -16,7 +16,7 @@ class Mended:
     def __init__(self, text: str) -> None:
         self.original = text
         self._passes: list[Rewritten] = []
-        for replacements in (notation.fields, notation.signs, _repairs):
+        for replacements in (grids.grids, notation.fields, notation.signs, _repairs, telegraphic.spelt_out):
             self._passes.append(Rewritten(text, replacements(text)))
             text = self._passes[-1].text
         self.text = text
@@ -55,7 +55,7 @@ def _stem(verb: str) -> str:
 def vocabulary() -> frozenset[str]:
     """The single words of the language tables, with the forms of their verbs."""
     words: set[str] = set(language.table("spelling")["extra"])
-    for noun in language.actor_nouns():
+    for noun in language.actor_nouns().keys() - language.other_agents():
         words |= set(re.findall(r"[a-z]{4,}", noun))
     for rule in language.table("motions")["verbs"]:
         for verb in rule["verbs"]:

@@ -101,6 +101,10 @@ def _intervals(text: str) -> list[Span]:
 INTERVAL = re.compile(
     r"\[\s*(?P<low>\d+(?:\.\d+)?)\s*(?:,|;|\.\.+|-|to)\s*(?P<high>\d+(?:\.\d+)?)\s*\]\s*(?P<unit>[a-z/%]+\d?)(?![\w/])"
 )
+ELAPSED = re.compile(  # what follows a second of time, not a second car
+    r"\s*(?:[.,;:!?)'-]|$|(?:ahead|behind|away|before|after|later|from|apart|or|and|to|of|into|in|at|gap|headway|long|pause"
+    r"|delay|earlier|sooner|passes|passed|ago|when|then|while|until)\b)"
+)
 AWAY = re.compile(r"\s+(ahead|behind|away|before|after|from|in front|apart|or)\b")
 
 
@@ -114,6 +118,8 @@ def quantities(text: str) -> list[Span]:
         if match["unit"] in ("'", "mi", "g") and not match["low"][-1:].isdigit():
             continue
         if match["unit"] == "yard" and match["low"] in ("a", "one") and not AWAY.match(text[match.end() :]):
+            continue
+        if match["unit"] == "second" and match["low"] in ("a", "one") and not ELAPSED.match(text[match.end() :]):
             continue
         if match["unit"] == "m" and not match["low"][-1:].isdigit():
             continue

@@ -30,9 +30,15 @@ class Members(Parts):
         single = self._one_of(word, before, groups[-1]) if groups else None
         if single is not None:
             return single
-        if told not in ORDINALS or not groups or named not in (["the"], ["its"]):
+        if told not in ORDINALS or named not in (["the"], ["its"]):
             return None
-        return self._member(groups[-1], told)
+        return self._member(groups[-1], told) if groups else self._by_order(word, told)
+
+    def _by_order(self, word: Word, told: str) -> Entity | None:
+        """ "The first one" where single ones of a kind were told one after the other."""
+        spoken = [self.of[i] for i in sorted(self.of) if i < word.i and self.of[i].mover]
+        alike = [e for e in dict.fromkeys(spoken) if not e.ego and e.type == spoken[-1].type and e.count == 1]
+        return alike[ORDINALS[told]] if 1 < len(alike) > ORDINALS[told] else None
 
     def _one_of(self, word: Word, before: list[str], group: Entity) -> Entity | None:
         """ "One bolts across, the other stays", after two were spoken of: one member and the other."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from c2s_engine.interpret.entities import ORDINALS
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.motions import irregular, verb_lemmas
@@ -119,6 +120,8 @@ class Rendering:
                 if not parts or parts[-1] != mark:
                     parts.append(mark)
             elif i in self.cast.of:
+                if word.span is None and parts and parts[-1] in ORDINALS:  # "the first one"
+                    parts.pop()
                 parts.append("@" + self.cast.of[i].key + (" 's" if word.tag == "PRP$" else ""))
             elif (word.tag.startswith("VB") and word.dep not in ("amod", "compound")) or word.tag == "MD":
                 parts.append(self._lemma(word))

@@ -9,7 +9,6 @@ from c2s_engine.interpret.ego_others import (
     free_side,
     in_lane_conflict,
     last_actor,
-    nobody_in_the_way,
     passed,
     yielded,
 )
@@ -65,9 +64,6 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                     pass
                 continue
             said_reaction = True
-            if stop and not event.hard and nobody_in_the_way(scene, event, others):
-                phases.append(Phase(action="stop", trigger=trigger))
-                continue
             if stop and phases and phases[-1].action in ASIDE and _from_behind(scene):
                 phases.append(Phase(action="stop", trigger=trigger))
                 continue
@@ -104,9 +100,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                 scene.where(event.patient).lane == "oncoming" or "oncoming" in event.patient.roles
             ):
                 who = passed(scene, ids) or who
-            towards = (
-                None if place.ego_lane == f"{OTHER.get(towards or '')}most" else towards
-            )  # where the passed one is
+            if place.ego_lane == f"{OTHER.get(towards or '')}most":
+                towards = None  # the side where the passed one is
             phases.append(Phase(action="overtake", target=who or passed(scene, ids), side=towards, trigger=trigger))
             if phases[-1].target is None:
                 phases.pop()

@@ -29,7 +29,7 @@ def phases_of(
         near = " ".join(w.norm for w in scene.words[entity.mentions[0].word : entity.mentions[0].word + 7])
         on_it = place.crosswalk and re.search(r"cross|zebra", near) is not None
         found = [Phase(action="cross_road" if on_it else "stationary")]
-    if entity.person and not found and scene.where(entity).rel == "beside":
+    if entity.person and not found and (scene.where(entity).rel == "beside" or _stands(scene, entity)):
         found = [Phase(action="stationary")]
     if entity.person and not found and not entity.roles and placement.position in ("intersection_exit",):
         found = [Phase(action="cross_road")]
@@ -73,6 +73,13 @@ def phases_of(
     if any(p.action in ("turn_left", "turn_right", "u_turn") for p in found) and place.kind == "intersection":
         found = [p for p in found if p.action != "go_straight"]
     return found[:8]
+
+
+def _stands(scene: Scene, entity: Entity) -> bool:
+    """Whether a person of whom nothing is told is "standing" or "waiting" in a note."""
+    first = scene.words[entity.mentions[0].word]
+    after = [w.norm for w in scene.words[first.i + 1 : first.i + 9] if w.sentence == first.sentence]
+    return bool({"standing", "waiting", "sitting", "kneeling"} & set(after))
 
 
 def _merged(phases: list[Phase]) -> list[Phase]:

@@ -11,6 +11,8 @@ from c2s_engine.interpret.syntax import Word
 
 STRIKES = frozenset(("hit", "strike", "clip", "ram", "bump", "contact", "touch", "graze", "scrape", "sideswipe"))
 
+RIDDEN = frozenset(("bicycle", "motorcycle"))
+RESTS = frozenset(("park", "stand", "dump", "abandon", "sit", "block", "double-park", "leave", "strand", "stop"))
 BOWS = frozenset(("bow", "bows", "nose", "front", "bonnet", "hood", "bumper", "path"))
 
 LOOSE = frozenset(("debris", "box", "obstacle"))
@@ -76,6 +78,8 @@ class Pronouns(Members):
             found = self._salient(word, lambda e: e.person)
             if found is None and self._first_person():  # who says "I" is never "he"
                 found = self._salient(word, lambda e: e.mover and not e.ego)
+            if found is None or found.type not in RIDDEN and self._rests(found):
+                found = self._salient(word, lambda e: e.type in RIDDEN) or found
             return found or self._salient(word, lambda e: e.mover)
         if norm in ("they", "them", "their", "themselves"):
             many = [e for e in self.entities if e.count > 1]
@@ -92,6 +96,11 @@ class Pronouns(Members):
                 return person[-1]
             return self._salient(word, lambda e: e.mover)
         return self._elliptic(word) or self._unknown(word)
+
+    def _rests(self, entity: Entity) -> bool:
+        """Whether a vehicle was told of as standing: nobody in it is "he"."""
+        verbs = (self._governor(self.words[m.word]) for m in entity.mentions[:2])
+        return bool(entity.roles & {"parked", "stationary"}) or any(v.lemma in RESTS for v in verbs)
 
     def _first_person(self) -> bool:
         """Whether ego speaks of itself: "I", "we", "our"."""

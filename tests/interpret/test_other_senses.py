@@ -73,10 +73,3 @@ def test_standing_in_the_lane_that_ego_is_in(read) -> None:
 def test_the_light_that_has_changed(read) -> None:
     s = read("The light was green but has just gone amber when ego is 40 m away. Ego stops at the line.")
     assert s["G"].spec.light == "yellow"
-
-
-def test_ego_stops_of_its_own_accord_where_nobody_is_in_its_way(read) -> None:
-    s = read("A bus stands on the other side with red lights flashing. Ego stops. Then 3 kids cross from the left.")
-    assert [p.action for p in s["E"].spec.phases] == ["stop"]
-    s = read("Ego stops because a pedestrian crosses from the right.")
-    assert s["E"].spec.reaction == "brake"

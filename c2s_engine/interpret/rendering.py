@@ -120,7 +120,9 @@ class Rendering:
                 if not parts or parts[-1] != mark:
                     parts.append(mark)
             elif i in self.cast.of:
-                if word.span is None and parts and parts[-1] in ORDINALS:  # "the first one"
+                if (
+                    word.span is None and self.cast.of[i].group is None and parts and parts[-1] in ORDINALS
+                ):  # "the first one"
                     parts.pop()
                 parts.append("@" + self.cast.of[i].key + (" 's" if word.tag == "PRP$" else ""))
             elif (word.tag.startswith("VB") and word.dep not in ("amod", "compound")) or word.tag == "MD":

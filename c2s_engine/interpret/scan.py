@@ -165,6 +165,8 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             and text[max(0, start - 12) : start].strip().split(" ")[-1] in tables["leads"]
         ):
             continue
+        if noun == "pick up" and re.search(r"\bto\s+$", text[max(0, start - 4) : start]):
+            continue
         if noun == "mini" and re.match(r"[\s-]+(?:roundabout|cab|van|bus|series)", text[end : end + 12]):
             continue
         if noun in tables["verbs_too"] and any(s.end == start - 1 and s.kind != "quantity" for s in found):

@@ -179,6 +179,9 @@ class Agents(Patients):
                 return agent, at, False
         if word.dep in ("pcomp", "advcl", "conj", "parataxis", "dep", "csubj", "prep", "amod", "appos", "punct"):
             above = head if head.verb or self._is_verb(head) else self._governor(head)
+            if word.dep == "pcomp" and above is not None and above.dep == "ccomp" and head.norm == "before":
+                letting = self.words[above.head]
+                above = letting if letting.lemma in ("let", "allow") else above  # "let it pass before turning"
             if word.dep == "conj" and above is not None and word.tag in ("VBZ", "VBD", "VBP"):
                 comma = self.words[word.i - 1].norm == ","
                 if (

@@ -6,11 +6,15 @@ from functools import cache
 from c2s_engine.interpret import language
 from c2s_engine.interpret.scan import Span
 
+MILES = re.compile(r"\bmph\b|\bmiles?\b|\bfeet\b|(?<!on )(?<!by )\bfoot\b|\d ?ft\b|\byards?\b")
+DIGITS = "zero|one|two|three|four|five|six|seven|eight|nine|niner"
+TENS = "(?:twenty|thirty|forty|fifty|sixty|seventy|eighty|ninety)"
+
 
 @cache
 def _number() -> str:
     words = language.alternatives(list(language.table("units")["numbers"]))
-    return rf"(?:\d+(?:[.,]\d+)?|\b(?:{words})\b)"
+    return rf"(?:\d+(?:[.,]\d+)?|\b{TENS}[ -](?:{DIGITS})\b|\b(?:{words})\b)"
 
 
 @cache
@@ -22,9 +26,6 @@ def _quantity() -> re.Pattern[str]:
         rf"|\.\.\.?|or)\s*(?P<high>{number}))?(?:\s*(?:±|\+/?-)\s*\d+(?:[.,]\d+)?\)?)?"
         rf"(?:\s*|-)(?P<unit>{unit})(?![\w/²^])(?:\s+(?P<half>and a half))?"
     )
-
-
-DIGITS = "zero|one|two|three|four|five|six|seven|eight|nine|niner"
 
 
 @cache
@@ -60,7 +61,7 @@ def bare_speeds(text: str) -> list[Span]:
     """Numbers without a unit after a road user or its lane, in the shorthand of tests ("ego 60, lead 40"): mph where
     the text has mph anywhere, else km/h."""
     found = []
-    factor = 0.44704 if re.search(r"\bmph\b|\bmiles?\b|\bfeet\b|\bfoot\b|\d ?ft\b|\byards?\b", text) else 1 / 3.6
+    factor = 0.44704 if MILES.search(text) else 1 / 3.6
     for match in _bare().finditer(text):
         group = next(name for name, value in match.groupdict().items() if value)
         value = _value(match[group])
@@ -74,6 +75,8 @@ def _value(text: str) -> float:
     text = " ".join(text.split()).lstrip("+")
     words = language.table("units")["numbers"]
     digits = text.split()
+    if compound := re.fullmatch(rf"({TENS})[ -](\w+)", text):
+        return float(words[compound[1]]) + words[compound[2]]
     if len(digits) > 1 and all(d in DIGITS.split("|") for d in digits):
         return float("".join(str(min(9, DIGITS.split("|").index(d))) for d in digits))
     if text in words:

@@ -55,6 +55,7 @@ class Clauses(Nominal):
         ]
         if lemma in ("let", "allow", "wait", "permit") and complements:
             text = f"{text} {self.render(self.own(self.words[complements[0]]))}"
+        awaited: Entity | None = None
         if lemma == "wait" and (
             later := [
                 c
@@ -63,6 +64,7 @@ class Clauses(Nominal):
             ]
         ):
             text = f"wait until {self.render(self.own(self.words[later[0]]))}"
+            awaited = self._subject(self.words[later[0]])[0]
         if lemma == "follow" and word.tag == "VBN" and word.head != word.i:  # "a ball rolls onto the road, followed by"
             whole = f"{whole} {self.render(self.own(self.words[word.head]))}"
         if lemma == "be":
@@ -112,7 +114,7 @@ class Clauses(Nominal):
             agent = self._nearest(word, at) or (self._continued(word) if at is None else None)
         if agent is not None and word.tag == "VBG" and not passive and self._dangles(word, agent):
             agent = self.cast.ego
-        patient = self._patient(word, own, agent, passive)
+        patient = awaited if awaited is not None and not awaited.ego else self._patient(word, own, agent, passive)
         if patient is None and word.dep == "amod" and word.head == word.i + 1:  # "collided head-on with V2"
             later = [i for i in range(word.i + 2, min(word.i + 6, len(self.words))) if i in self.cast.of]
             patient = self.cast.of[later[0]] if later and self.words[word.i + 2].norm in ("with", "into") else None

@@ -133,12 +133,21 @@ def compose_settings(found: Settings, scene: Scene) -> tuple[SettingsSpec, list[
     return SettingsSpec(map=town, weather=sky, time=time, preset=preset, light=state), assumed  # type: ignore[arg-type]
 
 
+CHANGES = re.compile(
+    r"(?:turn|go|goes|gone|went|chang|switch|flip)\w*(?: to| from green to| over to| just)? (?:yellow|amber|red)$"
+)
+
+
 def _ego_light(scene: Scene) -> str | None:
     """The state of the light that ego faces: of several, the first that is not the one another runs."""
     ego = scene.cast.ego
     runner = next((e for e in scene.clauses.events if e.act == "run_red" and e.done and not e.agent.ego), None)
     if scene.does(ego, "run_red") is not None:
         return "red"
+    ordered = sorted(scene.light, key=lambda f: f.span[0])
+    changed = ordered[-1] if ordered and ordered[0].value == "green" else None
+    if changed is not None and changed.value != "green" and CHANGES.search(scene.plain[: changed.span[1]]):
+        return changed.value
     for found in scene.light:
         if found.value == "red" and runner is not None:
             start, end = _clause_span(scene, runner)

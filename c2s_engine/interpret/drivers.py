@@ -9,6 +9,7 @@ from c2s_engine.interpret.ego_others import (
     free_side,
     in_lane_conflict,
     last_actor,
+    nobody_in_the_way,
     passed,
     yielded,
 )
@@ -65,6 +66,9 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                     pass
                 continue
             said_reaction = True
+            if stop and not event.hard and nobody_in_the_way(scene, event, others):
+                phases.append(Phase(action="stop", trigger=trigger))
+                continue
             if stop and phases and phases[-1].action in ASIDE and _from_behind(scene):
                 phases.append(Phase(action="stop", trigger=trigger))
                 continue
@@ -101,6 +105,9 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                 scene.where(event.patient).lane == "oncoming" or "oncoming" in event.patient.roles
             ):
                 who = passed(scene, ids) or who
+            towards = (
+                None if place.ego_lane == f"{OTHER.get(towards or '')}most" else towards
+            )  # where the passed one is
             phases.append(Phase(action="overtake", target=who or passed(scene, ids), side=towards, trigger=trigger))
             if phases[-1].target is None:
                 phases.pop()
@@ -224,6 +231,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     return spec, assumed
 
 
+OTHER = {"right": "left"}
 ASIDE = ("lane_change", "leave_road", "drift")
 
 

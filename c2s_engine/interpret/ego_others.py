@@ -101,6 +101,24 @@ def for_sign(scene: Scene, event: Event, place: PlaceSpec) -> bool:
     )
 
 
+def nobody_in_the_way(scene: Scene, event: Event, others: list[Entity]) -> bool:
+    """Whether ego stops although none of the others is in its way: they stand aside or cross only afterwards."""
+
+    def aside(other: Entity) -> bool:
+        where = scene.where(other)
+        acts = [e for e in scene.events(other) if e.act not in ("stationary", "travel", "approach")]
+        if other.person and where.lane != "same":
+            crosses = [e for e in acts if e.act in ("cross_road", "enter_road", "cross_path", "move_along")]
+            later = all(e.order > event.order and not e.adverbial for e in crosses)
+            return bool(acts) and later or not acts and scene.does(other, "stationary") is not None
+        still = scene.does(other, "stationary") is not None or "stationary" in other.roles
+        return where.lane == "oncoming" and not acts and still
+
+    yields = any(e.act == "yield" for e in scene.events(scene.cast.ego))
+    off = ("roadside", "parked", "sidewalk")
+    return bool(others) and not yields and all(aside(o) if o.mover else scene.where(o).lane in off for o in others)
+
+
 def free_side(place: PlaceSpec) -> str:
     return "right" if place.ego_lane == "leftmost" else "left"
 

@@ -32,8 +32,24 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             event.act, event.side = "oncoming", "left"
         elif event.done and event.act in ("lane_change", "drift", "swerve") and event.agent in of:
             _into_whose_lane(event, clauses, of)
+        elif event.done and event.act == "follow" and event.patient in of:
+            _behind_whom_it_follows(event, clauses, of)
         elif event.done and event.act in ("approach", "travel", "oncoming") and EACH_OTHER.search(event.text):
             _towards_each_other(event, of)
+
+
+def _behind_whom_it_follows(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Who follows another that is in a lane of its own is behind that one, where nothing else is told of it."""
+    follower, leader = event.agent, event.patient
+    if (
+        follower is leader
+        or follower not in of
+        or any(e.agent is leader and e.patient is follower for e in clauses.events)
+    ):
+        return
+    where, ahead = of[follower], of[leader]
+    if where.rel is None and where.of is None and where.lane in (None, ahead.lane) and ahead.lane is not None:
+        where.rel, where.of, where.lane = "behind", leader, None
 
 
 EACH_OTHER = re.compile(

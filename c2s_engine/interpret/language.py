@@ -58,10 +58,12 @@ def actor_nouns() -> dict[str, tuple[str, bool, bool]]:
     """Noun -> (object type, is a plural, names a rider or driver)."""
     data = table("actors")
     found: dict[str, tuple[str, bool, bool]] = {}
+    named = {noun for section in ("types", "people") for nouns in data[section].values() for noun in nouns}
+    several = {plural for noun in named for plural in plurals(noun)} - set(data["invariant"]) | {"people"}
     for section, person in (("types", False), ("people", True)):
         for kind, nouns in data[section].items():
             for noun in nouns:
-                found[noun] = (kind, noun in ("people", "cattle", "works", "roadworks", "road works"), person)
+                found[noun] = (kind, noun in several or noun in ("cattle", "works", "roadworks"), person)
                 for plural in plurals(noun):
                     found.setdefault(plural, (kind, True, person))
     for section, kind in (("generic", "vehicle"), ("drivers", "vehicle"), ("riders", "rider")):

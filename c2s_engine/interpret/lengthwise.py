@@ -6,6 +6,11 @@ from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.scene import Scene
 
 
+def told_of(scene: Scene, entity: Entity) -> str:
+    """What is said of one's place, and the clauses of what it does."""
+    return " ; ".join([*(t for _, t in scene.where(entity).phrases), *(e.whole for e in scene.events(entity))])
+
+
 def along_of(rel: str | None) -> str:
     return {"ahead": "ahead", "behind": "behind", "beside": "abreast"}.get(rel or "", "ahead")
 
@@ -20,6 +25,10 @@ def passes_ego(scene: Scene, entity: Entity) -> bool:
     return any(e.act == "overtake" and (e.patient is None or e.patient.ego) for e in scene.events(entity))
 
 
+CIRCULATES = re.compile(
+    r"\b(circulat\w+|(go|goes|going|drive|drives|driving|come|comes|coming|ride|riding|cycle|cycling|travelling) "
+    r"(a)?round\b|already (in|on|inside) |(in|inside|on) the (roundabout|circle|ring|circulatory \w+)\b)"
+)
 OWN_LANE = re.compile(r"@ego 's (\w+ )?lane|(same|ego|own|its|@ego) lane|lane of (the )?@ego|same lane as")
 
 

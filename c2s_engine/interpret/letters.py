@@ -4,6 +4,7 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.motions import third_person, third_persons
 from c2s_engine.interpret.scan import LABEL_NUMBERS, Span
 
 BARE = re.compile(r"(?<![\w'’/&.-])(?P<letter>[A-HJ-Z])(?![\w/&%-]|\.\w|['’](?!s\b|\s)|\d|\.\s+[A-Z][a-z]+\s[A-Z])")
@@ -27,38 +28,16 @@ NO_FOLLOWER = re.compile(
     r"|license|licence|class|crossing|kerb|curb|hand|shoulder|degrees|ramps?|exit|band)\b"
 )
 SIDES = frozenset("lrnesw")
+AUXILIARIES = frozenset(
+    ["is", "was", "has", "had", "does", "did", "must", "will", "should", "can", "cannot", "then", "never", "goes"]
+)
 
 
 @cache
 def _verbs() -> frozenset[str]:
-    """The third person singular of every verb of motion, and auxiliaries."""
-    lemmas = {v for rule in language.table("motions")["verbs"] for v in rule["verbs"]}
-    lemmas |= {v for words in language.table("motions")["modality"].values() for v in words}
-    found = {
-        "is",
-        "was",
-        "has",
-        "had",
-        "does",
-        "did",
-        "must",
-        "will",
-        "should",
-        "can",
-        "cannot",
-        "then",
-        "never",
-        "goes",
-    }
-    for verb in lemmas:
-        found.add(
-            verb[:-1] + "ies"
-            if re.search("[^aeiou]y$", verb)
-            else f"{verb}es"
-            if re.search("(s|sh|ch|x|z|o)$", verb)
-            else f"{verb}s"
-        )
-    return frozenset(found)
+    """The third person singular of verbs of motion and of those that govern them, and auxiliaries."""
+    shades = {v for words in language.table("motions")["modality"].values() for v in words}
+    return third_persons() | {third_person(v) for v in shades} | AUXILIARIES
 
 
 @cache

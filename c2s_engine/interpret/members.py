@@ -15,6 +15,8 @@ class Members(Parts):
     words: list[Word]
     entities: list[Entity]
     of: dict[int, Entity]
+    both: dict[int, list[Entity]]
+    subjects: list[tuple[int, Entity]]
 
     def _new(self, entity: Entity) -> Entity:
         raise NotImplementedError
@@ -122,4 +124,44 @@ class Members(Parts):
         if norm in ("other", "others") and self.words[word.i - 1].norm == "the":
             vehicles = [e for e in movers if e.type in VEHICLES]
             return vehicles[-1] if vehicles else movers[-1]
+        if norm == "both" or norm in ("two", "pair", "duo") and self.words[word.i - 1].norm in ("the", "these"):
+            return self._together(word)
         return None
+
+    def _together(self, word: Word) -> Entity | None:
+        """Whom "both" or "the two" mean: a group, those of a joint subject, else the last two spoken of."""
+        earlier = [self.of[i] for i in sorted(self.of) if i < word.i and self.of[i].mover]
+        groups = [e for e in earlier if e.count > 1]
+        if groups:
+            return groups[-1]
+        joint = self._joint(word)
+        if joint is None and earlier:
+            last = list(dict.fromkeys(reversed(earlier)))[:2]
+            joint = sorted(last, key=lambda e: e.ego) if len(last) == 2 else None
+        return self._all_of(word, joint) if joint else None
+
+    def _joint(self, word: Word) -> list[Entity] | None:
+        """Those of the last joint subject of this sentence or the one before ("a bus and a van wait. They ...")."""
+        for i in sorted((i for i in self.of if i < word.i), reverse=True):
+            if self.words[i].sentence < word.sentence - 1:
+                break
+            found = [self.of[i]]
+            at = self.words[i]
+            while at.dep == "conj" and at.head in self.of and at.head < at.i:
+                at = self.words[at.head]
+                found.insert(0, self.of[at.i])
+            if at.dep in ("nsubj", "nsubjpass") and len({*found}) > 1 and all(e.mover for e in found):
+                return sorted(dict.fromkeys(found), key=lambda e: e.ego)
+        return None
+
+    def _subjects_before(self, word: Word) -> list[Entity] | None:
+        """The two or three, ego not among them, of which the sentence before told one after the other."""
+        if word.dep not in ("nsubj", "nsubjpass"):
+            return None
+        found = list(dict.fromkeys(e for i, e in self.subjects if self.words[i].sentence == word.sentence - 1))
+        return found if 1 < len(found) < 4 and all(e.mover and not e.ego for e in found) else None
+
+    def _all_of(self, word: Word, those: list[Entity]) -> Entity:
+        """One word that means several of them: the first, with the others beside."""
+        self.both[word.i] = those[1:]
+        return those[0]

@@ -44,7 +44,7 @@ class Cast(Nouns):
         self.entities: list[Entity] = []
         self.of: dict[int, Entity] = {}
         self.wheels: dict[int, Entity] = {}
-        self.both: dict[int, list[Entity]] = {}
+        self.both: dict[int, list[Entity]] = {}  # whom else a word means that means several
         self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
         self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD")}
         self.strong_ego = any(w.span and w.span.kind == "ego" for w in words)
@@ -54,6 +54,7 @@ class Cast(Nouns):
         self.one_is_ego = self._label_is_ego()
         self._resolve()
         self._both_to_come()
+        self._other_to_come()
 
     # -- building ------------------------------------------------------------------------------------------------
     def _resolve(self) -> None:
@@ -97,6 +98,23 @@ class Cast(Nouns):
         others[0].mentions.insert(0, first.mentions[0])
         self.entities.remove(first)
         self.subjects = [(i, others[0] if e is first else e) for i, e in self.subjects]
+
+    def _other_to_come(self) -> None:
+        """ "It hesitates when the other car was there first", before the one other vehicle is told of."""
+        first = next((e for e in self.entities if e.mentions), None)
+        if first is None or first.count != 1 or first.noun not in ("car", "vehicle") or first.roles or first.label:
+            return
+        at = first.mentions[0].word
+        others = [e for e in self.entities if e is not first and e.type in MOTOR and e.count == 1 and e.mentions]
+        told = [w.norm for w in self.words[max(0, at - 2) : at]]
+        if told[-2:] != ["the", "other"] or len(others) != 1 or others[0].mentions[0].word < at:
+            return
+        later = others[0]
+        for i in [i for i, e in self.of.items() if e is first]:
+            self.of[i] = later
+        later.mentions = [*first.mentions, *later.mentions]
+        self.entities.remove(first)
+        self.subjects = [(i, later if e is first else e) for i, e in self.subjects]
 
     def _fronted(self, word: Word) -> bool:
         return word.dep == "ROOT" and not word.tag.startswith("VB")

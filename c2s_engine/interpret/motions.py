@@ -31,3 +31,16 @@ def irregular() -> dict[str, str]:
 @cache
 def verb_lemmas() -> frozenset[str]:
     return frozenset(v for rule in language.table("motions")["verbs"] for v in rule["verbs"])
+
+
+def third_person(verb: str) -> str:
+    """The third person singular of a verb by rule: "carries", "passes", "brakes"."""
+    if re.search("[^aeiou]y$", verb):
+        return f"{verb[:-1]}ies"
+    return f"{verb}es" if verb.endswith(("s", "sh", "ch", "x", "z", "o")) else f"{verb}s"
+
+
+@cache
+def third_persons() -> frozenset[str]:
+    """The third person singular of every verb of motion."""
+    return frozenset(third_person(verb) for verb in verb_lemmas())

@@ -7,17 +7,20 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PERSONS, VEHICLES, ZONES, Entity, fits
 from c2s_engine.interpret.syntax import Word
-from c2s_engine.interpret.wheel import AtWheel
+from c2s_engine.interpret.titles import Titles
 
 STANDS = frozenset(("stationary", "stopped", "standing", "static", "parked", "halted", "stalled", "immobile"))
+TWO_WHEELERS = frozenset(("bike", "bikes", "bike rider"))
+COUNTED = re.compile(
+    r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units"
+    r"|animals|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
+)
 TITLES = frozenset(("mr", "mrs", "ms"))
 LOST = frozenset(("shed", "lost", "dropped", "spilled", "spilt", "fallen", "left", "discarded", "dumped", "jettisoned"))
 
 
-class Nouns(AtWheel):
+class Nouns(Titles):
     """The part of Cast that reads nouns."""
-
-    told: set[int]  # the sentences with a finite verb
 
     def _apposed(self, word: Word) -> Entity | None:
         raise NotImplementedError
@@ -30,11 +33,17 @@ class Nouns(AtWheel):
         kind, noun, roles = data["type"], data.get("noun", ""), set(data.get("roles", ()))
         if data.get("label"):
             roles |= {language.roles()[b] for b in self._modifiers(word) if b in STANDS}  # "a stationary GVT"
+            host = self.of.get(word.i - 2) if word.i > 1 and self.words[word.i - 1].norm == "(" else None
+            if host is not None and not host.ego and not host.label and host.mover:  # "the lead (GVT)"
+                host.label = data["label"]
+                return host
             for entity in self.entities:
                 if entity.label == data["label"] or (roles & entity.roles - {"stationary", "parked"}):
                     entity.roles |= roles
                     return entity
             return self._new(Entity("", "vehicle", label=data["label"], roles=roles))
+        if noun in TWO_WHEELERS and kind == "bicycle" and self._motor_bike():
+            kind = "motorcycle"
         before = self._modifiers(word)
         previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
         if previous in ("other",) and "no" in self._near(word):
@@ -165,6 +174,11 @@ class Nouns(AtWheel):
             Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
         )
 
+    def _motor_bike(self) -> bool:
+        """Whether "the bike" is a motorcycle spoken of before, as no bicycle was."""
+        kinds = {e.type for e in self.entities}
+        return "motorcycle" in kinds and "bicycle" not in kinds
+
     def _watched(self, word: Word) -> bool:
         """Whether traffic is only looked at or checked for."""
         above = self.words[word.head]
@@ -179,38 +193,6 @@ class Nouns(AtWheel):
         return lost and (
             verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))
         )
-
-    def _titled(self, word: Word, kind: str) -> Entity | None:
-        """The driver whom a title named ("Ghost driver at 2 a.m.: ... a wrong-way car comes")."""
-        if kind not in VEHICLES or word.i == 0:
-            return None
-        indefinite = self.words[word.i - 1].norm in ("a", "an") or {"a", "an"} & set(self._modifiers(word))
-        for entity in self.entities:
-            if entity.type not in ("vehicle", kind) or len(entity.mentions) != 1 or entity.count != 1:
-                continue
-            first = self.words[entity.mentions[0].word]
-            told = not self._heading(0) and (not entity.roles or entity.roles & {"lead", "following"})
-            if indefinite and not told and self._announced(first, word):
-                return entity
-            if entity.type != "vehicle" or not entity.noun.endswith("driver"):
-                continue
-            between = [w.norm for w in self.words[first.i : word.i]]
-            ends = next((w.i for w in self.words[first.i : word.i] if w.norm == ":"), None)
-            title = first.sentence == 0 and (self._heading(0) or ends is not None)
-            verbs = [w for w in self.words[: ends or first.i] if w.tag in ("VBZ", "VBD", "VBP", "MD")]
-            if title and not verbs and (ends is not None or word.sentence > 0) and "another" not in between[-3:]:
-                return entity
-        return None
-
-    def _announced(self, first: Word, word: Word) -> bool:
-        """Whether a noun stands without an article in a short title, so that a later "a pickup" is the same one:
-        "Crossing vehicle does not stop. A pickup comes from the left"."""
-        title = [w for w in self.words if w.sentence == 0]
-        if first.sentence != 0 or word.sentence == 0 or len(title) > 12 or title[-1].norm not in (".", ":", "!"):
-            return False
-        if any(w.norm in ("a", "an", "the", "is", "are") or w.span and w.span.kind != "actor" for w in title):
-            return False
-        return sum(w.i in self.of for w in title) == 1
 
     def _alternative(self, word: Word) -> Entity | None:
         """The first of two nouns of which either may be meant: "a tractor or a coach"."""
@@ -249,11 +231,11 @@ class Nouns(AtWheel):
             return None
         told = [e for e in self.entities if e.type in VEHICLES and e.mentions]
         alone = len(told) == 1 and self.ego.mentions or len(told) == 2 and not self.ego.mentions
-        return told[-1] if alone and all(e.count == 1 for e in told) else None
-
-    def _heading(self, sentence: int) -> bool:
-        """Whether a sentence is a title: without a finite verb."""
-        return sentence not in self.told
+        if not alone or any(e.count > 1 for e in told):
+            return None
+        if {"both", "two"} & set(before):
+            self.both[word.i] = told[:-1] or [self.ego]
+        return told[-1]
 
     def _revealed(self, word: Word, kind: str) -> Entity | None:
         """The bare label that a colon explains: "V3 came into view: a disabled car"."""
@@ -303,6 +285,10 @@ class Nouns(AtWheel):
                 return int(text)
             if text in counts:
                 return int(counts[text])
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 9] if w.sentence == word.sentence)
+        told = COUNTED.match(after)
+        if told is not None:
+            return int(told["n"]) if told["n"].isdigit() else int(counts.get(told["n"], 2))
         return 2
 
     def _retyped(self, host: Entity, kind: str, roles: set[str], noun: str) -> Entity:
@@ -315,16 +301,3 @@ class Nouns(AtWheel):
         if noun and not host.noun:
             host.noun = noun
         return host
-
-    def _modifiers(self, word: Word) -> list[str]:
-        found = []
-        for i in range(max(0, word.i - 5), word.i):
-            other = self.words[i]
-            if other.sentence == word.sentence and (
-                i in word.children
-                or other.head in word.children
-                and other.i < word.i
-                and other.tag in ("RB", "CD", "JJ", "DT", "PDT")
-            ):
-                found.append(other.norm)
-        return found

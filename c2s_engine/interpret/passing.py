@@ -38,9 +38,24 @@ def by_the_other_lane(clauses: Clauses, road: Road) -> None:
         return
 
 
-def let_past(clauses: Clauses, event: Event) -> bool:
-    """Whether one only goes past because ego waits for it ("let him go past")."""
-    return not event.agent.ego and any(
-        e.act == "yield" and e.agent.ego and e.patient is event.agent and e.done and abs(e.word - event.word) <= 4
+MEETS = re.compile(r"\b(?:other|opposite) (?:way|direction)|oncom|towards|head-on|from (?:the |its )?(?:left|right)\b")
+
+
+URGENT = frozenset(("ambulance", "police_car", "fire_truck"))
+
+
+def let_past(clauses: Clauses, event: Event, road: Road) -> bool:
+    """Whether one only goes past because ego waits for it ("let him go past", "until it has gone by"): it need not come
+    from behind."""
+    who = event.agent
+    if who.ego or clauses._lemma(clauses.words[event.word]) == "overtake":
+        return False
+    own = [e for e in clauses.events if e.agent is who and e.done]
+    across = road.kind in ("intersection", "roundabout") or any(e.agent.ego and e.act == "turn" for e in clauses.events)
+    meets = "oncoming" in who.roles or any(e.act == "oncoming" or MEETS.search(e.whole) for e in own)
+    waited = any(
+        e.act == "yield" and e.agent.ego and e.patient is who and e.done and abs(e.word - event.word) <= 4
         for e in clauses.events
     )
+    behind = who.type in URGENT or any(re.search(r"\bbehind\b|\brear\b|faster", e.whole) for e in own)
+    return waited and (across or meets or not behind) or event.adverbial in ("until", "till") and (across or meets)

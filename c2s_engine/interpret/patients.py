@@ -45,6 +45,8 @@ class Patients(Rendering):
 
     def _pair(self, at: int) -> list[Entity]:
         """The other of two whom "both", "both of them" or "the two" mean."""
+        if at in self.cast.both:
+            return self.cast.both[at]
         near = [w.norm for w in self.words[max(0, at - 1) : at + 3]]
         if not {"both", "two"} & set(near[:2]) or self.words[at].span is not None:
             return []

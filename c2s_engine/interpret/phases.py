@@ -29,6 +29,8 @@ def phases_of(
         near = " ".join(w.norm for w in scene.words[entity.mentions[0].word : entity.mentions[0].word + 7])
         on_it = place.crosswalk and re.search(r"cross|zebra", near) is not None
         found = [Phase(action="cross_road" if on_it else "stationary")]
+    if entity.person and not found and scene.where(entity).rel == "beside":
+        found = [Phase(action="stationary")]
     if entity.person and not found and not entity.roles and placement.position in ("intersection_exit",):
         found = [Phase(action="cross_road")]
     if "parked" in entity.roles and not found:

@@ -2,7 +2,7 @@
 
 import re
 
-from c2s_engine.interpret.lengthwise import along_of, at_edge, passes_ego, wrong_way
+from c2s_engine.interpret.lengthwise import CIRCULATES, along_of, at_edge, passes_ego, told_of, wrong_way
 from c2s_engine.interpret.mentions import Entity
 from c2s_engine.interpret.relations import Where, side_of_text
 from c2s_engine.interpret.scene import Scene
@@ -10,6 +10,14 @@ from c2s_engine.structure.specs import PlaceSpec
 
 
 def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:
+    if entity.type == "bicycle" and place.kind == "roundabout" and CIRCULATES.search(told_of(scene, entity)):
+        return {"position": "crossing_left", "said": True}
+    passing = scene.does(entity, "overtake")
+    by = where.side or side_of_text(passing.whole) if passing is not None else None
+    if passing is not None and by is None and re.search(r"\b(?:inside|nearside)\b", passing.whole):
+        by = "right"
+    if entity.type == "bicycle" and by and place.manoeuvre == by and place.kind == "intersection":
+        return {"position": "roadside", "side": by, "along": "behind", "said": True}  # between ego and the kerb
     if "overtake" in acts and (where.lane is None and not where.rel or passes_ego(scene, entity)):
         return {"position": "behind", "said": True}
     crosses = "cross_road" in acts or "enter_road" in acts or "cut_in" in acts and entity.person

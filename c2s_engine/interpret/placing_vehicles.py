@@ -4,19 +4,16 @@ import re
 
 from c2s_engine.interpret.compass import compass
 from c2s_engine.interpret.event import Event
-from c2s_engine.interpret.lengthwise import along_of, passes_ego, wrong_way
+from c2s_engine.interpret.lengthwise import CIRCULATES, along_of, passes_ego, told_of, wrong_way
 from c2s_engine.interpret.mentions import Entity
 from c2s_engine.interpret.relations import Where, side_of_text
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.structure.specs import PlaceSpec
 
 PARTLY = re.compile(r"\b(partly|partially|half|part) [^;]*\b(lane|road|carriageway)\b")
+ACROSS = re.compile(r"\bacross (?:the |both |two |all |@ego 's |@ego )?(?:\w+ )?(?:lanes?|road|carriageway|street)\b")
 ON_MOTORWAY = re.compile(
     r"\b(on|along|in) the (main |through )?(motorway|highway|freeway|interstate|carriageway|main road)"
-)
-CIRCULATES = re.compile(
-    r"\b(circulat\w+|(going|driving|coming|travelling|goes|drives|comes) (a)?round\b|already (in|on|inside) "
-    r"|(in|inside|on) the (roundabout|circle|ring|circulatory \w+)\b)"
 )
 OPPOSITE = {"left": "right", "right": "left"}
 
@@ -24,7 +21,7 @@ OPPOSITE = {"left": "right", "right": "left"}
 def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:
     if wrong_way(scene, entity):
         return facing_ego(where, place)
-    if place.kind == "roundabout" and CIRCULATES.search(_told(scene, entity)):
+    if place.kind == "roundabout" and CIRCULATES.search(told_of(scene, entity)):
         return {"position": "crossing_left", "said": True}
     junction = place.kind == "intersection"
     lane, rel, edge = where.lane, where.rel, where.side
@@ -45,6 +42,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     roles = entity.roles
     moves = [a for a in acts if a not in ("stationary",)]
     first = scene.events(entity)[0] if scene.events(entity) else None
+    if ACROSS.search(text) and scene.does(entity, "stationary") and lane in (None, "same", "parked", "roadside"):
+        return {"position": "ahead", "said": True}
     if lane == "partly" or lane in ("parked", "roadside", None) and "parked" in roles and PARTLY.search(text):
         return {"position": "partly_in_lane", "side": edge or side_of_text(text) or "right", "said": True}
     if lane == "ramp":
@@ -75,17 +74,13 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         return {"position": f"crossing_{edge or compass(scene, entity) or 'left'}", "said": edge is not None}
     if lane in ("left", "right"):
         same = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
-        if (
-            same == lane
-            and (
-                rel in ("behind", "ahead")
-                or (rel := _met(scene, entity)) is not None
-                or (rel := "ahead" if moves == [] and (acts or roles & {"stationary", "parked"}) else None) is not None
-            )
-            and re.search(rf"{lane}(-hand|most)? lane", text)
-            and where.of is None
-        ):
-            return {"position": rel, "said": True}
+        own = where.of is None or where.of.ego and not re.search(rf"lane (?:to|on|of)\b|@ego 's {lane}", text)
+        if same == lane and own and re.search(rf"{lane}(-hand|most)? lane", text):
+            rel = rel if rel in ("behind", "ahead") else _met(scene, entity)
+            if rel is None and not {"cut_in", "lane_change"} & set(acts):  # no lane lies beyond ego's
+                rel = "behind" if passes_ego(scene, entity) or _gains(scene, entity) else "ahead"
+            if rel is not None:
+                return {"position": rel, "said": True}
         return {
             "position": f"{lane}_lane",
             "along": along_of(rel or ("behind" if passes_ego(scene, entity) or _gains(scene, entity) else None)),
@@ -93,7 +88,12 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         }
     if place.kind == "on_ramp" and lane in (None, "same") and _joined_ahead_of(scene, entity):
         return {"position": "left_lane", "along": "behind", "said": True}
-    if place.kind == "on_ramp" and rel is None and lane in (None, "same") and ON_MOTORWAY.search(_told(scene, entity)):
+    if (
+        place.kind == "on_ramp"
+        and rel is None
+        and lane in (None, "same")
+        and ON_MOTORWAY.search(told_of(scene, entity))
+    ):
         return {"position": "beside", "side": "left", "said": True}
     if (
         junction
@@ -108,6 +108,10 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         )
     ):
         return {"position": "intersection_exit", "said": True}
+    passing = scene.does(scene.cast.ego, "overtake") if place.ego_lane == "leftmost" and rel is None else None
+    on_right = rf"@{entity.key} (?:that is )?on (?:the |its )?right\b(?! side)"
+    if passing is not None and passing.patient is entity and re.search(on_right, passing.whole):
+        return {"position": "right_lane", "along": "ahead", "said": True}
     if lane == "adjacent" or "adjacent" in roles:
         edge = edge or _cut_side(scene, entity) or "left"
         return {
@@ -239,11 +243,6 @@ def _joined_ahead_of(scene: Scene, entity: Entity) -> bool:
     """Whether ego comes from the ramp in front of it."""
     before = re.compile(rf"(in front of|ahead of|before) (the |a |an )?(\w+ )?@{entity.key}\b")
     return any(before.search(e.whole) for e in scene.events(scene.cast.ego))
-
-
-def _told(scene: Scene, entity: Entity) -> str:
-    """What is said of one's place, and the clauses of what it does."""
-    return " ; ".join([*(t for _, t in scene.where(entity).phrases), *(e.whole for e in scene.events(entity))])
 
 
 def _side_of_events(scene: Scene, entity: Entity) -> str | None:

@@ -79,6 +79,9 @@ class Pronouns(Members):
             many = [e for e in self.entities if e.count > 1]
             if many:
                 return many[-1]
+            joint = self._joint(word) or self._subjects_before(word)
+            if joint is not None:
+                return self._all_of(word, joint)
             person = [e for e in self.entities if e.person]
             if person and norm in ("their", "they", "them"):
                 return person[-1]

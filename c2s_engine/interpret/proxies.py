@@ -86,6 +86,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     verb = regex.match(r"\s+(?:then |suddenly )?(\p{L}+)", plain[start + len(text) : start + 40])
     if text in TOLD and verb and _finite(verb[1]) and regex.search(r"\bthe\s+$", plain[max(0, start - 5) : start]):
         return "man"
+    if text == "both" and verb and verb[1] in language.word_list("motion") | language.word_list("base"):
+        return "they"
     if text in ALONE and verb and _finite(verb[1]) and OPENS.search(plain[max(0, start - 12) : start]):
         return "he"
     lets = before is not None and text in language.word_list("motion") | language.word_list("base")

@@ -101,6 +101,12 @@ class Reference(Pronouns):
             many = [e for e in candidates if e.count > 1]
             if many:
                 return many[-1]
+            told = {w.norm for w in self.words[max(0, word.i - 2) : word.i]} & {"both", "the", "these", "all"}
+            singles = sorted((e for e in candidates if e.mentions), key=lambda e: e.mentions[-1].word)
+            if self.ego_named and self.ego.mentions and kind == "vehicle" and len(singles) == count - 1:
+                singles.append(self.ego)
+            if told and not self._distinguished(word) and len(singles) >= count:
+                return self._all_of(word, sorted(singles[-count:], key=lambda e: (e.ego, e.mentions[0].word)))
             return None
         scored = []
         never = kind == "vehicle" and noun in language.actor_nouns() and noun not in ANYBODY

@@ -9,7 +9,7 @@ from c2s_engine.interpret.implied import evaded_lane, implied_places
 from c2s_engine.interpret.inferred import Inferred
 from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.struck import struck_places
-from c2s_engine.interpret.whereabouts import STATES, Where, read, side_of_text
+from c2s_engine.interpret.whereabouts import FRONTED, STATES, Where, read, side_of_text
 
 __all__ = ["STATES", "Places", "Where", "read", "side_of_text"]
 
@@ -171,6 +171,7 @@ class Places(Inferred):
             ),
             front,
         )
+        fronted = fronted or FRONTED.search(front)
         if fronted and word.span is not None:
             read(fronted[1], where, entity, self.cast, "noun")
         filled = FILLED.search(front)
@@ -330,8 +331,7 @@ class Places(Inferred):
                     elif re.search(
                         r"(less than|under|at most|within|no more than|not more than|up to|below)\s*$", before
                     ):
-                        low = high * 0.6
-                        high = high * 0.95
+                        low, high = high * 0.6, high * 0.95
                     where.gap = (low, high)
                     return
             elif (

@@ -100,7 +100,8 @@ class Rendering:
         while stack:
             i = stack.pop()
             other = self.words[i]
-            if other.dep in CLAUSAL and (self._is_verb(other)) or (other.dep == "conj" and self._is_verb(other)):
+            loose = other.dep == "dep" and other.tag in ("VBZ", "VBD") and i > word.i
+            if (loose or other.dep in CLAUSAL or other.dep == "conj") and self._is_verb(other):
                 continue
             found.append(i)
             stack += other.children

@@ -103,6 +103,8 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
         bare = text[match.end("word") : match.start("id")]
         if word in ("v", "u", "d") and bare.strip(" #-"):
             continue
+        if number in ("one", "two", "three", "four", "five") and not re.match(r"[\s-]", bare):
+            continue  # "done"
         if number in "abcde" and (word in ("v", "u", "d", "driver") or not re.match(r"[\s-]", bare)):
             continue
         typed = word in language.table("ego")["labels"]["typed"]
@@ -111,7 +113,7 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             and number.isalpha()
             and not re.match(
                 (
-                    r"\s*(?:$|[.,;:)(-]|(?:is|was|has|and|in|at|on|brakes|drives|turns|cuts|stops|changes"
+                    r"\s*(?:$|[.,;:)(-]|\d{2}|(?:is|was|has|and|in|at|on|brakes|drives|turns|cuts|stops|changes"
                     r"|overtakes|follows)\b)"
                 ),
                 text[match.end() : match.end() + 12],
@@ -175,7 +177,7 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             continue
         if noun == "cab" and re.search(r"(?:\b(?:his|her|its|their)|'s)\s+$", text[max(0, start - 8) : start]):
             continue
-        if noun in ("couple", "flock", "herd", "family", "group") and re.match(r"\s+of\s", text[end : end + 4]):
+        if noun in ("couple", "flock", "herd", "family", "group", "wall") and re.match(r"\s+of\s", text[end : end + 4]):
             continue
         if (
             noun in queues

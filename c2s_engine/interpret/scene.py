@@ -76,7 +76,9 @@ class Scene:
     def events(self, entity: Entity) -> list[Event]:
         """What the entity is said to do, in order, without what is denied or only imagined."""
         return [
-            e for e in self.clauses.events if (e.agent is entity or entity in e.also) and e.done and e.act in ACTIVE
+            e
+            for e in self.clauses.events
+            if (e.agent is entity or entity in e.also and e.patient is not entity) and e.done and e.act in ACTIVE
         ]
 
     def does(self, entity: Entity, *acts: str) -> Event | None:

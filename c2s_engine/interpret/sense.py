@@ -12,10 +12,20 @@ from c2s_engine.interpret.place import Road
 from c2s_engine.interpret.resumed import own_turns
 from c2s_engine.interpret.towards import side
 
+LEAVES = re.compile(
+    r"\b(?:down|onto|up|into|for|to take) (?:the|its|his|her|an?) (?:\w+ )?(?:off-?ramp|exit|slip road)\b"
+)
 
-def _was_over(cast: Cast, event: Event) -> bool:
-    """Whether it was done before the story begins: "had stopped", "had come to rest"."""
-    return any(cast.words[c].norm == "had" and c < event.word for c in cast.words[event.word].children)
+
+def _was_over(cast: Cast, event: Event, clauses: Clauses) -> bool:
+    """Whether it was done before the story begins: "had stopped", or "a taxi has stopped" as the first that is said of
+    the taxi."""
+    word = cast.words[event.word]
+    has = next((c for c in word.children if cast.words[c].norm in ("had", "has", "have") and c < event.word), None)
+    if has is None or cast.words[has].norm == "had":
+        return has is not None
+    first = not event.agent.ego and not event.adverbial and word.dep in ("ROOT", "relcl")
+    return first and not any(e.agent is event.agent and e.word < event.word for e in clauses.events)
 
 
 FIRST = re.compile(r"(?:pass|go|drive|proceed|cross|move|turn|enter|get|come|travel|clear)\b[^.;]*?\bfirst\b")
@@ -31,7 +41,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     """What single clauses cannot tell: a stop that is denied before a stop sign, a pass that is waited for."""
     avoided(cast, clauses)
     for event in list(clauses.events):
-        if event.act in ("stop", "brake_stop") and event.mode == "fact" and _was_over(cast, event):
+        if event.act in ("stop", "brake_stop") and event.mode == "fact" and _was_over(cast, event, clauses):
             event.act = "stationary"
         if event.act == "collide" and event.patient is None and event.agent.count > 1 and not event.agent.ego:
             event.act = "stop"  # with each other
@@ -62,6 +72,10 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             event.patient = cast.ego
         if event.act == "yield" and event.mode == "negated" and not event.agent.ego:
             event.act, event.mode = "cross_path", "fact"
+        if event.act == "turn_or_change":
+            verb = clauses._lemma(cast.words[event.word])
+            turns = road.kind in ("intersection", "roundabout")
+            event.act = "turn" if turns else "swerve" if verb in ("swerve", "veer", "jink") else "lane_change"
         if event.act == "pass_by":
             junction = road.kind == "intersection" and not re.search(r"lane|left|right|behind", event.whole)
             event.act = (
@@ -77,8 +91,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 and event.text.startswith("pass")
             )
             or event.act == "overtake"
-            and road.kind in ("intersection", "roundabout")
-            and let_past(clauses, event)
+            and let_past(clauses, event, road)
         ):
             event.act = "travel"
         passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")
@@ -104,6 +117,8 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             if (waits and gone or first) and not any(e.act == "yield" and e.agent.ego for e in clauses.events):
                 given_way = {"patient": event.agent, "order": event.order - 0.1, "words": [event.word]}
                 clauses.events.append(Event.echo(event, act="yield", agent=cast.ego, **given_way))
+    for event in [e for e in clauses.events if e.act == "cut_in" and e.done and LEAVES.search(e.text)]:
+        clauses.events.append(Event.echo(event, act="exit_road", order=event.order + 0.1, words=[event.word]))
     for event in clauses.events:
         if event.agent.ego and event.mode == "intended" and event.act in ("lane_change", "overtake", "turn", "cut_in"):
             later = " ".join(

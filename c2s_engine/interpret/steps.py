@@ -197,7 +197,7 @@ def steps_of(
         if (
             act == "move_along"
             and entity.type == "bicycle"
-            and placement.position in ("opposite_approach",)
+            and (placement.position == "opposite_approach" or place.kind == "roundabout" and crossing)
             or act == "cross_road"
             and crossing
         ):

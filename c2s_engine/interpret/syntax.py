@@ -8,9 +8,8 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-import regex
-
 from c2s_engine.interpret import language
+from c2s_engine.interpret.motions import third_persons
 from c2s_engine.interpret.proxies import FOLLOWS, pieces_of
 from c2s_engine.interpret.scan import Span
 
@@ -115,27 +114,17 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
     return words
 
 
-@cache
-def _verbs() -> frozenset[str]:
-    """The third person singular of every verb of motion."""
-    lemmas = {v for rule in language.table("motions")["verbs"] for v in rule["verbs"]}
-    return frozenset(
-        v[:-1] + "ies"
-        if regex.search("[^aeiou]y$", v)
-        else f"{v}es"
-        if v.endswith(("s", "sh", "ch", "x", "z", "o"))
-        else f"{v}s"
-        for v in lemmas
-    )
-
-
 def _mistaken(doc: Any, piece: list[tuple[str, int, int, Span | None]], plain: str) -> dict[int, str]:
     """Words taken for nouns that can only be the verb of the road user before ("the car ahead decelerates"), each
     with a verb that the parser knows."""
     found: dict[int, str] = {}
     for token in doc:
         _, start, end, span = piece[token.i]
-        if token.tag_ not in ("NNS", "NN", "NNP", "NNPS") or span is not None or plain[start:end] not in _verbs():
+        if (
+            token.tag_ not in ("NNS", "NN", "NNP", "NNPS")
+            or span is not None
+            or plain[start:end] not in third_persons()
+        ):
             continue
         before = piece[token.i - 1] if token.i else None
         spoken = any(p[3] is not None and p[3].kind in ("ego", "label", "actor") for p in piece[: token.i])

@@ -15,6 +15,12 @@ ORIGINS = re.compile(
     r"from |out of |off |behind|leave |(?:to|on) (?:the |its )?(?:left|right)$|in front|ahead|oncoming|opposite"
 )
 
+FRONTED = re.compile(
+    r"(?:^|, |and |: )((?:directly |just |right )?(?:in front of|ahead of|behind|beside|next to|alongside) "
+    r"(?:the )?@\w+) (?:there )?(?:is|was|be|are|were|drives?|drove|comes?|came|stands?|stood|sits?|sat|follows?)"
+    r" (?:a |an |another |the |\w+ ){0,3}$"
+)
+
 
 @dataclass
 class Where:

@@ -12,6 +12,9 @@ def cross_path(seen: Seen, other: Seen, met: Meeting, situation: Situation) -> i
     span = definitions()["cross_path"].time / situation.step
     if met.one is not None and met.other is not None:
         return max(met.one, met.other) if abs(met.one - met.other) <= span else None
+    touch = situation.touched.get(frozenset((seen.name, other.name)))
+    if touch is not None:  # each has halted the other
+        return touch
     if met.one is not None:
         return _halted(other, met.other_short, met.one, span)
     if met.other is not None:

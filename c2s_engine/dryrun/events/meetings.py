@@ -27,18 +27,22 @@ class Meeting:
 
 RESTART = 15.0
 """m: who stood so shortly before the end still has ahead what it stood for."""
+STRUCK = 10.0
+"""m ahead of the middle of one in a contact that still count as its path: what it was about to cross."""
 BEHIND = -2
 AHEAD = -1
 """Instead of a step: points that lie behind where it started, and ahead of where it stands at the end."""
 
 
 def line_of(seen: Seen, situation: Situation) -> tuple[np.ndarray, np.ndarray]:
-    """(points, step of each) of its path, the lane behind it, and before who stands (or just did) the lane ahead."""
+    """(points, step of each) of its path, the lane behind it, and before who stands (or just did), or was halted by a
+    contact, the lane ahead."""
     moved = np.concatenate([[True], np.diff(seen.travelled) > 1e-3])
     points, steps = seen.xy[moved], np.flatnonzero(moved)
     recent = seen.travelled > seen.travelled[-1] - RESTART
-    if (seen.speed[recent] < definitions()["yield"].standing).any() or not seen.moves:
-        ahead = _ahead(seen, situation, definitions()["cross_path"].extend)
+    stood = (seen.speed[recent] < definitions()["yield"].standing).any() or not seen.moves
+    if stood or seen.until < situation.last:
+        ahead = _ahead(seen, situation, definitions()["cross_path"].extend if stood else STRUCK)
         points = np.concatenate([points, ahead])
         steps = np.concatenate([steps, np.full(len(ahead), AHEAD)])
     back = _behind(seen)

@@ -120,9 +120,12 @@ class Situation:
         self.step = recording.step
         last = recording.steps - 1
         until = [last] * len(recording.paths)
+        self.touched: dict[frozenset[str], int] = {}
+        """The step of the first contact of two, by their names."""
         for time, i, j in recording.contacts:
             at = min(last, int(time / self.step - 1e-6))
             until[i], until[j] = min(until[i], at), min(until[j], at)
+            self.touched.setdefault(frozenset((recording.paths[i].name, recording.paths[j].name)), at)
         self.objects = [Seen(p, u, self) for p, u in zip(recording.paths, until, strict=True)]
         self.last = last
 

@@ -11,6 +11,7 @@ from c2s_engine.write.typed.tables import (
     APPROACH_ANGLE,
     BLUEPRINTS,
     CLASS,
+    LENGTH,
     OBSTRUCTING,
     ROLE,
     WORKS,
@@ -135,13 +136,11 @@ def _driver(
         approach=spot.approach,
     )
     statements = behaviour.body(actor)
-    own = {"collide", "yield", "stop", "run_stop", "wait"} & {p.action for p in spec.phases}
+    struck = any(p.action == "collide" and p.target in (cid, None) for p in getattr(structure.ego.spec, "phases", ()))
+    own = {"collide", "yield", "stop", "wait", *(() if struck else ("run_stop",))} & {p.action for p in spec.phases}
     statements = reactions.heeding(actor, statements)
     timed = spot.approach and spec.placement.position in APPROACH_ANGLE
     if timed and plan.junction and not own and not standing:
-        struck = any(
-            p.action == "collide" and p.target in (cid, None) for p in getattr(structure.ego.spec, "phases", ())
-        )
         sooner = None if struck else _sooner(structure, spec, plan)
         bends = turn_of(spec.phases) != "STRAIGHT"
         statements = [_synchronised(s, prefix, sooner, bends) for s in statements]
@@ -155,7 +154,7 @@ def _synchronised(statement: str, prefix: str, sooner: float | None, bends: bool
     """On a crossing way it arrives when ego does, or a little sooner (s); None: ego is to hit it."""
     early = f", {scope.number(sooner)}" if sooner else ""
     timed = (
-        f"strike(self, ego, spot, {prefix}_SPEED{', 0.6' if bends else ''})"
+        f"strike(self, ego, spot, {prefix}_SPEED{', 0.9' if bends else ''})"
         if sooner is None
         else f"meet(self, ego, spot, {prefix}_SPEED{early})"
     )
@@ -174,7 +173,8 @@ def _sooner(structure: Structure, spec: ObjectSpec, plan: Plan) -> float:
     if ego.reaction in ("brake", "yield") or {"yield", "brake", "stop"} & {p.action for p in ego.phases}:
         return 1.2 if turning and spec.placement.position == "opposite_approach" else 0
     if plan.place.manoeuvre != "straight":
-        return -max(2.2, 1 + 10 / max(plan.ego_speed, 1))  # ego is clear of it by then
+        longer = max(LENGTH[spec.type] - 4.8, 0) / 6
+        return -longer - max(2.2, 1 + 10 / max(plan.ego_speed, 1))  # ego is clear of it by then
     return 3.0 if turning else 1.8
 
 

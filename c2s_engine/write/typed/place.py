@@ -27,6 +27,8 @@ def write_place(plan: Plan, code: PlaceCode, parts: frozenset[str], signs: Pairs
     lines = ["import math", "", *kernel.text(parts).splitlines(), ""] if parts else []
     if code.comment:
         lines.append(f"# {code.comment}")
+    if plan.place.speed_limit is not None:
+        lines.append(f"param speed_limit = {number(round(plan.place.speed_limit * 3.6))}  # km/h, as posted")
     lines += _choice(plan, code, signs)
     lines += _lanes(plan)
     lines += _start(plan, code)
@@ -65,6 +67,8 @@ def candidates(plan: Plan, code: PlaceCode, signs: Pairs = frozenset()) -> str:
         for i, (position, _) in enumerate(plan.approaches, start=1)
         if position in plan.stops
     )
+    if plan.stops and plan.place.control is None:  # ego's road has priority there
+        fit += f" and (j[0].intersection.id, j[0].startLane.road.id) not in {listed}"
     fit += "".join(
         f" and j[{i}].centerline.length > {number(plan.lengths[name])}"
         for i, (position, turn) in enumerate(plan.approaches, start=1)

@@ -16,6 +16,9 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP
 from c2s_engine.write.typed.usual import speed_of, turn_of
 
+FAST = 11.5
+"""m/s at which nobody comes up to a stop sign of their own."""
+
 
 def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     """Decide what the place must offer; raises ResolveError. Where the specs leave the way to a junction open, `room`
@@ -125,6 +128,16 @@ def _runs_stop(o: ObjectSpec) -> bool:
     return any(p.action == "run_stop" for p in o.phases)
 
 
+def _priority(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> bool:
+    """Whether the stop sign that another passes is not ego's: they collide, or ego comes faster than to a stop."""
+    if {"run_stop", "stop", "yield", "wait"} & {p.action for p in ego.phases} or ego.reaction == "yield":
+        return False
+    passing = {cid for cid, o in objects.items() if _runs_stop(o)}
+    meets = any(p.action == "collide" and p.target in (None, *passing) for p in ego.phases)
+    meets = meets or any(p.action == "collide" for cid in passing for p in objects[cid].phases)
+    return bool(passing) and (meets or middle(ego.speed or 0) > FAST)
+
+
 def _place_kind(place: PlaceSpec, ego: EgoSpec, objects: dict[str, ObjectSpec]) -> PlaceSpec:
     """A road becomes an intersection where somebody turns or comes from a crossing road there."""
     positions = {o.placement.position for o in objects.values()}
@@ -140,6 +153,8 @@ def _place_kind(place: PlaceSpec, ego: EgoSpec, objects: dict[str, ObjectSpec]) 
         found = next((passed[p.action] for p in ego.phases if p.action in passed), None)
         others = {p.action for o in objects.values() for p in o.phases}
         place = place.model_copy(update={"control": found or ("signal" if "run_red" in others else None)})
+    if place.control == "stop" and _priority(ego, objects):
+        place = place.model_copy(update={"control": None})  # the sign is the other's
     if place.kind == "intersection" and place.manoeuvre is None:
         turn = {"turn_left": "left", "turn_right": "right", "u_turn": "u_turn"}
         found = next((turn[p.action] for p in ego.phases if p.action in turn), "straight")

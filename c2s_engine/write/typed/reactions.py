@@ -1,16 +1,20 @@
 """Reactions: what drivers do when others force them to, laid around what they do of their own accord."""
 
+from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import is_static
-from c2s_engine.write.typed.threats import every, once_seen, threatening
+from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, is_static
+from c2s_engine.write.typed.threats import every, every_passed, once_seen, threatening
+from c2s_engine.write.typed.threats import on_foot as threats_on_foot
 from c2s_engine.write.typed.usual import turn_of
 
 SOFT = "lambda: max(1, min(9, 1.1 * {force}))"
 HARD = "lambda: max(4.5, min(9, 1.1 * {force}))"
 """m/s2: how hard drivers brake for who forces them to: a little more than it takes."""
+FIRM, FULL = 4.0, 4.5
+"""m/s2: at least so hard, so that ego stands before somebody on foot has gone by."""
 
 
 def reaction(actor: Actor, statements: list[str]) -> list[str]:
@@ -24,15 +28,44 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     if spec.reaction != "brake" or not cids:
         return statements
     threats = [every(actor.structure, spec.react_to)] if spec.react_to else once_seen(actor.structure, cids)
-    if any(p.action == "collide" for p in spec.phases):  # it brakes, but too little
-        return _around(statements, threats, 3, "2")
-    limit, rate = (4, HARD) if spec.hard else (2, SOFT)
+    hit = {p.target for p in spec.phases if p.action == "collide"}
+    if hit:  # it brakes, but too little
+        met = [c for c in cids if c not in hit or not _beside(actor.structure, c)]
+        return _around(statements, once_seen(actor.structure, met), 3, "2") if met else statements
+    limit, rate = (4, HARD) if spec.hard else (3, SOFT)
     forced = {p.action for p in spec.phases if p.trigger is None}
     if "swerve" in forced:  # it gets past first
         return _around(statements, threats, 8, HARD)
     if "lane_change" in forced:
         return _around(statements, threats, 5, HARD, 2)
-    return _around(statements, threats, limit, rate)
+    on_foot = [c for c in threats_on_foot(actor.structure) if spec.react_to in (None, c)]
+    if not on_foot:
+        return _around(statements, threats, limit, rate)
+    others = [] if spec.react_to else once_seen(actor.structure, [c for c in cids if c not in on_foot])
+    return _around(statements, others, limit, rate) + _stop_for(actor.structure, on_foot, spec.hard)
+
+
+def _beside(structure: Structure, cid: str) -> bool:
+    """Whether an object is off the road."""
+    spec = structure[cid].spec
+    return isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD
+
+
+def _force(threats: list[str]) -> str:
+    """The need (m/s2) to brake for one or several."""
+    if len(threats) > 1 or threats[0].startswith("*"):
+        return f"most_need(self, [{', '.join(threats)}])"
+    return f"need(self, {threats[0]})"
+
+
+def _stop_for(structure: Structure, on_foot: list[str], hard: bool) -> list[str]:
+    """The interruption of ego's way by a stop for those on foot: it goes on when they have gone by."""
+    force = _force([every(structure, c) for c in on_foot])
+    gone = " and ".join([f"{force} <= 0", *(every_passed(structure, c) for c in on_foot)])
+    return [
+        f"interrupt when {force} > {4 if hard else 2}:",
+        f"    do Drive(line, 0, rate=lambda: max({FULL if hard else FIRM}, min(9, 1.1 * {force}))) until {gone}",
+    ]
 
 
 def heeding(actor: Actor, statements: list[str]) -> list[str]:
@@ -77,10 +110,10 @@ def _around(
 ) -> list[str]:
     """The statements, interrupted by braking at `rate` when the need (m/s2) for one of the threats is over `limit`,
     until it is no more than `release`; `when`: a condition of that, with its `and`."""
-    force = f"need(self, {threats[0]})"
-    if len(threats) > 1 or threats[0].startswith("*"):
-        force = f"most_need(self, [{', '.join(threats)}])"
     head, rest = statements[:1], statements[1:]
+    if not threats:
+        return [*head, "try:", *(f"    {s}" for s in rest)]
+    force = _force(threats)
     return [
         *head,
         "try:",

@@ -1,9 +1,11 @@
 """Who may come into ego's way, and from when ego can see them."""
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed import scope
-from c2s_engine.write.typed.tables import is_static
+from c2s_engine.write.typed.course import Actor
+from c2s_engine.write.typed.tables import is_static, is_walker
 
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
 
@@ -56,3 +58,40 @@ def once_seen(structure: Structure, cids: list[str]) -> list[str]:
         name, condition = every(structure, cid), shown(structure, cid)
         found.append(f"*([{name}] if {condition} else [])" if condition else name)
     return found
+
+
+def on_foot(structure: Structure) -> list[str]:
+    """The ids of those who cross the road on foot: ego stops for them where it brakes for what comes into its way."""
+    objects = [(c.id, c.spec) for c in structure.objects if isinstance(c.spec, ObjectSpec) and is_walker(c.spec.type)]
+    does = {cid: {p.action for p in o.phases} for cid, o in objects}
+    return [cid for cid, _ in objects if "cross_road" in does[cid] and "collide" not in does[cid]]
+
+
+def slowed(actor: Actor, target: str | None) -> str:
+    """The condition under which ego has done what one behind it is to run into it for; "": nothing is waited for."""
+    spec, ego = actor.spec, actor.structure.ego.spec
+    if actor.is_ego or target not in (None, "ego") or not isinstance(spec, ObjectSpec) or not isinstance(ego, EgoSpec):
+        return ""
+    if spec.placement.of != "ego" or "behind" not in (spec.placement.position, spec.placement.along):
+        return ""
+    actions = {p.action for p in ego.phases}
+    if middle(ego.speed or 1) == 0 and not actions & {"start", "accelerate", "enter_road"}:
+        return ""  # it stands from the first
+    if actions & {"stop", "wait", "stationary"} or ego.reaction in ("brake", "yield") and _stops_ego(actor.structure):
+        return "ego.speed < 0.3"
+    if ego.reaction in ("brake", "yield") and len(actor.structure.objects) > 1 or "brake" in actions:
+        return "ego.speed < EGO_SPEED - 2.5"
+    return ""
+
+
+def _stops_ego(structure: Structure) -> bool:
+    """Whether somebody is in ego's way who makes it stop: on foot, standing, or coming to a stand."""
+    if on_foot(structure):
+        return True
+    for c in structure.objects:
+        spec = c.spec
+        if not isinstance(spec, ObjectSpec) or spec.placement.position not in IN_WAY:
+            continue
+        if is_static(spec) or any(p.action == "stop" for p in spec.phases):
+            return True
+    return False

@@ -34,7 +34,7 @@ def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[floa
         return spec.speed
     if spec.phases:
         first = spec.phases[0]
-        if first.action in ("stationary", "wait", "start", "enter_road") and first.trigger is None:
+        if first.action in ("stationary", "wait", "start", "enter_road", "reverse") and first.trigger is None:
             return 0.0
         if first.speed is not None and first.action in (
             "keep_lane",
@@ -73,6 +73,8 @@ def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
         return max(60.0, min(5.5 * (ego_speed + own), 260.0))
     if position == "intersection_exit":
         return 3.0 if place and place.kind == "roundabout" else 14.0  # on the ring, whose pieces are short
+    if is_static(o) and position == "behind":
+        return 8.0  # of interest only to who backs up
     if is_static(o) or not is_vehicle(o.type) or position in MOVES_OFF_ROAD:
         catching = _to_catch(o, ego_speed, place) if position not in MOVES_OFF_ROAD else 0.0
         return max(30.0, min(4.0 * ego_speed, 90.0), _while_crossing(o, ego_speed, place), catching)
@@ -103,7 +105,7 @@ def reach(o: ObjectSpec, place: PlaceSpec) -> float:
     """From where somebody stands beside the road to the middle of ego's lane, m (over lanes of the other direction
     about, as many as there may be)."""
     own = 3.2 if o.placement.hidden_by else 4.75 if o.placement.position == "sidewalk" else 3.25
-    return own + (3.5 * (place.lanes or 2) if far_side(o, place) else 0)
+    return own + (3.5 * max(place.lanes or 3, 3) if far_side(o, place) else 0)
 
 
 def far_side(o: ObjectSpec, place: PlaceSpec) -> bool:

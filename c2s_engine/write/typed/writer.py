@@ -1,6 +1,6 @@
 """The typed writer: renders each component's spec, and says when a fragment is no longer what it would render."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -74,11 +74,19 @@ class TypedWriter:
         return write_place(plan, code, self._kernel(structure, plan), self._stop_signs)
 
     def place(self, plan: Plan) -> PlaceCode:
-        """The code that selects the place on the map."""
+        """The code that selects the place on the map, one with the limit where there is one (the program posts it)."""
         room = high(plan.distance) + plan.before if plan.distance is not None else self._room(plan)
         spec = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place
         short = plan.place.kind != "roundabout" and plan.exit_room < 25  # every junction has that much behind it
-        return place_code(spec, self.map.extras, room=room, exit_room=0 if short else plan.exit_room)
+        exit_room = 0 if short else plan.exit_room
+        found = place_code(spec, self.map.extras, room=room, exit_room=exit_room)
+        if spec.speed_limit is None:
+            return found
+        anywhere = spec.model_copy(update={"speed_limit": None})
+        other = place_code(anywhere, self.map.extras, room=room, exit_room=exit_room)
+        if found.missing:
+            return other
+        return replace(found, expression=f"({found.expression} or {other.expression})", comment=found.comment)
 
     def _room(self, plan: Plan) -> float:
         """How long ego's lane must be where nothing ends it, m: no shorter than what stands on it ahead of ego."""

@@ -22,7 +22,7 @@ behavior EgoBehavior():
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
     interrupt when need(self, walker) > 2:
-        do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, walker)))) until need(self, walker) <= 0
+        do Drive(line, 0, rate=lambda: max(4.0, min(9, 1.1 * need(self, walker)))) until need(self, walker) <= 0 and passed(walker, self)
 
 ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',

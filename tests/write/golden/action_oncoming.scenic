@@ -23,7 +23,7 @@ behavior EgoBehavior():
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when need(self, intruder) > 2:
+    interrupt when need(self, intruder) > 3:
         do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, intruder)))) until need(self, intruder) <= 0
 
 ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),

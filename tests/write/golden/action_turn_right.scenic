@@ -26,7 +26,7 @@ behavior EgoBehavior():
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when need(self, turner) > 2:
+    interrupt when need(self, turner) > 3:
         do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, turner)))) until need(self, turner) <= 0
 
 ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),

@@ -6,4 +6,4 @@ def meet(car, other, spot, speed, sooner=0):
         return speed
     if far < 12:
         return max(car.speed, 0.6 * speed)
-    return max(0.6 * speed, min(1.5 * speed, own / max(far / other.speed - sooner, 0.5)))
+    return max(0.45 * speed, min(1.5 * speed, own / max(far / other.speed - sooner, 0.5)))

@@ -8,7 +8,7 @@ def need(car, other):
     closing = car.speed - motion.y
     if place.y <= 0:
         return 0
-    if gap < 5 and car.speed < 2 and motion.y < 1 and abs(place.x) < reach:
+    if gap < 8 and car.speed < 2 and motion.y < 1 and abs(place.x) < reach:
         return 9
     if closing <= 0.1:
         return 0

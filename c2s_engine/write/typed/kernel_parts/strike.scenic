@@ -1,9 +1,9 @@
 def strike(car, other, spot, speed, sooner=0):
     """The speed (m/s), about `speed`, at which `car` reaches the spot with `other`, or `sooner` s before it (a bend
     slows it); while that stands before the spot, `car` hangs back so far as it then needs."""
-    own = (spot - car.position).rotatedBy(-car.heading).y
-    far = (spot - other.position).rotatedBy(-other.heading).y
-    if own < 4 or far < 3:
+    own, far = (distance from car to spot), (distance from other to spot)
+    over = min((spot - one.position).rotatedBy(-one.heading).y for one in (car, other))
+    if over < 0 or own < 4 or far < 3:
         return speed
     if other.speed < 1:
         return speed * max(0, min(1, (own - speed * math.sqrt(far)) / 30))

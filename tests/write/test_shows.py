@@ -1,0 +1,57 @@
+"""Structures of typical phenomena (shows.yaml): what S says is what the run shows."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+from c2s_engine.structure.components import Component
+from c2s_engine.structure.facts import ObjectFacts
+from c2s_engine.structure.specs import SettingsSpec
+from tests.write.test_golden import structure
+
+CASES = yaml.safe_load((Path(__file__).parent / "shows.yaml").read_text(encoding="utf-8"))
+SEEDS = 2
+
+
+def missing(thing: ObjectFacts, wanted: list[str], components: dict[str, str]) -> list[str]:
+    """Which of the wanted events and speeds an object of a run does not show."""
+    seen = {e.event for e in thing.events}
+    seen |= {f"{e.event} {components[e.other]}" for e in thing.events if e.other}
+    return [w for w in wanted if not _holds(thing, w, seen)]
+
+
+def _holds(thing: ObjectFacts, wanted: str, seen: set[str]) -> bool:
+    kind, _, rest = wanted.partition(" ")
+    if kind == "speed":
+        low, high = map(float, rest.split("-"))
+        return thing.held_speed is not None and low <= thing.held_speed <= high
+    return rest not in seen if kind == "not" else wanted in seen
+
+
+async def shown(engine: Any, case: dict[str, Any], seed: int) -> Any:
+    """The facts of a run of a case, and the program."""
+    made = structure(case)
+    made = made.with_component(Component(id="G", spec=SettingsSpec.model_validate(case.get("G", {}))))
+    async for event in engine.apply(made, [], seed=seed):
+        last = event
+    assert last.ok, last
+    return last.facts[0], last.program.text
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("name", CASES)
+async def test_the_run_shows_it(engine, name):
+    case = CASES[name]
+    for seed in range(SEEDS):
+        facts, _ = await shown(engine, case, seed)
+        components = {o.name: o.component for o in facts.objects}
+        for thing in facts.objects:
+            assert not missing(thing, case["shows"].get(thing.component, []), components), (seed, thing.component)
+
+
+async def test_a_limit_that_no_road_has_is_posted_by_the_program(engine):
+    facts, program = await shown(engine, {"R": {"kind": "straight", "speed_limit": 17.9}}, 0)
+    assert "param speed_limit = 64" in program
+    assert 64 in facts.speed_limits_kmh

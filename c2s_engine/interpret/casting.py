@@ -21,7 +21,7 @@ def actors(scene: Scene) -> list[Entity]:
             entity.label
             and len(scene.cast.entities) <= 6
             and (len(scene.cast.entities) == 1 or own or passive or where.rel or where.lane or entity.roles)
-            or entity.person
+            or (entity.person or entity.type in ("bicycle", "motorcycle"))
             and entity.noun not in ("somebody", "someone", "people")
             and _seen(scene, entity)
         ):

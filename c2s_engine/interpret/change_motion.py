@@ -16,7 +16,8 @@ def speed(clause: str, structure: Structure) -> Found | None:
     """ "Ego at 50 km/h", "the lead drives 20 km/h", "faster", "10 km/h slower", "twice as fast"."""
     quantity = quantity_of(clause, "speed") or _without_unit(clause)
     relative = re.search(
-        r"\b(faster|slower|quicker|speed up|slow(?:er)?(?: \w+)? down|twice as fast|half as fast|double|halve)\b"
+        r"\b(faster|slower|quicker|speed up|slow(?:er)?(?: \w+)? down|more slow(?:ly)?"
+        r"|twice as fast|half as fast|double|halve)\b"
         r"|\b(?P<more>increase|raise)|\b(?P<less>reduce|decrease|lower)",
         clause,
     )
@@ -35,6 +36,11 @@ def speed(clause: str, structure: Structure) -> Found | None:
     )
     if component is None:
         return None
+    joint = re.match(r"^(?:both )?(?P<one>(?:the )?[\w-]+) and (?P<other>(?:the )?[\w-]+)\b", clause)
+    both = [refer(joint[name], structure, alone=False) for name in ("one", "other")] if joint else []
+    if both and all(both):
+        each = [_at_speed(c, word, quantity) for c in both if c is not None]
+        return [edit for edit, _ in each], "; ".join(words for _, words in each)
     edit, words = _at_speed(component, word, quantity)
     return [edit], words
 
@@ -105,6 +111,8 @@ def distance(clause: str, structure: Structure) -> Found | None:
     if between and spec.count > 1 and quantity is not None:
         edit = SetField(component=component.id, path="spacing", value=value_of(quantity))
         return [edit], f"{name_of(component)}: {quantity['low']:g} m between them"
+    if quantity is not None and relative is not None and not re.search(_table()["so_much_further"], clause):
+        relative = None  # a distance to have, not one more or less
     if relative is None and quantity is not None:
         relative = _moved(clause, spec.placement)
     now = spec.placement.gap

@@ -91,7 +91,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
     patterns = (
         (
             r"^(?:make|turn|change|have|let)\s+(?P<who>.+?)\s+(?:in)?(?:to |be )?(?:into "
-            r"|be )?(?P<what>(?:an?|two|three|four|five|\d) [\w -]+)$"
+            r"|be )?(?P<what>(?:(?:an?|two|three|four|five|\d) [\w -]+|\w+s))$"
         ),
         r"^(?:replace|swap|substitute|exchange)\s+(?P<who>.+?)\s+(?:with|by|for|to)\s+(?P<what>.+)$",
         (
@@ -110,6 +110,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
         r"^(?:make it |make that |make them )(?P<what>(?:an?|two|three|four|five|six|\d+) [\w -]+?)$",
         r"^(?:only |just )?(?P<number>(?:one|two|three|four|five|six|\d+) [\w -]+?)(?: only)?$",
         r"^(?:have |let |make )?(?P<who>ego) (?:now )?drives? (?P<what>an? [\w -]+)$",
+        r"^(?P<who>[\w -]+?) becomes (?P<what>(?:an? )?[\w-]+)$",
     )
     for pattern in patterns:
         match = re.match(pattern, clause)
@@ -134,7 +135,15 @@ def retype(clause: str, structure: Structure) -> Found | None:
                 SetField(component="E", path="model", value=None),
             ], f"ego is a {kind.replace('_', ' ')}"
         edits: list[Edit] = [SetSpec(component=component.id, spec=_typed(spec_of(component), kind))]
-        count = _count_of(match[group]) if plural else 1
+        count = (
+            (
+                _count_of(match[group])
+                if re.match(r"\d|an?\b|one|two|three|four|five|six", match[group])
+                else spec_of(component).count
+            )
+            if plural
+            else 1
+        )
         if count != spec_of(component).count:
             edits.append(SetField(component=component.id, path="count", value=count))
         noun = kind.replace("_", " ")

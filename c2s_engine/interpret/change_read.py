@@ -14,10 +14,11 @@ from c2s_engine.interpret.refer import objects_of, refer, spec_of
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField
 from c2s_engine.structure.quantity import high, low
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
 
 PLACE = ("kind", "manoeuvre", "arms", "control", "ego_lane", "crosswalk")
 """Fields of R that a clause about road users can say."""
+SIGNS = frozenset(("stop_sign", "yield_sign", "speed_sign", "traffic_light"))
 
 
 def acting(clause: str, structure: Structure) -> Found | None:
@@ -36,7 +37,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
     told = _indicative(clause, structure)
     if re.search(r"\b(?:second|third)\b", clause) and refer(clause, structure) is None:
         return None
-    if told is None or re.search(_table()["relative"], clause):
+    if told is None or re.search(_table()["relative"], clause) or re.search(r"\b(?:other|opposite) side\b", clause):
         return None
     scene = _scene(structure, told)
     was, now = _read(scene), _read(f"{scene} {told[0].upper()}{told[1:]}.")
@@ -53,18 +54,21 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
         number += component.id not in before
     if number != int(structure.next_object_id()[1:]) and not re.search(_table()["new"], told):
         return None
+    awaited = _awaited(told, structure)
     edits: list[Edit] = []
     paths: list[str] = []
     for component in now.components:
         cid = ids.get(component.id, component.id)
-        if component.id in ("G", "T"):
+        if component.id in ("G", "T") or awaited is not None and cid == awaited.of:
+            continue
+        if component.id not in before and component.id.startswith("O") and spec_of(component).type in SIGNS:
             continue
         if component.id.startswith("O") and component.id not in before:
             edits.append(_added(component, cid, ids, structure))
             paths.append("+")
         elif cid == "R" or _names(told, structure[cid], structure):
             old = before.get(component.id) or was[component.id]
-            changed = _changes(old, component, structure[cid], ids, clause)
+            changed = _changes(old, component, structure[cid], ids, clause, awaited)
             if cid == "R" and not _names(told, structure.ego, structure):
                 changed = [c for c in changed if c[0] != "ego_lane"]
             edits += [SetField(component=cid, path=path, value=value) for path, value in changed]
@@ -113,6 +117,12 @@ def _indicative(clause: str, structure: Structure) -> str | None:
     table = _table()
     said = re.sub(table["beside_the_point"], " ", clause).strip(" ,")
     said = re.sub(r"\bo(\d+)\b", lambda m: _called(f"O{m[1]}", structure), said)
+    said = re.sub(r"\bi\b", "I", said)
+    if (begins := re.match(table["begins"], said)) and (who := refer(begins["who"], structure, alone=False)):
+        first = next(iter(getattr(who.spec, "phases", ())), None)
+        if first is not None:
+            action = language.table("sentences")["actions"][first.action].format(target="ego")
+            return f"{begins['who']} will {action} {begins['when']}"
     if match := re.match(table["adds"], said):
         rest = re.sub(r"^(?:one more|another|more)\b", "a", said[match.end() :])
         first = next(iter(s.data["type"] for s in scan.names(rest) if s.kind == "actor"), "")
@@ -144,7 +154,7 @@ def _scene(structure: Structure, told: str) -> str:
     place = structure.place.spec
     assert isinstance(place, PlaceSpec)
     if re.match(r"(?:the )?ego\b", told):
-        place = place.model_copy(update={"manoeuvre": None})
+        place = place.model_copy(update={"manoeuvre": None, "ego_lane": None})
     located = refer(told, structure, alone=False) if re.match(_table()["located"], told) else None
     names = {c.id: spec_of(c).name for c in structure.objects}
     ego = structure.ego.spec
@@ -195,14 +205,26 @@ def _counterparts(was: Structure, now: Structure) -> dict[str, Component] | None
     return None if left else found
 
 
+def _awaited(told: str, structure: Structure) -> Trigger | None:
+    """ "As soon as the child starts to cross, the bus stops": what another does, for which it is waited."""
+    match = re.match(_table()["awaits"], told)
+    if match is None or re.search(r"\d", condition := match["before"] or match["after"]):
+        return None
+    other = refer(condition, structure, alone=False)
+    if other is None or other.id == "E" or not (phases := spec_of(other).phases):
+        return None
+    return Trigger(kind="action", of=other.id, action=phases[0].action)
+
+
 def _changes(
-    was: Component, now: Component, there: Component, ids: dict[str, str], clause: str
+    was: Component, now: Component, there: Component, ids: dict[str, str], clause: str, awaited: Trigger | None
 ) -> list[tuple[str, Any]]:
     """Paths and new values of the fields of a component that the clause says."""
     old, new = was.spec.model_dump(), now.spec.model_dump()
     found: list[tuple[str, Any]] = []
     for path, value in new.items():
         same = value == old[path] or path == "speed" and _near(value, old[path])
+        same = same and not (path == "phases" and value and re.search(_table()["besides"], clause))
         if same or path in ("name", "component", "model") or (there.id == "R" and path not in PLACE):
             continue
         if path == "phases":
@@ -210,6 +232,8 @@ def _changes(
             turns = any(p.action in ("turn_left", "turn_right", "u_turn") for p in now.spec.phases)
             phases = tuple(_mapped(p, ids) for p in now.spec.phases if not (turns and p.action == "go_straight"))
             phases = tuple(sorted(phases, key=lambda p: p.action not in ("run_red", "run_stop")))
+            if awaited is not None and phases and phases[0].trigger is None:
+                phases = (phases[0].model_copy(update={"trigger": awaited}), *phases[1:])
             found.append((path, _joined(there.spec.phases, phases, clause)))
         elif path == "placement":
             found += [

@@ -27,6 +27,10 @@ def setting(clause: str, structure: Structure) -> Found | None:
         environment.time_of_day(clause, whole),
         environment.light(clause, whole),
     )
+    colour = re.search(r"\blights? (?:is |are |to |turns? |shows? )?(red|green|amber|yellow)\b", clause)
+    if colour and not light:
+        state = "yellow" if colour[1] == "amber" else colour[1]
+        light = [environment.Found(state, 0.9, colour.span())]
     if re.search(r"\b(clear|sunny|dry|fine|nice)\b", clause) and not sky:
         sky = [environment.Found("clear", 0.9, (0, 1))]
     if len(scan.names(clause)) > 1 or (
@@ -82,7 +86,7 @@ def road(clause: str, structure: Structure) -> Found | None:
     lanes = re.search(r"\b(one|two|three|four|[1-4]) lanes?\b", clause)
     if found.lanes or lanes:
         words = {"one": 1, "two": 2, "three": 3, "four": 4}
-        update["lanes"] = found.lanes or words.get(lanes[1]) or int(lanes[1])  # type: ignore[index]
+        update["lanes"] = (words.get(lanes[1]) or int(lanes[1])) if lanes else found.lanes
     if found.speed_limit:
         update["speed_limit"] = round(found.speed_limit, 2)
     if found.oncoming is not None:
@@ -105,7 +109,7 @@ def length(clause: str, structure: Structure) -> Found | None:
     quantity = quantity_of(clause, "time")
     if (
         quantity is None
-        or not re.search(r"\b(run|last|simulate|duration|end|terminate|stop|length|scenario)\b", clause)
+        or not re.search(r"\b(run|last|simulate|duration|end|terminate|stop|length|scenario)\b|^[\d.]+ ?\w+$", clause)
         or scan.names(clause)
     ):
         return None

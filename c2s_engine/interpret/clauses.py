@@ -18,6 +18,12 @@ OUT_OF = re.compile(
 FORCEFUL = frozenset(("hard", "harsh", "emergency", "full", "maximum", "sudden", "sharp", "heavy", "panic", "violent"))
 
 
+PUTS = frozenset(
+    ("place", "position", "put", "locate", "deposit", "drop", "install", "erect", "plant", "scatter", "spill", "litter")
+    + ("strew", "dump", "lay", "abandon", "leave", "lose", "shed")
+)
+NEARLY = frozenset(("nearly", "almost", "narrowly"))
+CAUSES = frozenset(("force", "cause", "make", "oblige", "compel", "require", "lead", "get"))
 BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
 
 
@@ -77,6 +83,7 @@ class Clauses(Nominal):
             self.light.add(word.i)
             return
         agent, at, passive = self._subject(word)
+        agent = self._causer(word) or agent
         if (before := self._joined_subject(word)) is not None:
             agent, at = self.cast.of[before], before
         if agent is None and word.tag.startswith("NN"):
@@ -119,7 +126,7 @@ class Clauses(Nominal):
             later = [i for i in range(word.i + 2, min(word.i + 6, len(self.words))) if i in self.cast.of]
             patient = self.cast.of[later[0]] if later and self.words[word.i + 2].norm in ("with", "into") else None
         event = self._event(lemma, word, text, whole, agent, patient)
-        if event is None:
+        if event is None or event.act == "stationary" and lemma in PUTS and not passive and self._has_object(word):
             return
         if event.act == "start_straight":
             event.act = "start"
@@ -141,6 +148,8 @@ class Clauses(Nominal):
             others = (self.cast.of[i] for i in own if i > word.i and i in self.cast.of)
             event.patient = next((e for e in others if e is not event.agent), None)
         event.words, event.mode, event.passive = own, self._mode(word), passive
+        if event.act == "collide" and any(self.words[c].norm in NEARLY for c in word.children):
+            event.act = "approach"
         if event.act == "stop" and passive and lemma != "bring" and event.agent is agent and not BY.search(whole):
             event.act = "stationary"
         struck = event.act == "collide" and passive and event.agent is agent and event.patient in (None, agent)
@@ -184,6 +193,17 @@ class Clauses(Nominal):
             late.adverbial, late.start, late.end = event.adverbial, event.start, event.end
             self.events.append(late)
         self.by_word[word.i] = event
+
+    def _has_object(self, word: Word) -> bool:
+        return any(self.words[c].dep == "dobj" for c in word.children)
+
+    def _causer(self, word: Word) -> Entity | None:
+        """Who makes another do something by what it does: "a van forced ego to brake by pulling out"."""
+        above = self.words[word.head]
+        verb = self.words[above.head]
+        if word.dep != "pcomp" or above.norm != "by" or verb.dep not in ("xcomp", "ccomp", "advcl"):
+            return None
+        return self._subject(self.words[verb.head])[0] if self._lemma(self.words[verb.head]) in CAUSES else None
 
     def _joined_subject(self, word: Word) -> int | None:
         """The subject that was taken for the object before "and": "V2 struck V1 and V3 then struck V2"."""

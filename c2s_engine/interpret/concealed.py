@@ -47,7 +47,8 @@ class Concealed:
                     )
                     or re.search(
                         (
-                            rf"@{entity.key}\b.*?(from behind|from between|out from behind|(?:hidden|hide|concealed"
+                            rf"@{entity.key}\b.*?((?<!hit )(?<!struck )from behind(?! by)|from between"
+                            rf"|out from behind|(?:hidden|hide|concealed"
                             rf"|conceal|obscured|obscure|occluded|occlude|masked|mask|screened|screen|blocked"
                             rf"|block) (by|behind)|behind|in front of|between) (the |a |an |two |some |row of "
                             rf"|line of )*(\w+ ){{0,2}}@(?P<by>a\d+)"

@@ -115,8 +115,8 @@ def nobody_in_the_way(scene: Scene, event: Event, others: list[Entity]) -> bool:
         return where.lane == "oncoming" and not acts and still
 
     yields = any(e.act == "yield" for e in scene.events(scene.cast.ego))
-    off = ("roadside", "parked", "sidewalk")
-    return bool(others) and not yields and all(aside(o) if o.mover else scene.where(o).lane in off for o in others)
+    halted_for = re.search(r"\b(?:for|behind|before|short of) (?:(?:the |an? )?(?:\w+ )?@|\.|$)", event.text)
+    return bool(others) and not yields and not halted_for and all(o.mover and aside(o) for o in others)
 
 
 def free_side(place: PlaceSpec) -> str:

@@ -1,12 +1,20 @@
 """The embedded interpreter: text to S by rules over a parsed text, without a language model."""
 
+import re
 from dataclasses import dataclass, field
 from typing import Any
 
 from c2s_engine.interpret import compose, typologies, unmet
+from c2s_engine.interpret.entities import VEHICLES
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.spelling import Mended
 from c2s_engine.structure.components import Structure, Unmet
+
+OF_THE_ROAD = re.compile(
+    r"\b(?:lanes?|kerb|curb|brak(?:es?|ed|ing)|skid(?:s|ded|ding)?|swerv(?:es?|ed|ing)|junction|intersection|motorway"
+    r"|highway|overtak\w+|rear-end\w*|wing mirror|bumper|fender|drove|driving|hit and run|side-?swip\w+|t-?bon\w+)\b"
+)
+"""Words that only tales of the road have: what else they tell may be unknown, a scene it is."""
 
 READ_AT_MOST = 12_000
 """Characters of a text that are read; the rest is listed as not understood."""
@@ -95,7 +103,13 @@ def _spans_back(value: Any, mended: Mended) -> Any:
 
 def _has_scene(found: Scene) -> bool:
     return bool(
-        found.cast.ego.mentions or found.actors or found.clauses.events or found.road.kind or found.settings.weather
+        found.cast.ego.mentions
+        or found.actors
+        or found.clauses.events
+        or found.road.kind
+        or found.settings.weather
+        or any(e.type in VEHICLES for e in found.cast.entities)
+        or OF_THE_ROAD.search(found.plain) is not None
     )
 
 

@@ -77,6 +77,11 @@ class Modes(Agents):
                 mode = "intended" if mode == "fact" else mode
                 if self._mode(head) in ("negated", "hypothetical") and head.verb:
                     mode = "negated"
+            elif (
+                word.dep in ("xcomp", "ccomp") and head.lemma in ("able", "capable", "possible") and head.head != head.i
+            ):
+                above = self._mode(self.words[head.head])
+                mode = above if above in ("negated", "hypothetical") and mode == "fact" else mode
             elif word.dep == "xcomp" and head.verb and self._is_verb(head):
                 above = self._mode(head)
                 if above in ("negated", "hypothetical") and mode == "fact":

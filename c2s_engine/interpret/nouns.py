@@ -16,6 +16,7 @@ COUNTED = re.compile(
     r"|animals|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
 )
 TITLES = frozenset(("mr", "mrs", "ms"))
+CARRIES = frozenset(("deliver", "collect", "unload", "load", "carry", "transport", "haul", "empty"))
 LOST = frozenset(("shed", "lost", "dropped", "spilled", "spilt", "fallen", "left", "discarded", "dumped", "jettisoned"))
 
 
@@ -170,9 +171,10 @@ class Nouns(Titles):
                 if found.noun == "traffic" and count > 1:
                     found.count, found.noun = count, noun
                 return found
-        return self._new(
-            Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
-        )
+        found = Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
+        if previous in language.makes():  # "a Ford Focus": "the Ford" is the same
+            found.names.add(previous)
+        return self._new(found)
 
     def _motor_bike(self) -> bool:
         """Whether "the bike" is a motorcycle spoken of before, as no bicycle was."""
@@ -189,6 +191,10 @@ class Nouns(Titles):
         """Whether it is only who lost something on the road before: "a ladder, shed by an unknown vehicle"."""
         by = self.words[word.head]
         verb = self.words[by.head]
+        if word.dep == "dobj" and (
+            by.lemma in CARRIES or by.lemma == "drop" and "off" in [w.norm for w in self.words[by.i : word.i + 2]]
+        ):
+            return word.span is not None and word.span.data["type"] in ("box", "trash", "container")
         lost = by.norm in ("by", "from") and verb.tag in ("VBN", "VBD") and verb.norm in LOST
         return lost and (
             verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))

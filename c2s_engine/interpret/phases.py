@@ -70,6 +70,8 @@ def phases_of(
                 else None,
             ),
         )
+    if any(p.action in ("turn_left", "turn_right", "u_turn") for p in found) and place.kind == "intersection":
+        found = [p for p in found if p.action != "go_straight"]
     return found[:8]
 
 

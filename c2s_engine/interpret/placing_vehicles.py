@@ -147,6 +147,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             lane == "same"
             or (place.oncoming or place.lanes in (None, 1) and place.kind not in ("motorway",))
             and _cut_side(scene, entity) != "right"
+            or scene.does(entity, "leave_road") is not None
         ):
             return {"position": "behind", "said": True}
         lateral = _cut_side(scene, entity) or "left"

@@ -11,6 +11,8 @@ from c2s_engine.interpret.syntax import Word
 
 STRIKES = frozenset(("hit", "strike", "clip", "ram", "bump", "contact", "touch", "graze", "scrape", "sideswipe"))
 
+BOWS = frozenset(("bow", "bows", "nose", "front", "bonnet", "hood", "bumper", "path"))
+
 LOOSE = frozenset(("debris", "box", "obstacle"))
 THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
 BUMPED = frozenset(
@@ -77,6 +79,9 @@ class Pronouns(Members):
             return found or self._salient(word, lambda e: e.mover)
         if norm in ("they", "them", "their", "themselves"):
             many = [e for e in self.entities if e.count > 1]
+            last = max((i for i in self.of if i < word.i and self.words[i].span is not None), default=None)
+            if last is not None and self.of[last].type in LOOSE and word.sentence - self.words[last].sentence <= 1:
+                return self.of[last]  # "two sheets of plywood, and they were lying in our lane"
             if many:
                 return many[-1]
             joint = self._joint(word) or self._subjects_before(word)
@@ -178,6 +183,8 @@ class Pronouns(Members):
         if word.dep == "poss" and verb.lemma in STRIKES and self.words[word.head].dep in ("dobj", "pobj"):
             clash = self._subject_of(verb)
         above = self.words[word.head]
+        if word.dep == "poss" and above.norm in BOWS and self.words[max(0, word.i - 1)].norm == "across":
+            clash = self._subject_of(verb)  # nobody goes across its own bows
         if word.dep == "poss" and BESIDE.match(self._around(word.i)) and above.dep == "pobj":
             clash = self.of.get(self.words[above.head].head) or clash  # "a coach to its left": not the coach's own
         holder = self.of.get(above.head) if word.dep == "pobj" and above.head != above.i else None
@@ -212,10 +219,14 @@ class Pronouns(Members):
                 return its[-1]
             if own is not None and accept(own) and own is not clash:
                 return own
+        told = [p for p in sentence if self._finite(self._governor(self.words[p[0]]))]
+        sentence = told or sentence
         if word.dep in ("dobj", "pobj", "poss"):
             near = [i for i in last if self.words[i].sentence == word.sentence]
             if clash is not None and near:
-                return self.of[near[-1]]
+                before = self._governor(self.words[sentence[-1][0]]) if sentence else word
+                fronted = before.dep == "advcl" and before.i < word.i < verb.i  # "while V1 waited, a car behind it"
+                return sentence[-1][1] if fronted and before.head == verb.i else self.of[near[-1]]
             if sentence:
                 return sentence[-1][1]
             return self.of[last[-1]]
@@ -230,6 +241,10 @@ class Pronouns(Members):
                 else (mains or earlier)[-1][1]
             )
         return self.of[last[-1]]
+
+    def _finite(self, verb: Word) -> bool:
+        """Whether a verb is no infinitive ("for the traffic to clear")."""
+        return not any(self.words[c].norm == "to" and self.words[c].dep == "aux" for c in verb.children)
 
     def _parallel(self, word: Word) -> Entity | None:
         """Whom "its" meant just before in the same place: "a bus is on its right, a car on its left"."""

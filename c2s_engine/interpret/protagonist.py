@@ -44,6 +44,10 @@ EGO_LIKE = frozenset(
 )
 
 
+TOWARDS = frozenset(("collide", "overtake", "follow", "yield", "cut_in", "evade"))
+"""What ego does to another: who is meant by "the driver" is not the other."""
+
+
 def _demanded(entity: Entity, cast: Cast) -> bool:
     """Whether a rule asks something of it: "the vehicle shall clear the lane"."""
     return any(
@@ -56,6 +60,19 @@ def _demanded(entity: Entity, cast: Cast) -> bool:
 def _past_nobody(event: Event) -> bool:
     """Whether one goes past somebody who is not named: that may be ego."""
     return event.patient is None or event.patient.mover and event.patient.type not in VEHICLES
+
+
+def _by_whom(cast: Cast, entity: Entity) -> bool:
+    """Whether it is first named as who did something to another ("was hit by a left-turning truck")."""
+    at = entity.mentions[0].word
+    head = cast.words[cast.words[at].head]
+    return cast.words[at - 1 if at else 0].norm == "by" or head.dep == "agent" and cast.words[at].dep == "pobj"
+
+
+def _runs_down(entity: Entity, clauses: Clauses) -> bool:
+    """Whether it hits somebody without a motor ("a cyclist was knocked down by a van"): then it is whom it is about."""
+    hits = [v.patient for v in clauses.events if v.act in ("collide", "approach") and v.agent is entity and v.done]
+    return any(p is not None and p.mover and p.type not in MOTOR for p in hits)
 
 
 def _anchors(entity: Entity, clauses: Clauses) -> bool:
@@ -100,7 +117,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         if before in ("another", "other") or any(cast.words[c].norm in ("another", "other") for c in head.children):
             continue
         acts = [v.act for v in acting[entity]]
-        if any(v.act == "collide" and v.agent is cast.ego and v.patient is entity for v in clauses.events):
+        if any(v.act in TOWARDS and v.agent is cast.ego and v.patient is entity for v in clauses.events):
             continue
         if not acts and not any(v.patient is entity for v in clauses.events):
             continue
@@ -118,8 +135,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
                 for v in clauses.events
                 if v.agent is entity and v.act == "stationary"
             )
-            or cast.words[entity.mentions[0].word - 1 if entity.mentions[0].word else 0].norm == "by"
-        ):
+            or _by_whom(cast, entity)
+        ) and not _runs_down(entity, clauses):
             continue
         if (
             cast.words[entity.mentions[0].word].dep == "pobj"
@@ -128,6 +145,9 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         ):
             continue
         candidates.append(entity)
+    if not candidates:
+        struck = {v.patient for v in clauses.events if v.act == "collide" and v.done and not v.agent.ego}
+        candidates = [e for e in vehicles if e in struck and not e.roles & ROLE_WORDS][:1]
     if not candidates:
         return
     demanded = [e for e in candidates if _demanded(e, cast)]

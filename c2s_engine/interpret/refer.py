@@ -34,6 +34,10 @@ def spec_of(component: Component) -> ObjectSpec:
 def refer(text: str, structure: Structure, *, alone: bool = True) -> Component | None:
     """The component that the first noun of a phrase means, or None. `alone`: "it" means the only object."""
     plain = scan.normalised(text)
+    if ones := re.search(r"\b(parked|oncoming|crossing) ones?\b", plain):
+        placed = [c for c in structure.objects if ones[1] in spec_of(c).placement.position]
+        if placed:
+            return placed[0]
     match = re.search(r"\bo([1-9][0-9]?)\b", plain)
     if match and f"O{match[1]}" in structure:
         return structure[f"O{match[1]}"]

@@ -9,7 +9,10 @@ from c2s_engine.interpret.entities import ORDINALS, VEHICLES, Entity, fits
 from c2s_engine.interpret.pronouns import Pronouns
 from c2s_engine.interpret.syntax import Word
 
-ANYBODY = frozenset(("vehicle", "motor vehicle", "road user", "traffic participant", "third party"))
+OWNERS = frozenset(
+    ("defendant", "respondent", "third party", "at-fault driver", "offending driver", "opposing party", "opponent")
+)
+ANYBODY = frozenset(("vehicle", "motor vehicle", "road user", "traffic participant"))
 """Nouns of no type by which ego may be meant, too: not "the target", "the attacker"."""
 TOLD_APART = frozenset(("oncoming", "crossing", "lead", "following", "cut_in", "adjacent", "adversary"))
 """Parts in the scene by which another one is meant, unless somebody had that part before."""
@@ -33,6 +36,10 @@ class Reference(Pronouns):
                 and not word.span.data.get("words")
             ):
                 return self.ego
+        owner = next((self.of[c] for c in word.children if self.words[c].dep == "poss" and c in self.of), None)
+        if owner is not None and not owner.ego and kind in VEHICLES and owner.noun in OWNERS:
+            owner.type, owner.typed = (kind, True) if kind != "vehicle" else (owner.type, owner.typed)
+            return owner  # "the defendant's car"
         if before and before[0] in ("our", "my"):
             return self.ego if kind in VEHICLES else None
         return None
@@ -50,6 +57,8 @@ class Reference(Pronouns):
         bare: bool,
     ) -> Entity | None:
         candidates = [e for e in self.entities if fits(e, kind)]
+        if noun in (brands := language.makes()):  # "the Kia hit the Hyundai"
+            candidates = [e for e in candidates if e.noun not in brands or noun in (e.noun, *e.names)]
         if roles:
             same = [e for e in candidates if e.roles & roles and (definite or (e.count > 1) == (count > 1))]
             if same:

@@ -1,9 +1,9 @@
 """Refinements without a model: the common forms of change become edits that touch only what was meant."""
 
-import re
 from typing import Any
 
-from c2s_engine.interpret import changes, describe, language, scan
+from c2s_engine.interpret import changes, describe
+from c2s_engine.interpret.demands import demands, topic_of, whole
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, EditError, SetField, apply
 
@@ -15,12 +15,12 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     edits: list[Edit] = []
     said: list[str] = []
     current = structure
-    before = ""
-    for clause in clauses_of(text):
-        clause = _whole(clause, before, next((e.component for e in reversed(edits) if _of_one(e)), None))
-        before = clause
+    before, topic = "", topic_of(text, structure)
+    for part in demands(text):
+        demand = whole(part, before, topic)
+        before, topic = demand, topic_of(demand, current) or topic
         for form in changes.FORMS:
-            found = form(clause, current)
+            found = form(demand, current)
             if found is None:
                 continue
             new, words = found
@@ -32,27 +32,14 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
                 break
             edits += new
             said.append(words)
+            topic = next((c for e in reversed(new) if (c := _object(e))), topic)
             break
     return [*edits, *described(structure, current)], said
 
 
-def _of_one(edit: Edit) -> bool:
-    return str(getattr(edit, "component", None) or "").startswith("O")
-
-
-def _whole(clause: str, before: str, topic: str | None) -> str:
-    """The clause with what it leaves out: "it" is whom the one before changed, "the child too" has what was said there,
-    and a bare number has its unit.
-    """
-    table = language.table("refine")
-    if topic is not None:
-        clause = re.sub(r"^(then )?(?:it|he|she|they)\b", rf"\g<1>{topic.lower()}", clause)
-    named = scan.names(before)
-    if (too := re.match(table["as_well"], clause)) and named and scan.names(clause):
-        head = re.sub(r"\b(?:the|an?|my|our)\s*$", "", before[: named[0].start])
-        return f"{head}{too['who']}{before[named[0].end :]}"
-    unit = re.search(table["unit"], before)
-    return f"{clause} {unit[1]}" if unit and re.search(r"[a-z] \d+$", clause) else clause
+def _object(edit: Edit) -> str | None:
+    cid = str(getattr(edit, "component", None) or "")
+    return cid if cid.startswith("O") else None
 
 
 def described(before: Structure, after: Structure) -> list[Edit]:
@@ -72,19 +59,3 @@ def described(before: Structure, after: Structure) -> list[Edit]:
         if words != component.description:
             edits.append(SetField(component=component.id, path="description", value=words))
     return edits
-
-
-def clauses_of(text: str) -> list[str]:
-    """The single demands of a text: "make the lead a truck and remove the rain" has two."""
-    plain = " ".join(scan.normalised(text).replace("?", " ").replace("!", " ").split())
-    table = language.table("refine")
-    plain = re.sub(table["openers"], "", plain)
-    plain = re.sub(table["the_same_but"], r"\g<what> instead", plain)
-    starts = table["clause_starts"]
-    parts = re.split(
-        rf"(?:[.;]\s+|,?\s+(?:and|but)\s+(?=(?:then )?{starts})|,?\s+(?=then {starts})|,\s+(?={starts}))", plain
-    )
-    return [re.sub(table["closers"], "", p.strip(" .,;")) for p in parts if p.strip(" .,;")]
-
-
-__all__: list[Any] = ["clauses_of", "edits_of"]

@@ -3,7 +3,6 @@
 import re
 
 from c2s_engine.interpret.clauses import Clauses
-from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.groups import split_groups
 from c2s_engine.interpret.implied import evaded_lane, implied_places
 from c2s_engine.interpret.inferred import Inferred
@@ -342,9 +341,3 @@ class Places(Inferred):
                 and where.gap_time is None
             ):
                 where.gap_time = quantity["low"]
-
-    def of_event(self, event: Event) -> Where:
-        """The relation that one clause alone states."""
-        where = Where()
-        read(event.whole, where, event.agent, self.cast)
-        return where

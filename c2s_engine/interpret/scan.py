@@ -69,9 +69,9 @@ def _actor() -> re.Pattern[str]:
     )
 
 
-LABEL_NUMBERS = {"one": "1", "two": "2", "three": "3", "four": "4", "five": "5"} | dict(
-    zip("abcde", "12345", strict=True)
-)
+SHORT = ("v", "u", "d", "mv", "op", "opr", "tu", "ap")
+NUMBERS = ("one", "two", "three", "four", "five")
+LABEL_NUMBERS = {n: str(i) for names in (NUMBERS, "abcde") for i, n in enumerate(names, 1)}
 
 
 def names(text: str, letters: list[Span] | None = None) -> list[Span]:
@@ -101,11 +101,11 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             continue
         word, number = match["word"], match["id"]
         bare = text[match.end("word") : match.start("id")]
-        if word in ("v", "u", "d") and bare.strip(" #-"):
+        if word in SHORT and bare.strip(" #-"):
             continue
         if number in ("one", "two", "three", "four", "five") and not re.match(r"[\s-]", bare):
             continue  # "done"
-        if number in "abcde" and (word in ("v", "u", "d", "driver") or not re.match(r"[\s-]", bare)):
+        if number in "abcde" and (word in (*SHORT, "driver") or not re.match(r"[\s-]", bare)):
             continue
         typed = word in language.table("ego")["labels"]["typed"]
         if (
@@ -124,7 +124,8 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             number == "a"
             and not typed
             and not re.match(
-                r"\s*(?:$|[.,;:)(']|\w+(?:s|ed|ing)\b|is\b|was\b|did\b|has\b|had\b|and\b|in\b|at\b|on\b|from\b)",
+                r"\s*(?:$|[.,;:)(']|\w+(?:s|ed|ing)\b|is\b|was\b|did\b|has\b|had\b|and\b|in\b|at\b|on\b|from\b"
+                r"|hit\b|ran\b|struck\b|cut\b|went\b|came\b|drove\b|made\b|lost\b|took\b|overtook\b|swung\b)",
                 text[match.end() : match.end() + 20],
             )
         ):
@@ -167,9 +168,7 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             and text[max(0, start - 12) : start].strip().split(" ")[-1] in tables["leads"]
         ):
             continue
-        if noun == "pick up" and re.search(r"\bto\s+$", text[max(0, start - 4) : start]):
-            continue
-        if noun == "mini" and re.match(r"[\s-]+(?:roundabout|cab|van|bus|series)", text[end : end + 12]):
+        if noun == "pick up" and text[max(0, start - 3) : start] == "to " or noun == "mini" and _MINI.match(text, end):
             continue
         if noun in tables["verbs_too"] and any(s.end == start - 1 and s.kind != "quantity" for s in found):
             continue
@@ -257,6 +256,7 @@ def _number_of_fleet() -> re.Pattern[str]:
     )
 
 
+_MINI = re.compile(r"[\s-]+(?:roundabout|cab|van|bus|series)")
 _BUS_STOP = re.compile(
     r"\s+(?:lane|shelter|station|bay)\b|\s+stop(?=\s*(?:[,.;)]|$|on\b|at\b|in\b|and\b|to\b"
     r"|where\b|with\b|is\b|ahead\b))"
@@ -266,7 +266,8 @@ _BUS_STOP = re.compile(
 def _stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
     """Whether a make or model is the noun itself: "a black BMW" or "a 2019 Honda Civic", not "the Ford pickup"."""
     before, after = text[max(0, start - 24) : start], text[end : end + 40]
-    if re.match(r"[\s-]+(?:[\w-]+\s+)?(?:" + _noun_words() + r")\b", after):
+    model = re.match(r"[\s-]+([\w-]+)", after)
+    if model and model[1] in language.makes() or re.match(r"[\s-]+(?:[\w-]+\s+)?(?:" + _noun_words() + r")\b", after):
         return False
     named = re.search(
         (

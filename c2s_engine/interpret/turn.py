@@ -34,7 +34,7 @@ def route(text: str, structure: Structure | None) -> Turn:
 
 
 def _route(text: str, structure: Structure | None) -> Turn:
-    text = Mended(text).text
+    text = Mended(re.sub(r"\s*(?:->|=>|→)\s*", " becomes ", text)).text
     plain = " ".join(scan.normalised(text).split())
     table = language.table("refine")
     whole = (0, len(text))
@@ -81,6 +81,8 @@ def _supposed(plain: str) -> str:
 
 
 def _asks(plain: str, table: dict[str, str]) -> bool:
+    if re.search(table["asked_for"], plain):
+        return False
     if plain.endswith("?"):
         return not re.match(
             r"(can|could|would|will) (you|we) (please )?(make|change|add|remove|put|set|move|let|replace|turn|have)\b",
@@ -89,6 +91,12 @@ def _asks(plain: str, table: dict[str, str]) -> bool:
     return bool(re.match(table["question"], plain)) and not re.match(
         r"(is|are|do|does|have|will)\b(?!.*\?)|.*\b(instead)\b", plain
     )
+
+
+def _introduces(plain: str) -> bool:
+    """Whether somebody is told of for the first time ("a car", "two cyclists"), not only become or replaced."""
+    new = language.table("refine")["introduces"]
+    return any(s.kind == "actor" and re.search(new, plain[: s.start]) for s in scan.names(plain))
 
 
 def _tells(plain: str, commanding: bool) -> bool:
@@ -101,6 +109,7 @@ def _tells(plain: str, commanding: bool) -> bool:
     if (
         opens
         and len(plain.split()) >= 9
+        and _introduces(plain)
         and len({s.kind for s in scan.names(plain)}) + len(scan.names(plain)) >= 4
         and not re.match(r"^(the |ego )?\w* ?(should|must)\b", plain)
         and "instead" not in plain
@@ -110,10 +119,9 @@ def _tells(plain: str, commanding: bool) -> bool:
         return False
     words = len(plain.split())
     names = [s for s in scan.names(plain) if s.kind in ("actor", "ego", "label")]
-    new = re.search(r"\b(an?|two|three|another) [\w-]*\s?\w+", plain)
     return (
         words >= 9
         and (len(names) >= 2 or words >= 14)
-        and bool(new)
+        and _introduces(plain)
         and not re.match(r"(at|in|on|with|without|during) (the )?\w+[.! ]*$", plain)
     )

@@ -3,6 +3,7 @@
 from c2s_engine.interpret import amounts, division, environment, letters, place, scan, syntax
 from c2s_engine.interpret.casting import actors
 from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.headlines import headline
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.passives import unnamed_doers
 from c2s_engine.interpret.protagonist import choose_ego
@@ -38,6 +39,7 @@ def understand(text: str) -> Scene:
     places = Places(cast, clauses)
     rules_of_sense(cast, clauses, road)
     twice(clauses)
+    headline(cast, clauses, places.of, road)
     settings = SettingsDetector().detect(plain, sentences)
     light = environment.light(plain, sentences)
     scene = Scene(text, plain, sentences, words, cast, clauses, places, road, settings, light, spans=spans)

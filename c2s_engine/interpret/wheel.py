@@ -13,6 +13,26 @@ DRIVES = frozenset(("in", "on", "driving", "riding", "directing", "operating", "
 STEERS = frozenset(
     ("drive", "ride", "steer", "pilot", "operate", "drove", "rode", "drives", "rides", "driving", "riding", "driven")
 )
+ASIDE = frozenset(
+    (
+        "load",
+        "unload",
+        "wash",
+        "clean",
+        "repair",
+        "fix",
+        "push",
+        "fuel",
+        "refuel",
+        "lock",
+        "unlock",
+        "hit",
+        "see",
+        "watch",
+    )
+    + ("lose", "find", "leave", "exit", "enter", "park", "check", "inspect", "sell", "buy", "reach", "approach", "pass")
+)
+CONTROL = re.compile(r"\b(?:control|charge|command) of (?:his|her) (?:[\w-]+ ){0,2}$")
 SITS = re.compile(
     r"(?:(?:ahead|in front|behind|beside|alongside|next to|to the (?:left|right))(?: of)? ?(?:@|\w+)? ?)?"
     r"(?:, ?)?(?:(?:who|that) (?:is|was) )?(?:(?:alone|sitting|seated|travelling|traveling|sat) )?"
@@ -43,7 +63,10 @@ class AtWheel(Reference):
             between = self.words[word.i + 1 : other.i]
             text = " ".join("@" if w.span is not None and w.span.kind == "ego" else w.norm for w in between) + " "
             verb = self.words[other.head]
-            drives = verb.norm in STEERS and verb.i > word.i and other.dep == "dobj" and self._heads(word, verb)
+            own = self.words[other.i - 1].norm in ("his", "her") or self.words[other.i - 2].norm in ("his", "her")
+            moves = verb.norm in STEERS or own and verb.lemma not in ASIDE and verb.tag in ("VBD", "VBZ", "VBG", "VBP")
+            drives = moves and verb.i > word.i and other.dep == "dobj" and self._heads(word, verb)
+            drives = drives or own and CONTROL.search(text) is not None
             if drives or SITS.fullmatch(text):
                 found = self._new(Entity("", "vehicle"))
                 self.wheels[other.i] = found

@@ -197,7 +197,8 @@ def _start_condition(structure: Structure, spec: ObjectSpec, phase: Phase, plan:
     seconds = scope.number(reach(spec, plan.place) / max(walk, 0.3))
     if far_side(spec, plan.place):
         seconds = f"{TO_LANE} / {scope.number(max(walk, 0.3))}"
-    return f"(distance from self to ego) < {seconds} * ego.speed + 4"
+    speed = "max(ego.speed, EGO_SPEED)" if spec.count > 1 else "ego.speed"  # it may already brake for the first of them
+    return f"(distance from self to ego) < {seconds} * {speed} + 4"
 
 
 def _is_struck(structure: Structure, cid: str, spec: ObjectSpec) -> bool:

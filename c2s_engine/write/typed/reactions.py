@@ -25,7 +25,9 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     if spec.reaction == "yield" and cids:  # whom it let pass may then be ahead
         moving = [c for c in cids if not is_static(actor.structure[c].spec)]  # type: ignore[arg-type]
         return _around(statements, once_seen(actor.structure, moving), 3, SOFT) if moving else statements
-    if spec.reaction != "brake" or not cids:
+    round_it = {p.target for p in spec.phases if p.action == "overtake" and _stands(actor.structure, p.target)}
+    cids = [c for c in cids if c not in round_it]  # ego drives past these
+    if spec.reaction != "brake" or not cids or spec.react_to in round_it:
         return statements
     threats = [every(actor.structure, spec.react_to)] if spec.react_to else once_seen(actor.structure, cids)
     hit = {p.target for p in spec.phases if p.action == "collide"}
@@ -43,6 +45,12 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
         return _around(statements, threats, limit, rate)
     others = [] if spec.react_to else once_seen(actor.structure, [c for c in cids if c not in on_foot])
     return _around(statements, others, limit, rate) + _stop_for(actor.structure, on_foot, spec.hard)
+
+
+def _stands(structure: Structure, cid: str | None) -> bool:
+    """Whether an object never moves."""
+    spec = structure[cid].spec if cid and cid in structure else None
+    return isinstance(spec, ObjectSpec) and is_static(spec)
 
 
 def _beside(structure: Structure, cid: str) -> bool:

@@ -1,0 +1,90 @@
+"""The single demands of what somebody types to change a scene, each made whole.
+
+"I'd like the lead to be a truck, because ..., and it drives 60 km/h" has two: what only gives a reason is left out, and
+"it" is whom the one before was about.
+"""
+
+import re
+from functools import cache
+
+from c2s_engine.interpret import language, scan
+from c2s_engine.interpret.refer import refer
+from c2s_engine.structure.components import ComponentId, Structure
+
+
+@cache
+def _table() -> dict[str, str]:
+    return {**language.table("refine")["demands"]}
+
+
+def demands(text: str) -> list[str]:
+    """The demands of a text, in order, as plain text."""
+    plain = " ".join(scan.normalised(text).replace("?", " ").replace("!", " ").split())
+    found: list[str] = []
+    for sentence in re.split(r"(?:[.;:]\s+|\.$)", plain):
+        found += [d for part in _folded(_parts(sentence)) if (d := _bare(part))]
+    return found
+
+
+def whole(demand: str, before: str, topic: ComponentId | None) -> str:
+    """A demand with what it leaves out: "it" and a bare verb are about whom the one before was (`topic`), "the child
+    too" has what was said there, "and the van a truck" its verb, and a bare number its unit.
+    """
+    table = _table()
+    who = "ego" if topic == "E" else (topic or "").lower()
+    if who:
+        demand = re.sub(r"^(then )?(?:it|he|she|they)\b", rf"\g<1>{who}", demand)
+        demand = re.sub(table["moved"], rf"\g<1>{who}", demand)
+        demand = re.sub(table["subjectless"], rf"\g<1>{who} ", demand)
+        demand = re.sub(table["infinitive"], rf"\g<1>{who} will ", demand)
+    named = scan.names(before)
+    if (too := re.match(table["as_well"], demand)) and named and scan.names(demand):
+        head = re.sub(r"\b(?:the|an?|my|our)\s*$", "", before[: named[0].start])
+        return f"{head}{too['who']}{before[named[0].end :]}"
+    if (elided := re.match(table["elided"], demand)) and re.search(table["becomes"], before):
+        return f"make {elided['who']} {elided['what']}"
+    unit = re.search(table["unit"], before)
+    return f"{demand} {unit[1]}" if unit and re.search(r"[a-z] \d+$", demand) else demand
+
+
+def topic_of(demand: str, structure: Structure) -> ComponentId | None:
+    """Whom a demand is about."""
+    found = refer(demand, structure, alone=False)
+    return found.id if found is not None else None
+
+
+def _parts(sentence: str) -> list[str]:
+    starts = _table()["starts"]
+    return re.split(rf"\s*,\s+(?:and |but )?|\s+(?:and|but)\s+(?=(?:then )?{starts})|\s+(?=then {starts})", sentence)
+
+
+def _folded(parts: list[str]) -> list[str]:
+    """Parts without reasons; a clause of time stays with what it is about, a participle with what stands before it."""
+    table = _table()
+    found: list[str] = []
+    ahead = ""
+    for part in (p.strip() for p in parts):
+        if re.match(table["so"], part):
+            found, ahead = [d for d in found if re.search(table["demanding"], d)], ""
+        if not part or re.match(table["reason"], part):
+            continue
+        if re.match(table["subordinate"], part) and not found:
+            ahead = f"{ahead}{part}, "
+        elif re.match(table["continues"], part) and found:
+            found[-1] = f"{found[-1]}, {part}"
+        else:
+            found.append(ahead + part)
+            ahead = ""
+    return found or ([ahead.strip(", ")] if ahead else [])
+
+
+def _bare(part: str) -> str:
+    """A demand without how it is put."""
+    table = _table()
+    part = part.strip(" .,;")
+    asked = re.sub(table["openers"], "", part)
+    if asked != part:
+        asked = re.sub(table["wants"], r"\g<who> will ", asked)
+    part = asked
+    part = re.sub(table["same_but"], r"\g<what> instead", part)
+    return re.sub(table["closers"], "", part).strip(" .,;")

@@ -269,7 +269,7 @@ class Clauses(Nominal):
                 and re.search(
                     (
                         r"straight|(over|through|across) (the|an) (\w+ )?(junction|intersection|crossroads)"
-                        r"|(?<!pedestrian )crossing(?! the)"
+                        r"|(?<!pedestrian )(?<!zebra )crossing(?! the)"
                     ),
                     text,
                 )

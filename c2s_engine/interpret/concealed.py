@@ -58,6 +58,12 @@ class Concealed:
                 )
                 if match is None:
                     match = re.search(
+                        rf"\bfrom (?:behind|in front of|between) (?:the |a |an )?(?:\w+ )?@(?P<by>a\d+) ,"
+                        rf"[^.;]{{0,30}}? ?(?:the |a |an )(?:\w+ )?@{entity.key}\b",
+                        text,
+                    )
+                if match is None:
+                    match = re.search(
                         (
                             rf"@(?P<by>a\d+)[^.;]*?(hide|hides|hid|conceal\w*|obscure\w*|block\w*|occlude\w*|mask\w*"
                             rf"|obstruct\w*|screen\w*|shield\w*)( the view (of|to|on))?( @ego ''?s)?( view (of"
@@ -72,7 +78,7 @@ class Concealed:
                 blocker = next((e for e in self.cast.entities if e.key == match["by"]), None)
                 if blocker is not None and blocker is not entity and not (blocker.person):
                     where.hidden_by = blocker
-                    if where.of is blocker and where.rel == "behind":
+                    if where.of is blocker and where.rel in ("behind", "ahead"):
                         where.rel, where.of = None, None
 
     @staticmethod

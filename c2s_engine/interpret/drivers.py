@@ -21,6 +21,7 @@ from c2s_engine.structure.components import Assumption
 from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec
 
 RESPONSES = ("brake", "brake_stop", "stop")
+RETURNS = frozenset(("overtake", "oncoming", "swerve"))
 AROUND = frozenset(("overtake", "oncoming", "lane_change", "cut_out", "evade", "swerve", "u_turn", "reverse"))
 """What ego does to get past what it stopped for."""
 
@@ -129,6 +130,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             phases.append(Phase(action="go_straight", trigger=trigger))
         elif act == "cross_path" and place.kind == "intersection":
             phases.append(Phase(action="go_straight"))
+        elif act == "reverse" and re.match(r"\w+ back\b", event.text) and any(p.action in RETURNS for p in phases):
+            continue  # into its lane
         elif act in ("leave_road", "drift", "swerve", "reverse", "oncoming", "enter_road"):
             sided = act in ("leave_road", "drift", "swerve", "oncoming")
             phases.append(

@@ -34,6 +34,8 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _into_whose_lane(event, clauses, of)
         elif event.done and event.act == "follow" and event.patient in of:
             _behind_whom_it_follows(event, clauses, of)
+        elif event.done and event.act in ("approach", "travel", "oncoming") and EACH_OTHER.search(event.text):
+            _towards_each_other(event, of)
 
 
 def _behind_whom_it_follows(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
@@ -48,6 +50,22 @@ def _behind_whom_it_follows(event: Event, clauses: Clauses, of: dict[Entity, Whe
     where, ahead = of[follower], of[leader]
     if where.rel is None and where.of is None and where.lane in (None, ahead.lane) and ahead.lane is not None:
         where.rel, where.of, where.lane = "behind", leader, None
+
+
+EACH_OTHER = re.compile(
+    r"^(?:approach|near|meet|face|(?:come|drive|travel|head|move|ride|go|run) (?:\w+ ){0,2}(?:towards?|at|to))"
+    r" (?:each other|one another)\b"
+)
+
+
+def _towards_each_other(event: Event, of: dict[Entity, Where]) -> None:
+    """Of two that approach each other, of which ego is one, the other comes the other way."""
+    both = [event.agent, *event.also]
+    if not any(e.ego for e in both):
+        return
+    for other in both:
+        if other in of and other.mover and not other.person and _open(of[other]):
+            of[other].lane = "oncoming"
 
 
 ACROSS = frozenset(("lane_change", "drift", "swerve", "lose_control", "cross_path"))

@@ -7,7 +7,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PERSONS, VEHICLES, ZONES, Entity, fits
 from c2s_engine.interpret.syntax import Word
-from c2s_engine.interpret.wheel import AtWheel
+from c2s_engine.interpret.titles import Titles
 
 STANDS = frozenset(("stationary", "stopped", "standing", "static", "parked", "halted", "stalled", "immobile"))
 TWO_WHEELERS = frozenset(("bike", "bikes", "bike rider"))
@@ -20,10 +20,8 @@ CARRIES = frozenset(("deliver", "collect", "unload", "load", "carry", "transport
 LOST = frozenset(("shed", "lost", "dropped", "spilled", "spilt", "fallen", "left", "discarded", "dumped", "jettisoned"))
 
 
-class Nouns(AtWheel):
+class Nouns(Titles):
     """The part of Cast that reads nouns."""
-
-    told: set[int]  # the sentences with a finite verb
 
     def _apposed(self, word: Word) -> Entity | None:
         raise NotImplementedError
@@ -202,22 +200,6 @@ class Nouns(AtWheel):
             verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))
         )
 
-    def _titled(self, word: Word, kind: str) -> Entity | None:
-        """The driver whom a title named ("Ghost driver at 2 a.m.: ... a wrong-way car comes")."""
-        if kind not in VEHICLES or word.i == 0:
-            return None
-        for entity in self.entities:
-            if entity.type != "vehicle" or not entity.noun.endswith("driver") or len(entity.mentions) != 1:
-                continue
-            first = self.words[entity.mentions[0].word]
-            between = [w.norm for w in self.words[first.i : word.i]]
-            ends = next((w.i for w in self.words[first.i : word.i] if w.norm == ":"), None)
-            title = first.sentence == 0 and (self._heading(0) or ends is not None)
-            verbs = [w for w in self.words[: ends or first.i] if w.tag in ("VBZ", "VBD", "VBP", "MD")]
-            if title and not verbs and (ends is not None or word.sentence > 0) and "another" not in between[-3:]:
-                return entity
-        return None
-
     def _alternative(self, word: Word) -> Entity | None:
         """The first of two nouns of which either may be meant: "a tractor or a coach"."""
         back = [w for w in self.words[max(0, word.i - 5) : word.i] if w.sentence == word.sentence]
@@ -260,10 +242,6 @@ class Nouns(AtWheel):
         if {"both", "two"} & set(before):
             self.both[word.i] = told[:-1] or [self.ego]
         return told[-1]
-
-    def _heading(self, sentence: int) -> bool:
-        """Whether a sentence is a title: without a finite verb."""
-        return sentence not in self.told
 
     def _revealed(self, word: Word, kind: str) -> Entity | None:
         """The bare label that a colon explains: "V3 came into view: a disabled car"."""
@@ -329,16 +307,3 @@ class Nouns(AtWheel):
         if noun and not host.noun:
             host.noun = noun
         return host
-
-    def _modifiers(self, word: Word) -> list[str]:
-        found = []
-        for i in range(max(0, word.i - 5), word.i):
-            other = self.words[i]
-            if other.sentence == word.sentence and (
-                i in word.children
-                or other.head in word.children
-                and other.i < word.i
-                and other.tag in ("RB", "CD", "JJ", "DT", "PDT")
-            ):
-                found.append(other.norm)
-        return found

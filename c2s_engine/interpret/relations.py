@@ -330,8 +330,7 @@ class Places(Inferred):
                     elif re.search(
                         r"(less than|under|at most|within|no more than|not more than|up to|below)\s*$", before
                     ):
-                        low = high * 0.6
-                        high = high * 0.95
+                        low, high = high * 0.6, high * 0.95
                     where.gap = (low, high)
                     return
             elif (

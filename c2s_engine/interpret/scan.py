@@ -70,9 +70,8 @@ def _actor() -> re.Pattern[str]:
 
 
 SHORT = ("v", "u", "d", "mv", "op", "opr", "tu", "ap")
-LABEL_NUMBERS = {"one": "1", "two": "2", "three": "3", "four": "4", "five": "5"} | dict(
-    zip("abcde", "12345", strict=True)
-)
+NUMBERS = ("one", "two", "three", "four", "five")
+LABEL_NUMBERS = {n: str(i) for names in (NUMBERS, "abcde") for i, n in enumerate(names, 1)}
 
 
 def names(text: str, letters: list[Span] | None = None) -> list[Span]:
@@ -169,7 +168,7 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             and text[max(0, start - 12) : start].strip().split(" ")[-1] in tables["leads"]
         ):
             continue
-        if noun == "mini" and re.match(r"[\s-]+(?:roundabout|cab|van|bus|series)", text[end : end + 12]):
+        if noun == "pick up" and text[max(0, start - 3) : start] == "to " or noun == "mini" and _MINI.match(text, end):
             continue
         if noun in tables["verbs_too"] and any(s.end == start - 1 and s.kind != "quantity" for s in found):
             continue
@@ -257,6 +256,7 @@ def _number_of_fleet() -> re.Pattern[str]:
     )
 
 
+_MINI = re.compile(r"[\s-]+(?:roundabout|cab|van|bus|series)")
 _BUS_STOP = re.compile(
     r"\s+(?:lane|shelter|station|bay)\b|\s+stop(?=\s*(?:[,.;)]|$|on\b|at\b|in\b|and\b|to\b"
     r"|where\b|with\b|is\b|ahead\b))"

@@ -28,6 +28,15 @@ def _was_over(cast: Cast, event: Event, clauses: Clauses) -> bool:
     return first and not any(e.agent is event.agent and e.word < event.word for e in clauses.events)
 
 
+FIRST = re.compile(r"(?:pass|go|drive|proceed|cross|move|turn|enter|get|come|travel|clear)\b[^.;]*?\bfirst\b")
+
+
+def _at_junction(event: Event, clauses: Clauses, road: Road) -> bool:
+    """Whether who goes first there goes over a junction before ego."""
+    turns = any(e.act == "turn" and e.agent.ego for e in clauses.events)
+    return turns or road.kind in ("intersection", "roundabout") or bool(event.agent.roles & {"oncoming", "crossing"})
+
+
 def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     """What single clauses cannot tell: a stop that is denied before a stop sign, a pass that is waited for."""
     avoided(cast, clauses)
@@ -102,7 +111,10 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 r"pass|clear|gone|go(es)? (by|past)|cross|through",
                 event.text + " " + word.norm + " " + " ".join(w.norm for w in cast.words[event.word : event.word + 4]),
             )
-            if waits and gone and not any(e.act == "yield" and e.agent.ego for e in clauses.events):
+            first = FIRST.match(event.text) and _at_junction(event, clauses, road)
+            if first and event.act == "overtake":
+                event.act = "travel"
+            if (waits and gone or first) and not any(e.act == "yield" and e.agent.ego for e in clauses.events):
                 given_way = {"patient": event.agent, "order": event.order - 0.1, "words": [event.word]}
                 clauses.events.append(Event.echo(event, act="yield", agent=cast.ego, **given_way))
     for event in [e for e in clauses.events if e.act == "cut_in" and e.done and LEAVES.search(e.text)]:

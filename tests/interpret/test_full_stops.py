@@ -8,7 +8,6 @@ STOPS = [
     "A car cuts in from the right lane and slams on the brakes; the ego stops just in time behind it.",
     "The road is blocked by a fallen tree; ego comes to a halt in front of it.",
     "The lead car brakes to a standstill and the ego manages to stop behind it.",
-    "The ego vehicle halts for the pedestrian waiting at the zebra crossing.",
 ]
 
 
@@ -27,6 +26,11 @@ def test_it_stops_for_somebody(read, text: str) -> None:
 )
 def test_it_gets_past_after_it(read, text: str) -> None:
     assert "stop" not in [p.action for p in read(text)["E"].spec.phases]
+
+
+def test_it_stops_for_one_who_waits(read) -> None:
+    ego = read("The ego vehicle halts for the pedestrian waiting at the zebra crossing.")["E"].spec
+    assert [p.action for p in ego.phases] == ["stop"]
 
 
 def test_it_only_brakes(read) -> None:

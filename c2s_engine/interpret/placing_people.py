@@ -79,13 +79,9 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             walk = scene.road.crosswalk or scene.road.setting == "urban"
             return {"position": "sidewalk" if walk else "roadside", "side": edge, "said": True}
         return {"position": "ahead", "said": True}
-    if (
-        entity.type == "bicycle"
-        and where.side
-        and place.manoeuvre == where.side
-        and where.rel in (None, "ahead", "beside")
-    ):
-        return {"position": "partly_in_lane", "side": where.side, "said": True}
+    side = where.side or ("right" if where.rel == "beside" else None)
+    if entity.type == "bicycle" and side and place.manoeuvre == side and where.rel in (None, "ahead", "beside"):
+        return {"position": "partly_in_lane", "side": side, "said": True}
     if along or entity.type == "bicycle":
         if where.rel == "behind" and where.lane != "same":
             return {"position": "behind", "said": True}

@@ -46,3 +46,9 @@ def test_who_is_passed_on_the_right_of_the_left_lane(read) -> None:
 def test_one_who_comes_against_ego_drives_the_wrong_way(read) -> None:
     spec = first(read, "On the motorway ego drives in the left lane. In the left lane comes a car against us.")
     assert spec.placement.facing == "against" and not spec.phases
+
+
+def test_a_rider_alongside_one_who_turns_right_is_at_the_edge_of_its_lane(read) -> None:
+    s = read("Ego turns right at traffic lights. A cyclist riding alongside goes straight on and hits the car.")
+    place = s.objects[0].spec.placement
+    assert (place.position, place.side) == ("partly_in_lane", "right")

@@ -79,6 +79,7 @@ class Clauses(Nominal):
             complements
             and lemma in (*shades["light"], *shades["intended"], *shades["failed"])
             and not re.search(r"^(stop|start|be|see|observe|detect|ensure|decide|remain) .*@", text)
+            and not (lemma == "stop" and any(self.words[c].tag == "VB" for c in complements))
         ) and lemma not in ("let", "allow", "permit", "wait"):
             self.light.add(word.i)
             return

@@ -20,6 +20,9 @@ def phases_of(
     crossing = placement.position.startswith("crossing") or placement.position == "opposite_approach"
     for event in events:
         who = ids.get(event.patient) if event.patient is not None else None
+        halted = bool(found) and found[-1].action in ("stop", "brake")
+        if halted and event.act == "stationary" and scene.words[event.word].tag == "VB":
+            continue  # it stops "to pick up passengers"
         if event.agent is not entity and event.act != "collide":
             who = ids.get(event.patient) if event.patient is not None else None
         found += steps_of(scene, event, entity, who, ego_key, placement, place, crossing, found)

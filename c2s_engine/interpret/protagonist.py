@@ -44,6 +44,13 @@ EGO_LIKE = frozenset(
 )
 
 
+FROM_ASIDE = re.compile(
+    r"^(?!.*\b(?:turn|chang|merg|mov|swerv|veer)\w*\b.* from ).*\bfrom (?:the |its )?"
+    r"(?:left|right|rear|behind|front|opposite (?:side|direction))\b(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb))"
+)
+"""A way by which one comes towards somebody who is not named: that is ego."""
+
+
 TOWARDS = frozenset(("collide", "overtake", "follow", "yield", "cut_in", "evade"))
 """What ego does to another: who is meant by "the driver" is not the other."""
 
@@ -113,6 +120,9 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         ):
             continue
         head = cast.words[entity.mentions[0].word]
+        near = " ".join(w.norm for w in cast.words[head.i : head.i + 10] if w.sentence == head.sentence)
+        if not told_by and len(vehicles) == 1 and FROM_ASIDE.search(near):
+            continue
         before = cast.words[head.i - 1].norm if head.i else ""
         if before in ("another", "other") or any(cast.words[c].norm in ("another", "other") for c in head.children):
             continue

@@ -51,3 +51,13 @@ def test_crossing_in_front_is_no_cut_in(read, who: str, verb: str) -> None:
 def test_crossing_lanes_is(read) -> None:
     s = read("A car in the right lane crosses in front of the ego into the left lane.")
     assert [p.action for p in s.objects[0].spec.phases] == ["cut_in"]
+
+
+@pytest.mark.parametrize("text", ["An ambulance at high speed approaches from the rear.", "A van comes from the left."])
+def test_who_comes_from_somewhere_comes_towards_ego(read, text):
+    assert len(read(text).objects) == 1
+
+
+def test_it_stops_for_a_purpose(read):
+    (bus,) = read("Ego follows a bus, which stops to let passengers off.").objects
+    assert [p.action for p in bus.spec.phases] == ["stop"]

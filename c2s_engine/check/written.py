@@ -13,7 +13,7 @@ from c2s_engine.check.values import Values, ends_of
 from c2s_engine.structure.specs import Phase, Trigger
 
 _DRIVE = ("points", "speed", "rate", "offset", "shift")
-_BRAKING = {2.0: False, 4.0: True}  # ego's, where the need for it is over so many m/s2: whether hard
+_BRAKING = {3.0: False, 4.0: True}  # ego's, where the need for it is over so many m/s2: whether hard
 _RATES = {3.0: "brake", 3.5: "stop", 2.5: "accelerate", 4.0: "wait"}  # m/s2
 _NEVER = ast.Constant(None)
 
@@ -77,7 +77,7 @@ class Written:
         return Drive(start, phases, limit in _BRAKING, bool(_BRAKING.get(limit or 0.0)))
 
     def _braking(self, node: Any) -> float:
-        """The need (m/s2) at which the interruption brakes: `need(self, other) > 2`, until there is none."""
+        """The need (m/s2) at which the interruption brakes: `need(self, other) > 3`, until there is none."""
         from scenic.syntax import ast as s
 
         if len(node.interrupt_when_handlers) != 1 or len(node.interrupt_when_handlers[0].body) != 1:
@@ -86,8 +86,10 @@ class Written:
         done = handler.body[0]
         limit, rest = self._need(handler.cond), self._need(getattr(done, "cond", _NEVER))
         brakes = isinstance(done, s.DoUntil) and len(done.elts) == 1 and _called(done.elts[0]) == "Drive"
-        if not brakes or limit is None or rest != 0 or self.values.number(done.elts[0].args[1]) != 0:
+        if not brakes or limit not in _BRAKING or rest != 0 or self.values.number(done.elts[0].args[1]) != 0:
             raise NotWritten
+        if not any(k.arg == "rate" and isinstance(k.value, ast.Lambda) for k in done.elts[0].keywords):
+            raise NotWritten  # as hard as it takes, not less
         return limit
 
     def _need(self, cond: Any) -> float | None:

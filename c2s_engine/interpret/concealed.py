@@ -10,6 +10,12 @@ from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.whereabouts import Where
 
+HIDES = re.compile(
+    r"hid|conceal|obscur|occlu|mask|block|screen|see|notic|spot|detect|behind|between|in front of|obstruct|shield"
+)
+LONG = 2_000
+"""Characters of a sentence beyond which nobody tells what hides whom."""
+
 
 class Concealed:
     """The part of Places that finds what blocks ego's view."""
@@ -25,6 +31,8 @@ class Concealed:
             for mention in entity.mentions:
                 sentence = [w.i for w in self.words if w.sentence == self.words[mention.word].sentence]
                 text = self.clauses.render(sentence)
+                if len(text) > LONG or not HIDES.search(text):
+                    continue
                 match = (
                     re.search(
                         (

@@ -66,7 +66,8 @@ def _sentence(text: str, plain: str, start: int, end: int, names: list[Span], un
     subjects: list[Subject] = []
     neighbour = "ego"
     last = start
-    for first, stop in _parts(plain, start, end, names):
+    parts = _parts(plain, start, end, names)
+    for number, (first, stop) in enumerate(parts):
         headed = _headed(text, plain, first, stop, names)
         said = None
         if headed is not None:
@@ -89,7 +90,7 @@ def _sentence(text: str, plain: str, start: int, end: int, names: list[Span], un
             found.append((at, stop, (before or "") + said.rstrip(". ") + close))
         last = stop
         if said is not None and stop < end and plain[stop] == ",":
-            following = next((p for p in _parts(plain, start, end, names) if p[0] >= stop), None)
+            following = next((p for p in parts[number + 1 :] if p[0] >= stop), None)
             if following is not None and _is_left(plain, following, names, subjects, unit, text):
                 found.append((stop, stop + 1, "."))
                 last = stop + 1
@@ -114,9 +115,10 @@ def _parts(plain: str, start: int, end: int, names: list[Span]) -> list[tuple[in
     cuts = [m.span() for m in re.finditer(r",(?!\d)\s*|\s-\s+|(?<=[a-z]):\s+(?=[a-z])", plain[start:end])]
     spans = [(start + a, start + b) for a, b in cuts if plain[: start + a].count("(") == plain[: start + a].count(")")]
     for name in names:
-        joined = JOINED.search(plain[start : name.start]) if start < name.start < end else None
-        if joined is not None and re.search(r"\d(?: ?[a-z/]+)?$", plain[start : start + joined.start()]):
-            spans.append((start + joined.start(), name.start))
+        near = max(start, name.start - 40)
+        joined = JOINED.search(plain[near : name.start]) if start < name.start < end else None
+        if joined is not None and re.search(r"\d(?: ?[a-z/]+)?$", plain[near : near + joined.start()]):
+            spans.append((near + joined.start(), name.start))
     found, at = [], start
     for first, stop in sorted(spans):
         if first > at:

@@ -1,8 +1,14 @@
 """Which of those spoken of belong to the scene."""
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import VEHICLES, ZONES, Entity
 from c2s_engine.interpret.scene import Scene
+
+
+def _tried(event: Event) -> bool:
+    """Whether ego means to overtake and does not: who is ahead is there all the same."""
+    return event.act == "overtake" and event.mode == "hypothetical" and event.agent.ego
 
 
 def actors(scene: Scene) -> list[Entity]:
@@ -12,7 +18,7 @@ def actors(scene: Scene) -> list[Entity]:
     for entity in scene.cast.entities:
         own = scene.events(entity)
         where = scene.where(entity)
-        passive = [e for e in scene.clauses.events if e.patient is entity and e.done]
+        passive = [e for e in scene.clauses.events if e.patient is entity and (e.done or _tried(e))]
         if "group" in entity.roles or _mere_background(scene, entity):
             continue
         if entity.noun in language.table("actors")["fixed"] and not any(e.act == "collide" for e in passive):

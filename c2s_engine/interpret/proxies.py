@@ -25,7 +25,8 @@ def pieces_of(plain: str, start: int, end: int, spans: list[Span]) -> list[tuple
     for span in [*inside, None]:
         stop = span.start if span else end
         for number, match in enumerate(WORD.finditer(plain[at:stop])):
-            near = last if number == 0 or number == 1 and found and found[-1][0].endswith("ly") else None
+            after = bool(found) and (found[-1][0].endswith("ly") or found[-1][0] == "either")
+            near = last if number == 0 or number == 1 and after else None
             found.append((_word(match[0], near, plain, at + match.start()), at + match.start(), at + match.end(), None))
         last = span
         if span:
@@ -46,7 +47,7 @@ FOLLOWS = regex.compile(
     r"|through|behind|past|with|without|for|and|then|while|when|as|because|due|hard|sharply|"
     r"suddenly|abruptly|heavily|slowly|left|right|straight|away|up|down|back|ahead|around"
     r"|again|gradually|before|after|but|so|too|immediately|quickly|by|under|until|because"
-    r"|between|beside|just|directly|unexpectedly|strongly|level|abreast|alongside|parallel|round|clear|wide|short|inside|beyond|about|upon|against|near|close|straight|apart|together|first)\b)"
+    r"|between|beside|just|directly|unexpectedly|strongly|level|abreast|alongside|parallel|round|clear|wide|short|inside|beyond|about|upon|against|near|close|straight|apart|together|first|or)\b)"
 )
 
 

@@ -55,6 +55,11 @@ TOWARDS = frozenset(("collide", "overtake", "follow", "yield", "cut_in", "evade"
 """What ego does to another: who is meant by "the driver" is not the other."""
 
 
+def _after(i: int, cast: Cast) -> str:
+    """A word with what follows it in its sentence."""
+    return " ".join(w.norm for w in cast.words[i : i + 10] if w.sentence == cast.words[i].sentence)
+
+
 def _demanded(entity: Entity, cast: Cast) -> bool:
     """Whether a rule asks something of it: "the vehicle shall clear the lane"."""
     return any(
@@ -120,8 +125,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         ):
             continue
         head = cast.words[entity.mentions[0].word]
-        near = " ".join(w.norm for w in cast.words[head.i : head.i + 10] if w.sentence == head.sentence)
-        if not told_by and len(vehicles) == 1 and FROM_ASIDE.search(near):
+        if not told_by and len(vehicles) == 1 and any(FROM_ASIDE.search(_after(m.word, cast)) for m in entity.mentions):
             continue
         before = cast.words[head.i - 1].norm if head.i else ""
         if before in ("another", "other") or any(cast.words[c].norm in ("another", "other") for c in head.children):

@@ -59,3 +59,10 @@ def test_a_bracket_after_a_road_user_is_its_note(read) -> None:
     car = s.objects[0].spec
     assert round(s["E"].spec.speed * 3.6) == 110 and round(car.speed * 3.6) == 90
     assert car.placement.position == "right_lane" and [p.action for p in car.phases] == ["cut_in"]
+
+
+@pytest.mark.parametrize(("told", "sign"), [("+20 kph rel speed", 1), ("+15 km/h relative", 1)])
+def test_a_relative_speed_is_not_ego_s_own(read, told, sign) -> None:
+    s = read(f"pov L lane, 20m behind, {told}. ego (80, right lane) keeps its lane")
+    assert round(s.ego.spec.speed * 3.6) == 80
+    assert (s.objects[0].spec.speed - s.ego.spec.speed) * sign > 0

@@ -88,20 +88,19 @@ class Agents(Patients):
         return self._inherited(word, depth)
 
     def _joined_subject(self, word: Word) -> int | None:
-        """Who stands between "and" and a finite verb, taken for the partner of a noun before it: "slowed for a jam and
-        V1 struck V2"."""
-        at = word.i - 1
-        if (
-            word.dep != "conj"
-            or word.tag not in ("VBZ", "VBD")
-            or at not in self.cast.of
-            or self.words[at].span is None
-        ):
+        """The subject that was taken for the object before "and": "V2 struck V1 and V3 then struck V2"."""
+        if word.dep not in ("conj", "dep") or word.tag not in ("VBD", "VBZ", "VBP"):
             return None
-        before = [w.norm for w in self.words[max(0, at - 2) : at] if w.sentence == word.sentence]
-        while before and before[-1] in ("the", "a", "an"):
-            before.pop()
-        return at if before[-1:] in (["and"], ["but"]) and self.words[at].dep == "conj" else None
+        at = word.i - 1
+        while at > 0 and self.words[at].tag == "RB":
+            at -= 1
+        found = self.words[at]
+        first = at
+        while first > 0 and self.words[first - 1].tag in ("DT", "JJ", "PRP$"):
+            first -= 1
+        apart = first > 0 and self.words[first - 1].norm in ("and", "but")
+        joined = found.dep == "conj" and self.words[found.head].tag.startswith(("NN", "PRP")) and found.head < found.i
+        return at if apart and joined and at in self.cast.of and found.span is not None else None
 
     def _reduced(self, word: Word) -> Entity | None:
         """The noun of "vehicle approaching from the left does not yield", which is parsed as a clause for a subject."""

@@ -2,6 +2,7 @@
 
 import re
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.syntax import Word
@@ -19,7 +20,7 @@ GIVES_UP = re.compile(
     r"|come|comes|slip|slips|swing|swings) (right |straight )?back(?! (in|to) front)"
     r"|returns? to (its|the|his|her) (own |original |previous |initial )?lane)\b"
 )
-BEGINS = ("start", "begin", "attempt", "try", "initiate", "commence", "want", "intend", "go")
+BEGINS = language.words("begins")
 
 
 def avoided(cast: Cast, clauses: Clauses) -> None:

@@ -46,7 +46,8 @@ def speed(clause: str, structure: Structure) -> Found | None:
 
 
 def _table() -> dict[str, str]:
-    return {**language.table("refine")}
+    found: dict[str, str] = language.table("refine")
+    return found
 
 
 def _moving(structure: Structure) -> list[Component]:
@@ -111,16 +112,15 @@ def distance(clause: str, structure: Structure) -> Found | None:
     if between and spec.count > 1 and quantity is not None:
         edit = SetField(component=component.id, path="spacing", value=value_of(quantity))
         return [edit], f"{name_of(component)}: {quantity['low']:g} m between them"
-    if quantity is not None and relative is not None and not re.search(_table()["so_much_further"], clause):
-        relative = None  # a distance to have, not one more or less
-    if relative is None and quantity is not None:
-        relative = _moved(clause, spec.placement)
+    word = relative[1] if relative else ""
+    if quantity is not None and not re.search(_table()["so_much_further"], clause):
+        word = ""  # a distance to have, not one more or less
+    word = word or _moved(clause, spec.placement)
     now = spec.placement.gap
     base = middle(now) if now is not None else 25.0
-    if relative is None and quantity is not None:
+    if not word and quantity is not None:
         value: Any = value_of(quantity)
     else:
-        word = relative[1] if relative else ""
         nearer = word in ("closer", "nearer", "less") or word.startswith("half")
         if quantity is not None:
             value = base - quantity["low"] if nearer else base + quantity["low"]
@@ -140,13 +140,13 @@ def distance(clause: str, structure: Structure) -> Found | None:
     ], f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
 
 
-def _moved(clause: str, place: Placement) -> re.Match[str] | None:
+def _moved(clause: str, place: Placement) -> str:
     """ "Move it 10 m back": further from ego or closer to it, by where it is."""
     match = re.search(r"^(?:move|shift|push|pull|set|put)\b.*\b(back|forward)(?:s|wards?)?$", clause)
     if not match:
-        return None
+        return ""
     behind = place.position == "behind" or place.along == "behind"
-    return re.match("(further|closer)", "further" if (match[1] == "back") == behind else "closer")
+    return "further" if (match[1] == "back") == behind else "closer"
 
 
 def _only_one(structure: Structure) -> Component | None:

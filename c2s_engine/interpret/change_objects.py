@@ -85,6 +85,10 @@ def _release(component: Component, structure: Structure) -> list[Edit]:
     return edits
 
 
+HOW_MANY = r"^(?:only |just )?(?P<what>(?:one|two|three|four|five|six|\d+) [\w -]+?)(?: only)?$"
+"""Only asks for something where one of that type is there."""
+
+
 def retype(clause: str, structure: Structure) -> Found | None:
     """ "Make the lead a truck", "a bus instead of the van", "two cyclists instead", "replace O1 with a deer"."""
     known = [s for s in scan.names(clause) if s.kind == "actor" and (s.data["type"] not in ("vehicle", "rider"))]
@@ -108,7 +112,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
             r"|five|six|\d+) [\w -]+?)(?: instead| rather)$"
         ),
         r"^(?:make it |make that |make them )(?P<what>(?:an?|two|three|four|five|six|\d+) [\w -]+?)$",
-        r"^(?:only |just )?(?P<number>(?:one|two|three|four|five|six|\d+) [\w -]+?)(?: only)?$",
+        HOW_MANY,
         r"^(?:have |let |make )?(?P<who>ego) (?:now )?drives? (?P<what>an? [\w -]+)$",
         r"^(?P<who>[\w -]+?) becomes (?P<what>(?:an? )?[\w-]+)$",
     )
@@ -116,12 +120,11 @@ def retype(clause: str, structure: Structure) -> Found | None:
         match = re.match(pattern, clause)
         if not match:
             continue
-        group = "number" if "number" in match.groupdict() else "what"
-        named = [s for s in known if match.start(group) <= s.start < match.end(group)]
+        named = [s for s in known if match.start("what") <= s.start < match.end("what")]
         if not named:
             continue
         kind, plural = named[0].data["type"], named[0].data["plural"]
-        if group == "number" and not objects_of(structure, kind):
+        if pattern is HOW_MANY and not objects_of(structure, kind):
             continue
         who = match.groupdict().get("who")
         component = refer(who, structure) if who else _akin(kind, structure)
@@ -135,15 +138,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
                 SetField(component="E", path="model", value=None),
             ], f"ego is a {kind.replace('_', ' ')}"
         edits: list[Edit] = [SetSpec(component=component.id, spec=_typed(spec_of(component), kind))]
-        count = (
-            (
-                _count_of(match[group])
-                if re.match(r"\d|an?\b|one|two|three|four|five|six", match[group])
-                else spec_of(component).count
-            )
-            if plural
-            else 1
-        )
+        count = _count_of(match["what"], spec_of(component).count) if plural else 1
         if count != spec_of(component).count:
             edits.append(SetField(component=component.id, path="count", value=count))
         noun = kind.replace("_", " ")
@@ -165,7 +160,10 @@ def _rest(rest: str | None, noun: str, edits: list[Edit], structure: Structure) 
     return edits_of(f"the {noun} {verb}{re.sub(r'^(?:that|which|who) ', '', rest.strip())}", structure)
 
 
-def _count_of(what: str) -> int:
+def _count_of(what: str, now: int) -> int:
+    """How many a noun phrase in the plural asks for; as many as now where it gives no number."""
+    if not re.match(r"\d|an?\b|one|two|three|four|five|six", what):
+        return now
     first = what.split()[0]
     return min(8, int(first) if first.isdigit() else int(language.table("actors")["counts"].get(first, 2)))
 

@@ -5,7 +5,7 @@ they differ are set, of the components that the clause names and of those that a
 """
 
 import re
-from functools import cache
+from functools import lru_cache
 from typing import Any
 
 from c2s_engine.interpret import describe, language, scan
@@ -18,7 +18,7 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Tr
 
 PLACE = ("kind", "manoeuvre", "arms", "control", "ego_lane", "crosswalk")
 """Fields of R that a clause about road users can say."""
-SIGNS = frozenset(("stop_sign", "yield_sign", "speed_sign", "traffic_light"))
+SIGNS = frozenset(("stop_sign", "yield_sign", "speed_sign"))
 
 
 def acting(clause: str, structure: Structure) -> Found | None:
@@ -47,13 +47,12 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
     if before is None:
         return None
     there = {a.id: b.id for a, b in zip(was.objects, structure.objects, strict=True)}
-    number = int(structure.next_object_id()[1:])
-    ids = {}
-    for component in now.objects:
-        ids[component.id] = there[before[component.id].id] if component.id in before else f"O{number}"
-        number += component.id not in before
-    if number != int(structure.next_object_id()[1:]) and not re.search(_table()["new"], told):
+    added = [c.id for c in now.objects if c.id not in before and spec_of(c).type not in SIGNS]
+    if added and not re.search(_table()["new"], told):
         return None
+    ids = {c.id: there[before[c.id].id] for c in now.objects if c.id in before}
+    number = int(structure.next_object_id()[1:])
+    ids |= {cid: f"O{number + i}" for i, cid in enumerate(added)}
     awaited = _awaited(told, structure)
     edits: list[Edit] = []
     paths: list[str] = []
@@ -61,9 +60,9 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
         cid = ids.get(component.id, component.id)
         if component.id in ("G", "T") or awaited is not None and cid == awaited.of:
             continue
-        if component.id not in before and component.id.startswith("O") and spec_of(component).type in SIGNS:
-            continue
-        if component.id.startswith("O") and component.id not in before:
+        if component.id.startswith("O") and component.id not in ids:
+            continue  # a sign
+        if component.id in added:
             edits.append(_added(component, cid, ids, structure))
             paths.append("+")
         elif cid == "R" or _names(told, structure[cid], structure):
@@ -85,7 +84,7 @@ def _moves(now: Structure, ids: dict[str, str], structure: Structure) -> list[Ed
     for component in now.objects:
         place = spec_of(component).placement
         for other in sorted({ids.get(place.of, ""), ids.get(place.hidden_by or "", "")} - {""}):
-            if ids[component.id] in structure and other not in structure:
+            if component.id in ids and ids[component.id] in structure and other not in structure:
                 index = structure.ids.index(ids[component.id]) - structure.ids.index(structure.objects[0].id)
                 edits.append(MoveObject(component=other, index=index))
     return edits
@@ -107,9 +106,9 @@ def _denied(clause: str, structure: Structure) -> Found | None:
     return (edits, _in_words(edits, structure)) if edits else None
 
 
-@cache
 def _table() -> dict[str, str]:
-    return {**language.table("refine")["told"]}
+    found: dict[str, str] = language.table("refine")["told"]
+    return found
 
 
 def _indicative(clause: str, structure: Structure) -> str | None:
@@ -170,6 +169,7 @@ def _scene(structure: Structure, told: str) -> str:
     return " ".join(sentences)
 
 
+@lru_cache(64)
 def _read(text: str) -> Structure | None:
     from c2s_engine.interpret.embedded import EmbeddedInterpreter, InterpretError
 

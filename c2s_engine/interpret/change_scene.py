@@ -3,7 +3,7 @@
 import re
 from typing import Any
 
-from c2s_engine.interpret import amounts, environment, scan
+from c2s_engine.interpret import amounts, environment, language, scan
 from c2s_engine.interpret.change_forms import Found, quantity_of
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, SetField, SetSpec
@@ -27,7 +27,7 @@ def setting(clause: str, structure: Structure) -> Found | None:
         environment.time_of_day(clause, whole),
         environment.light(clause, whole),
     )
-    colour = re.search(r"\blights? (?:is |are |to |turns? |shows? )?(red|green|amber|yellow)\b", clause)
+    colour = re.search(language.table("refine")["light_shows"], clause)
     if colour and not light:
         state = "yellow" if colour[1] == "amber" else colour[1]
         light = [environment.Found(state, 0.9, colour.span())]

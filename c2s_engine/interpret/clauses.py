@@ -15,15 +15,12 @@ OUT_OF = re.compile(
     r"\b(out|from|off)\b.*\b(drive|driveway|parking|space|bay|garage|yard|gate|alley|lot|property)\b"
     r"|\b(on|in)to (the |a )?(\w+ )?(road|street|carriageway|highway|roadway)\b|out in front of"
 )
-FORCEFUL = frozenset(("hard", "harsh", "emergency", "full", "maximum", "sudden", "sharp", "heavy", "panic", "violent"))
+FORCEFUL = language.words("forceful")
 
 
-PUTS = frozenset(
-    ("place", "position", "put", "locate", "deposit", "drop", "install", "erect", "plant", "scatter", "spill", "litter")
-    + ("strew", "dump", "lay", "abandon", "leave", "lose", "shed")
-)
-NEARLY = frozenset(("nearly", "almost", "narrowly"))
-CAUSES = frozenset(("force", "cause", "make", "oblige", "compel", "require", "lead", "get"))
+PUTS = language.words("puts")
+NEARLY = language.words("nearly")
+CAUSES = language.words("causes")
 BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
 
 
@@ -131,8 +128,8 @@ class Clauses(Nominal):
             return
         if event.act == "start_straight":
             event.act = "start"
-            then = Event("go_straight", event.agent, word.i, text, whole, order=word.i + 0.1, mode=self._mode(word))
-            self.events.append(replace(then, words=[word.i]))
+            told = {"order": word.i + 0.1, "mode": self._mode(word), "words": [word.i]}
+            self.events.append(Event("go_straight", event.agent, word.i, text, whole, **told))
         if event.act in ("brake", "brake_stop", "stop") and not event.hard:
             following = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5] if w.sentence == word.sentence)
             forceful = word.i > 0 and self.words[word.i - 1].norm in FORCEFUL  # "harsh braking by the VUT"
@@ -205,21 +202,6 @@ class Clauses(Nominal):
         if word.dep != "pcomp" or above.norm != "by" or verb.dep not in ("xcomp", "ccomp", "advcl"):
             return None
         return self._subject(self.words[verb.head])[0] if self._lemma(self.words[verb.head]) in CAUSES else None
-
-    def _joined_subject(self, word: Word) -> int | None:
-        """The subject that was taken for the object before "and": "V2 struck V1 and V3 then struck V2"."""
-        if word.dep not in ("conj", "dep") or word.tag not in ("VBD", "VBZ", "VBP"):
-            return None
-        at = word.i - 1
-        while at > 0 and self.words[at].tag == "RB":
-            at -= 1
-        found = self.words[at]
-        first = at
-        while first > 0 and self.words[first - 1].tag in ("DT", "JJ", "PRP$"):
-            first -= 1
-        apart = first > 0 and self.words[first - 1].norm in ("and", "but")
-        joined = found.dep == "conj" and self.words[found.head].tag.startswith(("NN", "PRP")) and found.head < found.i
-        return at if apart and joined and at in self.cast.of and found.span is not None else None
 
     def _dangles(self, word: Word, agent: Entity) -> bool:
         """Whether a participle's object is the one taken for its agent ("following a truck, it stops"): ego does it."""

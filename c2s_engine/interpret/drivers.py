@@ -13,6 +13,7 @@ from c2s_engine.interpret.ego_others import (
     yielded,
 )
 from c2s_engine.interpret.ego_pace import ego_pace
+from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import MOTOR, Entity
 from c2s_engine.interpret.scene import Scene, side
@@ -61,8 +62,6 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                         trigger=trigger,
                     )
                 )
-                if stop and others and not said_reaction:
-                    pass
                 continue
             said_reaction = True
             if stop and phases and phases[-1].action in ASIDE and _from_behind(scene):
@@ -101,7 +100,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                 scene.where(event.patient).lane == "oncoming" or "oncoming" in event.patient.roles
             ):
                 who = passed(scene, ids) or who
-            if place.ego_lane == f"{OTHER.get(towards or '')}most":
+            if towards == "right" and place.ego_lane == "leftmost":
                 towards = None  # the side where the passed one is
             phases.append(Phase(action="overtake", target=who or passed(scene, ids), side=towards, trigger=trigger))
             if phases[-1].target is None:
@@ -226,7 +225,6 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     return spec, assumed
 
 
-OTHER = {"right": "left"}
 ASIDE = ("lane_change", "leave_road", "drift")
 
 
@@ -259,11 +257,7 @@ def _halted_by(scene: Scene, event: Event) -> bool:
 
 def _from_behind(scene: Scene) -> bool:
     """Whether somebody comes from behind for whom ego makes room."""
-    return any(
-        scene.where(a).rel == "behind"
-        and (a.type in ("ambulance", "police_car", "fire_truck") or scene.does(a, "overtake"))
-        for a in scene.actors
-    )
+    return any(scene.where(a).rel == "behind" and (a.type in URGENT or scene.does(a, "overtake")) for a in scene.actors)
 
 
 def _makes_way(scene: Scene, react_to: str | None, phases: list[Phase], ids: dict[Entity, str]) -> bool:

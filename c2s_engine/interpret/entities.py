@@ -6,6 +6,7 @@ VEHICLES = frozenset(
     ("vehicle", "car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle")
 )
 MOTOR = VEHICLES - {"bicycle"}
+URGENT = frozenset(("ambulance", "police_car", "fire_truck"))
 PERSONS = frozenset(("pedestrian", "child", "animal"))
 MOVERS = VEHICLES | PERSONS
 ZONES = frozenset(("construction_zone", "lane_closure"))

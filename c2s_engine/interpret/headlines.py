@@ -9,13 +9,14 @@ from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.place import Road
 from c2s_engine.interpret.whereabouts import Where
 
-KINDS = {
-    "rear": re.compile(r"\brear[- ]?end(?:er|ing|ed)?\b|\bshunt\b|\bchain reaction\b|\bpile-?up\b"),
-    "front": re.compile(r"\bhead[- ]on\b"),
-    "cross": re.compile(r"\bt-?bone[ds]?\b|\bbroadside[ds]?\b|\b(?:right )?angle (?:crash|collision)\b"),
-    "side": re.compile(r"\bside[- ]?swipe[ds]?\b"),
-    "any": re.compile(r"\b(?:collision|crash|wreck|prang|fender[- ]bender|smash)\b"),
-}
+KINDS: tuple[tuple[str, str | None, str | None], ...] = (
+    (r"\brear[- ]?end(?:er|ing|ed)?\b|\bshunt\b|\bchain reaction\b|\bpile-?up\b", "ahead", "same"),
+    (r"\bhead[- ]on\b", None, "oncoming"),
+    (r"\bt-?bone[ds]?\b|\bbroadside[ds]?\b|\b(?:right )?angle (?:crash|collision)\b", None, "crossing"),
+    (r"\bside[- ]?swipe[ds]?\b", "beside", "left"),
+    (r"\b(?:collision|crash|wreck|prang|fender[- ]bender|smash)\b", "ahead", "same"),
+)
+"""What names a collision; relation and lane of whom it was with."""
 
 
 def headline(cast: Cast, clauses: Clauses, of: dict[Entity, Where], road: Road) -> None:
@@ -23,14 +24,14 @@ def headline(cast: Cast, clauses: Clauses, of: dict[Entity, Where], road: Road) 
     if any(e.done and e.act != "travel" for e in clauses.events) or any(w.tag in ("VBZ", "VBD") for w in cast.words):
         return
     first = " ".join(w.norm for w in cast.words[:14])
-    kind = next((k for k, pattern in KINDS.items() if pattern.search(first)), None)
+    kind = next(((rel, lane) for pattern, rel, lane in KINDS if re.search(pattern, first)), None)
     parties = [e for e in cast.entities if e.mover and "parked" not in e.roles]
     if kind is None or not parties or len(parties) > 3:
         return
     if not cast.ego.mentions and len(parties) > 1:
         own = next((e for e in parties if e.type in MOTOR and e.count == 1), None)
-        if own is not None and own.type in MOTOR:
-            cast._become_ego(own)
+        if own is not None:
+            cast.become_ego(own)
             parties.remove(own)
             of.pop(own, None)
     elif not cast.ego.mentions and parties[0].count > 1:
@@ -39,27 +40,9 @@ def headline(cast: Cast, clauses: Clauses, of: dict[Entity, Where], road: Road) 
     struck = parties[0]
     word = cast.words[struck.mentions[0].word]
     where = of[struck]
-    if where.rel is None and where.lane in (None, "same"):
-        where.rel, where.lane = {
-            "rear": ("ahead", "same"),
-            "front": (None, "oncoming"),
-            "cross": (None, "crossing"),
-            "side": ("beside", "left"),
-            "any": ("ahead", "same"),
-        }[kind]
-    if kind == "cross" and road.kind is None:
+    if where.open:
+        where.rel, where.lane = kind
+    if kind[1] == "crossing" and road.kind is None:
         road.kind = "intersection"
-    clauses.events.append(
-        Event(
-            "collide",
-            cast.ego,
-            word.i,
-            first,
-            first,
-            struck,
-            order=float(word.i),
-            words=[word.i],
-            start=word.start,
-            end=word.end,
-        )
-    )
+    at = {"order": float(word.i), "words": [word.i], "start": word.start, "end": word.end}
+    clauses.events.append(Event("collide", cast.ego, word.i, first, first, struck, **at))

@@ -64,7 +64,7 @@ def _towards_each_other(event: Event, of: dict[Entity, Where]) -> None:
     if not any(e.ego for e in both):
         return
     for other in both:
-        if other in of and other.mover and not other.person and _open(of[other]):
+        if other in of and other.mover and not other.person and of[other].open:
             of[other].lane = "oncoming"
 
 
@@ -98,10 +98,6 @@ def evaded_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
     return None
 
 
-def _open(where: Where) -> bool:
-    return where.rel is None and where.lane in (None, "same")
-
-
 def _behind_or_beside_road(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """What ego hits while it reverses stands behind it; what it hits off the road stands beside the road."""
     other = hit.patient
@@ -133,7 +129,7 @@ def _over_the_line(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> N
         )
         passed = any(e.patient is other and e.act in ("overtake", "follow") for e in clauses.events)
         behind = re.search(r"rear|behind|back of", hit.whole)
-        if other.mover and not other.person and _open(of[other]) and not still and not passed and not behind:
+        if other.mover and not other.person and of[other].open and not still and not passed and not behind:
             of[other].lane = "oncoming"
 
 
@@ -144,7 +140,7 @@ def _unseen(event: Event, cast: Cast, clauses: Clauses, of: dict[Entity, Where])
     text = clauses.render([w.i for w in cast.words if w.sentence in (sentence, sentence + 1)])
     match = UNSEEN.search(text)
     other = next((e for e in cast.entities if match and e.key == match["who"]), None)
-    if other is None or towards is None or not other.mover or other.person or other not in of or not _open(of[other]):
+    if other is None or towards is None or not other.mover or other.person or other not in of or not of[other].open:
         return
     of[other].lane, of[other].side, of[other].rel = towards, towards, "beside"
 
@@ -158,7 +154,7 @@ def _into_whose_lane(event: Event, clauses: Clauses, of: dict[Entity, Where]) ->
         if state.agent.ego and state.act in STATES and clause.dep == "relcl" and clause.head in lanes:
             event.act = "cut_in"
             where = of[event.agent]
-            if _open(where):
+            if where.open:
                 where.lane, where.rel = "adjacent", where.rel
             towards = side(event)
             where.side = where.side or ({"left": "right", "right": "left"}[towards] if towards else None)

@@ -15,6 +15,12 @@ def table(name: str) -> Any:
     return yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
 
 
+@cache
+def words(name: str) -> frozenset[str]:
+    """A list of data/language/words.yaml."""
+    return frozenset(table("words")[name])
+
+
 def plurals(noun: str) -> list[str]:
     """The plural forms of a noun phrase, by rule (its last word takes the ending)."""
     head, _, last = noun.rpartition(" ")

@@ -28,9 +28,7 @@ NO_FOLLOWER = re.compile(
     r"|license|licence|class|crossing|kerb|curb|hand|shoulder|degrees|ramps?|exit|band)\b"
 )
 SIDES = frozenset("lrnesw")
-AUXILIARIES = frozenset(
-    ["is", "was", "has", "had", "does", "did", "must", "will", "should", "can", "cannot", "then", "never", "goes"]
-)
+AUXILIARIES = language.words("auxiliaries")
 
 
 @cache

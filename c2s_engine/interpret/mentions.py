@@ -135,7 +135,7 @@ class Cast(Nouns):
                 and len(named.mentions) <= 2
                 and after not in ("'s", "'")
             ):
-                self._become_ego(named)
+                self.become_ego(named)
             return self.ego
         if span.kind == "label":
             return self._labelled(word)
@@ -168,13 +168,13 @@ class Cast(Nouns):
         if label == "1" and self.one_is_ego:
             host = self._apposed(word) or self._known_as(word)
             if host and not host.ego and len(host.mentions) <= 2:
-                self._become_ego(host)
+                self.become_ego(host)
             return self.ego
         host = self._copula(word)
         known = next((e for e in self.entities if e.label == label), None)
         if host is not None and host.ego:  # "the ego is car C"
             if known is not None:
-                self._become_ego(known)
+                self.become_ego(known)
             return self.ego
         if known is not None:
             return known
@@ -200,7 +200,8 @@ class Cast(Nouns):
         kind = language.actor_nouns()[noun][0] if known else "vehicle"
         return self._new(Entity("", kind, noun=noun if known else "", label=label, typed=kind != "vehicle"))
 
-    def _become_ego(self, entity: Entity) -> None:
+    def become_ego(self, entity: Entity) -> None:
+        """Take an entity for ego."""
         if entity.type != "vehicle":
             self.ego.type, self.ego.typed = entity.type, True
         for mention in entity.mentions:

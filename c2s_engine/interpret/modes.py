@@ -6,11 +6,11 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.agents import Agents
 from c2s_engine.interpret.syntax import Word
 
-CONTACT = frozenset(("hit", "strike", "collide", "crash", "rear-end", "run"))
+CONTACT = language.words("contact")
 
 
-CHANCES = frozenset(("chance", "opportunity", "gap", "opening", "space", "room", "moment", "occasion", "place", "spot"))
-SEEKS = frozenset(("wait", "look", "seek", "hope", "watch", "search", "want", "need", "await"))
+CHANCES = language.words("chances")
+SEEKS = language.words("seeks")
 
 
 class Modes(Agents):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Entity
 from c2s_engine.interpret.motions import rules
@@ -14,7 +15,7 @@ ATTRIBUTIVE = frozenset(
     ("brake", "stop", "accelerate", "reverse", "swerve", "lose_control", "drift", "u_turn", "cross_road")
 )
 
-BY_MEANS = frozenset(("by", "with", "via", "during", "through", "after", "before"))
+BY_MEANS = language.words("by_means")
 HALTS = frozenset(("stop", "brake", "brake_stop", "stationary"))
 
 

@@ -9,15 +9,15 @@ from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PER
 from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.titles import Titles
 
-STANDS = frozenset(("stationary", "stopped", "standing", "static", "parked", "halted", "stalled", "immobile"))
-TWO_WHEELERS = frozenset(("bike", "bikes", "bike rider"))
+STANDS = language.words("stands")
+TWO_WHEELERS = language.words("two_wheelers")
 COUNTED = re.compile(
     r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units"
     r"|animals|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
 )
-TITLES = frozenset(("mr", "mrs", "ms"))
-CARRIES = frozenset(("deliver", "collect", "unload", "load", "carry", "transport", "haul", "empty"))
-LOST = frozenset(("shed", "lost", "dropped", "spilled", "spilt", "fallen", "left", "discarded", "dumped", "jettisoned"))
+TITLES = language.words("titles")
+CARRIES = language.words("carries")
+LOST = language.words("lost")
 
 
 class Nouns(Titles):

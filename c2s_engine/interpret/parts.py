@@ -6,7 +6,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import PERSONS, VEHICLES, Entity
 from c2s_engine.interpret.strangers import Strangers
 
-DRIVING = frozenset(("driving", "riding", "directing", "operating", "steering", "piloting", "commanding"))
+DRIVING = language.words("driving")
 
 
 class Parts(Strangers):

@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.place import Road
@@ -39,9 +40,6 @@ def by_the_other_lane(clauses: Clauses, road: Road) -> None:
 
 
 MEETS = re.compile(r"\b(?:other|opposite) (?:way|direction)|oncom|towards|head-on|from (?:the |its )?(?:left|right)\b")
-
-
-URGENT = frozenset(("ambulance", "police_car", "fire_truck"))
 
 
 def let_past(clauses: Clauses, event: Event, road: Road) -> bool:

@@ -34,7 +34,7 @@ class Patients(Rendering):
         """The others of a joint subject ("V1 and V3 met")."""
         if at is None:
             return []
-        found = self._pair(at)
+        found = list(self.cast.both.get(at, []))  # "both", "the two"
         for child in self.words[at].children:
             if self.words[child].dep == "conj":
                 other = self.cast.referent(child)
@@ -42,18 +42,6 @@ class Patients(Rendering):
                     found.append(other)
                     found += self._also(child)
         return found
-
-    def _pair(self, at: int) -> list[Entity]:
-        """The other of two whom "both", "both of them" or "the two" mean."""
-        if at in self.cast.both:
-            return self.cast.both[at]
-        near = [w.norm for w in self.words[max(0, at - 1) : at + 3]]
-        if not {"both", "two"} & set(near[:2]) or self.words[at].span is not None:
-            return []
-        one = self.cast.referent(at)
-        earlier = [self.cast.of[i] for i in sorted(self.cast.of) if i < at and self.cast.of[i] is not one]
-        movers = [e for e in earlier if e.mover and not e.ego]
-        return movers[-1:] if one is not None and not one.ego else []
 
     def _patient(self, word: Word, own: list[int], agent: Entity | None, passive: bool) -> Entity | None:
         if passive:

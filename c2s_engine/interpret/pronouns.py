@@ -9,31 +9,15 @@ from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.members import Members
 from c2s_engine.interpret.syntax import Word
 
-STRIKES = frozenset(("hit", "strike", "clip", "ram", "bump", "contact", "touch", "graze", "scrape", "sideswipe"))
+STRIKES = language.words("strikes")
 
 RIDDEN = frozenset(("bicycle", "motorcycle"))
-RESTS = frozenset(("park", "stand", "dump", "abandon", "sit", "block", "double-park", "leave", "strand", "stop"))
-BOWS = frozenset(("bow", "bows", "nose", "front", "bonnet", "hood", "bumper", "path"))
+RESTS = language.words("rests")
+BOWS = language.words("bows")
 
 LOOSE = frozenset(("debris", "box", "obstacle"))
 THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
-BUMPED = frozenset(
-    (
-        "around",
-        "round",
-        "past",
-        "avoid",
-        "avoids",
-        "hits",
-        "hit",
-        "strikes",
-        "struck",
-        "beside",
-        "into",
-        "against",
-        "over",
-    )
-)
+BUMPED = language.words("bumped")
 BESIDE = re.compile(r"(to|on|in|at) (left|right|front|rear)\b")
 
 

@@ -4,6 +4,7 @@ import re
 
 from c2s_engine.interpret.askers import bystanding
 from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import MOTOR, VEHICLES, Cast, Entity
 
@@ -165,7 +166,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     if not candidates:
         return
     demanded = [e for e in candidates if _demanded(e, cast)]
-    ordinary = [e for e in candidates if e.type not in ("ambulance", "police_car", "fire_truck")]
+    ordinary = [e for e in candidates if e.type not in URGENT]
     candidates = demanded or (candidates if told_by else ordinary) or candidates
     generic = [e for e in candidates if e.noun == "vehicle"]
     if generic and "the" in [

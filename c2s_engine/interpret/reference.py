@@ -5,18 +5,15 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import ORDINALS, VEHICLES, Entity, fits
+from c2s_engine.interpret.entities import ORDINALS, URGENT, VEHICLES, Entity, fits
 from c2s_engine.interpret.pronouns import Pronouns
 from c2s_engine.interpret.syntax import Word
 
-OWNERS = frozenset(
-    ("defendant", "respondent", "third party", "at-fault driver", "offending driver", "opposing party", "opponent")
-)
-ANYBODY = frozenset(("vehicle", "motor vehicle", "road user", "traffic participant"))
+OWNERS = language.words("owners")
+ANYBODY = language.words("anybody")
 """Nouns of no type by which ego may be meant, too: not "the target", "the attacker"."""
 TOLD_APART = frozenset(("oncoming", "crossing", "lead", "following", "cut_in", "adjacent", "adversary"))
 """Parts in the scene by which another one is meant, unless somebody had that part before."""
-URGENT = frozenset(("ambulance", "police_car", "fire_truck"))
 
 
 class Reference(Pronouns):

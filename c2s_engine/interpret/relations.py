@@ -2,6 +2,7 @@
 
 import re
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.groups import split_groups
 from c2s_engine.interpret.implied import evaded_lane, implied_places
@@ -28,7 +29,7 @@ ASIDE = re.compile(
 )
 
 DIRECTED = frozenset(("towards", "toward", "into", "onto"))
-PLACING = frozenset(("facing", "following", "level", "side", "abreast", "alongside", "next", "adjacent"))
+PLACING = language.words("placing")
 
 
 class Places(Inferred):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import ORDINALS
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast
@@ -14,8 +15,8 @@ PLACES = {"speed": "#speed", "distance": "#dist", "time": "#time", "acceleration
 CLAUSAL = frozenset(("advcl", "relcl", "ccomp", "acl", "csubj", "csubjpass", "parataxis", "pcomp", "xcomp"))
 
 
-COMES_TO = frozenset(("rest", "halt", "stop"))
-ENDS_IN = frozenset(("come", "brake", "decelerate", "slow", "roll", "bring", "slide", "skid", "spin", "draw", "grind"))
+COMES_TO = language.words("comes_to")
+ENDS_IN = language.words("ends_in")
 
 
 class Rendering:

@@ -13,7 +13,7 @@ from c2s_engine.interpret.towards import side
 from c2s_engine.interpret.whereabouts import Where
 
 END = r"(?:rear(?:[- ]end)?|back|tail|boot|trunk|tailgate|rear bumper|back bumper)"
-PUSHES = frozenset(("push", "shove", "shunt", "propel", "force", "knock", "drive", "throw", "launch"))
+PUSHES = language.words("pushes")
 IN_ORDER = re.compile(r"\bin (?:that|this|the same|numerical|the following) order\b")
 BACKS_INTO = (6.0, 12.0)
 """How far (m) behind ego stands what it reverses into."""
@@ -69,7 +69,7 @@ def _from_behind(hit: Event, clauses: Clauses) -> bool:
 
 
 def _open(where: Where) -> bool:
-    return where.rel is None and where.lane in (None, "same") and where.facing is None
+    return where.open and where.facing is None
 
 
 def _one_behind(hit: Event, of: dict[Entity, Where]) -> None:

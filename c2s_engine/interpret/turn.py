@@ -34,9 +34,9 @@ def route(text: str, structure: Structure | None) -> Turn:
 
 
 def _route(text: str, structure: Structure | None) -> Turn:
-    text = Mended(re.sub(r"\s*(?:->|=>|→)\s*", " becomes ", text)).text
-    plain = " ".join(scan.normalised(text).split())
     table = language.table("refine")
+    text = Mended(re.sub(table["arrows"], " becomes ", text)).text
+    plain = " ".join(scan.normalised(text).split())
     whole = (0, len(text))
     if not plain:
         return Turn("edit", reply="Say what the scene is, or what to change in it.", span=whole)

@@ -9,29 +9,9 @@ from c2s_engine.interpret.entities import VEHICLES, Entity
 from c2s_engine.interpret.reference import Reference
 from c2s_engine.interpret.syntax import Word
 
-DRIVES = frozenset(("in", "on", "driving", "riding", "directing", "operating", "steering", "piloting", "commanding"))
-STEERS = frozenset(
-    ("drive", "ride", "steer", "pilot", "operate", "drove", "rode", "drives", "rides", "driving", "riding", "driven")
-)
-ASIDE = frozenset(
-    (
-        "load",
-        "unload",
-        "wash",
-        "clean",
-        "repair",
-        "fix",
-        "push",
-        "fuel",
-        "refuel",
-        "lock",
-        "unlock",
-        "hit",
-        "see",
-        "watch",
-    )
-    + ("lose", "find", "leave", "exit", "enter", "park", "check", "inspect", "sell", "buy", "reach", "approach", "pass")
-)
+DRIVES = language.words("at_the_wheel")
+STEERS = language.words("steers")
+ASIDE = language.words("besides_driving")
 CONTROL = re.compile(r"\b(?:control|charge|command) of (?:his|her) (?:[\w-]+ ){0,2}$")
 SITS = re.compile(
     r"(?:(?:ahead|in front|behind|beside|alongside|next to|to the (?:left|right))(?: of)? ?(?:@|\w+)? ?)?"

@@ -37,6 +37,11 @@ class Where:
     hidden_by: Entity | None = None
     phrases: list[tuple[str, str]] = field(default_factory=list)
 
+    @property
+    def open(self) -> bool:
+        """Whether neither a relation nor another lane than ego's is told."""
+        return self.rel is None and self.lane in (None, "same")
+
 
 @cache
 def _patterns() -> list[tuple[dict[str, Any], re.Pattern[str], re.Pattern[str] | None, re.Pattern[str] | None]]:

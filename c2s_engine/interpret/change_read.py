@@ -5,16 +5,16 @@ they differ are set, of the components that the clause names and of those that a
 """
 
 import re
-from functools import lru_cache
 from typing import Any
 
-from c2s_engine.interpret import describe, language, scan
+from c2s_engine.interpret import scan
 from c2s_engine.interpret.change_forms import Found, name_of
-from c2s_engine.interpret.refer import objects_of, refer, spec_of
+from c2s_engine.interpret.refer import refer, spec_of
+from c2s_engine.interpret.retold import indicative, read, scene, table
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField
 from c2s_engine.structure.quantity import high, low
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
 
 PLACE = ("kind", "manoeuvre", "arms", "control", "ego_lane", "crosswalk")
 """Fields of R that a clause about road users can say."""
@@ -34,13 +34,13 @@ def standing(clause: str, structure: Structure) -> Found | None:
 def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
     if (denied := _denied(clause, structure)) is not None:
         return denied
-    told = _indicative(clause, structure)
+    told = indicative(clause, structure)
     if re.search(r"\b(?:second|third)\b", clause) and refer(clause, structure) is None:
         return None
-    if told is None or re.search(_table()["relative"], clause) or re.search(r"\b(?:other|opposite) side\b", clause):
+    if told is None or re.search(table()["relative"], clause) or re.search(r"\b(?:other|opposite) side\b", clause):
         return None
-    scene = _scene(structure, told)
-    was, now = _read(scene), _read(f"{scene} {told[0].upper()}{told[1:]}.")
+    there_is = scene(structure, told)
+    was, now = read(there_is), read(f"{there_is} {told[0].upper()}{told[1:]}.")
     if was is None or now is None or len(was.objects) != len(structure.objects) or len(now.objects) < len(was.objects):
         return None
     before = _counterparts(was, now)
@@ -48,7 +48,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
         return None
     there = {a.id: b.id for a, b in zip(was.objects, structure.objects, strict=True)}
     added = [c.id for c in now.objects if c.id not in before and spec_of(c).type not in SIGNS]
-    if added and not re.search(_table()["new"], told):
+    if added and not re.search(table()["new"], told):
         return None
     ids = {c.id: there[before[c.id].id] for c in now.objects if c.id in before}
     number = int(structure.next_object_id()[1:])
@@ -92,7 +92,7 @@ def _moves(now: Structure, ids: dict[str, str], structure: Structure) -> list[Ed
 
 def _denied(clause: str, structure: Structure) -> Found | None:
     """ "The truck should not stop": it does everything else."""
-    positive, number = re.subn(_table()["not"], "will", clause)
+    positive, number = re.subn(table()["not"], "will", clause)
     found = _told(positive, structure, lambda path: path == "phases") if number == 1 else None
     edits: list[Edit] = []
     for edit in found[0] if found else ():
@@ -104,79 +104,6 @@ def _denied(clause: str, structure: Structure) -> Found | None:
         if kept != phases:
             edits.append(SetField(component=edit.component, path="phases", value=kept))
     return (edits, _in_words(edits, structure)) if edits else None
-
-
-def _table() -> dict[str, str]:
-    found: dict[str, str] = language.table("refine")["told"]
-    return found
-
-
-def _indicative(clause: str, structure: Structure) -> str | None:
-    """The demand as a sentence that tells it, or None where it names nobody."""
-    table = _table()
-    said = re.sub(table["beside_the_point"], " ", clause).strip(" ,")
-    said = re.sub(r"\bo(\d+)\b", lambda m: _called(f"O{m[1]}", structure), said)
-    said = re.sub(r"\bi\b", "I", said)
-    if (begins := re.match(table["begins"], said)) and (who := refer(begins["who"], structure, alone=False)):
-        first = next(iter(getattr(who.spec, "phases", ())), None)
-        if first is not None:
-            action = language.table("sentences")["actions"][first.action].format(target="ego")
-            return f"{begins['who']} will {action} {begins['when']}"
-    if match := re.match(table["adds"], said):
-        rest = re.sub(r"^(?:one more|another|more)\b", "a", said[match.end() :])
-        first = next(iter(s.data["type"] for s in scan.names(rest) if s.kind == "actor"), "")
-        rest = re.sub(r"^an?\b", "another", rest) if objects_of(structure, first) else rest
-        return rest if re.search(table["finite"], rest) else f"there is {rest}"
-    named = [s for s in scan.names(said) if s.kind in ("actor", "ego", "label")]
-    if not named:
-        return None
-    if match := re.match(table["causes"], said):
-        subject = next((s for s in named if s.start >= match.end()), None)
-        if subject is None:
-            return None
-        return f"{said[match.end() : subject.end]} will{said[subject.end :]}"
-    return re.sub(table["demands"], "will", said)
-
-
-def _called(cid: ComponentId, structure: Structure) -> str:
-    return f"the {_noun(structure[cid])}" if cid in structure else cid
-
-
-def _noun(component: Component) -> str:
-    return spec_of(component).type.replace("_", " ")
-
-
-def _scene(structure: Structure, told: str) -> str:
-    """Where everything stands, without what it does and without what the sentence tells anew: where somebody is, or
-    where ego goes.
-    """
-    place = structure.place.spec
-    assert isinstance(place, PlaceSpec)
-    if re.match(r"(?:the )?ego\b", told):
-        place = place.model_copy(update={"manoeuvre": None, "ego_lane": None})
-    located = refer(told, structure, alone=False) if re.match(_table()["located"], told) else None
-    names = {c.id: spec_of(c).name for c in structure.objects}
-    ego = structure.ego.spec
-    assert isinstance(ego, EgoSpec)
-    still = ego.model_copy(update={"phases": (), "reaction": "none"})
-    sentences = [describe.place(place), describe.ego(still, place, names)]
-    for component in structure.objects:
-        if located is not None and component.id == located.id:
-            sentences.append(f"There is a {_noun(component)}.")
-            continue
-        assumed = {"speed": None} if any(a.field == "speed" for a in component.assumed) else {}
-        sentences.append(describe.obj(spec_of(component).model_copy(update={"phases": (), **assumed}), names))
-    return " ".join(sentences)
-
-
-@lru_cache(64)
-def _read(text: str) -> Structure | None:
-    from c2s_engine.interpret.embedded import EmbeddedInterpreter, InterpretError
-
-    try:
-        return EmbeddedInterpreter().interpret(text).structure
-    except InterpretError:
-        return None
 
 
 def _names(told: str, component: Component, structure: Structure) -> bool:
@@ -207,7 +134,7 @@ def _counterparts(was: Structure, now: Structure) -> dict[str, Component] | None
 
 def _awaited(told: str, structure: Structure) -> Trigger | None:
     """ "As soon as the child starts to cross, the bus stops": what another does, for which it is waited."""
-    match = re.match(_table()["awaits"], told)
+    match = re.match(table()["awaits"], told)
     if match is None or re.search(r"\d", condition := match["before"] or match["after"]):
         return None
     other = refer(condition, structure, alone=False)
@@ -224,7 +151,7 @@ def _changes(
     found: list[tuple[str, Any]] = []
     for path, value in new.items():
         same = value == old[path] or path == "speed" and _near(value, old[path])
-        same = same and not (path == "phases" and value and re.search(_table()["besides"], clause))
+        same = same and not (path == "phases" and value and re.search(table()["besides"], clause))
         if same or path in ("name", "component", "model") or (there.id == "R" and path not in PLACE):
             continue
         if path == "phases":
@@ -241,7 +168,7 @@ def _changes(
                 for key, part in value.items()
                 if part != old[path][key]
             ]
-        elif value == "none" and not re.search(_table()["denies"], clause):
+        elif value == "none" and not re.search(table()["denies"], clause):
             continue  # how it reacts goes on, unless that is denied
         elif value is not None:
             found.append((path, ids.get(value, value) if path == "react_to" else value))
@@ -264,7 +191,7 @@ def _mapped(phase: Phase, ids: dict[str, str]) -> Phase:
 def _joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
     """What it does from now on: the new phases; behind the old ones where the clause says so; where they only say more
     of an old phase, that one with what is new."""
-    if re.search(_table()["besides"], clause):
+    if re.search(table()["besides"], clause):
         ways = ("go_straight", "turn_left", "turn_right", "u_turn")
         turns = any(p.action in ways for p in new)
         return (*(p for p in old if not (turns and p.action in ways)), *new)

@@ -1,0 +1,83 @@
+"""A demand told as a sentence, and the scene amid which it is read."""
+
+import re
+from functools import lru_cache
+
+from c2s_engine.interpret import describe, language, scan
+from c2s_engine.interpret.refer import objects_of, refer, spec_of
+from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.specs import EgoSpec, PlaceSpec
+
+
+def table() -> dict[str, str]:
+    """The patterns of demands that are told like a scene."""
+    found: dict[str, str] = language.table("refine")["told"]
+    return found
+
+
+def indicative(clause: str, structure: Structure) -> str | None:
+    """The demand as a sentence that tells it, or None where it names nobody."""
+    forms = table()
+    said = re.sub(forms["beside_the_point"], " ", clause).strip(" ,")
+    said = re.sub(r"\bo(\d+)\b", lambda m: _called(f"O{m[1]}", structure), said)
+    said = re.sub(r"\bi\b", "I", said)
+    if (begins := re.match(forms["begins"], said)) and (who := refer(begins["who"], structure, alone=False)):
+        first = next(iter(getattr(who.spec, "phases", ())), None)
+        if first is not None:
+            action = language.table("sentences")["actions"][first.action].format(target="ego")
+            return f"{begins['who']} will {action} {begins['when']}"
+    if match := re.match(forms["adds"], said):
+        rest = re.sub(r"^(?:one more|another|more)\b", "a", said[match.end() :])
+        first = next(iter(s.data["type"] for s in scan.names(rest) if s.kind == "actor"), "")
+        rest = re.sub(r"^an?\b", "another", rest) if objects_of(structure, first) else rest
+        return rest if re.search(forms["finite"], rest) else f"there is {rest}"
+    named = [s for s in scan.names(said) if s.kind in ("actor", "ego", "label")]
+    if not named:
+        return None
+    if match := re.match(forms["causes"], said):
+        subject = next((s for s in named if s.start >= match.end()), None)
+        if subject is None:
+            return None
+        return f"{said[match.end() : subject.end]} will{said[subject.end :]}"
+    return re.sub(forms["demands"], "will", said)
+
+
+def _called(cid: ComponentId, structure: Structure) -> str:
+    return f"the {_noun(structure[cid])}" if cid in structure else cid
+
+
+def _noun(component: Component) -> str:
+    return spec_of(component).type.replace("_", " ")
+
+
+def scene(structure: Structure, told: str) -> str:
+    """Where everything stands, without what it does and without what the sentence tells anew: where somebody is, or
+    where ego goes.
+    """
+    place = structure.place.spec
+    assert isinstance(place, PlaceSpec)
+    if re.match(r"(?:the )?ego\b", told):
+        place = place.model_copy(update={"manoeuvre": None, "ego_lane": None})
+    located = refer(told, structure, alone=False) if re.match(table()["located"], told) else None
+    names = {c.id: spec_of(c).name for c in structure.objects}
+    ego = structure.ego.spec
+    assert isinstance(ego, EgoSpec)
+    still = ego.model_copy(update={"phases": (), "reaction": "none"})
+    sentences = [describe.place(place), describe.ego(still, place, names)]
+    for component in structure.objects:
+        if located is not None and component.id == located.id:
+            sentences.append(f"There is a {_noun(component)}.")
+            continue
+        assumed = {"speed": None} if any(a.field == "speed" for a in component.assumed) else {}
+        sentences.append(describe.obj(spec_of(component).model_copy(update={"phases": (), **assumed}), names))
+    return " ".join(sentences)
+
+
+@lru_cache(64)
+def read(text: str) -> Structure | None:
+    from c2s_engine.interpret.embedded import EmbeddedInterpreter, InterpretError
+
+    try:
+        return EmbeddedInterpreter().interpret(text).structure
+    except InterpretError:
+        return None

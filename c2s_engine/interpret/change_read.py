@@ -14,10 +14,11 @@ from c2s_engine.interpret.retold import indicative, read, scene, table
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField
 from c2s_engine.structure.quantity import high, low
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
 
 PLACE = ("kind", "manoeuvre", "arms", "control", "ego_lane", "crosswalk")
 """Fields of R that a clause about road users can say."""
+WAYS = {"go_straight": "straight", "turn_left": "left", "turn_right": "right", "u_turn": "u_turn"}
 SIGNS = frozenset(("stop_sign", "yield_sign", "speed_sign"))
 
 
@@ -54,6 +55,8 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
     number = int(structure.next_object_id()[1:])
     ids |= {cid: f"O{number + i}" for i, cid in enumerate(added)}
     awaited = _awaited(told, structure)
+    main = re.sub(table()["meanwhile"], " ", told)
+    main = main if scan.names(main) else told
     edits: list[Edit] = []
     paths: list[str] = []
     for component in now.components:
@@ -65,7 +68,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
         if component.id in added:
             edits.append(_added(component, cid, ids, structure))
             paths.append("+")
-        elif cid == "R" or _names(told, structure[cid], structure):
+        elif cid == "R" or _names(main, structure[cid], structure):
             old = before.get(component.id) or was[component.id]
             changed = _changes(old, component, structure[cid], ids, clause, awaited)
             if cid == "R" and not _names(told, structure.ego, structure):
@@ -74,8 +77,21 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
             paths += [path for path, _ in changed]
     if not any(wanted(path) for path in paths):
         return None
+    edits = _one_way(edits, structure)
     said = _in_words(edits, structure)
     return [*sorted(edits, key=lambda e: not isinstance(e, AddObject)), *_moves(now, ids, structure)], said
+
+
+def _one_way(edits: list[Edit], structure: Structure) -> list[Edit]:
+    """Ego's way through the intersection is what its phases say now."""
+    place = structure.place.spec
+    assert isinstance(place, PlaceSpec)
+    phases = next((e.value for e in edits if isinstance(e, SetField) and (e.component, e.path) == ("E", "phases")), ())
+    way = next((WAYS[p.action] for p in phases if p.action in WAYS), None)
+    if way is None or place.kind != "intersection":
+        return edits
+    others = [e for e in edits if not (isinstance(e, SetField) and e.path == "manoeuvre")]
+    return [*others, *([] if place.manoeuvre == way else [SetField(component="R", path="manoeuvre", value=way)])]
 
 
 def _moves(now: Structure, ids: dict[str, str], structure: Structure) -> list[Edit]:
@@ -150,7 +166,9 @@ def _changes(
     old, new = was.spec.model_dump(), now.spec.model_dump()
     found: list[tuple[str, Any]] = []
     for path, value in new.items():
-        same = value == old[path] or path == "speed" and _near(value, old[path])
+        same = value == old[path]
+        if path == "speed":
+            same = _near(value, old[path]) or _near(value, getattr(there.spec, "speed", None))
         same = same and not (path == "phases" and value and re.search(table()["besides"], clause))
         if same or path in ("name", "component", "model") or (there.id == "R" and path not in PLACE):
             continue

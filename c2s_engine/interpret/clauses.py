@@ -43,6 +43,7 @@ class Clauses(Nominal):
             self._striking(word)
         self._order()
         self._triggers()
+        self._ended_waits()
         self.events.sort(key=lambda e: e.order)
 
     def _verb(self, word: Word) -> None:

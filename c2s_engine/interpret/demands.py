@@ -34,6 +34,8 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
     who = "ego" if topic == "E" else (topic or "").lower()
     if who:
         demand = re.sub(r"^(then )?(?:it|he|she|they)\b", rf"\g<1>{who}", demand)
+        if not re.search(table["owned"], demand) or not scan.names(demand):
+            demand = re.sub(table["owned"], f"{who}'s", demand)
         demand = re.sub(table["moved"], rf"\g<1>{who}", demand)
         demand = re.sub(table["subjectless"], rf"\g<1>{who} ", demand)
         demand = re.sub(table["infinitive"], rf"\g<1>{who} will ", demand)
@@ -54,8 +56,16 @@ def topic_of(demand: str, structure: Structure) -> ComponentId | None:
 
 
 def _parts(sentence: str) -> list[str]:
-    starts = _table()["starts"]
-    return re.split(rf"\s*,\s+(?:and |but )?|\s+(?:and|but)\s+(?=(?:then )?{starts})|\s+(?=then {starts})", sentence)
+    table = _table()
+    starts, contrast, there = table["starts"], table["contrast"], table["there"]
+    bounds = (
+        r"\s*,\s+(?:and |but )?",
+        rf"\s+(?:and|but)\s+(?=(?:then )?{starts})",
+        rf"\s+but\s+(?={contrast})",
+        rf"\s+(?=then {starts})",
+        rf"\s+{there}",
+    )
+    return re.split("|".join(bounds), sentence)
 
 
 def _folded(parts: list[str]) -> list[str]:
@@ -66,7 +76,7 @@ def _folded(parts: list[str]) -> list[str]:
     for part in (p.strip() for p in parts):
         if re.match(table["so"], part):
             found, ahead = [d for d in found if re.search(table["demanding"], d)], ""
-        if not part or re.match(table["reason"], part):
+        if not part or re.match(table["reason"], part) or re.match(table["given_up"], part):
             continue
         if re.match(table["subordinate"], part) and not found:
             ahead = f"{ahead}{part}, "

@@ -66,6 +66,9 @@ ALONE = frozenset(("one", "other", "another"))
 OPENS = regex.compile(r"(?:^|[.,;:!?(]|\b(?:and|but|while|when|then|as|of them))\s*$")
 
 
+MODAL = regex.compile(
+    r"\b(?:will|should|must|shall|would|could|can|may)\s+(?!be\b)\p{L}[^.;:]*?(?:\band|\bthen|,|\bor)\s+(?:then |\w+ly )?$"
+)
 LETS = regex.compile(r"\b(?:let|lets|letting|help|helps|watch|watches|sees)\s+(?:\S+\s+){1,4}$")
 
 
@@ -140,6 +143,7 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         and (
             before is not None
             and before.kind != "quantity"
+            or MODAL.search(plain[max(0, start - 80) : start])
             or regex.search(r"\blanes\b|\bthey\s*$", plain[max(0, start - 28) : start])
         )
     ):

@@ -96,7 +96,7 @@ class Timing(Modes):
                             "intersection"
                             if re.search(r"intersection|junction", text)
                             else "crosswalk"
-                            if "cross" in text
+                            if re.search(r"\b(?:crosswalk|crossing|zebra)", text)
                             else None
                         )
                         event.trigger = (
@@ -126,6 +126,17 @@ class Timing(Modes):
                         r"\bttc\b|time[- ]to[- ](collision|contact)", own
                     ):
                         event.trigger = {"kind": "ttc", "value": quantity["low"]}
+
+    def _ended_waits(self) -> None:
+        """What ends a wait ("until ego is 20 m away, then crosses") begins what comes next."""
+        for event in self.events:
+            until = event.trigger is not None and re.search(r"\b(?:until|till)\b", self.render(self._deep(event.word)))
+            if event.act not in ("stationary", "stop") or not until:
+                continue
+            later = [e for e in self.events if e.agent is event.agent and e.order > event.order and e.trigger is None]
+            if later:
+                min(later, key=lambda e: e.order).trigger = event.trigger
+                event.trigger = None
 
     def _deep(self, i: int) -> list[int]:
         found = [i]

@@ -10,19 +10,13 @@ from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, RemoveObject, SetField, SetSpec, apply
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 
-REMOVE = (
-    r"^(?:please )?(?:remove|delete|drop|get rid of|take (?:out|away)|without|no more"
-    r"|leave out|scrap|eliminate|no|there (?:is|are) no|stop)\b (?:the |any |all |that "
-    r"|those )?"
-)
-
 
 def remove(clause: str, structure: Structure) -> Found | None:
     """ "Remove the rain", "without the cyclist", "delete O2"."""
-    match = re.match(REMOVE, clause)
+    match = next((m for p in language.table("refine")["removes"] if (m := re.match(p, clause))), None)
     if not match:
         return None
-    rest = clause[match.end() :]
+    rest = match["what"]
     sky = environment.weather(rest, [(0, len(rest))])
     if sky and not scan.names(rest):
         return _without_weather([f.value for f in sky], structure)
@@ -113,6 +107,12 @@ def retype(clause: str, structure: Structure) -> Found | None:
         ),
         r"^(?:make it |make that |make them )(?P<what>(?:an?|two|three|four|five|six|\d+) [\w -]+?)$",
         HOW_MANY,
+        (
+            r"^instead of (?P<who>[\w -]+?),? (?:use|have|take|put|we have|there (?:is|are)|i want|make it|let it be) "
+            r"(?P<what>(?:an?|two|three|four|\d+) [\w -]+?)(?P<rest> (?:with|at|\w+ing|that|which|who)\b.*)?$"
+        ),
+        r"^(?:use|take|have) (?P<what>(?:(?:an?|two|three|four|\d+) )?[\w -]+?) (?:for|as|in place of) (?P<who>.+)$",
+        r"^(?:make|have) (?P<what>(?:two|three|four|five|six|\d+) [\w -]+?) (?:out )?of (?P<who>.+)$",
         r"^(?:have |let |make )?(?P<who>ego) (?:now )?drives? (?P<what>an? [\w -]+)$",
         r"^(?P<who>[\w -]+?) becomes (?P<what>(?:an? )?[\w-]+)$",
     )

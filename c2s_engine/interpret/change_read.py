@@ -27,6 +27,14 @@ def acting(clause: str, structure: Structure) -> Found | None:
     return _told(clause, structure, lambda path: path.split(".")[0] in ("phases", "reaction", "manoeuvre", "+"))
 
 
+def introduced(parts: list[str], structure: Structure) -> Found | None:
+    """ "One more pedestrian, an adult, crosses from the left, hidden by the bus": who is new, with all that is said of
+    him, over several parts of a text; None where a part asks for something else."""
+    if not parts or not re.match(table()["adds"], parts[0]) or any(re.match(table()["anew"], p) for p in parts[1:]):
+        return None
+    return _told(", ".join(parts), structure, lambda path: path == "+")
+
+
 def standing(clause: str, structure: Structure) -> Found | None:
     """ "Ego in the left lane", "the van is parked on the left", "the pedestrian comes from the other side"."""
     return _told(clause, structure, lambda path: path not in ("speed", "type"))
@@ -36,7 +44,8 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
     if (denied := _denied(clause, structure)) is not None:
         return denied
     told = indicative(clause, structure)
-    if re.search(r"\b(?:second|third)\b", clause) and refer(clause, structure) is None:
+    new = re.match(table()["adds"], clause)
+    if not new and re.search(r"\b(?:second|third)\b", clause) and refer(clause, structure) is None:
         return None
     if told is None or re.search(table()["relative"], clause) or re.search(r"\b(?:other|opposite) side\b", clause):
         return None

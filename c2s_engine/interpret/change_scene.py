@@ -14,6 +14,7 @@ def setting(clause: str, structure: Structure) -> Found | None:
     """ "At night", "in heavy rain", "add fog", "in Town03", "the light is red"."""
     edits: list[Edit] = []
     said = []
+    clause = _instead(clause)
     whole = [(0, len(clause))]
     named = environment.named(clause)
     if "map" in named:
@@ -59,13 +60,22 @@ def setting(clause: str, structure: Structure) -> Found | None:
     return (edits, "; ".join(said)) if edits else None
 
 
+def _instead(clause: str) -> str:
+    """The clause without what is given up: the rain of "replace the rain by fog", "fog instead of rain"."""
+    for pattern in language.table("refine")["given_up"]:
+        if match := re.match(pattern, clause):
+            return match["new"]
+    return clause
+
+
 def road(clause: str, structure: Structure) -> Found | None:
     """ "On a motorway", "at a T-junction with traffic lights", "three lanes", "in a left bend", "limit 50 km/h"."""
     from c2s_engine.interpret import place
 
     if len(scan.names(clause)) > 0 and not re.search(r"^(on|at|in|put it|move it|make it|let it|it )", clause):
         return None
-    found = place.read(clause, [(0, len(clause))], amounts.quantities(clause))
+    numbers = amounts.quantities(clause) or amounts.bare_speeds(clause)
+    found = place.read(clause, [(0, len(clause))], numbers)
     old = structure.place.spec
     assert isinstance(old, PlaceSpec)
     update: dict[str, Any] = {}

@@ -1,9 +1,10 @@
 """The forms of change that a turn may have, in the order in which they are tried."""
 
 from c2s_engine.interpret.change_forms import Form
+from c2s_engine.interpret.change_looks import blueprint, uncovered
 from c2s_engine.interpret.change_motion import distance, reaction, sides, speed
 from c2s_engine.interpret.change_objects import remove, retype
 from c2s_engine.interpret.change_read import acting, standing
 from c2s_engine.interpret.change_scene import length, road, setting
 
-FORMS: tuple[Form, ...] = (length, retype, remove, acting, speed, distance, setting, road, standing, sides, reaction)
+FORMS: tuple[Form, ...] = (length, blueprint, uncovered, retype, remove, acting, speed, distance, setting, road, standing, sides, reaction)

@@ -140,7 +140,7 @@ class Nouns(Titles):
         if not other and not ordinal:
             for entity in self.entities:
                 if (
-                    (entity.type == kind or entity.person and kind in PERSONS)
+                    (entity.type == kind or {entity.type, kind} <= PERSONS - {"animal"})
                     and len(entity.mentions) == 1
                     and count == entity.count
                     and self._heading(self.words[entity.mentions[0].word].sentence)

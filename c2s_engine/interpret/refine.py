@@ -3,6 +3,7 @@
 from typing import Any
 
 from c2s_engine.interpret import changes, describe
+from c2s_engine.interpret.change_read import introduced
 from c2s_engine.interpret.demands import demands, topic_of, whole
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, EditError, SetField, apply
@@ -16,7 +17,10 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     said: list[str] = []
     current = structure
     before, topic = "", topic_of(text, structure)
-    for part in demands(text):
+    parts = demands(text)
+    if len(parts) > 1 and (new := introduced(parts, structure)):
+        return _all(new, structure)
+    for part in parts:
         demand = whole(part, before, topic)
         before, topic = demand, topic_of(demand, current) or topic
         for form in changes.FORMS:
@@ -35,6 +39,13 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
             topic = next((c for e in reversed(new) if (c := _object(e))), topic)
             break
     return [*edits, *described(structure, current)], said
+
+
+def _all(found: Found, structure: Structure) -> tuple[list[Edit], list[str]]:
+    current = structure
+    for edit in found[0]:
+        current = apply(current, edit)
+    return [*found[0], *described(structure, current)], [found[1]]
 
 
 def _object(edit: Edit) -> str | None:

@@ -6,7 +6,7 @@ from functools import lru_cache
 from c2s_engine.interpret import describe, language, scan
 from c2s_engine.interpret.refer import objects_of, refer, spec_of
 from c2s_engine.structure.components import Component, ComponentId, Structure
-from c2s_engine.structure.specs import EgoSpec, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, PlaceSpec, SettingsSpec
 
 
 def table() -> dict[str, str]:
@@ -27,10 +27,10 @@ def indicative(clause: str, structure: Structure) -> str | None:
             action = language.table("sentences")["actions"][first.action].format(target="ego")
             return f"{begins['who']} will {action} {begins['when']}"
     if match := re.match(forms["adds"], said):
-        rest = re.sub(r"^(?:one more|another|more)\b", "a", said[match.end() :])
+        rest = re.sub(forms["more"], "a", said[match.end() :])
         first = next(iter(s.data["type"] for s in scan.names(rest) if s.kind == "actor"), "")
         rest = re.sub(r"^an?\b", "another", rest) if objects_of(structure, first) else rest
-        return rest if re.search(forms["finite"], rest) else f"there is {rest}"
+        return rest if re.search(forms["finite"], rest) else f"there {'is' if rest[0] == 'a' else 'are'} {rest}"
     named = [s for s in scan.names(said) if s.kind in ("actor", "ego", "label")]
     if not named:
         return None
@@ -81,3 +81,16 @@ def read(text: str) -> Structure | None:
         return EmbeddedInterpreter().interpret(text).structure
     except InterpretError:
         return None
+
+
+def tells_ego(text: str) -> bool:
+    """Whether a text says where ego is, how fast it goes or what it does: then it is a scene, no addition to one."""
+    found = read(text)
+    if found is None or not found.objects:
+        return True
+    ego, place, settings = found.ego.spec, found.place.spec, found.settings.spec
+    assert isinstance(ego, EgoSpec) and isinstance(place, PlaceSpec) and isinstance(settings, SettingsSpec)
+    assumed = {(c.id, a.field) for c in found.components for a in c.assumed}
+    drives = ego.speed is not None and ("E", "speed") not in assumed
+    elsewhere = place.kind != "road" and ("R", "kind") not in assumed
+    return drives or elsewhere or bool(ego.phases or settings.weather or settings.time)

@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass, field
 from typing import Literal
 
-from c2s_engine.interpret import language, refine, scan
+from c2s_engine.interpret import language, refine, retold, scan
 from c2s_engine.interpret.spelling import Mended
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit
@@ -53,7 +53,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
     if structure is None or not structure.text and not structure.objects:
         return Turn("scenario", span=whole)
     commanding = bool(re.match(table["commands"], plain)) or bool(re.search(table["marks"], plain))
-    if len(plain.split()) > 45 or _tells(plain, commanding):
+    if len(plain.split()) > 45 or _tells(plain, commanding) and not _adds(plain):
         return Turn("scenario", span=whole)
     edits, said = refine.edits_of(text, structure)
     if edits:
@@ -97,6 +97,11 @@ def _introduces(plain: str) -> bool:
     """Whether somebody is told of for the first time ("a car", "two cyclists"), not only become or replaced."""
     new = language.table("refine")["introduces"]
     return any(s.kind == "actor" and re.search(new, plain[: s.start]) for s in scan.names(plain))
+
+
+def _adds(plain: str) -> bool:
+    """Whether a text only tells of somebody new in the scene that is there."""
+    return bool(re.match(language.table("refine")["told"]["adds"], plain)) and not retold.tells_ego(plain)
 
 
 def _tells(plain: str, commanding: bool) -> bool:

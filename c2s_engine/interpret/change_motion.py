@@ -63,7 +63,7 @@ def _at_speed(component: Component, word: str, quantity: dict[str, Any] | None) 
         value = value_of(quantity)
     else:
         base = middle(now) if now is not None else 10.0
-        down = word in ("slower", "half as fast", "halve") or word.startswith("slow")
+        down = word in ("half as fast", "halve") or "slow" in word
         if quantity is not None:
             value = base - quantity["low"] if down else base + quantity["low"]
         else:

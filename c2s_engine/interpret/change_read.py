@@ -173,6 +173,8 @@ def _changes(
 ) -> list[tuple[str, Any]]:
     """Paths and new values of the fields of a component that the clause says."""
     old, new = was.spec.model_dump(), now.spec.model_dump()
+    if any(a.field == "reaction" for a in was.assumed) and not any(a.field == "reaction" for a in now.assumed):
+        old["reaction"] = getattr(there.spec, "reaction", None)
     found: list[tuple[str, Any]] = []
     for path, value in new.items():
         same = value == old[path]
@@ -218,7 +220,7 @@ def _mapped(phase: Phase, ids: dict[str, str]) -> Phase:
 def _joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
     """What it does from now on: the new phases; behind the old ones where the clause says so; where they only say more
     of an old phase, that one with what is new."""
-    if re.search(table()["besides"], clause):
+    if re.search(table()["besides"], clause) and (len(new) == 1 or re.match(table()["afterwards"], clause)):
         ways = ("go_straight", "turn_left", "turn_right", "u_turn")
         turns = any(p.action in ways for p in new)
         return (*(p for p in old if not (turns and p.action in ways)), *new)

@@ -7,4 +7,18 @@ from c2s_engine.interpret.change_objects import remove, retype
 from c2s_engine.interpret.change_read import acting, standing
 from c2s_engine.interpret.change_scene import length, road, setting
 
-FORMS: tuple[Form, ...] = (length, blueprint, uncovered, retype, remove, acting, speed, distance, setting, road, standing, sides, reaction)
+FORMS: tuple[Form, ...] = (
+    length,
+    blueprint,
+    uncovered,
+    retype,
+    remove,
+    acting,
+    speed,
+    distance,
+    setting,
+    road,
+    standing,
+    sides,
+    reaction,
+)

@@ -36,6 +36,7 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
         demand = re.sub(r"^(then )?(?:it|he|she|they)\b", rf"\g<1>{who}", demand)
         if not re.search(table["owned"], demand) or not scan.names(demand):
             demand = re.sub(table["owned"], f"{who}'s", demand)
+        demand = re.sub(r"\b(for|of|with|by|to) (?:it|them|him|her)$", rf"\g<1> {who}", demand)
         demand = re.sub(table["moved"], rf"\g<1>{who}", demand)
         demand = re.sub(table["subjectless"], rf"\g<1>{who} ", demand)
         demand = re.sub(table["infinitive"], rf"\g<1>{who} will ", demand)
@@ -62,7 +63,7 @@ def _parts(sentence: str) -> list[str]:
         r"\s*,\s+(?:and |but )?",
         rf"\s+(?:and|but)\s+(?=(?:then )?{starts})",
         rf"\s+but\s+(?={contrast})",
-        rf"\s+(?=then {starts})",
+        rf"(?<!only)\s+(?=then {starts})",
         rf"\s+{there}",
     )
     return re.split("|".join(bounds), sentence)
@@ -76,7 +77,12 @@ def _folded(parts: list[str]) -> list[str]:
     for part in (p.strip() for p in parts):
         if re.match(table["so"], part):
             found, ahead = [d for d in found if re.search(table["demanding"], d)], ""
-        if not part or re.match(table["reason"], part) or re.match(table["given_up"], part):
+        if (
+            not part
+            or re.match(table["reason"], part)
+            or re.match(table["given_up"], part)
+            or re.match(table["kept"], part)
+        ):
             continue
         if re.match(table["subordinate"], part) and not found:
             ahead = f"{ahead}{part}, "

@@ -162,6 +162,8 @@ class Modes(Agents):
     def _mark(self, word: Word) -> str:
         for child in sorted(word.children):
             other = self.words[child]
+            if {self.words[c].norm for c in other.children} & {"that", "this", "which"} and other.dep == "prep":
+                continue  # "after that"
             if child < word.i and (
                 other.dep == "mark"
                 or other.norm in ("when", "while", "as", "after", "before", "until", "once", "where", "till")

@@ -26,13 +26,18 @@ VERBAL = re.compile(
 
 
 @cache
-def _signs() -> list[tuple[re.Pattern[str], str]]:
-    return [(re.compile(find, re.IGNORECASE), new) for find, new in language.table("notation")["signs"]]
+def _patterns(section: str) -> list[tuple[re.Pattern[str], str]]:
+    return [(re.compile(find, re.IGNORECASE), new) for find, new in language.table("notation")[section]]
+
+
+def left_out(text: str) -> list[Replacement]:
+    """What a scene is said not to need."""
+    return [(m.start(), m.end(), m.expand(new)) for find, new in _patterns("left_out") for m in find.finditer(text)]
 
 
 def signs(text: str) -> list[Replacement]:
     """Signs and abbreviations with the words that they stand for."""
-    return [(m.start(), m.end(), m.expand(new)) for pattern, new in _signs() for m in pattern.finditer(text)]
+    return [(m.start(), m.end(), m.expand(new)) for find, new in _patterns("signs") for m in find.finditer(text)]
 
 
 @cache

@@ -11,12 +11,21 @@ WORD = re.compile(r"[A-Za-z]{4,}")
 
 
 class Mended:
-    """A text read in full words: shorthand spelt out, misspellings mended; `back` maps an offset to the user's text."""
+    """A text read in full words: shorthand spelt out, misspellings mended; `back` maps an offset to the user's text.
+    Of a scene, what it is said not to need is left out."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, *, scene: bool = True) -> None:
         self.original = text
         self._passes: list[Rewritten] = []
-        for replacements in (grids.grids, notation.fields, notation.signs, _repairs, telegraphic.spelt_out):
+        unneeded = (notation.left_out,) if scene else ()
+        for replacements in (
+            grids.grids,
+            notation.fields,
+            *unneeded,
+            notation.signs,
+            _repairs,
+            telegraphic.spelt_out,
+        ):
             self._passes.append(Rewritten(text, replacements(text)))
             text = self._passes[-1].text
         self.text = text

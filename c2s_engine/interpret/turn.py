@@ -35,7 +35,7 @@ def route(text: str, structure: Structure | None) -> Turn:
 
 def _route(text: str, structure: Structure | None) -> Turn:
     table = language.table("refine")
-    text = Mended(re.sub(table["arrows"], " becomes ", text)).text
+    text = Mended(re.sub(table["arrows"], " becomes ", text), scene=False).text
     plain = " ".join(scan.normalised(text).split())
     whole = (0, len(text))
     if not plain:

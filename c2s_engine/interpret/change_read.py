@@ -14,10 +14,11 @@ from c2s_engine.interpret.retold import indicative, read, scene, table
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField
 from c2s_engine.structure.quantity import high, low
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, SettingsSpec, Trigger
 
 PLACE = ("kind", "manoeuvre", "arms", "control", "ego_lane", "crosswalk")
 """Fields of R that a clause about road users can say."""
+PARTS = {"R": "the place", "G": "the scene"}
 WAYS = {"go_straight": "straight", "turn_left": "left", "turn_right": "right", "u_turn": "u_turn"}
 SIGNS = frozenset(("stop_sign", "yield_sign", "speed_sign"))
 
@@ -86,9 +87,18 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
             paths += [path for path, _ in changed]
     if not any(wanted(path) for path in paths):
         return None
+    edits += _light(clause, now, structure)
     edits = _one_way(edits, structure)
     said = _in_words(edits, structure)
     return [*sorted(edits, key=lambda e: not isinstance(e, AddObject)), *_moves(now, ids, structure)], said
+
+
+def _light(clause: str, now: Structure, structure: Structure) -> list[Edit]:
+    """The light that ego faces, where the clause says it besides."""
+    new, old = now.settings.spec, structure.settings.spec
+    assert isinstance(new, SettingsSpec) and isinstance(old, SettingsSpec)
+    told = new.light is not None and new.light != old.light and new.light in clause
+    return [SetField(component="G", path="light", value=new.light)] if told else []
 
 
 def _one_way(edits: list[Edit], structure: Structure) -> list[Edit]:
@@ -178,6 +188,8 @@ def _changes(
     found: list[tuple[str, Any]] = []
     for path, value in new.items():
         same = value == old[path]
+        if path == "ego_lane" and re.match(table()["located"], clause):
+            same = value == getattr(there.spec, path)
         if path == "speed":
             same = _near(value, old[path]) or _near(value, getattr(there.spec, "speed", None))
         same = same and not (path == "phases" and value and re.search(table()["besides"], clause))
@@ -254,7 +266,7 @@ def _in_words(edits: list[Edit], structure: Structure) -> str:
         if isinstance(edit, AddObject):
             said.append(f"{edit.component} added")
         elif isinstance(edit, SetField):
-            who = "the place" if edit.component == "R" else name_of(structure[edit.component])
+            who = PARTS.get(edit.component) or name_of(structure[edit.component])
             said.append(f"{who}: {_value(str(edit.path), edit.value)}")
     return "; ".join(said)
 

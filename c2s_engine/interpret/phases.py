@@ -23,6 +23,8 @@ def phases_of(
         halted = bool(found) and found[-1].action in ("stop", "brake")
         if halted and event.act == "stationary" and scene.words[event.word].tag == "VB":
             continue  # it stops "to pick up passengers"
+        if event.act == "go_straight" and found and found[-1].action in ("stop", "wait", "yield"):
+            found = [p for p in found if p.action != "go_straight"]  # it goes on only then
         if event.agent is not entity and event.act != "collide":
             who = ids.get(event.patient) if event.patient is not None else None
         found += steps_of(scene, event, entity, who, ego_key, placement, place, crossing, found)

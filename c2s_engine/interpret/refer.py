@@ -38,6 +38,8 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
         placed = [c for c in structure.objects if ones[1] in spec_of(c).placement.position]
         if placed:
             return placed[0]
+    if (doer := _doer(plain, structure)) is not None:
+        return doer
     match = re.search(r"\bo([1-9][0-9]?)\b", plain)
     if match and f"O{match[1]}" in structure:
         return structure[f"O{match[1]}"]
@@ -83,3 +85,12 @@ def _ordinal(
     if re.search(r"\bother\b", plain) and len(found) > 1:
         return found[1]
     return first
+
+
+def _doer(plain: str, structure: Structure) -> Component | None:
+    """Whom a noun or participle of doing means: "the overtaker", "the overtaking one"."""
+    for doing, actions in language.table("refine")["doers"].items():
+        if re.search(rf"\b(?:{doing})(?:e?rs?\b|ing (?:one|vehicle|road user)s?\b)", plain):
+            found = [c for c in structure.objects if any(p.action in actions for p in spec_of(c).phases)]
+            return found[0] if found else None
+    return None

@@ -24,7 +24,8 @@ def indicative(clause: str, structure: Structure) -> str | None:
     if (begins := re.match(forms["begins"], said)) and (who := refer(begins["who"], structure, alone=False)):
         first = next(iter(getattr(who.spec, "phases", ())), None)
         if first is not None:
-            action = language.table("sentences")["actions"][first.action].format(target="ego")
+            target = _called(first.target or "ego", structure)
+            action = language.table("sentences")["actions"][first.action].format(target=target)
             return f"{begins['who']} will {action} {begins['when']}"
     if match := re.match(forms["adds"], said):
         rest = re.sub(forms["more"], "a", said[match.end() :])

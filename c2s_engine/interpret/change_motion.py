@@ -45,8 +45,8 @@ def speed(clause: str, structure: Structure) -> Found | None:
     return [edit], words
 
 
-def _table() -> dict[str, str]:
-    found: dict[str, str] = language.table("refine")
+def _table() -> dict[str, Any]:
+    found: dict[str, Any] = language.table("refine")
     return found
 
 
@@ -84,13 +84,16 @@ def _at_speed(component: Component, word: str, quantity: dict[str, Any] | None) 
 
 def _without_unit(clause: str) -> dict[str, Any] | None:
     """A number that only a speed in km/h can be: "ego speed 70"."""
-    match = re.search(r"\bspeed\b\D{0,6}(\d{1,3})$", clause)
-    return {"low": int(match[1]) / 3.6, "high": int(match[1]) / 3.6} if match else None
+    match = next((m for p in _table()["bare_speeds"] if (m := re.search(p, clause))), None)
+    if match is None:
+        return None
+    low, high = int(match["low"]) / 3.6, int(match.groupdict().get("high") or match["low"]) / 3.6
+    return {"low": low, "high": high}
 
 
 def distance(clause: str, structure: Structure) -> Found | None:
     """ "20 m further away", "10 m closer", "at 30 m", "set the gap to 40 m", "twice as far"."""
-    quantity = quantity_of(clause, "distance")
+    quantity = quantity_of(re.sub(_table()["told"]["meanwhile"], " ", clause), "distance")
     relative = re.search(
         (
             r"\b(further|farther|more distant|closer|nearer|less|more|twice as far|double the (?:gap"

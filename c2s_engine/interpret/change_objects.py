@@ -56,9 +56,7 @@ def _release(component: Component, structure: Structure) -> list[Edit]:
             )
             for p in spec.phases
             if not (
-                p.target == component.id
-                and p.action in ("follow", "overtake", "collide", "yield")
-                and isinstance(spec, EgoSpec)
+                p.target == component.id and p.action in ("follow", "overtake", "collide", "yield")
             )
         )
         update: dict[str, Any] = {"phases": phases}
@@ -79,7 +77,10 @@ def _release(component: Component, structure: Structure) -> list[Edit]:
     return edits
 
 
-HOW_MANY = r"^(?:only |just )?(?P<what>(?:one|two|three|four|five|six|\d+) [\w -]+?)(?: only)?$"
+HOW_MANY = (
+    r"^(?:(?:only|just|use|take) )*(?P<what>(?:one|two|three|four|five|six|\d+) [\w -]+?)(?: only)?"
+    r"(?P<rest> \w+ing\b.*)?$"
+)
 """Only asks for something where one of that type is there."""
 
 

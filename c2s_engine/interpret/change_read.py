@@ -192,6 +192,8 @@ def _changes(
             same = value == getattr(there.spec, path)
         if path == "speed":
             same = _near(value, old[path]) or _near(value, getattr(there.spec, "speed", None))
+        if path == "speed" and not re.search(table()["paces"], clause):
+            same = True
         same = same and not (path == "phases" and value and re.search(table()["besides"], clause))
         if same or path in ("name", "component", "model") or (there.id == "R" and path not in PLACE):
             continue

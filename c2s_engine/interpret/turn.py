@@ -40,10 +40,8 @@ def _route(text: str, structure: Structure | None) -> Turn:
     whole = (0, len(text))
     if not plain:
         return Turn("edit", reply="Say what the scene is, or what to change in it.", span=whole)
-    if re.match(table["undo"], plain):
-        return Turn("undo", span=whole)
-    if re.match(table["redo"], plain):
-        return Turn("redo", span=whole)
+    if (back := _taken_back(plain)) is not None:
+        return Turn(back, span=whole)
     if structure is not None and (supposed := _supposed(plain)):
         edits, said = refine.edits_of(supposed, structure)
         if edits:
@@ -69,6 +67,18 @@ def _route(text: str, structure: Structure | None) -> Turn:
             whole,
         )
     return Turn("scenario", span=whole)
+
+
+def _taken_back(plain: str) -> Literal["undo", "redo"] | None:
+    """Whether a text only takes back the last change, or does it again."""
+    if len(plain.split()) > 14:
+        return None
+    table = language.table("refine")["taking_back"]
+    kinds: tuple[Literal["redo", "undo"], ...] = ("redo", "undo")
+    for kind in kinds:
+        if any(re.fullmatch(rf"{table['before']}(?:{said}){table['behind']}", plain) for said in table[kind]):
+            return kind
+    return None
 
 
 def _supposed(plain: str) -> str:

@@ -33,7 +33,8 @@ def introduced(parts: list[str], structure: Structure) -> Found | None:
     him, over several parts of a text; None where a part asks for something else."""
     if not parts or not re.match(table()["adds"], parts[0]) or any(re.match(table()["anew"], p) for p in parts[1:]):
         return None
-    return _told(", ".join(parts), structure, lambda path: path == "+")
+    said = "".join((". " if re.match(table()["apart"], p) else ", ") + p for p in parts)[2:]
+    return _told(said, structure, lambda path: path == "+")
 
 
 def standing(clause: str, structure: Structure) -> Found | None:
@@ -48,7 +49,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
     new = re.match(table()["adds"], clause)
     if not new and re.search(r"\b(?:second|third)\b", clause) and refer(clause, structure) is None:
         return None
-    if told is None or re.search(table()["relative"], clause) or re.search(r"\b(?:other|opposite) side\b", clause):
+    if told is None or not new and re.search(table()["relative"], clause) or re.search(r"\b(?:other|opposite) side\b", clause):
         return None
     there_is = scene(structure, told)
     was, now = read(there_is), read(f"{there_is} {told[0].upper()}{told[1:]}.")
@@ -81,8 +82,12 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
         elif cid == "R" or _names(main, structure[cid], structure):
             old = before.get(component.id) or was[component.id]
             changed = _changes(old, component, structure[cid], ids, clause, awaited)
+            if cid not in ("R", "E") and _only_beside(main, structure[cid], structure):
+                changed = [c for c in changed if c[0] not in ("phases", "speed")]
             if cid == "R" and not _names(told, structure.ego, structure):
                 changed = [c for c in changed if c[0] != "ego_lane"]
+            if added and new and cid.startswith("O"):
+                changed = [c for c in changed if c[0] == "placement.hidden_by"]
             edits += [SetField(component=cid, path=path, value=value) for path, value in changed]
             paths += [path for path, _ in changed]
     if not any(wanted(path) for path in paths):
@@ -151,6 +156,19 @@ def _names(told: str, component: Component, structure: Structure) -> bool:
             if meant is not None and meant.id == component.id:
                 return True
     return component.id != "E" and bool(re.search(r"\b(?:they|them|it|he|she)\b", told)) and len(structure.objects) == 1
+
+
+def _only_beside(told: str, component: Component, structure: Structure) -> bool:
+    """Whether a sentence names a component only as the one for, behind or from whom something is done."""
+    found = False
+    for span in scan.names(told):
+        if span.kind in ("actor", "label"):
+            meant = refer(f"the {told[span.start : span.end]}", structure, alone=False)
+            if meant is not None and meant.id == component.id:
+                if not re.search(table()["beside"], told[: span.start]):
+                    return False
+                found = True
+    return found
 
 
 def _counterparts(was: Structure, now: Structure) -> dict[str, Component] | None:

@@ -38,6 +38,8 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
             demand = re.sub(table["owned"], f"{who}'s", demand)
         demand = re.sub(r"\b(for|of|with|by|to) (?:it|them|him|her)$", rf"\g<1> {who}", demand)
         demand = re.sub(table["moved"], rf"\g<1>{who}", demand)
+        if who == "ego":
+            demand = re.sub(table["lets"], "ego lets ", demand)
         demand = re.sub(table["subjectless"], rf"\g<1>{who} ", demand)
         demand = re.sub(table["infinitive"], rf"\g<1>{who} will ", demand)
     named = scan.names(before)
@@ -86,6 +88,8 @@ def _folded(parts: list[str]) -> list[str]:
             continue
         if re.match(table["subordinate"], part) and not found:
             ahead = f"{ahead}{part}, "
+        elif found and (enough := re.match(table["enough"], part)):
+            found[-1] = f"{found[-1]}, {enough['what']}"
         elif re.match(table["continues"], part) and found:
             found[-1] = f"{found[-1]}, {part}"
         else:

@@ -92,6 +92,7 @@ def tells_ego(text: str) -> bool:
     ego, place, settings = found.ego.spec, found.place.spec, found.settings.spec
     assert isinstance(ego, EgoSpec) and isinstance(place, PlaceSpec) and isinstance(settings, SettingsSpec)
     assumed = {(c.id, a.field) for c in found.components for a in c.assumed}
-    drives = ego.speed is not None and ("E", "speed") not in assumed
+    named = any(s.kind == "ego" for s in scan.names(scan.normalised(text)))
+    drives = named and (bool(ego.phases) or ego.speed is not None and ("E", "speed") not in assumed)
     elsewhere = place.kind != "road" and ("R", "kind") not in assumed
-    return drives or elsewhere or bool(ego.phases or settings.weather or settings.time)
+    return drives or elsewhere or bool(settings.weather or settings.time)

@@ -62,6 +62,10 @@ class Timing(Modes):
             ):
                 event.order = main.order - 0.4
 
+    def joined_to(self, event: Event) -> Event | None:
+        """What the clause tells to which an event's clause is joined."""
+        return self._main(self.words[event.word])
+
     def _main(self, word: Word) -> Event | None:
         current = word
         for _ in range(4):
@@ -79,7 +83,8 @@ class Timing(Modes):
             for i in [c for c in word.children if self.words[c].dep in ("advcl", "prep", "npadvmod", "advmod")]:
                 inside = self._deep(i)
                 text = self.render(inside)
-                marks = self.words[inside[0]].norm if inside else ""
+                told = [self.words[j].norm for j in inside if self.words[j].norm not in ("only", "just", "exactly")]
+                marks = told[0] if told else ""
                 quantities = self._quantities(inside)
                 for quantity in quantities:
                     if quantity["dimension"] == "time" and re.search(

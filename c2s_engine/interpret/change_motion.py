@@ -14,7 +14,7 @@ from c2s_engine.structure.specs import Placement
 
 def speed(clause: str, structure: Structure) -> Found | None:
     """ "Ego at 50 km/h", "the lead drives 20 km/h", "faster", "10 km/h slower", "twice as fast"."""
-    quantity = quantity_of(clause, "speed") or _without_unit(clause)
+    quantity = quantity_of(clause, "speed") or _without_unit(clause, "bare_speeds", 1 / 3.6)
     relative = re.search(
         r"\b(faster|slower|quicker|speed up|slow(?:er)?(?: \w+)? down|more slow(?:ly)?"
         r"|twice as fast|half as fast|double|halve)\b"
@@ -82,18 +82,20 @@ def _at_speed(component: Component, word: str, quantity: dict[str, Any] | None) 
     return edit, f"{name_of(component)} at {shown * 3.6:.0f} km/h"
 
 
-def _without_unit(clause: str) -> dict[str, Any] | None:
-    """A number that only a speed in km/h can be: "ego speed 70"."""
-    match = next((m for p in _table()["bare_speeds"] if (m := re.search(p, clause))), None)
+def _without_unit(clause: str, kind: str, factor: float) -> dict[str, Any] | None:
+    """A number that only a speed in km/h or a distance in m can be: "ego speed 70", "distance 45"."""
+    match = next((m for p in _table()[kind] if (m := re.search(p, clause))), None)
     if match is None:
         return None
-    low, high = int(match["low"]) / 3.6, int(match.groupdict().get("high") or match["low"]) / 3.6
+    low, high = int(match["low"]) * factor, int(match.groupdict().get("high") or match["low"]) * factor
     return {"low": low, "high": high}
 
 
 def distance(clause: str, structure: Structure) -> Found | None:
     """ "20 m further away", "10 m closer", "at 30 m", "set the gap to 40 m", "twice as far"."""
-    quantity = quantity_of(re.sub(_table()["told"]["meanwhile"], " ", clause), "distance")
+    quantity = quantity_of(re.sub(_table()["told"]["meanwhile"], " ", clause), "distance") or _without_unit(
+        clause, "bare_distances", 1.0
+    )
     relative = re.search(
         (
             r"\b(further|farther|more distant|closer|nearer|less|more|twice as far|double the (?:gap"
@@ -170,6 +172,8 @@ def sides(clause: str, structure: Structure) -> Found | None:
     if not match or re.search(r"\bturn|\bchange", clause):
         return None
     component = refer(clause, structure)
+    if component is not None and component.id == "E" and re.match(r"(?:put |move )?ego\b", clause):
+        return None
     if component is None or component.id == "E":
         sided = [
             c

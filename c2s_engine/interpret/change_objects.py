@@ -55,9 +55,7 @@ def _release(component: Component, structure: Structure) -> list[Edit]:
                 }
             )
             for p in spec.phases
-            if not (
-                p.target == component.id and p.action in ("follow", "overtake", "collide", "yield")
-            )
+            if not (p.target == component.id and p.action in ("follow", "overtake", "collide", "yield"))
         )
         update: dict[str, Any] = {"phases": phases}
         if isinstance(spec, EgoSpec):
@@ -90,7 +88,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
     patterns = (
         (
             r"^(?:make|turn|change|have|let)\s+(?P<who>.+?)\s+(?:in)?(?:to |be )?(?:into "
-            r"|be )?(?P<what>(?:(?:an?|two|three|four|five|\d) [\w -]+|\w+s))$"
+            r"|be )?(?P<what>(?:(?:an?|two|three|four|five|\d) [\w -]+?|\w+s))(?P<rest> (?:that|which|who|with)\b.*)?$"
         ),
         r"^(?:replace|swap|substitute|exchange)\s+(?P<who>.+?)\s+(?:with|by|for|to)\s+(?P<what>.+)$",
         (
@@ -112,7 +110,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
             r"^instead of (?P<who>[\w -]+?),? (?:use|have|take|put|we have|there (?:is|are)|i want|make it|let it be) "
             r"(?P<what>(?:an?|two|three|four|\d+) [\w -]+?)(?P<rest> (?:with|at|\w+ing|that|which|who)\b.*)?$"
         ),
-        r"^(?:use|take|have) (?P<what>(?:(?:an?|two|three|four|\d+) )?[\w -]+?) (?:for|as|in place of) (?P<who>.+)$",
+        r"^(?:use|take) (?P<what>(?:an?|two|three|four|\d+) [\w -]+?|[\w-]+s) (?:for|as|in place of) (?P<who>.+)$",
         r"^(?:make|have) (?P<what>(?:two|three|four|five|six|\d+) [\w -]+?) (?:out )?of (?P<who>.+)$",
         r"^(?:have |let |make )?(?P<who>ego) (?:now )?drives? (?P<what>an? [\w -]+)$",
         r"^(?P<who>[\w -]+?) becomes (?P<what>(?:an? )?[\w-]+)$",
@@ -125,10 +123,11 @@ def retype(clause: str, structure: Structure) -> Found | None:
         if not named:
             continue
         kind, plural = named[0].data["type"], named[0].data["plural"]
-        if pattern is HOW_MANY and not objects_of(structure, kind):
+        if pattern is HOW_MANY and (not objects_of(structure, kind) or re.search(r"\bmore\b", match["what"])):
             continue
         who = match.groupdict().get("who")
-        component = refer(who, structure) if who else _akin(kind, structure)
+        alike = not who or who in ("it", "that", "this")
+        component = _akin(kind, structure) if alike else refer(who, structure)
         if component is None:
             return None
         if component.id == "E":

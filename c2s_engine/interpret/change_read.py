@@ -49,7 +49,12 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
     new = re.match(table()["adds"], clause)
     if not new and re.search(r"\b(?:second|third)\b", clause) and refer(clause, structure) is None:
         return None
-    if told is None or not new and re.search(table()["relative"], clause) or re.search(r"\b(?:other|opposite) side\b", clause):
+    if (
+        told is None
+        or not new
+        and re.search(table()["relative"], clause)
+        or re.search(r"\b(?:other|opposite) side\b", clause)
+    ):
         return None
     there_is = scene(structure, told)
     was, now = read(there_is), read(f"{there_is} {told[0].upper()}{told[1:]}.")

@@ -42,6 +42,10 @@ def setting(clause: str, structure: Structure) -> Found | None:
         values = [f.value for f in sky]
         old = [w for w in structure.settings.spec.weather if w != "clear"]  # type: ignore[union-attr]
         also = re.search(r"\b(add|also|and|plus|as well|too)\b", clause)
+        if re.search(language.table("refine")["weaker"], clause):
+            values = list(dict.fromkeys("rain" if v == "heavy_rain" else v for v in values))
+        rains = language.table("refine")["rains"]
+        old = [w for w in old if not (w in rains and set(values) & set(rains))]
         new = ["clear"] if values == ["clear"] else list(dict.fromkeys([*(old if also else []), *values]))
         if "heavy_rain" in new and "rain" in new:
             new.remove("rain")
@@ -112,6 +116,24 @@ def road(clause: str, structure: Structure) -> Found | None:
     return [
         SetSpec(component="R", spec=PlaceSpec.model_validate(old.model_dump() | update))
     ], "the place: " + ", ".join(f"{k} {v}" for k, v in update.items() if v is not None)
+
+
+def own_lane(clause: str, structure: Structure) -> Found | None:
+    """ "Put ego in the left lane", "ego should start in the rightmost lane"."""
+    match = re.match(language.table("refine")["ego_lane"], clause)
+    place = structure.place.spec
+    if match is None or not isinstance(place, PlaceSpec):
+        return None
+    lane = LANES.get(match["lane"], match["lane"])
+    update: dict[str, Any] = {"ego_lane": lane, "lanes": max(place.lanes or 0, 3 if lane == "middle" else 2)}
+    spec = PlaceSpec.model_validate(place.model_dump() | update)
+    return [SetSpec(component="R", spec=spec)], f"ego in the {lane} lane"
+
+
+LANES = {
+    "left": "leftmost", "fast": "leftmost", "inner": "leftmost", "overtaking": "leftmost", "passing": "leftmost",
+    "right": "rightmost", "slow": "rightmost", "outer": "rightmost", "center": "middle", "centre": "middle",
+}  # fmt: skip
 
 
 def length(clause: str, structure: Structure) -> Found | None:

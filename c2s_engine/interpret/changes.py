@@ -5,12 +5,13 @@ from c2s_engine.interpret.change_looks import blueprint, uncovered
 from c2s_engine.interpret.change_motion import distance, reaction, sides, speed
 from c2s_engine.interpret.change_objects import remove, retype
 from c2s_engine.interpret.change_read import acting, standing
-from c2s_engine.interpret.change_scene import length, road, setting
+from c2s_engine.interpret.change_scene import length, own_lane, road, setting
 
 FORMS: tuple[Form, ...] = (
     length,
     blueprint,
     uncovered,
+    own_lane,
     retype,
     remove,
     acting,

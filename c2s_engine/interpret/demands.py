@@ -6,6 +6,7 @@
 
 import re
 from functools import cache
+from typing import Any
 
 from c2s_engine.interpret import language, scan
 from c2s_engine.interpret.refer import refer
@@ -13,7 +14,7 @@ from c2s_engine.structure.components import ComponentId, Structure
 
 
 @cache
-def _table() -> dict[str, str]:
+def _table() -> dict[str, Any]:
     return {**language.table("refine")["demands"]}
 
 
@@ -31,6 +32,8 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
     too" has what was said there, "and the van a truck" its verb, and a bare number its unit.
     """
     table = _table()
+    for pattern, said in table["told_as"]:
+        demand = re.sub(pattern, said, demand)
     who = "ego" if topic == "E" else (topic or "").lower()
     if who:
         demand = re.sub(r"^(then )?(?:it|he|she|they)\b", rf"\g<1>{who}", demand)
@@ -48,7 +51,7 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
         return f"{head}{too['who']}{before[named[0].end :]}"
     if (elided := re.match(table["elided"], demand)) and re.search(table["becomes"], before):
         return f"make {elided['who']} {elided['what']}"
-    unit = re.search(table["unit"], before)
+    unit = None if re.search(r"\b(?:distance|gap|headway)\b", demand) else re.search(table["unit"], before)
     return f"{demand} {unit[1]}" if unit and re.search(r"[a-z] \d+$", demand) else demand
 
 
@@ -78,7 +81,8 @@ def _folded(parts: list[str]) -> list[str]:
     ahead = ""
     for part in (p.strip() for p in parts):
         if re.match(table["so"], part):
-            found, ahead = [d for d in found if re.search(table["demanding"], d)], ""
+            adds = language.table("refine")["told"]["adds"]
+            found, ahead = [d for d in found if re.search(table["demanding"], d) or re.match(adds, found[0])], ""
         if (
             not part
             or re.match(table["reason"], part)

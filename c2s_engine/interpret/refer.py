@@ -43,7 +43,7 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
     match = re.search(r"\bo([1-9][0-9]?)\b", plain)
     if match and f"O{match[1]}" in structure:
         return structure[f"O{match[1]}"]
-    names = [s for s in scan.names(plain) if s.kind in ("actor", "ego", "label")]
+    names = [s for s in scan.names(plain) if s.kind in ("actor", "ego", "label") and s.data.get("noun") != "traffic"]
     for component in structure.objects:
         name = spec_of(component).name.replace("_", " ")
         if re.search(rf"\b{re.escape(name)}\b", plain) and (len(name) > 2):

@@ -3,7 +3,8 @@
 import re
 from functools import lru_cache
 
-from c2s_engine.interpret import describe, language, scan
+from c2s_engine.interpret import amounts, describe, language, scan
+from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.interpret.refer import objects_of, refer, spec_of
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.specs import EgoSpec, PlaceSpec, SettingsSpec
@@ -24,6 +25,9 @@ def indicative(clause: str, structure: Structure) -> str | None:
     if (begins := re.match(forms["begins"], said)) and (who := refer(begins["who"], structure, alone=False)):
         first = next(iter(getattr(who.spec, "phases", ())), None)
         if first is not None:
+            if first.action == "stationary":
+                doing = "cross the road" if getattr(who.spec, "type", "") in PERSONS else "start"
+                return f"{begins['who']} will {doing} {begins['when']}"
             target = _called(first.target or "ego", structure)
             action = language.table("sentences")["actions"][first.action].format(target=target)
             return f"{begins['who']} will {action} {begins['when']}"
@@ -59,17 +63,21 @@ def scene(structure: Structure, told: str) -> str:
     assert isinstance(place, PlaceSpec)
     if re.match(r"(?:the )?ego\b", told):
         place = place.model_copy(update={"manoeuvre": None, "ego_lane": None})
+    told_speed = any(q.data["dimension"] == "speed" for q in amounts.quantities(told))
+    mover = refer(told, structure, alone=False) if told_speed else None
     located = refer(told, structure, alone=False) if re.match(table()["located"], told) else None
     names = {c.id: spec_of(c).name for c in structure.objects}
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
-    still = ego.model_copy(update={"phases": (), "reaction": "none"})
+    own = {"speed": None} if mover is not None and mover.id == "E" else {}
+    still = ego.model_copy(update={"phases": (), "reaction": "none", **own})
     sentences = [describe.place(place), describe.ego(still, place, names)]
     for component in structure.objects:
         if located is not None and component.id == located.id:
             sentences.append(f"There is a {_noun(component)}.")
             continue
-        assumed = {"speed": None} if any(a.field == "speed" for a in component.assumed) else {}
+        untold = component is mover or any(a.field == "speed" for a in component.assumed)
+        assumed = {"speed": None} if untold else {}
         sentences.append(describe.obj(spec_of(component).model_copy(update={"phases": (), **assumed}), names))
     return " ".join(sentences)
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from c2s_engine.interpret import language, refine, retold, scan
+from c2s_engine.interpret.refer import refer
 from c2s_engine.interpret.spelling import Mended
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit
@@ -56,7 +57,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
     edits, said = refine.edits_of(text, structure)
     if edits:
         return Turn("edit", edits, "; ".join(said), whole)
-    if commanding or len(plain.split()) < 5:
+    if commanding or len(plain.split()) < 5 or _of_those_there(plain, structure):
         return Turn(
             "edit",
             [],
@@ -107,6 +108,13 @@ def _introduces(plain: str) -> bool:
     """Whether somebody is told of for the first time ("a car", "two cyclists"), not only become or replaced."""
     new = language.table("refine")["introduces"]
     return any(s.kind == "actor" and re.search(new, plain[: s.start]) for s in scan.names(plain))
+
+
+def _of_those_there(plain: str, structure: Structure) -> bool:
+    """Whether a text speaks only of those who are there."""
+    names = [s for s in scan.names(plain) if s.kind in ("actor", "ego")]
+    meant = [refer(plain[s.start : s.end], structure, alone=False) for s in names]
+    return any(meant) and not _introduces(plain)
 
 
 def _adds(plain: str) -> bool:

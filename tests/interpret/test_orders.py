@@ -1,0 +1,105 @@
+"""Demands in the words of those who test: what each touches, and that the rest stays."""
+
+from typing import Any
+
+import pytest
+
+from c2s_engine.interpret.turn import route
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import apply
+
+STREET = "In heavy rain ego follows a taxi at 50 km/h. The taxi brakes hard and a woman crosses from the right."
+JUNCTION = "Ego approaches a signalised intersection at 40 km/h and turns left. An oncoming lorry goes straight on."
+MOTORWAY = (
+    "On a three-lane motorway ego drives at 110 km/h in the middle lane. A van ahead brakes. A car overtakes ego."
+)
+HIDDEN = "Ego drives at 30 km/h. A boy, hidden by a parked van, runs onto the road. A bus comes the other way."
+
+
+def value_of(structure: Structure, path: str) -> Any:
+    cid, _, rest = path.partition(".")
+    found: Any = structure[cid].spec
+    for name in rest.split("."):
+        if name == "actions":
+            return [p.action for p in found.phases]
+        triggers = [p.trigger for p in getattr(found, "phases", ()) if p.trigger]
+        found = triggers[0] if name == "trigger" else getattr(found, name)
+    return found
+
+
+@pytest.mark.parametrize(
+    ("scene", "text", "expected"),
+    [
+        (
+            STREET,
+            "let the taxi brake after 4 s, and make the woman walk faster, about 8 km/h",
+            {"O2.speed": 2.22},
+        ),
+        (STREET, "make ego a bus and reduce its speed to 30 km/h", {"E.type": "bus", "E.speed": 8.33}),
+        (STREET, "replace the rain by fog", {"G.weather": ("fog",)}),
+        (STREET, "please only light rain", {"G.weather": ("rain",)}),
+        (STREET, "instead of the taxi use a bus which stops", {"O1.type": "bus", "O1.actions": ["stop"]}),
+        (STREET, "use vehicle.audi.tt for ego", {"E.model": "vehicle.audi.tt"}),
+        (STREET, "the taxi drives 35", {"O1.speed": 9.72}),
+        (STREET, "the woman waits until ego is 15 m away, only then she crosses", {"O2.trigger.value": 15.0}),
+        (STREET, "the woman must not cross before the taxi has stopped", {"O2.trigger.of": "O1"}),
+        (STREET, "the taxi should be 25 m ahead, drive 40 km/h and brake after 6 s", {"O1.speed": 11.11}),
+        (STREET, "reduce the speed limit to 70", {"R.speed_limit": 19.44}),
+        (JUNCTION, "the lorry runs its red light while ego has green", {"G.light": "green"}),
+        (
+            JUNCTION,
+            "ego goes straight on and the lorry turns left",
+            {"R.manoeuvre": "straight", "O1.actions": ["turn_left"]},
+        ),
+        (JUNCTION, "only three roads meet there", {"R.arms": 3}),
+        (JUNCTION, "ego has to react to it with an emergency brake", {"E.reaction": "brake", "E.hard": True}),
+        (MOTORWAY, "put ego in the right lane", {"R.ego_lane": "rightmost"}),
+        (MOTORWAY, "van 10 km/h slower, distance 55", {"O1.placement.gap": 55.0}),
+        (MOTORWAY, "let the overtaking car cut in in front of ego and brake hard", {"O2.actions": ["cut_in", "brake"]}),
+        (MOTORWAY, "ego is more slow by ten kilometer per hour", {"E.speed": 27.78}),
+        (HIDDEN, "the boy is not hidden any more", {"O2.placement.hidden_by": None}),
+        (HIDDEN, "ego can see the boy from the start", {"O2.placement.hidden_by": None}),
+    ],
+)
+def test_what_is_demanded(read, scene: str, text: str, expected: dict[str, Any]) -> None:
+    before = read(scene)
+    turn = route(text, before)
+    assert turn.kind == "edit", turn
+    after = before
+    for edit in turn.edits:
+        after = apply(after, edit)
+    for path, wanted in expected.items():
+        found = value_of(after, path)
+        assert found == pytest.approx(wanted, abs=0.06) if isinstance(wanted, float) else found == wanted
+    assert len(after.objects) == len(before.objects)
+
+
+@pytest.mark.parametrize(
+    ("scene", "text", "gone"),
+    [
+        (STREET, "i dont need the woman", "O2"),
+        (STREET, "leave out the taxi", "O1"),
+        (MOTORWAY, "pls take the overtaker out", "O2"),
+        (MOTORWAY, "the van should disappear", "O1"),
+    ],
+)
+def test_who_goes(read, scene: str, text: str, gone: str) -> None:
+    structure = read(scene)
+    for edit in route(text, structure).edits:
+        structure = apply(structure, edit)
+    assert gone not in structure and len(structure.objects) == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "stays"),
+    [
+        ("have ego stop for the woman and go on afterwards", "O2"),
+        ("the woman waits at the kerb until the taxi has passed, then crosses", "O1"),
+        ("let the woman cross when ego is 20 m away", "E"),
+    ],
+)
+def test_who_is_only_named_beside_others_stays(read, text: str, stays: str) -> None:
+    before = after = read(STREET)
+    for edit in route(text, before).edits:
+        after = apply(after, edit)
+    assert after[stays].spec == before[stays].spec

@@ -67,7 +67,8 @@ OPENS = regex.compile(r"(?:^|[.,;:!?(]|\b(?:and|but|while|when|then|as|of them))
 
 
 MODAL = regex.compile(
-    r"\b(?:will|should|must|shall|would|could|can|may)\s+(?!be\b)\p{L}[^.;:]*?(?:\band|\bthen|,|\bor)\s+(?:then |\w+ly )?$"
+    r"\b(?:will|should|must|shall|would|could|can|may)\s+(?!be\b)\p{L}[^.;:]*?"
+    r"(?:\band|\bthen|,|\bor)\s+(?:then |\w+ly )?$"
 )
 LETS = regex.compile(r"\b(?:let|lets|letting|help|helps|watch|watches|sees)\s+(?:\S+\s+){1,4}$")
 

@@ -2,6 +2,7 @@
 
 import re
 from functools import cache
+from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.scan import Span
@@ -108,6 +109,10 @@ ELAPSED = re.compile(  # what follows a second of time, not a second car
 AWAY = re.compile(r"\s+(ahead|behind|away|before|after|from|in front|apart|or)\b")
 
 
+def _exactly(dimension: str, value: float) -> dict[str, Any]:
+    return {"dimension": dimension, "low": value, "high": value}
+
+
 def quantities(text: str) -> list[Span]:
     """Numbers with a unit, in SI; a range has `low` and `high`."""
     found = _intervals(text)
@@ -115,6 +120,13 @@ def quantities(text: str) -> list[Span]:
         if any(s.start < match.end() and match.start() < s.end for s in found if "interval" in s.data):
             continue
         dimension, factor = language.units()[" ".join(match["unit"].split())]
+        if match["high"] and match["lowunit"]:
+            other, own = language.units()[" ".join(match["lowunit"].split())]
+            if other != dimension:  # "with 0.5 g to 60 km/h": no range
+                low, high = _value(match["low"]) * own, _value(match["high"]) * factor
+                found.append(Span("quantity", match.start(), match.end("lowunit"), _exactly(other, low)))
+                found.append(Span("quantity", match.start("high"), match.end(), _exactly(dimension, high)))
+                continue
         if match["unit"] in ("'", "mi", "g") and not match["low"][-1:].isdigit():
             continue
         if match["unit"] == "yard" and match["low"] in ("a", "one") and not AWAY.match(text[match.end() :]):

@@ -36,7 +36,7 @@ def speed(clause: str, structure: Structure) -> Found | None:
     )
     if component is None:
         return None
-    joint = re.match(r"^(?:both )?(?P<one>(?:the )?[\w-]+) and (?P<other>(?:the )?[\w-]+)\b", clause)
+    joint = re.match(_table()["joint"], clause)
     both = [refer(joint[name], structure, alone=False) for name in ("one", "other")] if joint else []
     if both and all(both):
         each = [_at_speed(c, word, quantity) for c in both if c is not None]

@@ -75,47 +75,11 @@ def _release(component: Component, structure: Structure) -> list[Edit]:
     return edits
 
 
-HOW_MANY = (
-    r"^(?:(?:only|just|use|take) )*(?P<what>(?:one|two|three|four|five|six|\d+) [\w -]+?)(?: only)?"
-    r"(?P<rest> \w+ing\b.*)?$"
-)
-"""Only asks for something where one of that type is there."""
-
-
 def retype(clause: str, structure: Structure) -> Found | None:
     """ "Make the lead a truck", "a bus instead of the van", "two cyclists instead", "replace O1 with a deer"."""
     known = [s for s in scan.names(clause) if s.kind == "actor" and (s.data["type"] not in ("vehicle", "rider"))]
-    patterns = (
-        (
-            r"^(?:make|turn|change|have|let)\s+(?P<who>.+?)\s+(?:in)?(?:to |be )?(?:into "
-            r"|be )?(?P<what>(?:(?:an?|two|three|four|five|\d) [\w -]+?|\w+s))(?P<rest> (?:that|which|who|with)\b.*)?$"
-        ),
-        r"^(?:replace|swap|substitute|exchange)\s+(?P<who>.+?)\s+(?:with|by|for|to)\s+(?P<what>.+)$",
-        (
-            r"^(?:use |have |make it |put )?(?P<what>(?:an?|two|three|four|five|\d+) [\w -]+?) "
-            r"(?:instead of|rather than) (?P<who>.+)$"
-        ),
-        (
-            r"^(?P<who>(?:the |o\d|ego|it)[\w -]*?) (?:should be|is|becomes|shall be|must be|are"
-            r"|should become|now is) (?P<what>(?:an?|two|three|four|(?=[\w-]+s\b)) ?[\w -]+?)(?: now| instead)?"
-            r"(?P<rest> (?:with|at|doing|going|driving|running|walking|crossing|standing|that|which|who)\b.*)?$"
-        ),
-        (
-            r"^(?:use |have |make it |make that |make them |with |now )?(?P<what>(?:an?|two|three|four"
-            r"|five|six|\d+) [\w -]+?)(?: instead| rather)$"
-        ),
-        r"^(?:make it |make that |make them )(?P<what>(?:an?|two|three|four|five|six|\d+) [\w -]+?)$",
-        HOW_MANY,
-        (
-            r"^instead of (?P<who>[\w -]+?),? (?:use|have|take|put|we have|there (?:is|are)|i want|make it|let it be) "
-            r"(?P<what>(?:an?|two|three|four|\d+) [\w -]+?)(?P<rest> (?:with|at|\w+ing|that|which|who)\b.*)?$"
-        ),
-        r"^(?:use|take) (?P<what>(?:an?|two|three|four|\d+) [\w -]+?|[\w-]+s) (?:for|as|in place of) (?P<who>.+)$",
-        r"^(?:make|have) (?P<what>(?:two|three|four|five|six|\d+) [\w -]+?) (?:out )?of (?P<who>.+)$",
-        r"^(?:have |let |make )?(?P<who>ego) (?:now )?drives? (?P<what>an? [\w -]+)$",
-        r"^(?P<who>[\w -]+?) becomes (?P<what>(?:an? )?[\w-]+)$",
-    )
-    for pattern in patterns:
+    table = language.table("refine")
+    for pattern in table["retypes"]:
         match = re.match(pattern, clause)
         if not match:
             continue
@@ -123,7 +87,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
         if not named:
             continue
         kind, plural = named[0].data["type"], named[0].data["plural"]
-        if pattern is HOW_MANY and (not objects_of(structure, kind) or re.search(r"\bmore\b", match["what"])):
+        if pattern == table["how_many"] and (not objects_of(structure, kind) or re.search(r"\bmore\b", match["what"])):
             continue
         who = match.groupdict().get("who")
         alike = not who or who in ("it", "that", "this")

@@ -232,13 +232,18 @@ def _changes(
             found += [
                 (f"placement.{key}", ids.get(part, part) if key in ("of", "hidden_by") else part)
                 for key, part in value.items()
-                if part != old[path][key]
+                if part != old[path][key] and not (key == "gap" and _cuts_in(now, there))
             ]
         elif value == "none" and not re.search(table()["denies"], clause):
             continue  # how it reacts goes on, unless that is denied
         elif value is not None:
             found.append((path, ids.get(value, value) if path == "react_to" else value))
     return found
+
+
+def _cuts_in(now: Component, there: Component) -> bool:
+    """Whether a distance is that of the cut-in of one who starts behind, not of its start."""
+    return spec_of(there).placement.along == "behind" and any(p.action == "cut_in" for p in spec_of(now).phases)
 
 
 def _near(a: Any, b: Any) -> bool:
@@ -261,6 +266,8 @@ def _joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tupl
         ways = ("go_straight", "turn_left", "turn_right", "u_turn")
         turns = any(p.action in ways for p in new)
         return (*(p for p in old if not (turns and p.action in ways)), *new)
+    if re.search(r"\bfirst\b", clause) and len(new) == 1:
+        return (*new, *(p for p in old if p.action in WAYS))
     if old and [p.action for p in new] == ["move_along"] and not re.search(r"\balong\b", clause):
         return old  # how fast it goes, not what it does
     same = [i for i, p in enumerate(old) if len(new) == 1 and p.action == new[0].action]

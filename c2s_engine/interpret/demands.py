@@ -40,6 +40,7 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
         if not re.search(table["owned"], demand) or not scan.names(demand):
             demand = re.sub(table["owned"], f"{who}'s", demand)
         demand = re.sub(r"\b(for|of|with|by|to) (?:it|them|him|her)$", rf"\g<1> {who}", demand)
+        demand = re.sub(table["made"], f"{who} will ", demand)
         demand = re.sub(table["moved"], rf"\g<1>{who}", demand)
         if who == "ego":
             demand = re.sub(table["lets"], "ego lets ", demand)
@@ -49,6 +50,8 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
     if (too := re.match(table["as_well"], demand)) and named and scan.names(demand):
         head = re.sub(r"\b(?:the|an?|my|our)\s*$", "", before[: named[0].start])
         return f"{head}{too['who']}{before[named[0].end :]}"
+    if (way := re.match(table["other_way"], demand)) and re.search(r"\bturns?\b", before):
+        return f"{way['who']} {'goes' if way['way'] == 'straight' else 'turns'} {way['way']}"
     if (elided := re.match(table["elided"], demand)) and re.search(table["becomes"], before):
         return f"make {elided['who']} {elided['what']}"
     unit = None if re.search(r"\b(?:distance|gap|headway)\b", demand) else re.search(table["unit"], before)
@@ -71,7 +74,8 @@ def _parts(sentence: str) -> list[str]:
         rf"(?<!only)\s+(?=then {starts})",
         rf"\s+{there}",
     )
-    return re.split("|".join(bounds), sentence)
+    sentence = re.sub(r"\bboth ((?:the )?[\w-]+) and ", r"both \1 & ", sentence)
+    return [part.replace(" & ", " and ") for part in re.split("|".join(bounds), sentence)]
 
 
 def _folded(parts: list[str]) -> list[str]:
@@ -94,7 +98,12 @@ def _folded(parts: list[str]) -> list[str]:
             ahead = f"{ahead}{part}, "
         elif found and (enough := re.match(table["enough"], part)):
             found[-1] = f"{found[-1]}, {enough['what']}"
-        elif re.match(table["continues"], part) and found:
+        elif found and (
+            re.match(table["continues"], part)
+            or re.match(table["infinitive"], part)
+            and not part.startswith("then")
+            and re.search(table["does"], found[-1])
+        ):
             found[-1] = f"{found[-1]}, {part}"
         else:
             found.append(ahead + part)

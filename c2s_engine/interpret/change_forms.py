@@ -1,5 +1,6 @@
 """What all forms of change share: a clause and S give edits with words for them, or None where they do not fit."""
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -35,3 +36,12 @@ def quantity_of(clause: str, dimension: str) -> dict[str, Any] | None:
 def value_of(quantity: dict[str, Any]) -> Any:
     low, high = round(quantity["low"], 2), round(quantity["high"], 2)
     return low if low == high else [low, high]
+
+
+def without_unit(clause: str, patterns: list[str], factor: float) -> dict[str, Any] | None:
+    """A number that by its pattern can only be a speed in km/h or a distance in m: "ego speed 70", "distance 45"."""
+    match = next((m for p in patterns if (m := re.search(p, clause))), None)
+    if match is None:
+        return None
+    low, high = int(match["low"]) * factor, int(match.groupdict().get("high") or match["low"]) * factor
+    return {"low": low, "high": high}

@@ -1,48 +1,15 @@
-"""Changes of how somebody moves: speed, distance, side, behaviour."""
+"""Changes of where somebody is and how ego reacts: distance, side, reaction."""
 
 import re
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.change_forms import VEHICLES, Found, name_of, quantity_of, value_of
+from c2s_engine.interpret.change_forms import VEHICLES, Found, name_of, quantity_of, value_of, without_unit
 from c2s_engine.interpret.refer import refer, spec_of
 from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.edits import Edit, SetField, SetSpec
-from c2s_engine.structure.quantity import high, middle
+from c2s_engine.structure.edits import SetField, SetSpec
+from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import Placement
-
-
-def speed(clause: str, structure: Structure) -> Found | None:
-    """ "Ego at 50 km/h", "the lead drives 20 km/h", "faster", "10 km/h slower", "twice as fast"."""
-    quantity = quantity_of(clause, "speed") or _without_unit(clause, "bare_speeds", 1 / 3.6)
-    relative = re.search(
-        r"\b(faster|slower|quicker|speed up|slow(?:er)?(?: \w+)? down|more slow(?:ly)?"
-        r"|twice as fast|half as fast|double|halve)\b"
-        r"|\b(?P<more>increase|raise)|\b(?P<less>reduce|decrease|lower)",
-        clause,
-    )
-    if quantity is None and not relative or re.search(r"\blimit\b", clause):
-        return None
-    if quantity is None and relative and not relative[1] and not re.search(r"\b(?:speed|pace)\b", clause):
-        return None
-    if quantity is not None and not re.search(_table()["by_so_much"], clause):
-        relative = None  # a speed to have, not one more or less
-    word = (relative[1] or ("slower" if relative["less"] else "faster")) if relative else ""
-    if re.search(_table()["all"], clause):
-        each = [_at_speed(c, word, quantity) for c in (structure.ego, *_moving(structure))]
-        return [edit for edit, _ in each], "; ".join(words for _, words in each)
-    component = refer(clause, structure, alone=True) or (
-        structure.ego if not structure.objects or not re.search(r"\b(it|its)\b", clause) else None
-    )
-    if component is None:
-        return None
-    joint = re.match(_table()["joint"], clause)
-    both = [refer(joint[name], structure, alone=False) for name in ("one", "other")] if joint else []
-    if both and all(both):
-        each = [_at_speed(c, word, quantity) for c in both if c is not None]
-        return [edit for edit, _ in each], "; ".join(words for _, words in each)
-    edit, words = _at_speed(component, word, quantity)
-    return [edit], words
 
 
 def _table() -> dict[str, Any]:
@@ -50,51 +17,10 @@ def _table() -> dict[str, Any]:
     return found
 
 
-def _moving(structure: Structure) -> list[Component]:
-    return [c for c in structure.objects if spec_of(c).speed is not None and high(spec_of(c).speed) > 0.1]  # type: ignore
-
-
-def _at_speed(component: Component, word: str, quantity: dict[str, Any] | None) -> tuple[Edit, str]:
-    """One component at a speed, or so much faster or slower than now (`word`)."""
-    spec: Any = component.spec
-    now = spec.speed
-    value: Any
-    if not word and quantity is not None:
-        value = value_of(quantity)
-    else:
-        base = middle(now) if now is not None else 10.0
-        down = word in ("half as fast", "halve") or "slow" in word
-        if quantity is not None:
-            value = base - quantity["low"] if down else base + quantity["low"]
-        else:
-            value = base * (
-                2
-                if word in ("twice as fast", "double")
-                else 0.5
-                if word in ("half as fast", "halve")
-                else 0.75
-                if down
-                else 1.3
-            )
-        value = round(max(0.5, value), 2)
-    shown = value if isinstance(value, float | int) else sum(value) / 2
-    edit = SetField(component=component.id, path="speed", value=value)
-    return edit, f"{name_of(component)} at {shown * 3.6:.0f} km/h"
-
-
-def _without_unit(clause: str, kind: str, factor: float) -> dict[str, Any] | None:
-    """A number that only a speed in km/h or a distance in m can be: "ego speed 70", "distance 45"."""
-    match = next((m for p in _table()[kind] if (m := re.search(p, clause))), None)
-    if match is None:
-        return None
-    low, high = int(match["low"]) * factor, int(match.groupdict().get("high") or match["low"]) * factor
-    return {"low": low, "high": high}
-
-
 def distance(clause: str, structure: Structure) -> Found | None:
     """ "20 m further away", "10 m closer", "at 30 m", "set the gap to 40 m", "twice as far"."""
-    quantity = quantity_of(re.sub(_table()["told"]["meanwhile"], " ", clause), "distance") or _without_unit(
-        clause, "bare_distances", 1.0
+    quantity = quantity_of(re.sub(_table()["told"]["meanwhile"], " ", clause), "distance") or without_unit(
+        clause, _table()["bare_distances"], 1.0
     )
     relative = re.search(
         (

@@ -2,10 +2,11 @@
 
 from c2s_engine.interpret.change_forms import Form
 from c2s_engine.interpret.change_looks import blueprint, uncovered
-from c2s_engine.interpret.change_motion import distance, reaction, sides, speed
+from c2s_engine.interpret.change_motion import distance, reaction, sides
 from c2s_engine.interpret.change_objects import remove, retype
 from c2s_engine.interpret.change_read import acting, standing
 from c2s_engine.interpret.change_scene import length, own_lane, road, setting
+from c2s_engine.interpret.change_speed import speed, speed_difference
 
 FORMS: tuple[Form, ...] = (
     length,
@@ -14,6 +15,7 @@ FORMS: tuple[Form, ...] = (
     own_lane,
     retype,
     remove,
+    speed_difference,
     acting,
     speed,
     distance,

@@ -1,8 +1,9 @@
 """Refinements without a model: the common forms of change become edits that touch only what was meant."""
 
+import re
 from typing import Any
 
-from c2s_engine.interpret import changes, describe
+from c2s_engine.interpret import changes, describe, language
 from c2s_engine.interpret.change_read import introduced
 from c2s_engine.interpret.demands import demands, topic_of, whole
 from c2s_engine.structure.components import Structure
@@ -23,29 +24,50 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     for part in parts:
         demand = whole(part, before, topic)
         before, topic = demand, topic_of(demand, current) or topic
-        for form in changes.FORMS:
-            found = form(demand, current)
-            if found is None:
-                continue
-            new, words = found
-            try:
-                for edit in new:
-                    current = apply(current, edit)
-            except EditError as error:
-                said.append(str(error))
-                break
-            edits += new
-            said.append(words)
-            topic = next((c for e in reversed(new) if (c := _object(e))), topic)
-            break
+        found = _found(demand, current)
+        if found is None:
+            continue
+        try:
+            current = _applied(found, current)
+        except EditError as error:
+            said.append(str(error))
+            continue
+        edits += found[0]
+        said.append(found[1])
+        topic = next((c for e in reversed(found[0]) if (c := _object(e))), topic)
     return [*edits, *described(structure, current)], said
 
 
 def _all(found: Found, structure: Structure) -> tuple[list[Edit], list[str]]:
-    current = structure
+    return [*found[0], *described(structure, _applied(found, structure))], [found[1]]
+
+
+def _applied(found: Found, structure: Structure) -> Structure:
     for edit in found[0]:
-        current = apply(current, edit)
-    return [*found[0], *described(structure, current)], [found[1]]
+        structure = apply(structure, edit)
+    return structure
+
+
+def _found(demand: str, structure: Structure) -> Found | None:
+    """What the first form that fits asks for; where somebody does that already, how fast he is to do it."""
+    for form in changes.FORMS:
+        found = form(demand, structure)
+        if found is None:
+            continue
+        denied = re.search(language.table("refine")["told"]["denies"], demand)
+        if form is changes.acting and not denied and all(_already(e, structure) for e in found[0]):
+            return changes.speed(demand, structure) or found
+        return found
+    return None
+
+
+def _already(edit: Edit, structure: Structure) -> bool:
+    if not isinstance(edit, SetField) or edit.component not in structure:
+        return False
+    spec: Any = structure[edit.component].spec
+    for name in str(edit.path).split("."):
+        spec = getattr(spec, name, None)
+    return bool(spec == edit.value)
 
 
 def _object(edit: Edit) -> str | None:

@@ -9,7 +9,7 @@ from c2s_engine.interpret.refer import refer, spec_of
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import SetField, SetSpec
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import Placement
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement
 
 
 def _table() -> dict[str, Any]:
@@ -164,3 +164,36 @@ def reaction(clause: str, structure: Structure) -> Found | None:
         if re.search(r"yield|give way|wait", body):
             return [SetField(component="E", path="reaction", value="yield")], "ego yields"
     return None
+
+
+def rate(clause: str, structure: Structure) -> Found | None:
+    """ "Brake rate 8 m/s2", "make the car brake harder": how hard somebody does what he does."""
+    table = _table()["rates"]
+    wanted = quantity_of(clause, "acceleration")
+    change = next((f for pattern, f in table["factors"] if re.search(pattern, clause)), None)
+    actions = next((a for pattern, a in table["actions"] if re.search(pattern, clause)), ())
+    if not actions or wanted is None and change is None:
+        return None
+    doing = [c for c in (structure.ego, *structure.objects) if any(p.action in actions for p in _phases(c))]
+    named = refer(clause, structure, alone=False)
+    component = named if named in doing else doing[0] if doing and named is None else None
+    if component is None:
+        return None
+    phases = tuple(
+        p.model_copy(update={"rate": value_of(wanted) if wanted else _times(p, change or 1.0)})
+        if p.action in actions
+        else p
+        for p in _phases(component)
+    )
+    shown = next(p.rate for p in phases if p.action in actions)
+    edit = SetField(component=component.id, path="phases", value=phases)
+    return [edit], f"{name_of(component)}: {middle(shown or 0.0):.1f} m/s2"
+
+
+def _phases(component: Component) -> tuple[Phase, ...]:
+    return component.spec.phases if isinstance(component.spec, EgoSpec | ObjectSpec) else ()
+
+
+def _times(phase: Phase, factor: float) -> float:
+    usual = float(language.table("defaults")["rates"]["soft"]["value"])
+    return round(min(9.0, max(0.5, (middle(phase.rate) if phase.rate else usual) * factor)), 2)

@@ -265,6 +265,8 @@ def _joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tupl
     if re.search(table()["besides"], clause) and (len(new) == 1 or re.match(table()["afterwards"], clause)):
         ways = ("go_straight", "turn_left", "turn_right", "u_turn")
         turns = any(p.action in ways for p in new)
+        if old and new and old[-1].action == new[0].action:
+            new = new[1:]
         return (*(p for p in old if not (turns and p.action in ways)), *new)
     if re.search(r"\bfirst\b", clause) and len(new) == 1:
         return (*new, *(p for p in old if p.action in WAYS))

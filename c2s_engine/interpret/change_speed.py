@@ -40,7 +40,7 @@ def speed(clause: str, structure: Structure) -> Found | None:
         change = None  # a speed to have, not one more or less
     who = _who(said, structure)
     if not who or quantity is None and change is None and base is None:
-        return _walked(clause, structure)
+        return None
     each = [_at_speed(c, quantity, change, base) for c in who]
     return [edit for edit, _ in each], "; ".join(words for _, words in each)
 
@@ -107,7 +107,7 @@ def _at_speed(
     return edit, f"{name_of(component)} at {shown * 3.6:.0f} km/h"
 
 
-def _walked(clause: str, structure: Structure) -> Found | None:
+def walked(clause: str, structure: Structure) -> Found | None:
     """ "The boy runs", "let the car roll at walking pace"."""
     component = refer(clause, structure, alone=False)
     if component is None:

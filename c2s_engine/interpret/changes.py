@@ -2,11 +2,11 @@
 
 from c2s_engine.interpret.change_forms import Form
 from c2s_engine.interpret.change_looks import blueprint, uncovered
-from c2s_engine.interpret.change_motion import distance, reaction, sides
+from c2s_engine.interpret.change_motion import distance, rate, reaction, sides
 from c2s_engine.interpret.change_objects import remove, retype
 from c2s_engine.interpret.change_read import acting, standing
 from c2s_engine.interpret.change_scene import length, own_lane, road, setting
-from c2s_engine.interpret.change_speed import speed, speed_difference
+from c2s_engine.interpret.change_speed import speed, speed_difference, walked
 
 FORMS: tuple[Form, ...] = (
     length,
@@ -16,12 +16,14 @@ FORMS: tuple[Form, ...] = (
     retype,
     remove,
     speed_difference,
+    rate,
     acting,
     speed,
     distance,
     setting,
     road,
     standing,
+    walked,
     sides,
     reaction,
 )

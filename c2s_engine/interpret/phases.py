@@ -2,10 +2,11 @@
 
 import re
 
+from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Entity
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.steps import steps_of
-from c2s_engine.structure.specs import Phase, Placement, PlaceSpec
+from c2s_engine.structure.specs import Phase, Placement, PlaceSpec, Trigger
 
 
 def phases_of(
@@ -41,6 +42,12 @@ def phases_of(
     if "parked" in entity.roles and not found:
         found = [Phase(action="stationary")]
     found = _merged(found)
+    if crossing and [p.action for p in found[:2]] == ["go_straight", "stop"] and _at_the_line(events):
+        onwards = [] if found[-1].action == "start" else [found[0]]
+        found = [*found[1:], *onwards]
+    if entity.person and [p.action for p in found[:2]] == ["wait", "cross_road"] and found[1].trigger is None:
+        waited = Trigger(kind="time", value=found[0].duration) if found[0].duration else None
+        found = [found[1].model_copy(update={"trigger": waited}), *found[2:]]
     if "stationary" in entity.roles and [p.action for p in found] == ["stop"]:
         found = [Phase(action="stationary")]
     if crossing and not any(
@@ -78,6 +85,12 @@ def phases_of(
     if any(p.action in ("turn_left", "turn_right", "u_turn") for p in found) and place.kind == "intersection":
         found = [p for p in found if p.action != "go_straight"]
     return found[:8]
+
+
+def _at_the_line(events: list[Event]) -> bool:
+    """Whether one who crosses stops before the junction."""
+    line = re.compile(r"\b(?:sign|line|light|signal|before)\b")
+    return any(e.act in ("stop", "brake_stop") and line.search(e.text) for e in events)
 
 
 def _stands(scene: Scene, entity: Entity) -> bool:

@@ -5,6 +5,7 @@ from typing import Any
 
 from c2s_engine.interpret import changes, describe, language
 from c2s_engine.interpret.change_read import introduced
+from c2s_engine.interpret.change_speed import walked
 from c2s_engine.interpret.demands import demands, topic_of, whole
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, EditError, SetField, apply
@@ -21,8 +22,12 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     parts = demands(text)
     if len(parts) > 1 and (new := introduced(parts, structure)):
         return _all(new, structure)
-    for part in parts:
+    while parts:
+        part = parts.pop(0)
         demand = whole(part, before, topic)
+        if parts and (both := _in_a_row(demand, parts[0], current)):
+            demand = both
+            parts.pop(0)
         before, topic = demand, topic_of(demand, current) or topic
         found = _found(demand, current)
         if found is None:
@@ -48,6 +53,14 @@ def _applied(found: Found, structure: Structure) -> Structure:
     return structure
 
 
+def _in_a_row(first: str, then: str, structure: Structure) -> str | None:
+    """Two demands as one where the second only tells what the same one does then: "waits 2 s" and "then crosses"."""
+    if not re.match(language.table("refine")["demands"]["goes_on"], then):
+        return None
+    both = f"{first}, {then}"
+    return both if changes.acting(first, structure) and changes.acting(both, structure) else None
+
+
 def _found(demand: str, structure: Structure) -> Found | None:
     """What the first form that fits asks for; where somebody does that already, how fast he is to do it."""
     for form in changes.FORMS:
@@ -56,7 +69,7 @@ def _found(demand: str, structure: Structure) -> Found | None:
             continue
         denied = re.search(language.table("refine")["told"]["denies"], demand)
         if form is changes.acting and not denied and all(_already(e, structure) for e in found[0]):
-            return changes.speed(demand, structure) or found
+            return walked(demand, structure) or found
         return found
     return None
 

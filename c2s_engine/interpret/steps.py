@@ -8,6 +8,7 @@ from c2s_engine.interpret.mentions import Entity
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.structure.specs import Phase, Placement, PlaceSpec, Trigger
 
+ONWARDS = r"^(?:continue|resume|proceed|(?:go|goes|drive|carry|move|ride|travel) on)|^\w+ (?:on|again|further|off)\b"
 HARD = r"\b(hard|sharply|heavily|abruptly|suddenly|emergency|slam|full brak\w+|sudden|violently|fully|strongly)\b"
 
 
@@ -40,7 +41,7 @@ def duration_of(event: Event) -> float | tuple[float, float] | None:
     """How long it lasts, where the clause says so ("for 3 s")."""
     for quantity in event.quantities:
         if quantity["dimension"] == "time" and re.search(
-            r"for (about |around |roughly |some |at least )?#time|#time long", event.whole
+            r"\b(for|waits?|waiting) (about |around |roughly |some |at least |another )?#time|#time long", event.whole
         ):
             return round(quantity["low"], 2)
     return None
@@ -62,7 +63,8 @@ def steps_of(
     if act in ("travel", "lead", "held_up", "approach", "keep_lane", "evade", "swing"):
         if act == "keep_lane" and not before:
             return [Phase(action="keep_lane")]
-        return []
+        again = before and before[-1].action in ("stop", "wait") and re.search(ONWARDS, event.text)
+        return [Phase(action="start")] if again and act == "travel" and not entity.person else []
     if act == "stationary" and event.text.startswith("park") and before:
         return []
     if act == "stationary":
@@ -73,10 +75,14 @@ def steps_of(
     if act in ("brake", "brake_stop", "stop"):
         rate = rate_of(event)
         action = "brake" if act == "brake" else "stop"
-        return [
-            Phase(action=action, rate=rate, speed=target_speed(event) if action == "brake" else None, trigger=trigger)
-        ]
+        halt = Phase(
+            action=action, rate=rate, speed=target_speed(event) if action == "brake" else None, trigger=trigger
+        )
+        stands = duration_of(event) if action == "stop" else None
+        return [halt, Phase(action="wait", duration=stands)] if stands else [halt]
     if act in ("accelerate", "start"):
+        if trigger is not None and trigger.kind == "time" and before and before[-1].action == "stop":
+            return [Phase(action="wait", duration=trigger.value), Phase(action="start", speed=target_speed(event))]
         return [
             Phase(
                 action="accelerate"
@@ -89,7 +95,7 @@ def steps_of(
         ]
     if act == "turn":
         towards = towards or "left"
-        return [Phase(action=f"turn_{towards}", trigger=trigger)] if True else []
+        return [Phase(action=f"turn_{towards}", trigger=trigger)]
     if act == "go_straight":
         if any(p.action in ("turn_left", "turn_right", "go_straight") for p in before):
             return []

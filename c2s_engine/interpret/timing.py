@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
 
 AWAY = re.compile(
-    r"(only )?(at (a |the )?(distance|range|gap) of (about |around |roughly |some )?#dist\b|with @ego #dist )"
+    r"(only )?(at (a |the )?(distance|range|gap) of (about |around |roughly |some )?#dist\b"
+    r"|at (about |around )?#dist (distance|range|away|from)\b|with @ego #dist )"
 )
 AT_A_DISTANCE = (
     "brake",
@@ -122,7 +123,7 @@ class Timing(Modes):
                     if quantity["dimension"] == "time" and re.search(
                         (
                             r"#time (later|into|in\b|after the start|after start)|(^|, )(after|at) (about |around "
-                            r"|roughly |t ?= ?)?#time"
+                            r"|roughly |t ?= ?)?#time|\bat t ?= ?#time"
                         ),
                         own,
                     ):

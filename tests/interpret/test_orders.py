@@ -23,7 +23,8 @@ def value_of(structure: Structure, path: str) -> Any:
         if name == "actions":
             return [p.action for p in found.phases]
         triggers = [p.trigger for p in getattr(found, "phases", ()) if p.trigger]
-        found = triggers[0] if name == "trigger" else getattr(found, name)
+        part = found[int(name)] if name.isdigit() else getattr(found, name, None)
+        found = triggers[0] if name == "trigger" else part
     return found
 
 
@@ -63,6 +64,10 @@ def value_of(structure: Structure, path: str) -> Any:
         (STREET, "let both the taxi and ego drive 30 km/h", {"O1.speed": 8.33, "E.speed": 8.33}),
         (STREET, "no woman but a dog that runs across", {"O2.type": "animal", "O2.actions": ["cross_road"]}),
         (JUNCTION, "ego has to stop first", {"E.actions": ["stop", "turn_left"]}),
+        (STREET, "make the taxi brake harder", {"O1.phases.0.rate": 9.0}),
+        (STREET, "braking of the taxi with 3 m/s2 only", {"O1.phases.0.rate": 3.0}),
+        (STREET, "the woman waits 2 seconds, then crosses", {"O2.trigger.value": 2.0}),
+        (JUNCTION, "ego has no green light", {"G.light": "red"}),
         (HIDDEN, "the boy is not hidden any more", {"O2.placement.hidden_by": None}),
         (HIDDEN, "ego can see the boy from the start", {"O2.placement.hidden_by": None}),
     ],

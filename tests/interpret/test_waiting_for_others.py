@@ -33,3 +33,29 @@ def test_what_another_has_done(read, text: str, waits: str, of: str, awaited: st
 def test_what_happens_beside_is_no_trigger(read) -> None:
     structure = read("Ego drives at 50 km/h. While a truck ahead brakes, a car on the left cuts in.")
     assert all(p.trigger is None for c in structure.objects for p in c.spec.phases)
+
+
+@pytest.mark.parametrize(
+    ("text", "phases"),
+    [
+        ("Ego drives at 50 km/h. The car ahead stops for 4 s and continues.", ["stop", "wait", "start"]),
+        ("Ego drives at 50 km/h. The van ahead stops and sets off again after 5 s.", ["stop", "wait", "start"]),
+        ("Ego drives at 50 km/h. The bus ahead stops and then drives on.", ["stop", "start"]),
+        (
+            "A taxi from the right stops at the stop sign for 2 seconds. Ego goes straight.",
+            ["stop", "wait", "go_straight"],
+        ),
+    ],
+)
+def test_who_stops_and_goes_on(read, text: str, phases: list[str]) -> None:
+    found = read(text).objects[0].spec.phases
+    assert [p.action for p in found] == phases
+    told = [p.duration for p in found if p.action == "wait"]
+    assert told in ([], [4.0], [5.0], [2.0]) and bool(told) == ("wait" in phases)
+
+
+def test_who_waits_some_seconds_crosses_then(read) -> None:
+    phases = (
+        read("Ego drives at 50 km/h. A man on the right sidewalk waits 2 seconds, then crosses.").objects[0].spec.phases
+    )
+    assert [(p.action, p.trigger.kind, p.trigger.value) for p in phases] == [("cross_road", "time", 2.0)]

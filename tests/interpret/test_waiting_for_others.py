@@ -42,7 +42,7 @@ def test_what_happens_beside_is_no_trigger(read) -> None:
         ("Ego drives at 50 km/h. The van ahead stops and sets off again after 5 s.", ["stop", "wait", "start"]),
         ("Ego drives at 50 km/h. The bus ahead stops and then drives on.", ["stop", "start"]),
         (
-            "A taxi from the right stops at the stop sign for 2 seconds. Ego goes straight.",
+            "A taxi from the right stops at the sign for 2 s and then goes straight on.",
             ["stop", "wait", "go_straight"],
         ),
     ],

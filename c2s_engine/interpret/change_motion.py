@@ -5,7 +5,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.change_forms import VEHICLES, Found, name_of, quantity_of, value_of, without_unit
-from c2s_engine.interpret.refer import refer, spec_of
+from c2s_engine.interpret.refer import names_a_stranger, refer, spec_of
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import SetField, SetSpec
 from c2s_engine.structure.quantity import middle
@@ -32,6 +32,8 @@ def distance(clause: str, structure: Structure) -> Found | None:
     if quantity is None and (
         relative is None or not re.search(r"away|closer|nearer|gap|distance|far|ahead|behind", clause)
     ):
+        return None
+    if names_a_stranger(clause, structure) or re.search(_table()["no_gap"], clause):
         return None
     component = refer(clause, structure)
     if component is None or component.id == "E":
@@ -98,7 +100,8 @@ def sides(clause: str, structure: Structure) -> Found | None:
     if not match or re.search(r"\bturn|\bchange", clause):
         return None
     component = refer(clause, structure)
-    if component is not None and component.id == "E" and re.match(r"(?:put |move )?ego\b", clause):
+    own = component is not None and component.id == "E" and re.match(r"(?:put |move )?ego\b", clause)
+    if own or names_a_stranger(clause, structure):
         return None
     if component is None or component.id == "E":
         sided = [

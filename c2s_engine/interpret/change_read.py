@@ -268,7 +268,7 @@ def _joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tupl
         if old and new and old[-1].action == new[0].action:
             new = new[1:]
         return (*(p for p in old if not (turns and p.action in ways)), *new)
-    if re.search(r"\bfirst\b", clause) and len(new) == 1:
+    if re.search(r"\bfirst\b", clause) and len(new) == 1 and new[0].action not in WAYS:
         return (*new, *(p for p in old if p.action in WAYS))
     if old and [p.action for p in new] == ["move_along"] and not re.search(r"\balong\b", clause):
         return old  # how fast it goes, not what it does

@@ -6,7 +6,7 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.change_forms import Found, name_of, quantity_of, value_of, without_unit
 from c2s_engine.interpret.entities import PERSONS
-from c2s_engine.interpret.refer import refer, spec_of
+from c2s_engine.interpret.refer import names_a_stranger, refer, spec_of
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, SetField
 from c2s_engine.structure.quantity import high, middle
@@ -80,7 +80,8 @@ def _who(clause: str, structure: Structure) -> list[Component]:
     if len(found) == 2:
         return found
     one = refer(clause, structure, alone=True)
-    if one is None and not (structure.objects and re.search(r"\b(it|its)\b", clause)):
+    unclear = structure.objects and re.search(r"\b(it|its)\b", clause) or names_a_stranger(clause, structure)
+    if one is None and not unclear:
         one = structure.ego
     return [one] if one is not None else []
 

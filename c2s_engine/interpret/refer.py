@@ -87,6 +87,13 @@ def _ordinal(
     return first
 
 
+def names_a_stranger(clause: str, structure: Structure) -> bool:
+    """Whether somebody is named who is not there."""
+    plain = scan.normalised(clause)
+    named = [s for s in scan.names(plain) if s.kind == "actor" and s.data["type"] not in ("vehicle", "rider")]
+    return any(refer(f"the {plain[s.start : s.end]}", structure, alone=False) is None for s in named)
+
+
 def _doer(plain: str, structure: Structure) -> Component | None:
     """Whom a noun or participle of doing means: "the overtaker", "the overtaking one"."""
     for doing, actions in language.table("refine")["doers"].items():

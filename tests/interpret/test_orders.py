@@ -68,6 +68,8 @@ def value_of(structure: Structure, path: str) -> Any:
         (STREET, "braking of the taxi with 3 m/s2 only", {"O1.phases.0.rate": 3.0}),
         (STREET, "the woman waits 2 seconds, then crosses", {"O2.trigger.value": 2.0}),
         (JUNCTION, "ego has no green light", {"G.light": "red"}),
+        (STREET, "woman: from left, 9 km/h, starts when ego is at 25 m", {"O2.speed": 2.5, "O2.trigger.value": 25.0}),
+        (MOTORWAY, "replace the van by a tanker, 72 km/h", {"O1.type": "truck", "O1.speed": 20.0}),
         (HIDDEN, "the boy is not hidden any more", {"O2.placement.hidden_by": None}),
         (HIDDEN, "ego can see the boy from the start", {"O2.placement.hidden_by": None}),
     ],
@@ -114,3 +116,12 @@ def test_who_is_only_named_beside_others_stays(read, text: str, stays: str) -> N
     for edit in route(text, before).edits:
         after = apply(after, edit)
     assert after[stays].spec == before[stays].spec
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["the tractor drives 30 km/h", "the tractor on the right should merge before the van", "tractor 20 m further away"],
+)
+def test_who_is_not_there_changes_nobody(read, text: str) -> None:
+    turn = route(text, read(MOTORWAY))
+    assert turn.kind != "edit" or not turn.edits

@@ -107,12 +107,12 @@ def retype(clause: str, structure: Structure) -> Found | None:
             edits.append(SetField(component=component.id, path="count", value=count))
         noun = kind.replace("_", " ")
         what = f"{count} {language.plurals(noun)[0]}" if count > 1 else f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
-        more, said = _rest(match.groupdict().get("rest"), noun, edits, structure)
+        more, said = _rest(match.groupdict().get("rest"), component.id.lower(), edits, structure)
         return [*edits, *more], "; ".join([f"{component.id} is now {what}", *said])
     return None
 
 
-def _rest(rest: str | None, noun: str, edits: list[Edit], structure: Structure) -> tuple[list[Edit], list[str]]:
+def _rest(rest: str | None, who: str, edits: list[Edit], structure: Structure) -> tuple[list[Edit], list[str]]:
     """What is said of the new one besides its type: "a police car with 60 km/h", "a child running"."""
     from c2s_engine.interpret.refine import edits_of
 
@@ -121,7 +121,7 @@ def _rest(rest: str | None, noun: str, edits: list[Edit], structure: Structure) 
     for edit in edits:
         structure = apply(structure, edit)
     verb = "is " if rest.split()[0].endswith("ing") else ""
-    return edits_of(f"the {noun} {verb}{re.sub(r'^(?:that|which|who) ', '', rest.strip())}", structure)
+    return edits_of(f"{who} {verb}{re.sub(r'^(?:that|which|who) ', '', rest.strip())}", structure)
 
 
 def _count_of(what: str, now: int) -> int:

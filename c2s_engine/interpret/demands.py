@@ -54,6 +54,9 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
         return f"{way['who']} {'goes' if way['way'] == 'straight' else 'turns'} {way['way']}"
     if (elided := re.match(table["elided"], demand)) and re.search(table["becomes"], before):
         return f"make {elided['who']} {elided['what']}"
+    bare = any(re.search(p, before) for p in language.table("refine")["pace"]["bare"])
+    if bare and re.match(r"(?:the |ego\b|o\d).*[a-z] \d{2,3}$", demand):
+        return f"{demand} km/h"
     unit = None if re.search(r"\b(?:distance|gap|headway)\b", demand) else re.search(table["unit"], before)
     return f"{demand} {unit[1]}" if unit and re.search(r"[a-z] \d+$", demand) else demand
 
@@ -108,6 +111,9 @@ def _folded(parts: list[str]) -> list[str]:
         else:
             found.append(ahead + part)
             ahead = ""
+    demanded = [d for d in found if re.search(table["demanding"], d)]
+    if demanded:
+        found = [d for d in found if d in demanded or not re.search(table["judges"], d)]
     return found or ([ahead.strip(", ")] if ahead else [])
 
 

@@ -3,7 +3,7 @@
 import re
 from typing import Any
 
-from c2s_engine.interpret import changes, describe, language
+from c2s_engine.interpret import changes, describe, language, scan
 from c2s_engine.interpret.change_read import introduced
 from c2s_engine.interpret.change_speed import walked
 from c2s_engine.interpret.demands import demands, topic_of, whole
@@ -67,6 +67,8 @@ def _found(demand: str, structure: Structure) -> Found | None:
         found = form(demand, structure)
         if found is None:
             continue
+        if form is changes.setting and not scan.names(demand) and (where := changes.road(demand, structure)):
+            return [*found[0], *where[0]], f"{found[1]}; {where[1]}"
         denied = re.search(language.table("refine")["told"]["denies"], demand)
         if form is changes.acting and not denied and all(_already(e, structure) for e in found[0]):
             return walked(demand, structure) or found

@@ -5,6 +5,7 @@ from functools import cache
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.motions import third_person, third_persons
+from c2s_engine.interpret.people import people
 from c2s_engine.interpret.scan import LABEL_NUMBERS, Span
 
 BARE = re.compile(r"(?<![\w'’/&.-])(?P<letter>[A-HJ-Z])(?![\w/&%-]|\.\w|['’](?!s\b|\s)|\d|\.\s+[A-Z][a-z]+\s[A-Z])")
@@ -48,6 +49,11 @@ def _acts(after: str) -> bool:
     word = re.match(r"\s+(?:then |now |also |suddenly |\w+ly )?(?P<verb>[a-z-]+)\b", after)
     past = re.match(r"\s+\w+ed\s*(?:[.,;]|$|at\b|in\b|on\b|behind\b|for\b|by\b|to\b|into\b|out\b|hard\b)", after)
     return bool(word and word["verb"] in _verbs() or past or re.match(r"['’]s\b", after))
+
+
+def cased(text: str, plain: str) -> list[Span]:
+    """Letters and people, which only a text's own case tells."""
+    return [*letters(text, plain), *people(text, plain)]
 
 
 def letters(text: str, plain: str) -> list[Span]:

@@ -72,6 +72,7 @@ class Cast(Nouns):
                 entity = self._pronoun(word)
             if entity is not None:
                 self.of[word.i] = entity
+                self._man(word, entity)
                 entity.mentions.append(Mention(word.i, word.start, word.end, kind=span.kind if span else "pronoun"))
                 if word.dep in ("nsubj", "nsubjpass") or self._fronted(word):
                     self.subjects.append((word.i, entity))

@@ -15,7 +15,6 @@ COUNTED = re.compile(
     r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units"
     r"|animals|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
 )
-TITLES = language.words("titles")
 CARRIES = language.words("carries")
 LOST = language.words("lost")
 
@@ -32,6 +31,8 @@ class Nouns(Titles):
     def _actor(self, word: Word) -> Entity | None:
         data = word.span.data  # type: ignore[union-attr]
         kind, noun, roles = data["type"], data.get("noun", ""), set(data.get("roles", ()))
+        if data.get("names"):
+            return self._by_name(word)
         if data.get("label"):
             roles |= {language.roles()[b] for b in self._modifiers(word) if b in STANDS}  # "a stationary GVT"
             host = self.of.get(word.i - 2) if word.i > 1 and self.words[word.i - 1].norm == "(" else None
@@ -45,6 +46,8 @@ class Nouns(Titles):
             return self._new(Entity("", "vehicle", label=data["label"], roles=roles))
         if noun in TWO_WHEELERS and kind == "bicycle" and self._motor_bike():
             kind = "motorcycle"
+        if noun == "scooter" and (who := self._aboard(word)) is not None and who.span.data["type"] == "child":
+            kind = "bicycle"  # "a kid on a scooter"
         before = self._modifiers(word)
         previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
         if previous in ("other",) and "no" in self._near(word):
@@ -57,8 +60,6 @@ class Nouns(Titles):
             return driver
         if word.i in self.wheels:
             return self._retyped(self.wheels[word.i], kind, roles, noun)
-        if noun.split(" ")[0] in TITLES:
-            return self._titled_person(word, noun)
         if self._is_modifier(word) or self._proper(word):
             return None
         if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word)):

@@ -37,9 +37,18 @@ class Reference(Pronouns):
         if owner is not None and not owner.ego and kind in VEHICLES and owner.noun in OWNERS:
             owner.type, owner.typed = (kind, True) if kind != "vehicle" else (owner.type, owner.typed)
             return owner  # "the defendant's car"
+        if owner is not None and self._own_vehicle(word, owner, kind):
+            return owner
         if before and before[0] in ("our", "my"):
             return self.ego if kind in VEHICLES else None
         return None
+
+    def _own_vehicle(self, word: Word, owner: Entity, kind: str) -> bool:
+        """Whether it is what somebody at the wheel drives: "his car", after "Mr Hansen was driving"."""
+        assert word.span is not None
+        if not owner.manned or owner.person or kind not in VEHICLES or word.span.data.get("words"):
+            return False
+        return kind in ("vehicle", owner.type) or owner.type == "vehicle" or fits(owner, kind)
 
     def _definite(
         self,

@@ -74,10 +74,11 @@ NUMBERS = ("one", "two", "three", "four", "five")
 LABEL_NUMBERS = {n: str(i) for names in (NUMBERS, "abcde") for i, n in enumerate(names, 1)}
 
 
-def names(text: str, letters: list[Span] | None = None) -> list[Span]:
-    """Names of ego, labels of vehicles (V2, Unit 2), road users and things, without overlaps; with the letters that the
-    text's own case gave, where it was looked at."""
-    found: list[Span] = list(letters or ())
+def names(text: str, cased: list[Span] | None = None) -> list[Span]:
+    """Names of ego, labels of vehicles (V2, Unit 2), road users and things, without overlaps; with the letters
+    and people that the text's own case gave, where it was looked at."""
+    found: list[Span] = list(cased or ())
+    lettered = [(s.start, s.end) for s in found if s.kind == "label"]
     asking = asked(text)
     found += [
         Span("ego", match.start(), match.end())
@@ -95,7 +96,6 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
                 {"type": "vehicle", "label": match[0].removeprefix("the "), "roles": [role] if role else []},
             )
         )
-    lettered = [(s.start, s.end) for s in letters or ()]
     for match in _label().finditer(text):
         if any(s < match.end() and match.start() < e for s, e in lettered):
             continue
@@ -144,16 +144,6 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
                 {"label": f"{word} {number}" if typed else LABEL_NUMBERS.get(number, number.lstrip("0")), "word": word},
             )
         )
-    found += [
-        Span(
-            "actor",
-            m.start(),
-            m.end(),
-            {"type": "pedestrian", "person": True, "noun": m[0].replace(".", ""), "roles": []},
-        )
-        for m in re.finditer(r"(?<![\w-])(?:mrs?|ms)\.? [a-z][a-z'-]+(?![\w-])", text)
-        if not re.search(r"\d\s*$", text[max(0, m.start() - 4) : m.start()])
-    ]
     found += _numbered(text, found)
     taken = [(s.start, s.end) for s in found]
     tables = language.table("actors")
@@ -206,7 +196,7 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
                 },
             )
         )
-    found += _letters(text, found) if not letters else []
+    found += _letters(text, found) if not lettered else []
     found += _shortened(text, found)
     found.sort(key=lambda s: (s.start, -s.end))
     kept: list[Span] = []

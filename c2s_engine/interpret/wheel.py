@@ -26,9 +26,9 @@ class AtWheel(Reference):
 
     wheels: dict[int, Entity]  # the noun of a vehicle -> whom it carries, who was spoken of before
 
-    def _at_wheel(self, word: Word) -> Entity | None:
-        """A person of whom it is said later in the clause what is driven: "a woman in front of us in a red van",
-        "a pensioner drove his Opel"."""
+    def _at_wheel(self, word: Word, known: Entity | None = None) -> Entity | None:
+        """A person of whom it is said later in the clause what is driven ("a woman in front of us in a red van",
+        "a pensioner drove his Opel"): one spoken of before, else a new one."""
         for other in self.words[word.i + 1 : word.i + 12]:
             if other.sentence != word.sentence or other.norm in (";", ":", "and", "but", "when", "while"):
                 return None
@@ -48,7 +48,7 @@ class AtWheel(Reference):
             drives = moves and verb.i > word.i and other.dep == "dobj" and self._heads(word, verb)
             drives = drives or own and CONTROL.search(text) is not None
             if drives or SITS.fullmatch(text):
-                found = self._new(Entity("", "vehicle"))
+                found = known or self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))
                 self.wheels[other.i] = found
                 return found
             return None
@@ -57,16 +57,6 @@ class AtWheel(Reference):
     def _heads(self, word: Word, verb: Word) -> bool:
         """Whether a word is the subject of a verb, or what its participle describes."""
         return word.head == verb.i and word.dep == "nsubj" or verb.dep in ("acl", "relcl") and verb.head == word.i
-
-    def _titled_person(self, word: Word, noun: str) -> Entity | None:
-        """ "Mrs Pell": known by her name, once something of the road was said of her."""
-        known = next((e for e in self.entities if noun in e.names), None)
-        if known is not None:
-            return known
-        found = self._at_wheel(word)
-        if found is not None:
-            found.names.add(noun)
-        return found
 
     def _driven_by(self, word: Word) -> Entity | None:
         """Whose vehicle it is in "the defendant, operating a dump truck": the driver and the vehicle are one."""

@@ -1,0 +1,81 @@
+"""Whom "he" and "she" mean: somebody on foot, on two wheels, or at the wheel of a vehicle."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import PERSONS, Entity
+from c2s_engine.interpret.parts import DRIVING
+from c2s_engine.interpret.salience import Salience
+from c2s_engine.interpret.syntax import Word
+
+RIDDEN = frozenset(("bicycle", "motorcycle"))
+RESTS = language.words("rests")
+DRIVERS = frozenset(language.table("people")["drivers"])
+AT_THE_WHEEL = frozenset(("driver", "d", "operator", "op", "opr"))
+"""Labels of who drives a vehicle of that number ("D2")."""
+
+
+@cache
+def _nouns() -> dict[str, str]:
+    """Noun for a person -> sex."""
+    return {noun: sex for sex, nouns in language.table("people")["nouns"].items() for noun in nouns}
+
+
+class Persons(Salience):
+    """The part of Cast that resolves pronouns of persons."""
+
+    def _sex(self, word: Word) -> str:
+        """Whether a noun means a man or a woman, "" where it does not tell."""
+        return _nouns().get(word.norm.split(" ")[-1].split("-")[-1], "")
+
+    def _man(self, word: Word, entity: Entity) -> None:
+        """Note that the person in or on a road user is spoken of by this word."""
+        if word.span is not None and (word.span.data.get("person") or entity.person or self._sex(word)):
+            entity.manned, entity.sex = True, entity.sex or self._sex(word)
+        if (who := self._aboard(word)) is not None:
+            entity.manned, entity.sex = True, entity.sex or self._sex(who)
+        head = self.words[word.head]
+        above = self.words[head.head] if word.dep == "pobj" and head.norm == "of" else head
+        part = word.dep in ("pobj", "poss", "compound", "nmod") and above.lemma in DRIVERS
+        label = word.span is not None and word.span.kind == "label" and word.span.data["word"] in AT_THE_WHEEL
+        entity.manned = entity.manned or part or label
+
+    def _aboard(self, word: Word) -> Word | None:
+        """The noun of the person in or on a vehicle: "a woman in a Corolla"."""
+        by = self.words[word.head]
+        above = self.words[by.head]
+        person = above.span is not None and above.span.kind == "actor" and above.span.data["type"] in PERSONS
+        return above if person and (by.norm in ("in", "on") or by.norm in DRIVING) and above.i < word.i else None
+
+    def _he(self, word: Word) -> Entity | None:
+        """Whom "he" or "she" means."""
+        wanted = (
+            "m"
+            if word.norm in ("he", "him", "his", "himself")
+            else "f"
+            if word.norm[:1] == "s" or word.norm[:3] == "her"
+            else ""
+        )
+        mine = self._first_person()  # who says "I" is never "he"
+        alive = lambda e: e.person and e.type != "animal" or e.manned or e.type in RIDDEN  # noqa: E731
+        fits = lambda e: alive(e) and not (wanted and e.sex and e.sex != wanted) and not (mine and e.ego)  # noqa: E731
+        found = self._salient(word, fits) or self._salient(word, lambda e: e.person)
+        if found is None and mine:
+            found = self._salient(word, lambda e: e.mover and not e.ego)
+        if found is None or not found.manned and found.type not in RIDDEN and self._rests(found):
+            found = self._salient(word, lambda e: e.type in RIDDEN) or found
+        if found is not None and found.manned:
+            found.sex = found.sex or wanted
+        return found or self._salient(word, lambda e: e.mover)
+
+    def _rests(self, entity: Entity) -> bool:
+        """Whether a vehicle was told of as standing: nobody in it is "he"."""
+        verbs = (self._governor(self.words[m.word]) for m in entity.mentions[:2])
+        return bool(entity.roles & {"parked", "stationary"}) or any(v.lemma in RESTS for v in verbs)
+
+    def _first_person(self) -> bool:
+        """Whether ego speaks of itself: "I", "we", "our"."""
+        first = ("i", "we", "me", "us", "my", "our")
+        return any(self.words[m.word].norm in first for m in self.ego.mentions)

@@ -32,7 +32,7 @@ class Members(Parts):
             return single
         if told not in ORDINALS or named not in (["the"], ["its"]):
             return None
-        return self._member(groups[-1], told) if groups else self._by_order(word, told)
+        return self.member(groups[-1], told) if groups else self._by_order(word, told)
 
     def _by_order(self, word: Word, told: str) -> Entity | None:
         """ "The first one" where single ones of a kind were told one after the other."""
@@ -47,13 +47,13 @@ class Members(Parts):
             return None
         bare = not before or before[-1] not in ("the", "that", "this", "other", "every", "each", "no", "last", "first")
         if word.norm == "one" and bare and not (before and before[-1] in ORDINALS):
-            return self._member(group, "first")
+            return self.member(group, "first")
         known = any(e.group is group for e in self.entities)
         if word.norm in ("other", "others") and known:
-            return self._member(group, "last")
+            return self.member(group, "last")
         return None
 
-    def _member(self, group: Entity, told: str) -> Entity | None:
+    def member(self, group: Entity, told: str) -> Entity | None:
         """The member of a group by its number; None where the group has fewer."""
         number = ORDINALS[told] + 1 or -1
         if number == 3 and group.count == 2:  # "several": more than two
@@ -110,6 +110,8 @@ class Members(Parts):
         counted = norm == "one" and word.i > 1 and self.words[word.i - 1].norm in COUNTED
         if (
             norm == "another"
+            or norm == "one"
+            and self.words[word.i - 1].norm == "another"
             or norm in COUNTED
             and self.words[word.i - 1].norm in ("a", "the")
             or counted

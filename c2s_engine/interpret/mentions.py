@@ -152,7 +152,7 @@ class Cast(Nouns):
     def _label_is_ego(self) -> bool:
         """Whether number 1 is ego although ego has another name: "V1, the subject vehicle"."""
         if not self.strong_ego:
-            return True
+            return not self._one_walks()
         text = " ".join(
             "@one"
             if w.span and w.span.kind == "label" and w.span.data["label"] == "1"
@@ -162,6 +162,18 @@ class Cast(Nouns):
             for w in self.words
         )
         return bool(re.search(r"@one (,|\(|is|was|being|, which is) (the )?@ego|@ego (,|\(|is|was) ?\(? ?@one", text))
+
+    def _one_walks(self) -> bool:
+        """Whether number 1 is somebody on foot or on a bicycle: "Unit 1 was a pedestrian"."""
+        text = " ".join(
+            "@one"
+            if w.span and w.span.kind == "label" and w.span.data["label"] == "1"
+            else "@walker"
+            if w.span and w.span.kind == "actor" and w.span.data["type"] in PERSONS | {"bicycle"}
+            else w.norm
+            for w in self.words
+        )
+        return bool(re.search(r"@one (?:,|\(|is|was|:|-) ?(?:an? |the )?(?:[\w-]+ ){0,2}@walker", text))
 
     def _labelled(self, word: Word) -> Entity | None:
         data = word.span.data  # type: ignore[union-attr]

@@ -10,7 +10,10 @@ from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.wheel import AtWheel
 
 WALKS, CYCLES, DRIVES = (frozenset(language.table("people")[key]) for key in ("walks", "cycles", "drives"))
-DRIVEN_BY = re.compile(r"@ ?,? (?:(?:which|that) )?(?:(?:was|is|being) )*(?:driven|operated|ridden|steered) by $")
+DRIVEN_BY = re.compile(
+    r"@ ?,? (?:(?:which|that) )?(?:(?:was|is|being) )*(?:driven|operated|ridden|steered) by"
+    r" (?:(?:an?|the|his|her) )?(?:[\w-]+ ){0,4}$"
+)
 IS_A = re.compile(r"(?:, |\( )?(?:(?:aged )?\d+ ,? ?|who )?(?:(?:was|is) )?(?:an?|the) (?:[\w-]+ ){0,3}$")
 ACROSS = re.compile(
     r"\b(?:across|crosse?[sd]?|crossing|from) (?:[\w'-]+ ){0,4}?(?:street|road|roadway|avenue|crosswalk|kerb|curb)\b"
@@ -38,8 +41,8 @@ class Named(AtWheel):
         return found
 
     def _driver_of(self, word: Word) -> Entity | None:
-        """The vehicle of "a white sedan driven by Mr Tan"."""
-        back = [w for w in self.words[max(0, word.i - 8) : word.i] if w.sentence == word.sentence]
+        """The vehicle of "a white sedan driven by Mr Tan", "a van driven by a 25-year-old woman"."""
+        back = [w for w in self.words[max(0, word.i - 11) : word.i] if w.sentence == word.sentence]
         text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back) + " "
         if DRIVEN_BY.search(text) is None:
             return None

@@ -56,8 +56,10 @@ class Nouns(Titles):
             return None
         if (kind in ("pedestrian", "child") or noun in language.table("actors")["drivers"]) and self._rides(word):
             return None
-        if kind in ("pedestrian", "child") and not data.get("plural") and (driver := self._at_wheel(word)) is not None:
-            return driver
+        if kind in ("pedestrian", "child") and not data.get("plural"):
+            driver = self._driver_of(word) or self._at_wheel(word)
+            if driver is not None:
+                return driver
         if word.i in self.wheels:
             return self._retyped(self.wheels[word.i], kind, roles, noun)
         if self._is_modifier(word) or self._proper(word):

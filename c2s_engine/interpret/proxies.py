@@ -66,6 +66,9 @@ ALONE = frozenset(("one", "other", "another"))
 OPENS = regex.compile(r"(?:^|[.,;:!?(]|\b(?:and|but|while|when|then|as|of them))\s*$")
 
 
+STRUCK = frozenset(("rear-ended", "t-boned", "side-swiped", "sideswiped", "broadsided"))
+
+
 LETS = regex.compile(r"\b(?:let|lets|letting|help|helps|watch|watches|sees)\s+(?:\S+\s+){1,4}$")
 
 
@@ -91,6 +94,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         return "they"
     if text in ALONE and verb and _finite(verb[1]) and OPENS.search(plain[max(0, start - 12) : start]):
         return "he"
+    if text in STRUCK and regex.search(r"\b(?:and|then|but|\w+ly)\s+$", plain[max(0, start - 16) : start]):
+        return "struck"  # "failed to stop and rear-ended V1"
     lets = before is not None and text in language.word_list("motion") | language.word_list("base")
     if lets and LETS.search(plain[max(0, start - 48) : start]):
         return "go"

@@ -65,6 +65,22 @@ class Reference(Pronouns):
         candidates = [e for e in self.entities if fits(e, kind)]
         if noun in (brands := language.makes()):  # "the Kia hit the Hyundai"
             candidates = [e for e in candidates if e.noun not in brands or noun in (e.noun, *e.names)]
+        groups = [e for e in candidates if e.count > 1 and "group" not in e.roles]
+        if (
+            roles
+            and definite
+            and count == 1
+            and groups
+            and not self.ego_named
+            and not any(e.roles & roles for e in candidates)
+        ):
+            number = "first" if "lead" in roles else "last" if "following" in roles else ""
+            if number and groups[-1].count == 2:  # "two cars ...: the lead car"
+                return self.member(groups[-1], number)
+        if ordinal is not None and count == 1 and definite and not roles:
+            told = next((name for name, at in ORDINALS.items() if at == ordinal), "")
+            if groups and (member := self.member(groups[-1], told)) is not None:
+                return member
         if roles:
             same = [e for e in candidates if e.roles & roles and (definite or (e.count > 1) == (count > 1))]
             if same:
@@ -101,11 +117,6 @@ class Reference(Pronouns):
                 return None
             single = [e for e in vehicles if e.count == 1 and "group" not in e.roles]
             return single[-1] if single else None
-        if ordinal is not None and count == 1 and definite:
-            groups = [e for e in candidates if e.count > 1 and "group" not in e.roles]
-            told = next((name for name, at in ORDINALS.items() if at == ordinal), "")
-            if groups and (member := self._member(groups[-1], told)) is not None:
-                return member
         if ordinal is not None and len(candidates) > 1 and ordinal < len(candidates):
             return candidates[ordinal]
         if self._distinguished(word) and not any(e.noun == noun or e.type == kind for e in candidates):

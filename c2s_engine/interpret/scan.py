@@ -144,6 +144,7 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
                 {"label": f"{word} {number}" if typed else LABEL_NUMBERS.get(number, number.lstrip("0")), "word": word},
             )
         )
+    found += _short(text)
     found += _numbered(text, found)
     taken = [(s.start, s.end) for s in found]
     tables = language.table("actors")
@@ -207,6 +208,39 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
             continue
         kept.append(span)
     return kept
+
+
+@cache
+def _numbered_part() -> re.Pattern[str]:
+    parts = language.alternatives(language.table("ego")["labels"]["parts"])
+    return re.compile(rf"(?<![\w-])(?:the )?(?P<word>{parts})[ _-]?#?(?P<id>[1-9])(?![\w/%-]|\.\d|\s?(?:m|s|km)\b)")
+
+
+@cache
+def _short_label() -> re.Pattern[str]:
+    shorts = "|".join(language.table("ego")["labels"]["short"])
+    return re.compile(rf"(?<![\w-])(?P<word>{shorts})\.?[ -]?#?(?P<id>[1-9])(?![\w/%-]|\.\d)")
+
+
+NO_ROAD = re.compile(
+    r"(?:^|[.,;:(]|\b(?:and|struck|strikes?|hits?|hitting|striking|with|by|of|contacted|towards?|while|when|as|for|into"
+    r"|behind))\s*$"
+)
+
+
+def _short(text: str) -> list[Span]:
+    """The letters and numbers of people on foot and riders in a report ("P-1", "B2"), not of roads ("on the B1"), and
+    those of actors in a test ("NPC 2")."""
+    shorts = language.table("ego")["labels"]["short"]
+    parts = [
+        Span("label", m.start(), m.end(), {"label": f"{m['word']} {m['id']}", "word": ""})
+        for m in _numbered_part().finditer(text)
+    ]
+    return parts + [
+        Span("label", m.start(), m.end(), {"label": f"{shorts[m['word']]} {m['id']}", "word": shorts[m["word"]]})
+        for m in _short_label().finditer(text)
+        if NO_ROAD.search(text[max(0, m.start() - 12) : m.start()])
+    ]
 
 
 def _several(text: str, start: int, end: int) -> bool:

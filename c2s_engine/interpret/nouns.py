@@ -167,6 +167,8 @@ class Nouns(Titles):
         bare = not before and previous not in ("a", "an") and not data.get("plural")
         if definite or bare or (roles and not {"a", "an", "another", "second", "third"} & set(before)):
             found = self._definite(word, kind, noun, roles, other, ordinal, definite, count, bare)
+            if found is None and bare and data.get("person") and not roles:
+                found = next((e for e in reversed(self.entities) if fits(e, kind) and e.count == 1), None)
             if found is not None:
                 if not found.ego and found.type == "vehicle" and kind != "vehicle" and kind in MOTOR:
                     found.type, found.typed = kind, True

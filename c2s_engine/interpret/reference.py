@@ -12,6 +12,7 @@ from c2s_engine.interpret.syntax import Word
 OWNERS = language.words("owners")
 ANYBODY = language.words("anybody")
 """Nouns of no type by which ego may be meant, too: not "the target", "the attacker"."""
+CARS = frozenset(("car", "vehicle", "van", "police_car"))
 TOLD_APART = frozenset(("oncoming", "crossing", "lead", "following", "cut_in", "adjacent", "adversary"))
 """Parts in the scene by which another one is meant, unless somebody had that part before."""
 
@@ -38,6 +39,8 @@ class Reference(Pronouns):
             owner.type, owner.typed = (kind, True) if kind != "vehicle" else (owner.type, owner.typed)
             return owner  # "the defendant's car"
         if owner is not None and self._own_vehicle(word, owner, kind):
+            if owner.type == "vehicle":
+                owner.type, owner.typed = kind, kind != "vehicle"
             return owner
         if before and before[0] in ("our", "my"):
             return self.ego if kind in VEHICLES else None
@@ -63,6 +66,9 @@ class Reference(Pronouns):
         bare: bool,
     ) -> Entity | None:
         candidates = [e for e in self.entities if fits(e, kind)]
+        short = [e for e in self.entities if e.noun.startswith(f"{noun} ") and e.count == count]
+        if short and (definite or bare) and not (roles or other or ordinal is not None):
+            return short[-1]  # "an auto rickshaw ... the auto"
         if noun in (brands := language.makes()):  # "the Kia hit the Hyundai"
             candidates = [e for e in candidates if e.noun not in brands or noun in (e.noun, *e.names)]
         groups = [e for e in candidates if e.count > 1 and "group" not in e.roles]
@@ -108,7 +114,9 @@ class Reference(Pronouns):
         if bare and not roles and self._distinguished(word):
             return None
         if bare and not roles:
-            return next((e for e in reversed(candidates) if e.noun == noun), None)
+            same = next((e for e in reversed(candidates) if e.noun == noun), None)
+            mine = same is None and kind == self.ego.type and self.ego.typed and self._ego_by(noun)
+            return self.ego if mine else same  # "... my bus. Front side of bus was damaged"
         if other:
             vehicles = [e for e in candidates if not e.ego]
             group = [e for e in vehicles if e.count == 2]
@@ -124,12 +132,16 @@ class Reference(Pronouns):
         if self._distinguished(word) and kind in ("vehicle", "car") and not self._matching_relation(word, candidates):
             return None if candidates or self._relative_to_ego(word) else None
         if count > 1:
-            many = [e for e in candidates if e.count > 1]
-            if many:
-                return many[-1]
+            many = [e for e in candidates if e.count > 1 and "group" not in e.roles]
+            counted = any(w.norm in language.table("actors")["counts"] for w in self.words[word.i - 2 : word.i])
+            alike = [e for e in many if e.count == count] if counted else many
+            if alike:
+                return alike[-1]
             told = {w.norm for w in self.words[max(0, word.i - 2) : word.i]} & {"both", "the", "these", "all"}
-            singles = sorted((e for e in candidates if e.mentions), key=lambda e: e.mentions[-1].word)
-            if self.ego_named and self.ego.mentions and kind == "vehicle" and len(singles) == count - 1:
+            every = VEHICLES if noun == "vehicles" else CARS if noun == "cars" else ()
+            fitting = [e for e in self.entities if e.type in every] if every else candidates
+            singles = sorted((e for e in fitting if e.mentions and e.count == 1), key=lambda e: e.mentions[-1].word)
+            if self.ego.mentions and noun in ("vehicles", "cars") and len(singles) == count - 1:
                 singles.append(self.ego)
             if told and not self._distinguished(word) and len(singles) >= count:
                 return self._all_of(word, sorted(singles[-count:], key=lambda e: (e.ego, e.mentions[0].word)))

@@ -236,11 +236,25 @@ def _short(text: str) -> list[Span]:
         Span("label", m.start(), m.end(), {"label": f"{m['word']} {m['id']}", "word": ""})
         for m in _numbered_part().finditer(text)
     ]
-    return parts + [
-        Span("label", m.start(), m.end(), {"label": f"{shorts[m['word']]} {m['id']}", "word": shorts[m["word"]]})
-        for m in _short_label().finditer(text)
-        if NO_ROAD.search(text[max(0, m.start() - 12) : m.start()])
-    ]
+    found = [m for m in _short_label().finditer(text) if NO_ROAD.search(text[max(0, m.start() - 12) : m.start()])]
+    for match in found:
+        noun, number = shorts[match["word"]], match["id"]
+        driver = match["word"] == "p" and _drives(text, number)
+        data = {"label": number, "word": "d"} if driver else {"label": f"{noun} {number}", "word": noun}
+        parts.append(Span("label", match.start(), match.end(), data))
+    return parts
+
+
+def _drives(text: str, number: str) -> bool:
+    """Whether "P-2" is the party at the wheel of vehicle 2, as nothing tells of it on foot."""
+    p = rf"(?<![\w-])p[ -]?{number}(?!\d)"
+    afoot = (
+        rf"{p},? (?:\(|a |an |the |who |\w+ly )*(?:(?:was|is|had been|began|started) )?(?:\w+ly )?(?:pedestrian|walk"
+        r"|cross|step|stand|stood|r[au]n|jog|emerg|enter|dart|push|on foot|in (?:the|a) (?:\w+ )?cross)"
+    )
+    struck = rf"(?:struck|strikes?|striking|hits?|hitting|contacted|with|into|pedestrian \(?) ?{p}"
+    numbered = rf"(?<![\w-])(?:v|veh|vehicle|unit)[ -]?#?{number}(?!\d)|{p} (?:was |is )?(?:riding|driving|operating)"
+    return re.search(numbered, text) is not None and not re.search(f"{afoot}|{struck}", text)
 
 
 def _several(text: str, start: int, end: int) -> bool:

@@ -19,6 +19,11 @@ SITS = re.compile(
     r"(?:in|on|with|driving|riding|operating|(?:at|behind) the wheel of|aboard|astride) (?:an?|his|her|the|their|my) "
     r"(?:[\w-]+ ){0,3}$"
 )
+DRIVEN = re.compile(
+    r"@ ?,?(?: ?\(?(?:who )?(?:was|is|were|had been))? (?:(?:operating|driving|riding)(?: (?:an?|his|her|the|their))?"
+    r"|(?P<how>drove|rode|drives|rides|operated|at the wheel of|in charge of|in|on) (?:an?|his|her|the|their))"
+    r"(?: (?!behind|past|beside|towards?|after|along|around|ahead|before|near|into|with)[\w-]+){0,2} $"
+)
 
 
 class AtWheel(Reference):
@@ -62,17 +67,11 @@ class AtWheel(Reference):
         """Whose vehicle it is in "the defendant, operating a dump truck": the driver and the vehicle are one."""
         back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
         text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
-        match = re.search(
-            (
-                r"@( ?,)?( ?\(?who (was|is|were))? (operating|driving|riding|at the wheel of|in charge of"
-                r"|in|on) (an?|his|her|the|their)( [\w-]+){0,2} $"
-            ),
-            text + " ",
-        )
+        match = DRIVEN.search(text + " ")
         if match is None:
             return None
         owner = next(self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None)
-        if match[4] in ("in", "on") and not re.search(
+        if match["how"] in ("in", "on") and not re.search(
             r"driver|motorist|party|defendant|respondent|rider|courier", owner.noun
         ):
             return None

@@ -29,3 +29,17 @@ def asked(plain: str) -> list[tuple[int, int]]:
     """The stretches of a text in which first and second persons are nobody on the road: somebody asks for it there, or
     tells of the work that it is for; the whole text where a bystander tells it."""
     return [(0, len(plain))] if bystanding(plain) else [m.span() for m in _asks().finditer(plain)]
+
+
+@cache
+def _narrators() -> dict[str, re.Pattern[str]]:
+    told = language.table("ego")["narrators"]
+    return {k: re.compile(v if isinstance(v, str) else "|".join(v)) for k, v in told.items()}
+
+
+def narrator(plain: str) -> str:
+    """What the first person of a text is, where it is not at the wheel: "pedestrian", "bicycle", or "" for a driver."""
+    told = _narrators()
+    if told["drives"].search(plain):
+        return ""
+    return next((kind for kind in ("bicycle", "pedestrian") if told[kind].search(plain)), "")

@@ -3,7 +3,7 @@
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.askers import asked, bystanding
+from c2s_engine.interpret.askers import asked, bystanding, narrator
 from c2s_engine.interpret.entities import (
     DEFINITE,
     MOTOR,
@@ -47,7 +47,8 @@ class Cast(Nouns):
         self.both: dict[int, list[Entity]] = {}  # whom else a word means that means several
         self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
         self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD")}
-        self.strong_ego = any(w.span and w.span.kind == "ego" for w in words)
+        self.me = self._narrator()
+        self.strong_ego = any(self._strong(w) for w in words)
         self.ego_named = self.strong_ego or any(
             w.span and w.span.kind == "label" and w.span.data["label"] == "1" for w in words
         )
@@ -55,6 +56,19 @@ class Cast(Nouns):
         self._resolve()
         self._both_to_come()
         self._other_to_come()
+
+    def _strong(self, word: Word) -> bool:
+        """Whether a word is a name of ego: "I" is none where the first person does not drive."""
+        return word.span is not None and word.span.kind == "ego" and (self.me is self.ego or word.norm != "i")
+
+    def _narrator(self) -> Entity:
+        """Who says "I": ego, or somebody on foot or on a bicycle whom one that drives meets."""
+        kind = narrator(" ".join(w.norm for w in self.words))
+        told = {w.span.data["type"] for w in self.words if w.span and w.span.kind == "actor"}
+        named = any(w.span is not None and w.span.kind in ("ego", "label") and w.norm != "i" for w in self.words)
+        if not kind or self.asking or not (named or told & MOTOR):
+            return self.ego
+        return self._new(Entity("", kind, typed=True, manned=True, sex="i"))
 
     # -- building ------------------------------------------------------------------------------------------------
     def _resolve(self) -> None:
@@ -123,6 +137,8 @@ class Cast(Nouns):
     def _named(self, word: Word) -> Entity | None:
         span = word.span
         assert span is not None
+        if span.kind == "ego" and not self._strong(word):
+            return self.me
         if span.kind == "ego":
             self._ego_type(word)
             named = self._copula(word) or self._which_is(word) or self._bracketed(word)

@@ -54,6 +54,8 @@ class Nouns(Titles):
             return None
         if "no" in before or previous in ("no", "without", "any"):
             return None
+        if previous in ("my", "our") and word.i - 1 in self.asking:
+            return None  # "I was walking my dog when I saw ..."
         if (kind in ("pedestrian", "child") or noun in language.table("actors")["drivers"]) and self._rides(word):
             return None
         if kind in ("pedestrian", "child") and not data.get("plural"):
@@ -177,8 +179,8 @@ class Nouns(Titles):
                     found.count, found.noun = count, noun
                 return found
         found = Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
-        if previous in language.makes():  # "a Ford Focus": "the Ford" is the same
-            found.names.add(previous)
+        if data.get("make"):  # "a Ford Focus": "the Ford" is the same
+            found.names.add(data["make"])
         return self._new(found)
 
     def _motor_bike(self) -> bool:

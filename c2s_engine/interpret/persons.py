@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
 from functools import cache
 
 from c2s_engine.interpret import language
@@ -13,6 +15,10 @@ from c2s_engine.interpret.syntax import Word
 RIDDEN = frozenset(("bicycle", "motorcycle"))
 RESTS = language.words("rests")
 DRIVERS = frozenset(language.table("people")["drivers"])
+STEERS = language.words("steers")
+PARTIES = language.words("owners")
+REACTS = language.words("reacts")
+OBLIQUE = {"he": "him", "she": "her"}
 AT_THE_WHEEL = frozenset(("driver", "d", "operator", "op", "opr"))
 """Labels of who drives a vehicle of that number ("D2")."""
 
@@ -28,7 +34,8 @@ class Persons(Salience):
 
     def _sex(self, word: Word) -> str:
         """Whether a noun means a man or a woman, "" where it does not tell."""
-        return _nouns().get(word.norm.split(" ")[-1].split("-")[-1], "")
+        told = (_nouns().get(part, "") for part in re.split(r"[ -]", word.norm))
+        return next((sex for sex in told if sex), "")
 
     def _man(self, word: Word, entity: Entity) -> None:
         """Note that the person in or on a road user is spoken of by this word."""
@@ -40,7 +47,12 @@ class Persons(Salience):
         above = self.words[head.head] if word.dep == "pobj" and head.norm == "of" else head
         part = word.dep in ("pobj", "poss", "compound", "nmod") and above.lemma in DRIVERS
         label = word.span is not None and word.span.kind == "label" and word.span.data["word"] in AT_THE_WHEEL
-        entity.manned = entity.manned or part or label
+        entity.manned = entity.manned or part or label or entity.noun in PARTIES
+        if part and above.dep in ("nsubj", "nsubjpass"):
+            self.subjects.append((above.i, entity))  # "the driver of the van saw me"
+        steers = self.words[head.i] if head.norm in STEERS and word.dep == "dobj" else None
+        subjects = [self.words[c] for c in steers.children if self.words[c].dep == "nsubj"] if steers else []
+        entity.manned = entity.manned or any(w.tag.startswith("NN") and w.i not in self.of for w in subjects)
 
     def _aboard(self, word: Word) -> Word | None:
         """The noun of the person in or on a vehicle: "a woman in a Corolla"."""
@@ -60,8 +72,9 @@ class Persons(Salience):
         )
         mine = self._first_person()  # who says "I" is never "he"
         alive = lambda e: e.person and e.type != "animal" or e.manned or e.type in RIDDEN  # noqa: E731
-        fits = lambda e: alive(e) and not (wanted and e.sex and e.sex != wanted) and not (mine and e.ego)  # noqa: E731
-        found = self._salient(word, fits) or self._salient(word, lambda e: e.person)
+        me = lambda e: mine and e.ego and not e.manned  # noqa: E731
+        fits = lambda e: alive(e) and not (wanted and e.sex and e.sex != wanted) and not me(e)  # noqa: E731
+        found = self._reacting(word, fits) or self._salient(word, fits) or self._salient(word, lambda e: e.person)
         if found is None and mine:
             found = self._salient(word, lambda e: e.mover and not e.ego)
         if found is None or not found.manned and found.type not in RIDDEN and self._rests(found):
@@ -70,12 +83,18 @@ class Persons(Salience):
             found.sex = found.sex or wanted
         return found or self._salient(word, lambda e: e.mover)
 
+    def _reacting(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
+        """Whom the sentence before left in trouble, where somebody reacts then: "... in front of him. He braked"."""
+        if word.dep != "nsubj" or self._governor(word).lemma not in REACTS:
+            return None
+        before = [w for w in self.words[: word.i] if w.sentence >= word.sentence - 1 and w.i in self.of]
+        if not before or any(w.sentence == word.sentence for w in before):
+            return None
+        meant = [w for w in before if w.norm == OBLIQUE[word.norm] and w.dep in ("dobj", "pobj", "poss")]
+        found = self.of[meant[-1].i] if meant else None
+        return found if found is not None and accept(found) else None
+
     def _rests(self, entity: Entity) -> bool:
         """Whether a vehicle was told of as standing: nobody in it is "he"."""
         verbs = (self._governor(self.words[m.word]) for m in entity.mentions[:2])
         return bool(entity.roles & {"parked", "stationary"}) or any(v.lemma in RESTS for v in verbs)
-
-    def _first_person(self) -> bool:
-        """Whether ego speaks of itself: "I", "we", "our"."""
-        first = ("i", "we", "me", "us", "my", "our")
-        return any(self.words[m.word].norm in first for m in self.ego.mentions)

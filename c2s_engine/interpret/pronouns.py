@@ -20,6 +20,7 @@ class Pronouns(Persons):
     words: list[Word]
     entities: list[Entity]
     ego: Entity
+    me: Entity
     of: dict[int, Entity]
     subjects: list[tuple[int, Entity]]
     asking: frozenset[int]
@@ -36,7 +37,7 @@ class Pronouns(Persons):
         if self._on_foot(word):
             return self._new(Entity("", "pedestrian", noun=norm, typed=True))
         if norm in data["ego"]:
-            return None if word.i in self.asking or self._only_a_name(word) else self.ego
+            return None if word.i in self.asking or self._only_a_name(word) else self.me
         if norm in ("who", "which", "that", "whose", "whom") and word.tag in ("WDT", "WP", "WP$"):
             return self._antecedent(word)
         if norm in ("it", "its", "itself"):
@@ -47,7 +48,7 @@ class Pronouns(Persons):
             before = self.words[word.i - 1].norm if word.i else ""
             things = THINGS if before in BUMPED else LOOSE
             i = self._first_person() and not self._ego_is_thing()
-            thing = lambda e: not e.person and (e.mover or e.type in things) and not (i and e.ego)  # noqa: E731
+            thing = lambda e: not e.person and e.sex != "i" and (e.mover or e.type in things) and not (i and e.ego)  # noqa: E731
             return self._salient(word, lambda e: thing(e) and e.count == 1) or self._salient(word, thing)
         if norm in ("himself", "herself", "itself") and word.dep in ("nsubj", "npadvmod", "appos"):
             return None  # "the driver himself moved out"

@@ -142,7 +142,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     if cast.ego.mentions:
         return
     vehicles = [e for e in cast.entities if e.type in MOTOR and e.count == 1 and _on_its_own(e)]
-    told_by = bystanding(" ".join(w.norm for w in cast.words))
+    told_by = cast.me is not cast.ego or bystanding(" ".join(w.norm for w in cast.words))
     acting = {e: [v for v in clauses.events if v.agent is e and v.done] for e in vehicles}
     candidates = []
     for entity in vehicles:
@@ -214,7 +214,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     if (
         len(candidates) == 1
         and not others
-        and any(v.act in ("brake", "cut_in", "enter_road") for v in acting[best])
+        and any(v.act in ("brake", "cut_in", "enter_road") for v in acting.get(best, []))
         and not hit
     ) and re.search(r"\b(in front|ahead)\b", " ".join(w.norm for w in cast.words)):
         return
@@ -223,7 +223,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         r"\b(coming|comes) (the other way|towards)|(?<!\bno )\boncoming\b|opposite (direction|lane)|other direction",
         plain,
     )
-    met = any("oncoming" in v.patient.roles for v in acting[best] if v.patient is not None)
+    met = any("oncoming" in v.patient.roles for v in acting.get(best, []) if v.patient is not None)
     first = bool(cast.asking) and best.mentions[0].word == min(m.word for e in cast.entities for m in e.mentions)
     if (
         implied

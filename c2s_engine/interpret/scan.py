@@ -144,6 +144,7 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
                 {"label": f"{word} {number}" if typed else LABEL_NUMBERS.get(number, number.lstrip("0")), "word": word},
             )
         )
+    found = [s for s in found if s.kind != "ego" or not _other_party(text, s)]
     found += _short(text)
     found += _numbered(text, found)
     taken = [(s.start, s.end) for s in found]
@@ -176,6 +177,9 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
             and _BUS_STOP.match(text[end : end + 16])
         ):
             continue
+        make = _MAKE.search(text[max(0, start - 20) : start]) if noun in language.makes() else None
+        if make and make["make"] in language.makes() and not match["roles"]:
+            start -= len(make[0])  # "a Honda Civic"
         kind, plural, person = _noun(noun)
         plural = plural or noun in tables["invariant"] and _several(text, match.start(), end)
         words = re.split(r"[\s]+", match["roles"].strip()) if match["roles"].strip() else []
@@ -194,6 +198,7 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
                     + _nominal(noun)
                     + ["stationary"] * (noun in queues),
                     "words": words,
+                    "make": make["make"] if make else "",
                 },
             )
         )
@@ -208,6 +213,11 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
             continue
         kept.append(span)
     return kept
+
+
+def _other_party(text: str, span: Span) -> bool:
+    """Whether "the claimant" is the other party, as the text tells of "the insured", too."""
+    return re.match(r"claimant|plaintiff|complainant", text[span.start : span.end]) is not None and "insured" in text
 
 
 @cache
@@ -294,6 +304,7 @@ def _number_of_fleet() -> re.Pattern[str]:
     )
 
 
+_MAKE = re.compile(r"(?<![\w-])(?P<make>[a-z]{2,}(?:-[a-z]+)?)[ -]$")
 _MINI = re.compile(r"[\s-]+(?:roundabout|cab|van|bus|series)")
 _BUS_STOP = re.compile(
     r"\s+(?:lane|shelter|station|bay)\b|\s+stop(?=\s*(?:[,.;)]|$|on\b|at\b|in\b|and\b|to\b"
@@ -309,7 +320,7 @@ def _stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
         return False
     named = re.search(
         (
-            r"(?:\b(?:an?|the|his|her|their|my|another|white|black|red|blue|silver|grey|gray|green"
+            r"(?:\b(?:an?|the|his|her|their|my|our|your|another|this|that|white|black|red|blue|silver|grey|gray|green"
             r"|yellow|dark|old|new)|\d{4}|^|[.,:;(])\s*(?:[\w-]+\s+)?$"
         ),
         before,

@@ -65,7 +65,10 @@ class Strangers:
                 ),
                 after,
             )
-            or re.match(r"(exit|leav|left|disembark)\w* (the|his|her|their|its)", after)
+            or re.match(
+                r"(exit|leav|left|disembark)\w* (the|his|her|their|its) (?!\w*road|\w*lane|\w*way\b|street)",
+                after,
+            )
         )
 
     def _other_driver(self, word: Word) -> Entity | None:

@@ -6,7 +6,7 @@ import re
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import VEHICLES, Entity
-from c2s_engine.interpret.reference import Reference
+from c2s_engine.interpret.reference import OWNERS, Reference
 from c2s_engine.interpret.syntax import Word
 
 DRIVES = language.words("at_the_wheel")
@@ -69,14 +69,23 @@ class AtWheel(Reference):
         text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
         match = DRIVEN.search(text + " ")
         if match is None:
-            return None
+            return self._party_in(word)
         owner = next(self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None)
         if match["how"] in ("in", "on") and not re.search(
-            r"driver|motorist|party|defendant|respondent|rider|courier", owner.noun
+            r"driver|motorist|party|defendant|respondent|claimant|suspect|offender|rider|courier", owner.noun
         ):
             return None
         two = owner.type in ("bicycle", "motorcycle") and re.search(r"rider|courier", owner.noun)
         return owner if owner.type in ("vehicle", "rider") or owner.ego or two else None
+
+    def _party_in(self, word: Word) -> Entity | None:
+        """The party who moves in a vehicle: "the suspect fled in a stolen Audi"."""
+        by = self.words[word.head]
+        verb = self.words[by.head]
+        if by.norm not in ("in", "on") or not verb.verb:
+            return None
+        subjects = [self.of[c] for c in verb.children if self.words[c].dep == "nsubj" and c in self.of]
+        return next((e for e in subjects if e.noun in OWNERS and not e.typed), None)
 
     def _rides(self, word: Word) -> bool:
         """Whether a person is only the one inside a vehicle ("a man in a white van"), who stands for it."""

@@ -225,7 +225,8 @@ class Cast(Nouns):
             host.label = label
             return host
         noun = data["word"] if data["word"] in language.actor_nouns() else label.rsplit(" ", 1)[0]  # "van a" by "a"
-        known = " " in label and noun in language.actor_nouns()
+        part = noun in language.table("ego")["labels"]["parts"]
+        known = " " in label and noun in language.actor_nouns() and not part
         kind = language.actor_nouns()[noun][0] if known else "vehicle"
         return self._new(Entity("", kind, noun=noun if known else "", label=label, typed=kind != "vehicle"))
 

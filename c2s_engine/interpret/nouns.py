@@ -62,6 +62,8 @@ class Nouns(Titles):
             driver = self._driver_of(word) or self._at_wheel(word)
             if driver is not None:
                 return driver
+        if kind == self.me.type == "pedestrian" and not data.get("plural") and self._heading(word.sentence):
+            return self.me  # "School patrol, 8.25. I walked out ..."
         if word.i in self.wheels:
             return self._retyped(self.wheels[word.i], kind, roles, noun)
         if self._is_modifier(word) or self._proper(word):

@@ -175,6 +175,8 @@ def _proxies(plain: str, span: Span, before: str) -> list[tuple[str, int, int, S
     after_determiner = after_determiner and not (
         span.kind == "ego" and before.endswith(("way", "city", "country", "day"))
     )
+    if span.kind == "label" and span.data["label"].startswith("pedestrian "):
+        return [("Mary", start, end, span)]
     if span.kind == "label":
         return [("V" + span.data["label"].rpartition(" ")[2].upper(), start, end, span)]
     if span.kind == "ego":

@@ -1,9 +1,10 @@
 """Third stage: who is meant. Mentions of ego and of the others become entities, over sentences."""
 
 import re
+from collections.abc import Callable
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.askers import asked, bystanding, narrator
+from c2s_engine.interpret.askers import asked, bystanding, narrator, quoted
 from c2s_engine.interpret.entities import (
     DEFINITE,
     MOTOR,
@@ -320,13 +321,16 @@ def _asking(words: list[Word]) -> frozenset[int]:
     """The words in which first persons are nobody on the road ("please write me a scene", "I saw it from here")."""
     if bystanding(" ".join(w.norm for w in words)):
         return frozenset(w.i for w in words)
-    found: set[int] = set()
+    found = _within(words, quoted)
     for number in {w.sentence for w in words}:
-        sentence = [w for w in words if w.sentence == number]
-        starts, text = [], ""
-        for word in sentence:
-            starts.append(len(text))
-            text += word.norm + " "
-        for first, last in asked(text):
-            found |= {w.i for w, at in zip(sentence, starts, strict=True) if first <= at < last}
+        found |= _within([w for w in words if w.sentence == number], asked)
     return frozenset(found)
+
+
+def _within(words: list[Word], find: Callable[[str], list[tuple[int, int]]]) -> set[int]:
+    """The words in the stretches that are found in their text."""
+    starts, text = [], ""
+    for word in words:
+        starts.append(len(text))
+        text += word.norm + " "
+    return {w.i for first, last in find(text) for w, at in zip(words, starts, strict=True) if first <= at < last}

@@ -18,6 +18,7 @@ IS_A = re.compile(r"(?:, |\( )?(?:(?:aged )?\d+ ,? ?|who )?(?:(?:was|is) )?(?:an
 ACROSS = re.compile(
     r"\b(?:across|crosse?[sd]?|crossing|from) (?:[\w'-]+ ){0,4}?(?:street|road|roadway|avenue|crosswalk|kerb|curb)\b"
 )
+YEARS = re.compile(r"^\d+[- ]year[- ]old$")
 AFOOT = re.compile(r"\b(?:on foot|walk(?:s|ed|ing)?|pedestrian)\b")
 
 
@@ -35,10 +36,19 @@ class Named(AtWheel):
                 self._at_wheel(word, known[0])
         else:
             found = self._driver_of(word) or self._owner_of(word) or self._at_wheel(word) or self._by_deed(word)
+            if found is None and YEARS.search(word.norm) and self.words[word.i - 1].norm == "the":
+                found = self._salient(word, lambda e: e.type != "animal" and (e.person or e.manned))
         if found is not None:
             found.names |= names
             found.manned, found.sex = True, found.sex or sex
         return found
+
+    def _aboard_before(self, word: Word) -> Entity | None:
+        """The vehicle in or on which a person was: "a girl on a bicycle ... the girl"."""
+        noun = word.norm.split(" ")[-1]
+        if self.words[word.i - 1].norm not in ("the", "this", "that"):
+            return None
+        return next((e for e in reversed(self.entities) if noun in e.names and not e.person), None)
 
     def _driver_of(self, word: Word) -> Entity | None:
         """The vehicle of "a white sedan driven by Mr Tan", "a van driven by a 25-year-old woman"."""

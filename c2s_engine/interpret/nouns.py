@@ -9,6 +9,7 @@ from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PER
 from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.titles import Titles
 
+COLOURS = language.words("colours")
 STANDS = language.words("stands")
 TWO_WHEELERS = language.words("two_wheelers")
 COUNTED = re.compile(
@@ -59,8 +60,9 @@ class Nouns(Titles):
         if (kind in ("pedestrian", "child") or noun in language.table("actors")["drivers"]) and self._rides(word):
             return None
         if kind in ("pedestrian", "child") and not data.get("plural"):
-            driver = self._driver_of(word) or self._at_wheel(word)
+            driver = self._driver_of(word) or self._at_wheel(word) or self._aboard_before(word)
             if driver is not None:
+                driver.names.add(noun.split(" ")[-1])
                 return driver
         if kind == self.me.type == "pedestrian" and not data.get("plural") and self._heading(word.sentence):
             return self.me  # "School patrol, 8.25. I walked out ..."
@@ -181,6 +183,8 @@ class Nouns(Titles):
                     found.count, found.noun = count, noun
                 return found
         found = Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
+        if count == 1:
+            found.names |= COLOURS & set(before)
         if data.get("make"):  # "a Ford Focus": "the Ford" is the same
             found.names.add(data["make"])
         return self._new(found)

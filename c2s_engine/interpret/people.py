@@ -40,6 +40,11 @@ OWNER = re.compile(
     rf"(?<![\w'’-])(?P<name>(?:[A-Z]\. )?{WORD}(?: {WORD})?)(?=(?:, (?:aged )?\d\d,)? {OWNS} (?P<own>his|her)\b)"
 )
 LOWER = re.compile(r"(?<![\w-])(?P<title>mrs?|ms)\.? (?P<name>[a-z][a-z'-]+)(?![\w-])")
+AGED = re.compile(
+    r"(?<=[aneAhsT] )(?P<name>\d{1,2}[- ]year[- ]old)(?=\s*(?:[.,;:)]|$)|\s+(?:was|is|had|has|then|from|in|on|at"
+    r"|who|and|but|to|could|did|drove|lost|ran|hit|made|went|came|took|rode|\w+ed)\b)"
+)
+"""A person who is called by his or her age: "the 34-year-old"."""
 
 
 def people(text: str, plain: str) -> list[Span]:
@@ -59,7 +64,8 @@ def people(text: str, plain: str) -> list[Span]:
             start, end = again.span()
             if _no_place(plain, start, end) and not any(s.start < end and start < s.end for s in spans):
                 spans.append(_span(plain, start, end, [name], sex))
-    return spans
+    aged = [_span(plain, m.start(), m.end(), [m[0].replace(" ", "-")], "") for m in AGED.finditer(plain)]
+    return spans + aged
 
 
 def _sex(match: re.Match[str], parts: list[str]) -> str:

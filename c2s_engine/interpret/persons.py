@@ -18,6 +18,7 @@ DRIVERS = frozenset(language.table("people")["drivers"])
 STEERS = language.words("steers")
 PARTIES = language.words("owners")
 REACTS = language.words("reacts")
+AGE = re.compile(r"\b(\d+) ?-? ?year ?-? ?old (?:[\w-]+ ){0,2}$")
 OBLIQUE = {"he": "him", "she": "her"}
 AT_THE_WHEEL = frozenset(("driver", "d", "operator", "op", "opr"))
 """Labels of who drives a vehicle of that number ("D2")."""
@@ -43,6 +44,10 @@ class Persons(Salience):
             entity.manned, entity.sex = True, entity.sex or self._sex(word)
         if (who := self._aboard(word)) is not None:
             entity.manned, entity.sex = True, entity.sex or self._sex(who)
+            entity.names.add(who.norm.split(" ")[-1])  # "a girl on a bicycle ... the girl"
+        before = " ".join(w.norm for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence)
+        if entity.manned and (aged := AGE.search(before + " ")):
+            entity.names.add(f"{aged[1]}-year-old")
         head = self.words[word.head]
         above = self.words[head.head] if word.dep == "pobj" and head.norm == "of" else head
         part = word.dep in ("pobj", "poss", "compound", "nmod") and above.lemma in DRIVERS
@@ -71,16 +76,19 @@ class Persons(Salience):
             else ""
         )
         mine = self._first_person()  # who says "I" is never "he"
-        alive = lambda e: e.person and e.type != "animal" or e.manned or e.type in RIDDEN  # noqa: E731
+        alive = lambda e: e.type != "animal" and (e.person or e.manned or e.type in RIDDEN)  # noqa: E731
         me = lambda e: mine and e.ego and not e.manned  # noqa: E731
         fits = lambda e: alive(e) and not (wanted and e.sex and e.sex != wanted) and not me(e)  # noqa: E731
-        found = self._reacting(word, fits) or self._salient(word, fits) or self._salient(word, lambda e: e.person)
+        found = self._reacting(word, fits) or self._salient(word, fits)
         if found is None and mine:
             found = self._salient(word, lambda e: e.mover and not e.ego)
         if found is None or not found.manned and found.type not in RIDDEN and self._rests(found):
             found = self._salient(word, lambda e: e.type in RIDDEN) or found
         if found is not None and found.manned:
             found.sex = found.sex or wanted
+        spoken = any(w.lemma in DRIVERS and w.span is None for w in self.words[: word.i])
+        if found is None and spoken and not mine and not any(e.mover and e.type != "animal" for e in self.entities):
+            return self.ego  # "according to the driver, a dog ran in front of his car"
         return found or self._salient(word, lambda e: e.mover)
 
     def _reacting(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:

@@ -57,6 +57,7 @@ BESIDE = re.compile(
     r"^\S+( \S+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)|coming|approaching|oncoming"
     r"|from (the|its|behind))"
 )
+AHEAD = re.compile(r"(?:be|drive|travel|ride|stand|wait) (?:\w+ly )?(?:ahead|in front) ?[.,;]?$")
 """Places and ways that are told as beside or towards somebody."""
 
 
@@ -152,7 +153,12 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
             and (
                 any(v.act == "overtake" and _past_nobody(v) for v in acting[entity])
                 or "following" not in entity.roles
-                and (_beside_nobody(entity, cast) or entity.group is not None and _beside_nobody(entity.group, cast))
+                and (
+                    _beside_nobody(entity, cast)
+                    or entity.group is not None
+                    and _beside_nobody(entity.group, cast)
+                    or any(v.agent is entity and AHEAD.match(v.text) for v in clauses.events)
+                )
             )
         ):
             continue

@@ -12,6 +12,9 @@ from c2s_engine.interpret.syntax import Word
 OWNERS = language.words("owners")
 ANYBODY = language.words("anybody")
 """Nouns of no type by which ego may be meant, too: not "the target", "the attacker"."""
+DRIVES_IT = frozenset(("you", "your", "he", "she", "his", "her"))
+"""Words for ego that mean who is at the wheel."""
+COLOURS = language.words("colours")
 CARS = frozenset(("car", "vehicle", "van", "police_car"))
 TOLD_APART = frozenset(("oncoming", "crossing", "lead", "following", "cut_in", "adjacent", "adversary"))
 """Parts in the scene by which another one is meant, unless somebody had that part before."""
@@ -65,7 +68,10 @@ class Reference(Pronouns):
         count: int,
         bare: bool,
     ) -> Entity | None:
+        before = self._near(word)
         candidates = [e for e in self.entities if fits(e, kind)]
+        coloured = [e for e in candidates if e.names & COLOURS & set(before)]
+        candidates = coloured or candidates
         short = [e for e in self.entities if e.noun.startswith(f"{noun} ") and e.count == count]
         if short and (definite or bare) and not (roles or other or ordinal is not None):
             return short[-1]  # "an auto rickshaw ... the auto"
@@ -99,7 +105,7 @@ class Reference(Pronouns):
                 return None
             if roles & TOLD_APART or not candidates:
                 return None
-        second = any(self.words[m.word].norm in ("you", "your") for m in self.ego.mentions)
+        second = any(self.words[m.word].norm in DRIVES_IT for m in self.ego.mentions)
         alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
         if second and alone and not self._distinguished(word) and self.words[word.i - 1].norm == "the":
             return self.ego  # a driver is told what to do: "you will feel the car"

@@ -208,7 +208,7 @@ class Nouns(Titles):
             by.lemma in CARRIES or by.lemma == "drop" and "off" in [w.norm for w in self.words[by.i : word.i + 2]]
         ):
             return word.span is not None and word.span.data["type"] in ("box", "trash", "container")
-        lost = by.norm in ("by", "from") and verb.tag in ("VBN", "VBD") and verb.norm in LOST
+        lost = by.norm in ("by", "from", "off") and verb.tag in ("VBN", "VBD") and verb.norm in LOST
         return lost and (
             verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))
         )

@@ -21,6 +21,12 @@ class Parts(Strangers):
         first = ("i", "we", "me", "us", "my", "our")
         return any(self.words[m.word].norm in first for m in self.ego.mentions)
 
+    def _driver_named(self, word: Word) -> Entity | None:
+        """The vehicle that stands before its driver: "the minibus driver"."""
+        spans = [s for c in word.children if self.words[c].dep == "compound" and (s := self.words[c].span) is not None]
+        nouns = {s.data.get("noun") for s in spans if s.kind == "actor"}
+        return next((e for e in (self.ego, *self.entities) if e.noun and e.noun in nouns), None)
+
     def _who_drove(self, word: Word) -> Entity | None:
         """ "A truck overtook us. The driver ...": the driver is who was spoken of last, where ego says "I"."""
         if not any(self.words[c].norm in ("the", "this", "that") for c in word.children):
@@ -89,6 +95,8 @@ class Parts(Strangers):
                             found = self.referent(target, depth + 1)
                             if found:
                                 return found
+            if (named := self._driver_named(word)) is not None:
+                return named
             if word.lemma in ("driver", "operator") and any(
                 self.words[c].norm in ("other", "another") for c in word.children
             ):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import Entity
@@ -49,7 +50,8 @@ class Pronouns(Persons):
             things = THINGS if before in BUMPED else LOOSE
             i = self._first_person() and not self._ego_is_thing()
             thing = lambda e: not e.person and e.sex != "i" and (e.mover or e.type in things) and not (i and e.ego)  # noqa: E731
-            return self._salient(word, lambda e: thing(e) and e.count == 1) or self._salient(word, thing)
+            apart = self._not_he(word, thing)
+            return apart or self._salient(word, lambda e: thing(e) and e.count == 1) or self._salient(word, thing)
         if norm in ("himself", "herself", "itself") and word.dep in ("nsubj", "npadvmod", "appos"):
             return None  # "the driver himself moved out"
         if norm in data["person"]:
@@ -70,6 +72,15 @@ class Pronouns(Persons):
             return self._salient(word, lambda e: e.mover)
         return self._elliptic(word) or self._unknown(word)
 
+    def _not_he(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
+        """Whom "it" means beside a "he" of the same sentence: "while he came up on the bus, its driver moved out"."""
+        before = [w for w in self.words[: word.i] if w.sentence == word.sentence and w.i in self.of]
+        he = [self.of[w.i] for w in before if w.norm in ("he", "she")]
+        if not he or word.dep != "poss":
+            return None
+        others = [self.of[w.i] for w in before if self.of[w.i] not in he and accept(self.of[w.i])]
+        return others[-1] if others and he[-1] not in [self.of[w.i] for w in before if w.span is not None] else None
+
     def _ego_is_thing(self) -> bool:
         """Whether ego was spoken of as a vehicle, too ("our test car")."""
         return any(m.kind in ("ego", "label", "actor") and self.words[m.word].norm != "i" for m in self.ego.mentions)
@@ -79,7 +90,7 @@ class Pronouns(Persons):
         after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
         if word.norm == "us":
             return word.text == "US" and not all(w.text.isupper() for w in self.words if w.text.isalpha())
-        return word.norm == "i" and (after == "-" or after[:1].isdigit())
+        return word.norm == "i" and (after in ("-", ".") or after[:1].isdigit())  # "I-70", "i.e."
 
     def _obliged(self, word: Word) -> bool:
         """Whether "it" is whom something is demanded of ("it must wait"): that is ego, where ego was spoken of."""

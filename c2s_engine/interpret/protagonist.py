@@ -86,9 +86,10 @@ def _demanded(entity: Entity, cast: Cast) -> bool:
     )
 
 
-def _past_nobody(event: Event) -> bool:
-    """Whether one goes past somebody who is not named: that may be ego."""
-    return event.patient is None or event.patient.mover and event.patient.type not in VEHICLES
+def _passes_nobody(acts: list[Event]) -> bool:
+    """Whether one goes past somebody who is never named: that may be ego."""
+    passed = [v.patient for v in acts if v.act == "overtake"]
+    return bool(passed) and all(p is None or p.mover and p.type not in VEHICLES for p in passed)
 
 
 def _beside_nobody(entity: Entity, cast: Cast) -> bool:
@@ -151,7 +152,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
             entity.roles & ROLE_WORDS
             or not told_by
             and (
-                any(v.act == "overtake" and _past_nobody(v) for v in acting[entity])
+                _passes_nobody(acting[entity])
                 or "following" not in entity.roles
                 and (
                     _beside_nobody(entity, cast)

@@ -97,6 +97,9 @@ class Reference(Pronouns):
             same = [e for e in candidates if e.roles & roles and (definite or (e.count > 1) == (count > 1))]
             if same:
                 return same[-1]
+            again = [e for e in candidates if e.noun == noun and not e.roles and word.span and word.span.data["person"]]
+            if again and definite and count == 1:
+                return again[-1]  # "the motorist who was trailing it ... the trailing motorist"
             if roles & {"lead"}:
                 ahead = [e for e in candidates if "ahead" in self._hints(e)]
                 if ahead:

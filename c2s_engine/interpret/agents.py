@@ -27,6 +27,7 @@ class Agents(Patients):
         )
         passive = passive or word.tag == "VBN" and any(self.words[c].dep == "agent" for c in word.children)
         subjects = [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass", "csubj")]
+        subjects = [c for c in subjects if not self.words[c].norm.endswith("self")] or subjects  # "its driver himself"
         subjects.sort(key=lambda c: (c > word.i, -c))
         if passive:
             for child in word.children:

@@ -30,6 +30,12 @@ class Members(Parts):
     def _new(self, entity: Entity) -> Entity:
         raise NotImplementedError
 
+    def _governor(self, word: Word) -> Word:
+        raise NotImplementedError
+
+    def _subject_of(self, verb: Word) -> Entity | None:
+        raise NotImplementedError
+
     def _member_of(self, word: Word) -> Entity | None:
         """ "The second", "the last one", "the first of them", after a group was spoken of: a member of it."""
         before = [w.norm for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
@@ -202,7 +208,9 @@ class Members(Parts):
         if groups:
             return groups[-1]
         joint = self._joint(word)
-        if joint is None and earlier:
+        doer = self._subject_of(self._governor(word)) if word.dep in ("dobj", "pobj") else None
+        earlier = [e for e in earlier if e is not doer]
+        if (joint is None or doer in joint) and earlier:
             last = list(dict.fromkeys(reversed(earlier)))[:2]
             joint = sorted(last, key=lambda e: e.ego) if len(last) == 2 else None
         return self._all_of(word, joint) if joint else None

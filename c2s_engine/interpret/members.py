@@ -165,13 +165,12 @@ class Members(Parts):
         member = self._member_of(word)
         if member is not None:
             return member
-        if norm == "latter":
-            last = [i for i in sorted(self.of) if i < word.i]
-            return self.of[last[-1]] if last else None
-        if norm == "former":
-            last = [i for i in sorted(self.of) if i < word.i]
-            kinds = list(dict.fromkeys(id(self.of[i]) for i in last[-4:]))
-            return next((self.of[i] for i in last[-4:] if len(kinds) > 1 and id(self.of[i]) == kinds[-2]), None)
+        if norm in ("former", "latter"):
+            spoken = [
+                self.of[w.i] for w in self.words[: word.i] if w.i in self.of and w.norm not in ("former", "latter")
+            ]
+            pair = list(dict.fromkeys(reversed(spoken)))[:2]
+            return pair[0 if norm == "latter" or len(pair) == 1 else 1] if pair else None
         counted = norm == "one" and word.i > 1 and self.words[word.i - 1].norm in COUNTED
         if (
             norm == "another"

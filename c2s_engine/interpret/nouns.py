@@ -6,6 +6,7 @@ import re
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PERSONS, VEHICLES, ZONES, Entity, fits
+from c2s_engine.interpret.persons import DRIVERS
 from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.titles import Titles
 
@@ -60,7 +61,7 @@ class Nouns(Titles):
         if (kind in ("pedestrian", "child") or noun in language.table("actors")["drivers"]) and self._rides(word):
             return None
         if kind in ("pedestrian", "child") and not data.get("plural"):
-            driver = self._driver_of(word) or self._at_wheel(word) or self._aboard_before(word)
+            driver = self._driver_of(word) or self._at_wheel(word) or self._aboard_before(word) or self._steering(word)
             if driver is not None:
                 driver.names.add(noun.split(" ")[-1])
                 return driver
@@ -288,6 +289,9 @@ class Nouns(Titles):
         return bool(
             word.dep in ("compound", "nmod", "amod")
             and following is not None
+            and not (
+                following.lemma in DRIVERS and word.span is not None and word.span.data.get("noun") in language.makes()
+            )
             and following.sentence == word.sentence
             and following.norm not in ("level", "side", "abreast", "alongside", "following", "facing")
             and (head.i == following.i or following.norm in ("lane", "stop", "park", "length", "lengths", "width"))

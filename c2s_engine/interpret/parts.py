@@ -23,6 +23,9 @@ class Parts(Strangers):
 
     def _driver_named(self, word: Word) -> Entity | None:
         """The vehicle that stands before its driver: "the minibus driver"."""
+        known = [self.of[c] for c in word.children if self.words[c].dep == "compound" and c in self.of]
+        if known:
+            return known[0]
         spans = [s for c in word.children if self.words[c].dep == "compound" and (s := self.words[c].span) is not None]
         nouns = {s.data.get("noun") for s in spans if s.kind == "actor"}
         return next((e for e in (self.ego, *self.entities) if e.noun and e.noun in nouns), None)

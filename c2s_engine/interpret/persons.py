@@ -19,6 +19,7 @@ STEERS = language.words("steers")
 PARTIES = language.words("owners")
 REACTS = language.words("reacts")
 AGE = re.compile(r"\b(\d+) ?-? ?year ?-? ?old (?:[\w-]+ ){0,2}$")
+AFOOT = frozenset((*language.table("people")["walks"], "cross", "run", "cycle", "sit", "see", "watch"))
 OBLIQUE = {"he": "him", "she": "her"}
 AT_THE_WHEEL = frozenset(("driver", "d", "operator", "op", "opr"))
 """Labels of who drives a vehicle of that number ("D2")."""
@@ -89,7 +90,14 @@ class Persons(Salience):
         spoken = any(w.lemma in DRIVERS and w.span is None for w in self.words[: word.i])
         if found is None and spoken and not mine and not any(e.mover and e.type != "animal" for e in self.entities):
             return self.ego  # "according to the driver, a dog ran in front of his car"
-        return found or self._salient(word, lambda e: e.mover)
+        return found or self._salient(word, lambda e: e.mover) or self._unnamed(word)
+
+    def _unnamed(self, word: Word) -> Entity | None:
+        """Who is only called "he" or "she" from the start: ego, where nobody else is and it is not told on foot."""
+        spans = {w.span.kind for w in self.words if w.span is not None}
+        afoot = any(w.lemma in AFOOT for w in self.words if w.sentence == word.sentence)
+        opens = word.dep == "nsubj" and word.norm in OBLIQUE
+        return self.ego if opens and not afoot and not spans & {"ego", "label"} and not self.entities else None
 
     def _reacting(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
         """Whom the sentence before left in trouble, where somebody reacts then: "... in front of him. He braked"."""

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.entities import MOTOR, Entity
 from c2s_engine.interpret.persons import Persons
 from c2s_engine.interpret.syntax import Word
 
@@ -56,6 +56,9 @@ class Pronouns(Persons):
             return None  # "the driver himself moved out"
         if norm in data["person"]:
             return self._he(word)
+        if norm in ("theirs", "hers") and word.dep in ("nsubj", "nsubjpass", "dobj", "pobj", "conj"):
+            others = [e for e in self.entities if e.type in MOTOR]
+            return others[-1] if others else self._new(Entity("", "vehicle", noun="vehicle"))
         if norm in ("they", "them", "their", "themselves"):
             many = [e for e in self.entities if e.count > 1]
             last = max((i for i in self.of if i < word.i and self.words[i].span is not None), default=None)

@@ -46,6 +46,13 @@ EGO_LIKE = frozenset(
 )
 
 
+IN_MODE = re.compile(
+    r"\b(?:in|with|on|under) (?:its |the |full |fully |an? )*(?:autonomous|automated|self-driving|driverless|autopilot"
+    r"|conventional|manual)\b(?: driving)?(?: (?:mode|control|system|engaged|active|on)\b)?|\boperating autonomously\b"
+)
+"""What is said of the vehicle that a report of an automated vehicle is about."""
+
+
 FROM_ASIDE = re.compile(
     r"^(?!.*\b(?:turn|chang|merg|mov|swerv|veer)\w*\b.* from ).*\bfrom (?:the |its )?"
     r"(?:left|right|rear|behind|front|opposite (?:side|direction))\b(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb))"
@@ -70,6 +77,16 @@ HELD = re.compile(
 
 TOWARDS = frozenset(("collide", "overtake", "follow", "yield", "cut_in", "evade"))
 """What ego does to another: who is meant by "the driver" is not the other."""
+
+
+def _in_mode(entity: Entity, cast: Cast) -> bool:
+    """Whether it is said in which mode it drives ("a Lexus in autonomous mode"), before another one is spoken of."""
+    for mention in entity.mentions:
+        rest = cast.words[mention.word + 1 : mention.word + 24]
+        other = (n for n, w in enumerate(rest) if w.sentence != cast.words[mention.word].sentence or w.i in cast.of)
+        if IN_MODE.search(" ".join(w.norm for w in rest[: next(other, len(rest))])):
+            return True
+    return False
 
 
 def _after(i: int, cast: Cast) -> str:
@@ -200,6 +217,9 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         ):
             continue
         candidates.append(entity)
+    driverless = [e for e in vehicles if _in_mode(e, cast)]
+    if len(driverless) == 1:
+        candidates = driverless
     if not candidates:
         struck = {v.patient for v in clauses.events if v.act == "collide" and v.done and not v.agent.ego}
         candidates = [e for e in vehicles if e in struck and not e.roles & ROLE_WORDS][:1]

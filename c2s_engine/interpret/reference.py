@@ -20,6 +20,11 @@ TOLD_APART = frozenset(("oncoming", "crossing", "lead", "following", "cut_in", "
 """Parts in the scene by which another one is meant, unless somebody had that part before."""
 
 
+def _alike(entity: Entity, kind: str) -> bool:
+    """Whether the first word of a longer name can stand for it: not "the dog" for a dog walker."""
+    return entity.type == kind or entity.type in VEHICLES and kind in VEHICLES
+
+
 class Reference(Pronouns):
     """The part of Cast that resolves definite nouns."""
 
@@ -72,11 +77,12 @@ class Reference(Pronouns):
         candidates = [e for e in self.entities if fits(e, kind)]
         coloured = [e for e in candidates if e.names & COLOURS & set(before)]
         candidates = coloured or candidates
-        short = [e for e in self.entities if e.noun.startswith(f"{noun} ") and e.count == count]
+        short = [e for e in self.entities if e.noun.startswith(f"{noun} ") and e.count == count and _alike(e, kind)]
         if short and (definite or bare) and not (roles or other or ordinal is not None):
             return short[-1]  # "an auto rickshaw ... the auto"
         if noun in (brands := language.makes()):  # "the Kia hit the Hyundai"
-            candidates = [e for e in candidates if e.noun not in brands or noun in (e.noun, *e.names)]
+            same = language.table("actors")["same_makes"].get(noun, noun)
+            candidates = [e for e in candidates if e.noun not in brands or {noun, same} & {e.noun, *e.names}]
         groups = [e for e in candidates if e.count > 1 and "group" not in e.roles]
         if (
             roles

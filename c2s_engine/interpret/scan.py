@@ -3,27 +3,20 @@
 Every offset is one of the text that is read. The normalised text has the same length, so that spans need no mapping."""
 
 import re
-from dataclasses import dataclass, field
 from functools import cache
-from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.askers import asked
+from c2s_engine.interpret.makes import MAKE, stands_for_a_vehicle
+from c2s_engine.interpret.parties import other_party, short_labels
+from c2s_engine.interpret.spans import Span
+
+__all__ = ["Span"]
 
 SAME = str.maketrans(
     "\u2018\u2019\u201b\u2032\u201c\u201d\u00a0\u2010\u2011\u2012\u2013\u2014\u2015\u2212\u202f\t",
     "''''\"\"" + " " + "------- " + " ",
 )
-
-
-@dataclass
-class Span:
-    """A stretch of the text that was recognised as a whole."""
-
-    kind: str
-    start: int
-    end: int
-    data: dict[str, Any] = field(default_factory=dict)
 
 
 def normalised(text: str) -> str:
@@ -144,8 +137,8 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
                 {"label": f"{word} {number}" if typed else LABEL_NUMBERS.get(number, number.lstrip("0")), "word": word},
             )
         )
-    found = [s for s in found if s.kind != "ego" or not _other_party(text, s)]
-    found += _short(text)
+    found = [s for s in found if s.kind != "ego" or not other_party(text, s)]
+    found += short_labels(text)
     found += _numbered(text, found)
     taken = [(s.start, s.end) for s in found]
     tables = language.table("actors")
@@ -164,7 +157,7 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
             continue
         if noun in tables["verbs_too"] and any(s.end == start - 1 and s.kind != "quantity" for s in found):
             continue
-        if noun in language.makes() and not _stands_for_a_vehicle(text, start, end):
+        if noun in language.makes() and not stands_for_a_vehicle(text, start, end):
             continue
         if noun == "cab" and re.search(r"(?:\b(?:his|her|its|their)|'s)\s+$", text[max(0, start - 8) : start]):
             continue
@@ -177,7 +170,7 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
             and _BUS_STOP.match(text[end : end + 16])
         ):
             continue
-        make = _MAKE.search(text[max(0, start - 20) : start]) if noun in language.makes() else None
+        make = MAKE.search(text[max(0, start - 20) : start]) if noun in language.makes() else None
         if make and make["make"] in language.makes() and not match["roles"]:
             start -= len(make[0])  # "a Honda Civic"
         kind, plural, person = _noun(noun)
@@ -213,58 +206,6 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
             continue
         kept.append(span)
     return kept
-
-
-def _other_party(text: str, span: Span) -> bool:
-    """Whether "the claimant" is the other party, as the text tells of "the insured", too."""
-    return re.match(r"claimant|plaintiff|complainant", text[span.start : span.end]) is not None and "insured" in text
-
-
-@cache
-def _numbered_part() -> re.Pattern[str]:
-    parts = language.alternatives(language.table("ego")["labels"]["parts"])
-    return re.compile(rf"(?<![\w-])(?:the )?(?P<word>{parts})[ _-]?#?(?P<id>[1-9])(?![\w/%-]|\.\d|\s?(?:m|s|km)\b)")
-
-
-@cache
-def _short_label() -> re.Pattern[str]:
-    shorts = "|".join(language.table("ego")["labels"]["short"])
-    return re.compile(rf"(?<![\w-])(?P<word>{shorts})\.?[ -]?#?(?P<id>[1-9])(?![\w/%-]|\.\d)")
-
-
-NO_ROAD = re.compile(
-    r"(?:^|[.,;:(]|\b(?:and|struck|strikes?|hits?|hitting|striking|with|by|of|contacted|towards?|while|when|as|for|into"
-    r"|behind))\s*$"
-)
-
-
-def _short(text: str) -> list[Span]:
-    """The letters and numbers of people on foot and riders in a report ("P-1", "B2"), not of roads ("on the B1"), and
-    those of actors in a test ("NPC 2")."""
-    shorts = language.table("ego")["labels"]["short"]
-    parts = [
-        Span("label", m.start(), m.end(), {"label": f"{m['word']} {m['id']}", "word": ""})
-        for m in _numbered_part().finditer(text)
-    ]
-    found = [m for m in _short_label().finditer(text) if NO_ROAD.search(text[max(0, m.start() - 12) : m.start()])]
-    for match in found:
-        noun, number = shorts[match["word"]], match["id"]
-        driver = match["word"] == "p" and _drives(text, number)
-        data = {"label": number, "word": "d"} if driver else {"label": f"{noun} {number}", "word": noun}
-        parts.append(Span("label", match.start(), match.end(), data))
-    return parts
-
-
-def _drives(text: str, number: str) -> bool:
-    """Whether "P-2" is the party at the wheel of vehicle 2, as nothing tells of it on foot."""
-    p = rf"(?<![\w-])p[ -]?{number}(?!\d)"
-    afoot = (
-        rf"{p},? (?:\(|a |an |the |who |\w+ly )*(?:(?:was|is|had been|began|started) )?(?:\w+ly )?(?:pedestrian|walk"
-        r"|cross|step|stand|stood|r[au]n|jog|emerg|enter|dart|push|on foot|in (?:the|a) (?:\w+ )?cross)"
-    )
-    struck = rf"(?:struck|strikes?|striking|hits?|hitting|contacted|with|into|pedestrian \(?) ?{p}"
-    numbered = rf"(?<![\w-])(?:v|veh|vehicle|unit)[ -]?#?{number}(?!\d)|{p} (?:was |is )?(?:riding|driving|operating)"
-    return re.search(numbered, text) is not None and not re.search(f"{afoot}|{struck}", text)
 
 
 def _several(text: str, start: int, end: int) -> bool:
@@ -304,33 +245,11 @@ def _number_of_fleet() -> re.Pattern[str]:
     )
 
 
-_MAKE = re.compile(r"(?<![\w-])(?P<make>[a-z]{2,}(?:-[a-z]+)?)[ -]$")
 _MINI = re.compile(r"[\s-]+(?:roundabout|cab|van|bus|series)")
 _BUS_STOP = re.compile(
     r"\s+(?:lane|shelter|station|bay)\b|\s+stop(?=\s*(?:[,.;)]|$|on\b|at\b|in\b|and\b|to\b"
     r"|where\b|with\b|is\b|ahead\b))"
 )
-
-
-def _stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
-    """Whether a make or model is the noun itself: "a black BMW" or "a 2019 Honda Civic", not "the Ford pickup"."""
-    before, after = text[max(0, start - 24) : start], text[end : end + 40]
-    model = re.match(r"[\s-]+([\w-]+)", after)
-    if model and model[1] in language.makes() or re.match(r"[\s-]+(?:[\w-]+\s+)?(?:" + _noun_words() + r")\b", after):
-        return False
-    named = re.search(
-        (
-            r"(?:\b(?:an?|the|his|her|their|my|our|your|another|this|that|white|black|red|blue|silver|grey|gray|green"
-            r"|yellow|dark|old|new)|\d{4}|^|[.,:;(])\s*(?:[\w-]+\s+)?$"
-        ),
-        before,
-    )
-    return bool(named)
-
-
-@cache
-def _noun_words() -> str:
-    return language.alternatives([n for n in language.actor_nouns() if n not in language.makes()])
 
 
 def _shortened(text: str, found: list[Span]) -> list[Span]:

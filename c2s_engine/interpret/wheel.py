@@ -24,6 +24,12 @@ DRIVEN = re.compile(
     r"|(?P<how>drove|rode|drives|rides|operated|at the wheel of|in charge of|in|on) (?:an?|his|her|the|their))"
     r"(?: (?!behind|past|beside|towards?|after|along|around|ahead|before|near|into|with)[\w-]+){0,2} $"
 )
+VEHICULAR = language.words("vehicular")
+MANOEUVRE = re.compile(
+    r"(?:cuts?|cut|cutting) (?:me|us|him|her|it|\w+) (?:off|up)\b|(?:cuts?|cutting) in\b"
+    r"|(?:pulls?|pulled|pulling) (?:out|over|in|away)\b"
+    r"|(?:changes?|changed|changing|switch\w*) lanes?\b|(?:runs?|ran|running) (?:a |the )?(?:red|stop|light)"
+)
 
 
 class AtWheel(Reference):
@@ -35,7 +41,9 @@ class AtWheel(Reference):
         """A person of whom it is said later in the clause what is driven ("a woman in front of us in a red van",
         "a pensioner drove his Opel"): one spoken of before, else a new one."""
         for other in self.words[word.i + 1 : word.i + 12]:
-            if other.sentence != word.sentence or other.norm in (";", ":", "and", "but", "when", "while"):
+            if other.sentence != word.sentence or other.norm in (";", ":", "but", "when", "while"):
+                return None
+            if other.norm == "and" and not self._goes_on(word, other):
                 return None
             if (
                 other.span is None
@@ -50,7 +58,10 @@ class AtWheel(Reference):
             verb = self.words[other.head]
             own = self.words[other.i - 1].norm in ("his", "her") or self.words[other.i - 2].norm in ("his", "her")
             moves = verb.norm in STEERS or own and verb.lemma not in ASIDE and verb.tag in ("VBD", "VBZ", "VBG", "VBP")
-            drives = moves and verb.i > word.i and other.dep == "dobj" and self._heads(word, verb)
+            subject = (
+                self.words[verb.head] if verb.dep == "conj" else verb
+            )  # "a man mixed up the pedals and drove his Audi"
+            drives = moves and verb.i > word.i and other.dep == "dobj" and self._heads(word, subject)
             drives = drives or own and CONTROL.search(text) is not None
             if drives or SITS.fullmatch(text):
                 found = known or self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))
@@ -58,6 +69,24 @@ class AtWheel(Reference):
                 return found
             return None
         return None
+
+    def _goes_on(self, word: Word, joint: Word) -> bool:
+        """Whether "and" joins what the same person does next."""
+        verbs = [w for w in self.words[joint.i + 1 : joint.i + 4] if w.tag in ("VBD", "VBZ")]
+        return bool(verbs) and verbs[0].head == word.head and verbs[0].dep == "conj"
+
+    def _steering(self, word: Word) -> Entity | None:
+        """A person who does what only vehicles do: "a lady reversed out of her drive", "this guy cut me off"."""
+        verb = self.words[word.head]
+        after = " ".join(w.norm for w in self.words[verb.i : verb.i + 4])
+        if word.dep != "nsubj" or not (verb.lemma in VEHICULAR or MANOEUVRE.match(after)):
+            return None
+        noun = word.norm.split(" ")[-1]
+        told = {self.words[c].norm for c in word.children} & {"the", "this", "that"}
+        known = next((e for e in self.entities if noun in e.names or e.noun == noun), None) if told else None
+        if known is not None:
+            return None if known.person else known
+        return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))
 
     def _heads(self, word: Word, verb: Word) -> bool:
         """Whether a word is the subject of a verb, or what its participle describes."""

@@ -71,7 +71,8 @@ def test_the_driver_of_what(read) -> None:
     assert len(s.objects) == 1
     s = read("According to the driver, a dog ran in front of his car, so he swerved left and hit a parked car.")
     assert acts(s.ego) == ["swerve", "collide"] and acts(s["O1"]) == ["cross_road"]
-    s = read("V1 was eastbound. V2 drifted left and, per the motorist who was trailing it, braked. The trailing motorist stopped.")
+    told = "V1 was eastbound. V2 drifted left and, per the motorist who was trailing it, braked."
+    s = read(f"{told} The trailing motorist stopped.")
     assert len(s.objects) == 2
 
 
@@ -81,3 +82,50 @@ def test_both_are_not_the_one_who_passes(read) -> None:
     s = read("A tractor is ahead of the ego. A van is behind the ego. A motorcyclist overtakes both.")
     passer = next(o for o in s.objects if o.spec.type == "motorcycle")
     assert [(p.action, p.target != passer.id) for p in passer.spec.phases] == [("overtake", True)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A Lexus in autonomous mode was stopped at a red light when a Kia struck it from behind.",
+        "A Kia rear-ended a Lexus operating in autonomous mode.",
+        "A Jaguar I-Pace operating autonomously was yielding to a dog when a Kia struck it from behind.",
+    ],
+)
+def test_who_drives_itself_is_ego(read, text: str) -> None:
+    s = read(text)
+    assert s.objects[-1].spec.phases[-1].target == "ego"
+    assert s.objects[-1].spec.placement.position == "behind"
+
+
+@pytest.mark.parametrize(
+    ("text", "act"),
+    [
+        ("A lady was reversing out of her driveway and did not see me. I swerved left.", "reverse"),
+        ("Our vehicle was in the left lane. A woman overtook me. The woman braked.", "overtake"),
+        ("Ego drives. A guy pulled out in front of it and cut it off.", "cut_in"),
+        ("I was driving north when the other party pulled out of a driveway on the right.", "enter_road"),
+    ],
+)
+def test_who_does_what_only_vehicles_do(read, text: str, act: str) -> None:
+    s = read(text)
+    assert [o.spec.type for o in s.objects] == ["car"] and act in acts(s["O1"])
+
+
+def test_he_from_the_start_is_ego(read) -> None:
+    s = read("He was texting. He drifted onto the right shoulder and hit a parked truck.")
+    assert "leave_road" in acts(s.ego) and len(s.objects) == 1
+    s = read("She was driving 60 on the highway when the car in front of her braked. She changed to the left lane.")
+    assert acts(s.ego) == ["lane_change"]
+
+
+def test_former_and_latter(read) -> None:
+    s = read("An SUV and the AV arrived at the four-way stop. The former went first, and the latter followed.")
+    assert "follow" not in acts(s["O1"])
+    s = read("A taxi and a bus were waiting at the light. The latter moved off, the former stayed.")
+    assert s.ego.spec.type == "bus" and acts(s.ego) == ["start"] and acts(s["O1"]) == ["stationary"]
+
+
+def test_a_makes_driver_and_its_short_name(read) -> None:
+    s = read("The Volkswagen driver turned left. She failed to notice an oncoming motorcycle. It struck the VW.")
+    assert [o.spec.type for o in s.objects] == ["motorcycle"]

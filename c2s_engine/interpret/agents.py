@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.patients import Patients
 from c2s_engine.interpret.syntax import Word
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.event import Event
+CAUSES = language.words("causes")
+UNCHANGED = frozenset(("hit", "cut", "put", "let", "shut"))
+"""Verbs whose past is like their base form."""
 
 
 class Agents(Patients):
@@ -27,6 +31,7 @@ class Agents(Patients):
         )
         passive = passive or word.tag == "VBN" and any(self.words[c].dep == "agent" for c in word.children)
         subjects = [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass", "csubj")]
+        subjects = [c for c in subjects if not self.words[c].norm.endswith("self")] or subjects  # "its driver himself"
         subjects.sort(key=lambda c: (c > word.i, -c))
         if passive:
             for child in word.children:
@@ -181,7 +186,8 @@ class Agents(Patients):
             if word.dep == "pcomp" and above is not None and above.dep == "ccomp" and head.norm == "before":
                 letting = self.words[above.head]
                 above = letting if letting.lemma in ("let", "allow") else above  # "let it pass before turning"
-            if word.dep == "conj" and above is not None and word.tag in ("VBZ", "VBD", "VBP"):
+            finite = word.tag in ("VBZ", "VBD", "VBP") and not (word.norm in UNCHANGED and self._made_to(above))
+            if word.dep == "conj" and above is not None and finite:
                 comma = self.words[word.i - 1].norm == ","
                 if (
                     (
@@ -231,6 +237,10 @@ class Agents(Patients):
                         return self.cast.referent(passed[0]), passed[0], False
                 return agent, at, False
         return self._inverted(word)
+
+    def _made_to(self, verb: Word | None) -> bool:
+        """Whether somebody is made to do it ("causing it to swerve and hit the rail")."""
+        return verb is not None and verb.tag == "VB" and self._lemma(self.words[verb.head]) in CAUSES
 
     def _inverted(self, word: Word) -> tuple[Entity | None, int | None, bool]:
         """ "Up from behind comes a motorcyclist"; "standing in the lane is a car"."""

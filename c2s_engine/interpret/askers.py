@@ -28,4 +28,30 @@ def bystanding(plain: str) -> bool:
 def asked(plain: str) -> list[tuple[int, int]]:
     """The stretches of a text in which first and second persons are nobody on the road: somebody asks for it there, or
     tells of the work that it is for; the whole text where a bystander tells it."""
-    return [(0, len(plain))] if bystanding(plain) else [m.span() for m in _asks().finditer(plain)]
+    return [(0, len(plain))] if bystanding(plain) else [m.span() for m in _asks().finditer(plain)] + quoted(plain)
+
+
+QUOTED = re.compile(r'"[^"]{2,400}"')
+FIRST = re.compile(r"\b(?:i|we|me|us|my|our|you|your)\b")
+
+
+def quoted(plain: str) -> list[tuple[int, int]]:
+    """What somebody is quoted to have said, in a text that tells of no first person itself: who says "I" there is who
+    is told of."""
+    outside = QUOTED.sub(" ", plain)
+    told = len(re.findall(r"\w+", outside)) >= 8 and FIRST.search(outside) is None
+    return [m.span() for m in QUOTED.finditer(plain)] if told else []
+
+
+@cache
+def _narrators() -> dict[str, re.Pattern[str]]:
+    told = language.table("ego")["narrators"]
+    return {k: re.compile(v if isinstance(v, str) else "|".join(v)) for k, v in told.items()}
+
+
+def narrator(plain: str) -> str:
+    """What the first person of a text is, where it is not at the wheel: "pedestrian", "bicycle", or "" for a driver."""
+    told = _narrators()
+    if told["drives"].search(plain):
+        return ""
+    return next((kind for kind in ("bicycle", "pedestrian") if told[kind].search(plain)), "")

@@ -19,6 +19,9 @@ FORCEFUL = language.words("forceful")
 
 
 PUTS = language.words("puts")
+STEERED = frozenset(("driven", "operated", "steered", "ridden", "piloted"))
+LETS, PASSES = frozenset(("let", "allow", "permit")), frozenset(("pass", "go", "by"))
+FASTER = re.compile(r"\b(?:behind|rear|overtak\w*|tailgat\w*|catch\w*|caught|faster|closing)\b")
 NEARLY = language.words("nearly")
 CAUSES = language.words("causes")
 BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
@@ -82,6 +85,10 @@ class Clauses(Nominal):
             self.light.add(word.i)
             return
         agent, at, passive = self._subject(word)
+        if word.norm in STEERED and word.tag == "VBN" and self.words[min(word.i, len(self.words) - 2) + 1].norm == "by":
+            return  # "a van driven by Mr Tan"
+        if self._let_by(word, agent):
+            return
         agent = self._causer(word) or agent
         if (before := self._joined_subject(word)) is not None:
             agent, at = self.cast.of[before], before
@@ -203,6 +210,15 @@ class Clauses(Nominal):
         if word.dep != "pcomp" or above.norm != "by" or verb.dep not in ("xcomp", "ccomp", "advcl"):
             return None
         return self._subject(self.words[verb.head])[0] if self._lemma(self.words[verb.head]) in CAUSES else None
+
+    def _let_by(self, word: Word, agent: Entity | None) -> bool:
+        """Whether somebody only gets by because another waits ("we let him pass"), and was not behind."""
+        letting = self.words[word.head]
+        if word.dep not in ("ccomp", "xcomp") or self._lemma(letting) not in LETS or agent is None or agent.ego:
+            return False
+        own = (" ".join(w.norm for w in self.words[m.word : m.word + 9]) for m in agent.mentions)
+        behind = "following" in agent.roles or any(FASTER.search(text) for text in own)
+        return self._lemma(word) in PASSES and not behind and not self._has_object(word)
 
     def _dangles(self, word: Word, agent: Entity) -> bool:
         """Whether a participle's object is the one taken for its agent ("following a truck, it stops"): ego does it."""

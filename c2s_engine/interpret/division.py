@@ -5,8 +5,10 @@ import re
 from c2s_engine.interpret.scan import Span
 
 ABBREVIATION = re.compile(
-    r"(?:\b(?:e\.g|i\.e|approx|ca|vs|no|st|ave|rd|dr|mr|mrs|min|max|fig|sec|incl|etc|resp|veh)|\b[a-z])\.$"
+    r"(?:\b(?:e\.g|i\.e|approx|ca|vs|no|st|ave|rd|dr|mr|mrs|ms|mx|prof|sgt|min|max|fig|sec|incl|etc|resp|veh)|\b[a-z])\.$"
 )
+TITLE = re.compile(r"(?<!\d )\b(?:mr|mrs|ms|mx|prof|sgt)\.$")
+"""Before a name: "Mr. Osei"."""
 
 
 def sentences(text: str) -> list[tuple[int, int]]:
@@ -17,7 +19,11 @@ def sentences(text: str) -> list[tuple[int, int]]:
         before = text[start : match.end()].rstrip()
         if match[0].startswith(".") and ABBREVIATION.search(before.lower()):
             rest = text[match.end() :].lstrip()
-            if not re.match(r"[A-Z]", rest) or re.search(r"\b(?:e\.g|i\.e|approx|vs|no|veh)\.$", before.lower()):
+            if (
+                TITLE.search(before.lower())
+                or not re.match(r"[A-Z]", rest)
+                or re.search(r"\b(?:e\.g|i\.e|approx|vs|no|veh)\.$", before.lower())
+            ):
                 continue
         if match[0].startswith("\n") and "\n\n" not in text[match.start() : match.end() + 1]:
             rest = text[match.end() :].lstrip()

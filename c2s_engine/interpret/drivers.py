@@ -142,8 +142,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             )  # type: ignore[arg-type]
         elif act == "collide":
             target = who or last_actor(scene, ids)
-            for actor in event.also:
-                target = ids.get(actor, target)
+            for actor in (event.agent, *event.also):
+                target = target if actor.ego else ids.get(actor, target)
             if target:
                 phases.append(Phase(action="collide", target=target))
                 said_reaction = True

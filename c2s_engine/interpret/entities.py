@@ -40,6 +40,8 @@ class Entity:
     ordinal: int | None = None
     group: "Entity | None" = None  # whose member it is ("the second of them")
     names: set[str] = field(default_factory=set)  # of the person who drives it
+    manned: bool = False  # whether the person in or on it was spoken of: "he" or "she" may mean it
+    sex: str = ""  # "m" or "f", as far as it was told; "i" of who tells the story
 
     @property
     def ego(self) -> bool:

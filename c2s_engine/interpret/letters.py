@@ -4,7 +4,9 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.makes import models
 from c2s_engine.interpret.motions import third_person, third_persons
+from c2s_engine.interpret.people import people
 from c2s_engine.interpret.scan import LABEL_NUMBERS, Span
 
 BARE = re.compile(r"(?<![\w'’/&.-])(?P<letter>[A-HJ-Z])(?![\w/&%-]|\.\w|['’](?!s\b|\s)|\d|\.\s+[A-Z][a-z]+\s[A-Z])")
@@ -27,6 +29,7 @@ NO_FOLLOWER = re.compile(
     r"|avenue|km|side"
     r"|license|licence|class|crossing|kerb|curb|hand|shoulder|degrees|ramps?|exit|band)\b"
 )
+PARTIES = ("driver", "motorist", "operator", "party", "participant")
 SIDES = frozenset("lrnesw")
 AUXILIARIES = language.words("auxiliaries")
 
@@ -40,7 +43,7 @@ def _verbs() -> frozenset[str]:
 
 @cache
 def _typed() -> re.Pattern[str]:
-    return re.compile(rf"(?<![\w-])(?P<noun>{language.alternatives(list(language.actor_nouns()))})\s$")
+    return re.compile(rf"(?<![\w-])(?P<noun>{language.alternatives([*language.actor_nouns(), *PARTIES])})\s$")
 
 
 def _acts(after: str) -> bool:
@@ -48,6 +51,11 @@ def _acts(after: str) -> bool:
     word = re.match(r"\s+(?:then |now |also |suddenly |\w+ly )?(?P<verb>[a-z-]+)\b", after)
     past = re.match(r"\s+\w+ed\s*(?:[.,;]|$|at\b|in\b|on\b|behind\b|for\b|by\b|to\b|into\b|out\b|hard\b)", after)
     return bool(word and word["verb"] in _verbs() or past or re.match(r"['’]s\b", after))
+
+
+def cased(text: str, plain: str) -> list[Span]:
+    """Letters, people and models, which only a text's own case tells."""
+    return [*letters(text, plain), *people(text, plain), *models(text, plain)]
 
 
 def letters(text: str, plain: str) -> list[Span]:
@@ -99,6 +107,6 @@ def letters(text: str, plain: str) -> list[Span]:
 
 def _label(letter: str, noun: str, start: int, end: int) -> Span:
     """The label of a letter: by its number after a generic noun or alone, by its noun otherwise."""
-    generic = noun in ("", "vehicle", "car", "driver")
+    generic = noun in ("", "vehicle", "car", *PARTIES)
     label = (LABEL_NUMBERS.get(letter) or f"vehicle {letter}") if generic else f"{noun} {letter}"
     return Span("label", start, end, {"label": label, "word": noun or "letter"})

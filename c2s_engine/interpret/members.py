@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
-from c2s_engine.interpret.entities import ORDINALS, VEHICLES, Entity
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import ORDINALS, VEHICLES, Entity, Mention
 from c2s_engine.interpret.parts import Parts
 from c2s_engine.interpret.syntax import Word
 
+COLOURS = language.words("colours")
+ENDS = {
+    "first": {"before": ("front", "leading", "foremost"), "after": r"(?:in|at the) front\b|ahead\b"},
+    "last": {"before": ("rear", "rearmost", "trailing", "back"), "after": r"behind\b|at the (?:back|rear|end)\b"},
+}
+"""What tells the first and the last of a group, before and after "one"."""
 COUNTED = frozenset(("second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"))
 
 
@@ -21,18 +30,74 @@ class Members(Parts):
     def _new(self, entity: Entity) -> Entity:
         raise NotImplementedError
 
+    def _governor(self, word: Word) -> Word:
+        raise NotImplementedError
+
+    def _subject_of(self, verb: Word) -> Entity | None:
+        raise NotImplementedError
+
     def _member_of(self, word: Word) -> Entity | None:
         """ "The second", "the last one", "the first of them", after a group was spoken of: a member of it."""
         before = [w.norm for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
-        told = word.norm if word.norm in ORDINALS else before[-1] if before and word.norm == "one" else ""
-        named = before[-1:] if told == word.norm else before[-2:-1]
         groups = [e for e in self.entities if e.count > 1 and e.mover and "group" not in e.roles]
+        told = word.norm if word.norm in ORDINALS else before[-1] if before and word.norm == "one" else ""
+        if word.norm == "one" and groups and (end := self._end(word, before, groups[-1])):
+            return self.member(groups[-1], end)
+        if word.norm == "one" and (alike := self._of_colour(word)) is not None:
+            return alike
+        named = before[-1:] if told == word.norm else before[-2:-1]
         single = self._one_of(word, before, groups[-1]) if groups else None
         if single is not None:
             return single
         if told not in ORDINALS or named not in (["the"], ["its"]):
             return None
-        return self._member(groups[-1], told) if groups else self._by_order(word, told)
+        return self.member(groups[-1], told) if groups else self._by_order(word, told)
+
+    def _end(self, word: Word, before: list[str], group: Entity) -> str:
+        """Which end of a group "the one in front", "the rear one" or "the one behind" is."""
+        if "the" not in before:
+            return ""
+        ahead = "ahead" in self._hints(group)  # the first of those ahead is the nearest
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5] if w.sentence == word.sentence)
+        for number, ends in ENDS.items():
+            if before[-1] in ends["before"] or re.match(ends["after"], after):
+                return number if not ahead else "last" if number == "first" else "first"
+        return ""
+
+    def _hints(self, entity: Entity) -> set[str]:
+        raise NotImplementedError
+
+    def _of_colour(self, word: Word) -> Entity | None:
+        """ "The black one": who was called so."""
+        colours = COLOURS & {self.words[c].norm for c in word.children}
+        return next((e for e in reversed(self.entities) if e.names & colours), None) if colours else None
+
+    def _members_to_come(self) -> None:
+        """ "The second of the three cars", where the group is named after its member."""
+        for word in self.words:
+            if word.norm not in ORDINALS or word.i in self.of:
+                continue
+            for by in (self.words[c] for c in word.children if self.words[c].norm == "of"):
+                groups = [self.of[c] for c in by.children if c in self.of and self.of[c].count > 1]
+                found = self.member(groups[0], word.norm) if groups else None
+                if found is not None:
+                    self.of[word.i] = found
+                    found.mentions.append(Mention(word.i, word.start, word.end, kind="pronoun"))
+
+    def _listed(self, word: Word) -> Entity | None:
+        """The group whose members are told right after it: "three cars: A, B and C"."""
+        for other in reversed(self.words[max(0, word.i - 8) : word.i]):
+            group = self.of.get(other.i)
+            if group is not None and group.count > 1:
+                opens = self.words[other.i + 1]
+                return group if opens.norm in (":", "(") or opens.sentence != other.sentence else None
+            if (
+                other.norm not in (":", "(", ",", "and", "&")
+                and len(other.norm) > 1
+                and not (other.span is not None and other.span.kind == "label")
+            ):
+                return None
+        return None
 
     def _by_order(self, word: Word, told: str) -> Entity | None:
         """ "The first one" where single ones of a kind were told one after the other."""
@@ -47,13 +112,13 @@ class Members(Parts):
             return None
         bare = not before or before[-1] not in ("the", "that", "this", "other", "every", "each", "no", "last", "first")
         if word.norm == "one" and bare and not (before and before[-1] in ORDINALS):
-            return self._member(group, "first")
-        known = any(e.group is group for e in self.entities)
+            return self.member(group, "first")
+        known = [e for e in self.entities if e.group is group]
         if word.norm in ("other", "others") and known:
-            return self._member(group, "last")
+            return self.member(group, "first" if len(known) == 1 and known[0].ordinal == -1 else "last")
         return None
 
-    def _member(self, group: Entity, told: str) -> Entity | None:
+    def member(self, group: Entity, told: str) -> Entity | None:
         """The member of a group by its number; None where the group has fewer."""
         number = ORDINALS[told] + 1 or -1
         if number == 3 and group.count == 2:  # "several": more than two
@@ -100,16 +165,17 @@ class Members(Parts):
         member = self._member_of(word)
         if member is not None:
             return member
-        if norm == "latter":
-            last = [i for i in sorted(self.of) if i < word.i]
-            return self.of[last[-1]] if last else None
-        if norm == "former":
-            last = [i for i in sorted(self.of) if i < word.i]
-            kinds = list(dict.fromkeys(id(self.of[i]) for i in last[-4:]))
-            return next((self.of[i] for i in last[-4:] if len(kinds) > 1 and id(self.of[i]) == kinds[-2]), None)
+        if norm in ("former", "latter"):
+            spoken = [
+                self.of[w.i] for w in self.words[: word.i] if w.i in self.of and w.norm not in ("former", "latter")
+            ]
+            pair = list(dict.fromkeys(reversed(spoken)))[:2]
+            return pair[0 if norm == "latter" or len(pair) == 1 else 1] if pair else None
         counted = norm == "one" and word.i > 1 and self.words[word.i - 1].norm in COUNTED
         if (
             norm == "another"
+            or norm == "one"
+            and self.words[word.i - 1].norm == "another"
             or norm in COUNTED
             and self.words[word.i - 1].norm in ("a", "the")
             or counted
@@ -141,7 +207,9 @@ class Members(Parts):
         if groups:
             return groups[-1]
         joint = self._joint(word)
-        if joint is None and earlier:
+        doer = self._subject_of(self._governor(word)) if word.dep in ("dobj", "pobj") else None
+        earlier = [e for e in earlier if e is not doer]
+        if (joint is None or doer in joint) and earlier:
             last = list(dict.fromkeys(reversed(earlier)))[:2]
             joint = sorted(last, key=lambda e: e.ego) if len(last) == 2 else None
         return self._all_of(word, joint) if joint else None

@@ -1,9 +1,10 @@
 """Third stage: who is meant. Mentions of ego and of the others become entities, over sentences."""
 
 import re
+from collections.abc import Callable
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.askers import asked, bystanding
+from c2s_engine.interpret.askers import asked, bystanding, narrator, quoted
 from c2s_engine.interpret.entities import (
     DEFINITE,
     MOTOR,
@@ -16,7 +17,7 @@ from c2s_engine.interpret.entities import (
     Mention,
     fits,
 )
-from c2s_engine.interpret.nouns import Nouns
+from c2s_engine.interpret.labels import Labels
 from c2s_engine.interpret.syntax import Word
 
 __all__ = [
@@ -34,7 +35,13 @@ __all__ = [
 ]
 
 
-class Cast(Nouns):
+CARRIED = re.compile(
+    r"\b(?:i|we) (?:was|were|am|are) (?:(?:an?|the|sitting|seated|travell?ing|riding|driving|passengers?|front|back"
+    r"|rear|seat|home|to work) )*(?:in|on|aboard) (?:an?|the|his|her|their|my \w+ 's) (?:[\w-]+ ){0,2}$"
+)
+
+
+class Cast(Labels):
     """The entities of a text, and who each word means."""
 
     def __init__(self, words: list[Word]) -> None:
@@ -47,14 +54,29 @@ class Cast(Nouns):
         self.both: dict[int, list[Entity]] = {}  # whom else a word means that means several
         self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
         self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD")}
-        self.strong_ego = any(w.span and w.span.kind == "ego" for w in words)
+        self.me = self._narrator()
+        self.strong_ego = any(self._strong(w) for w in words)
         self.ego_named = self.strong_ego or any(
             w.span and w.span.kind == "label" and w.span.data["label"] == "1" for w in words
         )
         self.one_is_ego = self._label_is_ego()
         self._resolve()
+        self._members_to_come()
         self._both_to_come()
         self._other_to_come()
+
+    def _strong(self, word: Word) -> bool:
+        """Whether a word is a name of ego: "I" is none where the first person does not drive."""
+        return word.span is not None and word.span.kind == "ego" and (self.me is self.ego or word.norm != "i")
+
+    def _narrator(self) -> Entity:
+        """Who says "I": ego, or somebody on foot or on a bicycle whom one that drives meets."""
+        kind = narrator(" ".join(w.norm for w in self.words))
+        told = {w.span.data["type"] for w in self.words if w.span and w.span.kind == "actor"}
+        named = any(w.span is not None and w.span.kind in ("ego", "label") and w.norm != "i" for w in self.words)
+        if not kind or self.asking or not (named or told & MOTOR):
+            return self.ego
+        return self._new(Entity("", kind, typed=True, manned=True, sex="i"))
 
     # -- building ------------------------------------------------------------------------------------------------
     def _resolve(self) -> None:
@@ -71,10 +93,19 @@ class Cast(Nouns):
             else:
                 entity = self._pronoun(word)
             if entity is not None:
+                if entity.type in MOTOR and not entity.ego and self._carries_me(word):
+                    self.become_ego(entity)
+                    entity = self.ego
                 self.of[word.i] = entity
+                self._man(word, entity)
                 entity.mentions.append(Mention(word.i, word.start, word.end, kind=span.kind if span else "pronoun"))
                 if word.dep in ("nsubj", "nsubjpass") or self._fronted(word):
                     self.subjects.append((word.i, entity))
+
+    def _carries_me(self, word: Word) -> bool:
+        """Whether it is said to be what the first person is in: "I was a passenger in a taxi"."""
+        before = " ".join(w.norm for w in self.words[max(0, word.i - 12) : word.i] if w.sentence == word.sentence)
+        return word.i not in self.asking and CARRIED.search(before + " ") is not None
 
     def _both_to_come(self) -> None:
         """ "Both vehicles shall be driven at 50 km/h", before ego and the one other vehicle are named."""
@@ -122,6 +153,8 @@ class Cast(Nouns):
     def _named(self, word: Word) -> Entity | None:
         span = word.span
         assert span is not None
+        if span.kind == "ego" and not self._strong(word):
+            return self.me
         if span.kind == "ego":
             self._ego_type(word)
             named = self._copula(word) or self._which_is(word) or self._bracketed(word)
@@ -148,155 +181,21 @@ class Cast(Nouns):
             if kind in MOTOR - {"vehicle", "car"}:
                 self.ego.type, self.ego.typed = kind, True
 
-    def _label_is_ego(self) -> bool:
-        """Whether number 1 is ego although ego has another name: "V1, the subject vehicle"."""
-        if not self.strong_ego:
-            return True
-        text = " ".join(
-            "@one"
-            if w.span and w.span.kind == "label" and w.span.data["label"] == "1"
-            else "@ego"
-            if w.span and w.span.kind == "ego"
-            else w.norm
-            for w in self.words
-        )
-        return bool(re.search(r"@one (,|\(|is|was|being|, which is) (the )?@ego|@ego (,|\(|is|was) ?\(? ?@one", text))
-
-    def _labelled(self, word: Word) -> Entity | None:
-        data = word.span.data  # type: ignore[union-attr]
-        label = data["label"]
-        if label == "1" and self.one_is_ego:
-            host = self._apposed(word) or self._known_as(word)
-            if host and not host.ego and len(host.mentions) <= 2:
-                self.become_ego(host)
-            return self.ego
-        host = self._copula(word)
-        known = next((e for e in self.entities if e.label == label), None)
-        if host is not None and host.ego:  # "the ego is car C"
-            if known is not None:
-                self.become_ego(known)
-            return self.ego
-        if known is not None:
-            return known
-        host = self._apposed(word) or self._known_as(word)
-        if host is not None and host.count > 1:  # "three cars: A is in front"
-            host.roles.add("group")
-            return self._new(Entity("", host.type, noun=host.noun, label=label, typed=host.typed))
-        if host is None and word.i and self.words[word.i - 1].norm == "(":
-            near = [
-                i
-                for i in sorted(self.of)
-                if i < word.i
-                and self.words[i].sentence == word.sentence
-                and not self.of[i].ego
-                and not self.of[i].label
-            ]
-            host = self.of[near[-1]] if near else None
-        if host and not host.ego and not host.label:
-            host.label = label
-            return host
-        noun = data["word"] if data["word"] in language.actor_nouns() else label.rsplit(" ", 1)[0]  # "van a" by "a"
-        known = " " in label and noun in language.actor_nouns()
-        kind = language.actor_nouns()[noun][0] if known else "vehicle"
-        return self._new(Entity("", kind, noun=noun if known else "", label=label, typed=kind != "vehicle"))
-
-    def become_ego(self, entity: Entity) -> None:
-        """Take an entity for ego."""
-        if entity.type != "vehicle":
-            self.ego.type, self.ego.typed = entity.type, True
-        for mention in entity.mentions:
-            self.of[mention.word] = self.ego
-        self.ego.mentions += entity.mentions
-        self.entities.remove(entity)
-        self.subjects = [(i, self.ego if e is entity else e) for i, e in self.subjects]
-
-    def _apposed(self, word: Word) -> Entity | None:
-        """The entity that a label or noun stands beside: "a car (V2)", "V2, a car", "V2 was a truck"."""
-        before = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
-        gap: list[str] = []
-        for other in reversed(before):
-            if other.i in self.of:
-                text = re.sub(
-                    r"^(ahead|in front|behind|alongside|ahead of it|in front of it) ", "", " ".join(reversed(gap))
-                )
-                if re.fullmatch(
-                    (
-                        r"(\(|,|, which (is|was)|:|-+|, (driven|operated) by)?( ?(the|a|an|another|called"
-                        r"|designated|labelled|labeled|as|known as|i\.e\.|ie|namely))?( [\w-]+){0,2}"
-                    ),
-                    text,
-                ) and (gap and gap[-1] in ("(", ",", "-", "--", ":") or not gap):
-                    if (
-                        gap
-                        and gap[-1] == ","
-                        and not re.search(r"\b(a|an|the|called|as)\b", text)
-                        and word.dep != "appos"
-                    ):
-                        return None
-                    return self.of[other.i]
-                return None
-            gap.append(other.norm)
-        return None
-
-    def _copula(self, word: Word) -> Entity | None:
-        """The subject of "X is/was a truck"."""
-        head = self.words[word.head]
-        near = [w.norm for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
-        if {"behind", "beside", "near", "past", "between"} & set(near):
-            return None
-        if word.dep == "attr" and head.lemma == "be":
-            for child in head.children:
-                if (
-                    self.words[child].dep == "nsubj"
-                    and child in self.of
-                    and child < word.i
-                    and self.words[child].norm not in ("it", "they")
-                ):
-                    return self.of[child]
-                if self.words[child].dep == "nsubj" and child < word.i:
-                    return None
-        return None
-
-    def _bracketed(self, word: Word) -> Entity | None:
-        """The one after whom a bracket names ego: "one minivan (the ego here)", "the van (= our ego)"."""
-        back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
-        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
-        comma = word.i and "," in [w.norm for w in self.words[max(0, word.i - 3) : word.i]]
-        after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
-        if comma and after != ",":
-            return None
-        if re.search(
-            r"@ (\(|\[|,|--?) ?(=|i\.e\. ?,?|that is ,?|here|namely|this is|call it|as|being)? ?(the |our |my )?$",
-            text + " ",
-        ):
-            return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
-        return None
-
-    def _which_is(self, word: Word, told: str = r"@ ?,? (which|that|who) (is|was) (our |the |my )?$") -> Entity | None:
-        """The one of whom it is said "which is our ego"."""
-        back = [w for w in self.words[max(0, word.i - 9) : word.i] if w.sentence == word.sentence]
-        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
-        if re.search(told, text + " "):
-            return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
-        return None
-
-    def _known_as(self, word: Word) -> Entity | None:
-        """The one that goes by a label: "the van, which the report lists as vehicle 2", "referred to as V2"."""
-        named = r"(which|whom|that|who|here\w*|referred|designated|recorded|listed|marked|identified|described|known)"
-        return self._which_is(word, rf"@ ?,? ?\(? ?{named}( [^\s,.;]+){{0,6}} as $")
-
 
 def _asking(words: list[Word]) -> frozenset[int]:
     """The words in which first persons are nobody on the road ("please write me a scene", "I saw it from here")."""
     if bystanding(" ".join(w.norm for w in words)):
         return frozenset(w.i for w in words)
-    found: set[int] = set()
+    found = _within(words, quoted)
     for number in {w.sentence for w in words}:
-        sentence = [w for w in words if w.sentence == number]
-        starts, text = [], ""
-        for word in sentence:
-            starts.append(len(text))
-            text += word.norm + " "
-        for first, last in asked(text):
-            found |= {w.i for w, at in zip(sentence, starts, strict=True) if first <= at < last}
+        found |= _within([w for w in words if w.sentence == number], asked)
     return frozenset(found)
+
+
+def _within(words: list[Word], find: Callable[[str], list[tuple[int, int]]]) -> set[int]:
+    """The words in the stretches that are found in their text."""
+    starts, text = [], ""
+    for word in words:
+        starts.append(len(text))
+        text += word.norm + " "
+    return {w.i for first, last in find(text) for w, at in zip(words, starts, strict=True) if first <= at < last}

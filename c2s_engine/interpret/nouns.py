@@ -6,16 +6,17 @@ import re
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PERSONS, VEHICLES, ZONES, Entity, fits
+from c2s_engine.interpret.persons import DRIVERS
 from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.titles import Titles
 
+COLOURS = language.words("colours")
 STANDS = language.words("stands")
 TWO_WHEELERS = language.words("two_wheelers")
 COUNTED = re.compile(
     r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units"
     r"|animals|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
 )
-TITLES = language.words("titles")
 CARRIES = language.words("carries")
 LOST = language.words("lost")
 
@@ -32,6 +33,8 @@ class Nouns(Titles):
     def _actor(self, word: Word) -> Entity | None:
         data = word.span.data  # type: ignore[union-attr]
         kind, noun, roles = data["type"], data.get("noun", ""), set(data.get("roles", ()))
+        if data.get("names"):
+            return self._by_name(word)
         if data.get("label"):
             roles |= {language.roles()[b] for b in self._modifiers(word) if b in STANDS}  # "a stationary GVT"
             host = self.of.get(word.i - 2) if word.i > 1 and self.words[word.i - 1].norm == "(" else None
@@ -45,20 +48,27 @@ class Nouns(Titles):
             return self._new(Entity("", "vehicle", label=data["label"], roles=roles))
         if noun in TWO_WHEELERS and kind == "bicycle" and self._motor_bike():
             kind = "motorcycle"
+        if noun == "scooter" and (who := self._aboard(word)) is not None and who.span.data["type"] == "child":
+            kind = "bicycle"  # "a kid on a scooter"
         before = self._modifiers(word)
         previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
         if previous in ("other",) and "no" in self._near(word):
             return None
         if "no" in before or previous in ("no", "without", "any"):
             return None
+        if previous in ("my", "our") and word.i - 1 in self.asking:
+            return None  # "I was walking my dog when I saw ..."
         if (kind in ("pedestrian", "child") or noun in language.table("actors")["drivers"]) and self._rides(word):
             return None
-        if kind in ("pedestrian", "child") and not data.get("plural") and (driver := self._at_wheel(word)) is not None:
-            return driver
+        if kind in ("pedestrian", "child") and not data.get("plural"):
+            driver = self._driver_of(word) or self._at_wheel(word) or self._aboard_before(word) or self._steering(word)
+            if driver is not None:
+                driver.names.add(noun.split(" ")[-1])
+                return driver
+        if kind == self.me.type == "pedestrian" and not data.get("plural") and self._heading(word.sentence):
+            return self.me  # "School patrol, 8.25. I walked out ..."
         if word.i in self.wheels:
             return self._retyped(self.wheels[word.i], kind, roles, noun)
-        if noun.split(" ")[0] in TITLES:
-            return self._titled_person(word, noun)
         if self._is_modifier(word) or self._proper(word):
             return None
         if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word)):
@@ -164,6 +174,8 @@ class Nouns(Titles):
         bare = not before and previous not in ("a", "an") and not data.get("plural")
         if definite or bare or (roles and not {"a", "an", "another", "second", "third"} & set(before)):
             found = self._definite(word, kind, noun, roles, other, ordinal, definite, count, bare)
+            if found is None and bare and data.get("person") and not roles:
+                found = next((e for e in reversed(self.entities) if fits(e, kind) and e.count == 1), None)
             if found is not None:
                 if not found.ego and found.type == "vehicle" and kind != "vehicle" and kind in MOTOR:
                     found.type, found.typed = kind, True
@@ -172,8 +184,10 @@ class Nouns(Titles):
                     found.count, found.noun = count, noun
                 return found
         found = Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
-        if previous in language.makes():  # "a Ford Focus": "the Ford" is the same
-            found.names.add(previous)
+        if count == 1:
+            found.names |= COLOURS & set(before)
+        if data.get("make"):  # "a Ford Focus": "the Ford" is the same
+            found.names.add(data["make"])
         return self._new(found)
 
     def _motor_bike(self) -> bool:
@@ -195,7 +209,7 @@ class Nouns(Titles):
             by.lemma in CARRIES or by.lemma == "drop" and "off" in [w.norm for w in self.words[by.i : word.i + 2]]
         ):
             return word.span is not None and word.span.data["type"] in ("box", "trash", "container")
-        lost = by.norm in ("by", "from") and verb.tag in ("VBN", "VBD") and verb.norm in LOST
+        lost = by.norm in ("by", "from", "off") and verb.tag in ("VBN", "VBD") and verb.norm in LOST
         return lost and (
             verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))
         )
@@ -275,6 +289,9 @@ class Nouns(Titles):
         return bool(
             word.dep in ("compound", "nmod", "amod")
             and following is not None
+            and not (
+                following.lemma in DRIVERS and word.span is not None and word.span.data.get("noun") in language.makes()
+            )
             and following.sentence == word.sentence
             and following.norm not in ("level", "side", "abreast", "alongside", "following", "facing")
             and (head.i == following.i or following.norm in ("lane", "stop", "park", "length", "lengths", "width"))

@@ -7,6 +7,7 @@ from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import MOTOR, VEHICLES, Cast, Entity
+from c2s_engine.interpret.paired import leave_group, one_of_both
 
 ROLE_WORDS = frozenset(("lead", "oncoming", "parked", "stationary", "crossing", "adjacent", "cut_in", "slow"))
 
@@ -45,6 +46,13 @@ EGO_LIKE = frozenset(
 )
 
 
+IN_MODE = re.compile(
+    r"\b(?:in|with|on|under) (?:its |the |full |fully |an? )*(?:autonomous|automated|self-driving|driverless|autopilot"
+    r"|conventional|manual)\b(?: driving)?(?: (?:mode|control|system|engaged|active|on)\b)?|\boperating autonomously\b"
+)
+"""What is said of the vehicle that a report of an automated vehicle is about."""
+
+
 FROM_ASIDE = re.compile(
     r"^(?!.*\b(?:turn|chang|merg|mov|swerv|veer)\w*\b.* from ).*\bfrom (?:the |its )?"
     r"(?:left|right|rear|behind|front|opposite (?:side|direction))\b(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb))"
@@ -52,8 +60,33 @@ FROM_ASIDE = re.compile(
 """A way by which one comes towards somebody who is not named: that is ego."""
 
 
+BESIDE = re.compile(
+    r"^\S+( \S+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)|coming|approaching|oncoming"
+    r"|from (the|its|behind))"
+)
+AHEAD = re.compile(r"(?:be|drive|travel|ride|stand|wait) (?:\w+ly )?(?:ahead|in front) ?[.,;]?$")
+"""Places and ways that are told as beside or towards somebody."""
+
+
+HELD = re.compile(
+    r"\b(?:stop|wait|stand|halt|sit|stopped|waiting)\b.*\b(?:light|lights|signal|sign|line|traffic|queue|turn|crosswalk|crossing"
+    r"|junction|intersection|pedestrians?|roundabout)\b"
+)
+"""What one stops for that drives."""
+
+
 TOWARDS = frozenset(("collide", "overtake", "follow", "yield", "cut_in", "evade"))
 """What ego does to another: who is meant by "the driver" is not the other."""
+
+
+def _in_mode(entity: Entity, cast: Cast) -> bool:
+    """Whether it is said in which mode it drives ("a Lexus in autonomous mode"), before another one is spoken of."""
+    for mention in entity.mentions:
+        rest = cast.words[mention.word + 1 : mention.word + 24]
+        other = (n for n, w in enumerate(rest) if w.sentence != cast.words[mention.word].sentence or w.i in cast.of)
+        if IN_MODE.search(" ".join(w.norm for w in rest[: next(other, len(rest))])):
+            return True
+    return False
 
 
 def _after(i: int, cast: Cast) -> str:
@@ -70,9 +103,19 @@ def _demanded(entity: Entity, cast: Cast) -> bool:
     )
 
 
-def _past_nobody(event: Event) -> bool:
-    """Whether one goes past somebody who is not named: that may be ego."""
-    return event.patient is None or event.patient.mover and event.patient.type not in VEHICLES
+def _passes_nobody(acts: list[Event]) -> bool:
+    """Whether one goes past somebody who is never named: that may be ego."""
+    passed = [v.patient for v in acts if v.act == "overtake"]
+    return bool(passed) and all(p is None or p.mover and p.type not in VEHICLES for p in passed)
+
+
+def _beside_nobody(entity: Entity, cast: Cast) -> bool:
+    """Whether it is first told by its place beside somebody who is not named: that is ego."""
+    at = entity.mentions[0].word
+    the = at < 3 or cast.words[at - 1].norm == "the"
+    first = " ".join(w.norm for w in cast.words[at : at + 7])
+    stands = entity.group is None and entity.count == 1 and the and re.match(r"\S+ (is|was|were) ", first)
+    return not stands and BESIDE.search(first) is not None
 
 
 def _by_whom(cast: Cast, entity: Entity) -> bool:
@@ -97,31 +140,43 @@ def _anchors(entity: Entity, clauses: Clauses) -> bool:
     return len(placed) > 1
 
 
+def _on_its_own(entity: Entity) -> bool:
+    """Whether it is told of by itself, if only as one of several ("one of them")."""
+    return entity.group is None or entity.group.type in MOTOR and not entity.group.roles & ROLE_WORDS
+
+
+def _rests(entity: Entity, acts: list[Event]) -> bool:
+    """Whether it only stands there."""
+    return bool(entity.roles & {"parked", "stationary"}) or bool(acts) and all(v.act == "stationary" for v in acts)
+
+
+def _held_up(entity: Entity, acts: list[Event], clauses: Clauses) -> bool:
+    """Whether it only stands in traffic, for a light or a sign, and is run into: it may be whom the text is about."""
+    waits = any(HELD.search(v.whole) for v in acts)
+    return waits and any(v.act == "collide" and v.patient is entity and v.done for v in clauses.events)
+
+
 def choose_ego(cast: Cast, clauses: Clauses) -> None:
     """Where nobody is called ego: the vehicle that the text is about, if there is one besides the others."""
     if cast.ego.mentions:
         return
-    vehicles = [e for e in cast.entities if e.type in MOTOR and e.count == 1 and e.group is None]
-    told_by = bystanding(" ".join(w.norm for w in cast.words))
+    vehicles = [e for e in cast.entities if e.type in MOTOR and e.count == 1 and _on_its_own(e)]
+    told_by = cast.me is not cast.ego or bystanding(" ".join(w.norm for w in cast.words))
     acting = {e: [v for v in clauses.events if v.agent is e and v.done] for e in vehicles}
     candidates = []
     for entity in vehicles:
-        at = entity.mentions[0].word
-        the = at < 3 or cast.words[at - 1].norm == "the"
-        first = " ".join(w.norm for w in cast.words[entity.mentions[0].word : entity.mentions[0].word + 7])
         if (
             entity.roles & ROLE_WORDS
             or not told_by
-            and any(v.act == "overtake" and _past_nobody(v) for v in acting[entity])
-            or "following" not in entity.roles
-            and not told_by
-            and not (the and re.match(r"\S+ (is|was|were) ", first))
-            and re.search(
-                (
-                    r"^\S+( \S+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)|coming"
-                    r"|approaching|oncoming|from (the|its|behind))"
-                ),
-                first,
+            and (
+                _passes_nobody(acting[entity])
+                or "following" not in entity.roles
+                and (
+                    _beside_nobody(entity, cast)
+                    or entity.group is not None
+                    and _beside_nobody(entity.group, cast)
+                    or any(v.agent is entity and AHEAD.match(v.text) for v in clauses.events)
+                )
             )
         ):
             continue
@@ -129,18 +184,20 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         if not told_by and len(vehicles) == 1 and any(FROM_ASIDE.search(_after(m.word, cast)) for m in entity.mentions):
             continue
         before = cast.words[head.i - 1].norm if head.i else ""
-        if before in ("another", "other") or any(cast.words[c].norm in ("another", "other") for c in head.children):
+        told_apart = {before, *(cast.words[c].norm for c in head.children)} & {"another", "other"}
+        if told_apart and not all(_rests(e, acting[e]) for e in vehicles[: vehicles.index(entity)]):
             continue
         acts = [v.act for v in acting[entity]]
         if any(v.act in TOWARDS and v.agent is cast.ego and v.patient is entity for v in clauses.events):
             continue
         if not acts and not any(v.patient is entity for v in clauses.events):
             continue
-        if acts and not EGO_LIKE & set(acts):
+        held = _held_up(entity, acting[entity], clauses)
+        if acts and not EGO_LIKE & set(acts) and not held:
             continue
         if (
             {"cut_in", "enter_road"} & set(acts)
-            or (acts and all(a == "stationary" for a in acts))
+            or (acts and all(a == "stationary" for a in acts) and not held)
             or any(v.act == "reverse" and re.search(r"driveway|parking|garage", v.whole) for v in acting[entity])
         ):
             continue
@@ -160,9 +217,14 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         ):
             continue
         candidates.append(entity)
+    driverless = [e for e in vehicles if _in_mode(e, cast)]
+    if len(driverless) == 1:
+        candidates = driverless
     if not candidates:
         struck = {v.patient for v in clauses.events if v.act == "collide" and v.done and not v.agent.ego}
         candidates = [e for e in vehicles if e in struck and not e.roles & ROLE_WORDS][:1]
+    if not candidates:
+        candidates = one_of_both(cast, clauses)
     if not candidates:
         return
     demanded = [e for e in candidates if _demanded(e, cast)]
@@ -179,7 +241,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     if (
         len(candidates) == 1
         and not others
-        and any(v.act in ("brake", "cut_in", "enter_road") for v in acting[best])
+        and any(v.act in ("brake", "cut_in", "enter_road") for v in acting.get(best, []))
         and not hit
     ) and re.search(r"\b(in front|ahead)\b", " ".join(w.norm for w in cast.words)):
         return
@@ -188,15 +250,18 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         r"\b(coming|comes) (the other way|towards)|(?<!\bno )\boncoming\b|opposite (direction|lane)|other direction",
         plain,
     )
+    met = any("oncoming" in v.patient.roles for v in acting.get(best, []) if v.patient is not None)
     first = bool(cast.asking) and best.mentions[0].word == min(m.word for e in cast.entities for m in e.mentions)
     if (
         implied
         and not first
+        and not met
         and not _anchors(best, clauses)
         and best.mentions[0].word > 6
         and best is not (generic[0] if generic else None)
     ):
         return
+    leave_group(best, cast, clauses)
     cast.entities.remove(best)
     if best.type != "vehicle":
         cast.ego.type, cast.ego.typed = best.type, True

@@ -70,6 +70,9 @@ MODAL = regex.compile(
     r"\b(?:will|should|must|shall|would|could|can|may)\s+(?!be\b)\p{L}[^.;:]*?"
     r"(?:\band|\bthen|,|\bor)\s+(?:then |\w+ly )?$"
 )
+STRUCK = frozenset(("rear-ended", "t-boned", "side-swiped", "sideswiped", "broadsided"))
+
+
 LETS = regex.compile(r"\b(?:let|lets|letting|help|helps|watch|watches|sees)\s+(?:\S+\s+){1,4}$")
 
 
@@ -95,6 +98,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         return "they"
     if text in ALONE and verb and _finite(verb[1]) and OPENS.search(plain[max(0, start - 12) : start]):
         return "he"
+    if text in STRUCK and regex.search(r"\b(?:and|then|but|\w+ly)\s+$", plain[max(0, start - 16) : start]):
+        return "struck"  # "failed to stop and rear-ended V1"
     lets = before is not None and text in language.word_list("motion") | language.word_list("base")
     if lets and LETS.search(plain[max(0, start - 48) : start]):
         return "go"
@@ -175,6 +180,8 @@ def _proxies(plain: str, span: Span, before: str) -> list[tuple[str, int, int, S
     after_determiner = after_determiner and not (
         span.kind == "ego" and before.endswith(("way", "city", "country", "day"))
     )
+    if span.kind == "label" and span.data["label"].startswith("pedestrian "):
+        return [("Mary", start, end, span)]
     if span.kind == "label":
         return [("V" + span.data["label"].rpartition(" ")[2].upper(), start, end, span)]
     if span.kind == "ego":

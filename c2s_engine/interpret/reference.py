@@ -12,8 +12,17 @@ from c2s_engine.interpret.syntax import Word
 OWNERS = language.words("owners")
 ANYBODY = language.words("anybody")
 """Nouns of no type by which ego may be meant, too: not "the target", "the attacker"."""
+DRIVES_IT = frozenset(("you", "your", "he", "she", "his", "her"))
+"""Words for ego that mean who is at the wheel."""
+COLOURS = language.words("colours")
+CARS = frozenset(("car", "vehicle", "van", "police_car"))
 TOLD_APART = frozenset(("oncoming", "crossing", "lead", "following", "cut_in", "adjacent", "adversary"))
 """Parts in the scene by which another one is meant, unless somebody had that part before."""
+
+
+def _alike(entity: Entity, kind: str) -> bool:
+    """Whether the first word of a longer name can stand for it: not "the dog" for a dog walker."""
+    return entity.type == kind or entity.type in VEHICLES and kind in VEHICLES
 
 
 class Reference(Pronouns):
@@ -37,9 +46,20 @@ class Reference(Pronouns):
         if owner is not None and not owner.ego and kind in VEHICLES and owner.noun in OWNERS:
             owner.type, owner.typed = (kind, True) if kind != "vehicle" else (owner.type, owner.typed)
             return owner  # "the defendant's car"
+        if owner is not None and self._own_vehicle(word, owner, kind):
+            if owner.type == "vehicle":
+                owner.type, owner.typed = kind, kind != "vehicle"
+            return owner
         if before and before[0] in ("our", "my"):
             return self.ego if kind in VEHICLES else None
         return None
+
+    def _own_vehicle(self, word: Word, owner: Entity, kind: str) -> bool:
+        """Whether it is what somebody at the wheel drives: "his car", after "Mr Hansen was driving"."""
+        assert word.span is not None
+        if not owner.manned or owner.person or kind not in VEHICLES or word.span.data.get("words"):
+            return False
+        return kind in ("vehicle", owner.type) or owner.type == "vehicle" or fits(owner, kind)
 
     def _definite(
         self,
@@ -53,13 +73,39 @@ class Reference(Pronouns):
         count: int,
         bare: bool,
     ) -> Entity | None:
+        before = self._near(word)
         candidates = [e for e in self.entities if fits(e, kind)]
+        coloured = [e for e in candidates if e.names & COLOURS & set(before)]
+        candidates = coloured or candidates
+        short = [e for e in self.entities if e.noun.startswith(f"{noun} ") and e.count == count and _alike(e, kind)]
+        if short and (definite or bare) and not (roles or other or ordinal is not None):
+            return short[-1]  # "an auto rickshaw ... the auto"
         if noun in (brands := language.makes()):  # "the Kia hit the Hyundai"
-            candidates = [e for e in candidates if e.noun not in brands or noun in (e.noun, *e.names)]
+            same = language.table("actors")["same_makes"].get(noun, noun)
+            candidates = [e for e in candidates if e.noun not in brands or {noun, same} & {e.noun, *e.names}]
+        groups = [e for e in candidates if e.count > 1 and "group" not in e.roles]
+        if (
+            roles
+            and definite
+            and count == 1
+            and groups
+            and not self.ego_named
+            and not any(e.roles & roles for e in candidates)
+        ):
+            number = "first" if "lead" in roles else "last" if "following" in roles else ""
+            if number and groups[-1].count == 2:  # "two cars ...: the lead car"
+                return self.member(groups[-1], number)
+        if ordinal is not None and count == 1 and definite and not roles:
+            told = next((name for name, at in ORDINALS.items() if at == ordinal), "")
+            if groups and (member := self.member(groups[-1], told)) is not None:
+                return member
         if roles:
             same = [e for e in candidates if e.roles & roles and (definite or (e.count > 1) == (count > 1))]
             if same:
                 return same[-1]
+            again = [e for e in candidates if e.noun == noun and not e.roles and word.span and word.span.data["person"]]
+            if again and definite and count == 1:
+                return again[-1]  # "the motorist who was trailing it ... the trailing motorist"
             if roles & {"lead"}:
                 ahead = [e for e in candidates if "ahead" in self._hints(e)]
                 if ahead:
@@ -68,7 +114,7 @@ class Reference(Pronouns):
                 return None
             if roles & TOLD_APART or not candidates:
                 return None
-        second = any(self.words[m.word].norm in ("you", "your") for m in self.ego.mentions)
+        second = any(self.words[m.word].norm in DRIVES_IT for m in self.ego.mentions)
         alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
         if second and alone and not self._distinguished(word) and self.words[word.i - 1].norm == "the":
             return self.ego  # a driver is told what to do: "you will feel the car"
@@ -83,7 +129,9 @@ class Reference(Pronouns):
         if bare and not roles and self._distinguished(word):
             return None
         if bare and not roles:
-            return next((e for e in reversed(candidates) if e.noun == noun), None)
+            same = next((e for e in reversed(candidates) if e.noun == noun), None)
+            mine = same is None and kind == self.ego.type and self.ego.typed and self._ego_by(noun)
+            return self.ego if mine else same  # "... my bus. Front side of bus was damaged"
         if other:
             vehicles = [e for e in candidates if not e.ego]
             group = [e for e in vehicles if e.count == 2]
@@ -92,11 +140,6 @@ class Reference(Pronouns):
                 return None
             single = [e for e in vehicles if e.count == 1 and "group" not in e.roles]
             return single[-1] if single else None
-        if ordinal is not None and count == 1 and definite:
-            groups = [e for e in candidates if e.count > 1 and "group" not in e.roles]
-            told = next((name for name, at in ORDINALS.items() if at == ordinal), "")
-            if groups and (member := self._member(groups[-1], told)) is not None:
-                return member
         if ordinal is not None and len(candidates) > 1 and ordinal < len(candidates):
             return candidates[ordinal]
         if self._distinguished(word) and not any(e.noun == noun or e.type == kind for e in candidates):
@@ -104,12 +147,16 @@ class Reference(Pronouns):
         if self._distinguished(word) and kind in ("vehicle", "car") and not self._matching_relation(word, candidates):
             return None if candidates or self._relative_to_ego(word) else None
         if count > 1:
-            many = [e for e in candidates if e.count > 1]
-            if many:
-                return many[-1]
+            many = [e for e in candidates if e.count > 1 and "group" not in e.roles]
+            counted = any(w.norm in language.table("actors")["counts"] for w in self.words[word.i - 2 : word.i])
+            alike = [e for e in many if e.count == count] if counted else many
+            if alike:
+                return alike[-1]
             told = {w.norm for w in self.words[max(0, word.i - 2) : word.i]} & {"both", "the", "these", "all"}
-            singles = sorted((e for e in candidates if e.mentions), key=lambda e: e.mentions[-1].word)
-            if self.ego_named and self.ego.mentions and kind == "vehicle" and len(singles) == count - 1:
+            every = VEHICLES if noun == "vehicles" else CARS if noun == "cars" else ()
+            fitting = [e for e in self.entities if e.type in every] if every else candidates
+            singles = sorted((e for e in fitting if e.mentions and e.count == 1), key=lambda e: e.mentions[-1].word)
+            if self.ego.mentions and noun in ("vehicles", "cars") and len(singles) == count - 1:
                 singles.append(self.ego)
             if told and not self._distinguished(word) and len(singles) >= count:
                 return self._all_of(word, sorted(singles[-count:], key=lambda e: (e.ego, e.mentions[0].word)))

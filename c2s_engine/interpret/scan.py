@@ -3,27 +3,20 @@
 Every offset is one of the text that is read. The normalised text has the same length, so that spans need no mapping."""
 
 import re
-from dataclasses import dataclass, field
 from functools import cache
-from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.askers import asked
+from c2s_engine.interpret.makes import MAKE, stands_for_a_vehicle
+from c2s_engine.interpret.parties import other_party, short_labels
+from c2s_engine.interpret.spans import Span
+
+__all__ = ["Span"]
 
 SAME = str.maketrans(
     "\u2018\u2019\u201b\u2032\u201c\u201d\u00a0\u2010\u2011\u2012\u2013\u2014\u2015\u2212\u202f\t",
     "''''\"\"" + " " + "------- " + " ",
 )
-
-
-@dataclass
-class Span:
-    """A stretch of the text that was recognised as a whole."""
-
-    kind: str
-    start: int
-    end: int
-    data: dict[str, Any] = field(default_factory=dict)
 
 
 def normalised(text: str) -> str:
@@ -74,10 +67,11 @@ NUMBERS = ("one", "two", "three", "four", "five")
 LABEL_NUMBERS = {n: str(i) for names in (NUMBERS, "abcde") for i, n in enumerate(names, 1)}
 
 
-def names(text: str, letters: list[Span] | None = None) -> list[Span]:
-    """Names of ego, labels of vehicles (V2, Unit 2), road users and things, without overlaps; with the letters that the
-    text's own case gave, where it was looked at."""
-    found: list[Span] = list(letters or ())
+def names(text: str, cased: list[Span] | None = None) -> list[Span]:
+    """Names of ego, labels of vehicles (V2, Unit 2), road users and things, without overlaps; with the letters
+    and people that the text's own case gave, where it was looked at."""
+    found: list[Span] = list(cased or ())
+    lettered = [(s.start, s.end) for s in found if s.kind == "label"]
     asking = asked(text)
     found += [
         Span("ego", match.start(), match.end())
@@ -95,7 +89,6 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
                 {"type": "vehicle", "label": match[0].removeprefix("the "), "roles": [role] if role else []},
             )
         )
-    lettered = [(s.start, s.end) for s in letters or ()]
     for match in _label().finditer(text):
         if any(s < match.end() and match.start() < e for s, e in lettered):
             continue
@@ -144,16 +137,8 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
                 {"label": f"{word} {number}" if typed else LABEL_NUMBERS.get(number, number.lstrip("0")), "word": word},
             )
         )
-    found += [
-        Span(
-            "actor",
-            m.start(),
-            m.end(),
-            {"type": "pedestrian", "person": True, "noun": m[0].replace(".", ""), "roles": []},
-        )
-        for m in re.finditer(r"(?<![\w-])(?:mrs?|ms)\.? [a-z][a-z'-]+(?![\w-])", text)
-        if not re.search(r"\d\s*$", text[max(0, m.start() - 4) : m.start()])
-    ]
+    found = [s for s in found if s.kind != "ego" or not other_party(text, s)]
+    found += short_labels(text)
     found += _numbered(text, found)
     taken = [(s.start, s.end) for s in found]
     tables = language.table("actors")
@@ -172,7 +157,7 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             continue
         if noun in tables["verbs_too"] and any(s.end == start - 1 and s.kind != "quantity" for s in found):
             continue
-        if noun in language.makes() and not _stands_for_a_vehicle(text, start, end):
+        if noun in language.makes() and not stands_for_a_vehicle(text, start, end):
             continue
         if noun == "cab" and re.search(r"(?:\b(?:his|her|its|their)|'s)\s+$", text[max(0, start - 8) : start]):
             continue
@@ -185,6 +170,9 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
             and _BUS_STOP.match(text[end : end + 16])
         ):
             continue
+        make = MAKE.search(text[max(0, start - 20) : start]) if noun in language.makes() else None
+        if make and make["make"] in language.makes() and not match["roles"]:
+            start -= len(make[0])  # "a Honda Civic"
         kind, plural, person = _noun(noun)
         plural = plural or noun in tables["invariant"] and _several(text, match.start(), end)
         words = re.split(r"[\s]+", match["roles"].strip()) if match["roles"].strip() else []
@@ -203,10 +191,11 @@ def names(text: str, letters: list[Span] | None = None) -> list[Span]:
                     + _nominal(noun)
                     + ["stationary"] * (noun in queues),
                     "words": words,
+                    "make": make["make"] if make else "",
                 },
             )
         )
-    found += _letters(text, found) if not letters else []
+    found += _letters(text, found) if not lettered else []
     found += _shortened(text, found)
     found.sort(key=lambda s: (s.start, -s.end))
     kept: list[Span] = []
@@ -261,27 +250,6 @@ _BUS_STOP = re.compile(
     r"\s+(?:lane|shelter|station|bay)\b|\s+stop(?=\s*(?:[,.;)]|$|on\b|at\b|in\b|and\b|to\b"
     r"|where\b|with\b|is\b|ahead\b))"
 )
-
-
-def _stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
-    """Whether a make or model is the noun itself: "a black BMW" or "a 2019 Honda Civic", not "the Ford pickup"."""
-    before, after = text[max(0, start - 24) : start], text[end : end + 40]
-    model = re.match(r"[\s-]+([\w-]+)", after)
-    if model and model[1] in language.makes() or re.match(r"[\s-]+(?:[\w-]+\s+)?(?:" + _noun_words() + r")\b", after):
-        return False
-    named = re.search(
-        (
-            r"(?:\b(?:an?|the|his|her|their|my|another|white|black|red|blue|silver|grey|gray|green"
-            r"|yellow|dark|old|new)|\d{4}|^|[.,:;(])\s*(?:[\w-]+\s+)?$"
-        ),
-        before,
-    )
-    return bool(named)
-
-
-@cache
-def _noun_words() -> str:
-    return language.alternatives([n for n in language.actor_nouns() if n not in language.makes()])
 
 
 def _shortened(text: str, found: list[Span]) -> list[Span]:

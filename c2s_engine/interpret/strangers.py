@@ -8,6 +8,8 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import VEHICLES, Entity
 from c2s_engine.interpret.syntax import Word
 
+MANOEUVRES = language.words("manoeuvres")
+
 
 class Strangers:
     """The part of Cast that knows road users by what they do."""
@@ -29,7 +31,10 @@ class Strangers:
         known = next((e for e in self.entities if "guessed" in e.roles and e.noun == word.norm), None)
         if known is not None:
             return known
-        if not {"a", "an", "one", "another"} & {self.words[c].norm for c in word.children}:
+        told_by = {self.words[c].norm for c in word.children}
+        if self._make_unknown(word, told_by):
+            return self._new(Entity("", "vehicle", noun=word.norm, roles={"guessed"}))
+        if not {"a", "an", "one", "another"} & told_by:
             return None
         told = next((self.words[c] for c in word.children if self.words[c].dep in ("acl", "relcl")), None)
         verb = told if told is not None else self.words[word.head]
@@ -46,6 +51,13 @@ class Strangers:
                     Entity("", guess["type"], noun=word.norm, roles={"guessed"}, typed=guess["type"] != "vehicle")
                 )
         return None
+
+    def _make_unknown(self, word: Word, before: set[str]) -> bool:
+        """Whether a name with an article does what only vehicles do: "the Kluger braked"."""
+        name = word.text[:1].isupper() and not word.text.isupper() and word.start > 0
+        verb = self.words[word.head]
+        subject = word.dep in ("nsubj", "nsubjpass") and verb.lemma in MANOEUVRES
+        return name and subject and bool(before & {"a", "an", "the", "another"}) and self.words[word.i + 1].span is None
 
     def _on_foot(self, word: Word) -> bool:
         """Whether a driver or passenger leaves the vehicle: then it is a person of its own."""
@@ -65,7 +77,10 @@ class Strangers:
                 ),
                 after,
             )
-            or re.match(r"(exit|leav|left|disembark)\w* (the|his|her|their|its)", after)
+            or re.match(
+                r"(exit|leav|left|disembark)\w* (the|his|her|their|its) (?!\w*road|\w*lane|\w*way\b|street)",
+                after,
+            )
         )
 
     def _other_driver(self, word: Word) -> Entity | None:

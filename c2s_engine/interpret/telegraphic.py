@@ -50,7 +50,7 @@ def spelt_out(text: str) -> list[Replacement]:
     """The notes of a text with the sentences that they stand for."""
     plain = scan.normalised(text)
     unit = "mph" if MILES.search(plain) else "km/h"
-    names = [s for s in scan.names(plain, letters.letters(text, plain)) if s.kind in ("ego", "actor", "label")]
+    names = [s for s in scan.names(plain, letters.cased(text, plain)) if s.kind in ("ego", "actor", "label")]
     found: list[Replacement] = []
     for start, end in division.sentences(text):
         found += _sentence(text, plain, start, end, names, unit)

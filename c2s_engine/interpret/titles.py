@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from c2s_engine.interpret.entities import VEHICLES, Entity
+from c2s_engine.interpret.named import Named
 from c2s_engine.interpret.syntax import Word
-from c2s_engine.interpret.wheel import AtWheel
 
 
-class Titles(AtWheel):
+class Titles(Named):
     """The part of Cast that reads titles."""
 
     told: set[int]  # the sentences with a finite verb

@@ -24,7 +24,7 @@ def understand(text: str) -> Scene:
         b for b in amounts.bare_speeds(plain) if not any(q.start < b.end and b.start < q.end for q in quantities)
     ]
     quantities.sort(key=lambda s: s.start)
-    names = scan.names(plain, letters.letters(text, plain))
+    names = scan.names(plain, letters.cased(text, plain))
     taken = [(q.start, q.end) for q in quantities]
     names = [n for n in names if not any(s < n.end and n.start < e for s, e in taken)]
     spans = sorted(names + quantities, key=lambda s: s.start)

@@ -6,7 +6,7 @@ import re
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import VEHICLES, Entity
-from c2s_engine.interpret.reference import Reference
+from c2s_engine.interpret.reference import OWNERS, Reference
 from c2s_engine.interpret.syntax import Word
 
 DRIVES = language.words("at_the_wheel")
@@ -19,6 +19,17 @@ SITS = re.compile(
     r"(?:in|on|with|driving|riding|operating|(?:at|behind) the wheel of|aboard|astride) (?:an?|his|her|the|their|my) "
     r"(?:[\w-]+ ){0,3}$"
 )
+DRIVEN = re.compile(
+    r"@ ?,?(?: ?\(?(?:who )?(?:was|is|were|had been))? (?:(?:operating|driving|riding)(?: (?:an?|his|her|the|their))?"
+    r"|(?P<how>drove|rode|drives|rides|operated|at the wheel of|in charge of|in|on) (?:an?|his|her|the|their))"
+    r"(?: (?!behind|past|beside|towards?|after|along|around|ahead|before|near|into|with)[\w-]+){0,2} $"
+)
+VEHICULAR = language.words("vehicular")
+MANOEUVRE = re.compile(
+    r"(?:cuts?|cut|cutting) (?:me|us|him|her|it|\w+) (?:off|up)\b|(?:cuts?|cutting) in\b"
+    r"|(?:pulls?|pulled|pulling) (?:out|over|in|away)\b"
+    r"|(?:changes?|changed|changing|switch\w*) lanes?\b|(?:runs?|ran|running) (?:a |the )?(?:red|stop|light)"
+)
 
 
 class AtWheel(Reference):
@@ -26,11 +37,13 @@ class AtWheel(Reference):
 
     wheels: dict[int, Entity]  # the noun of a vehicle -> whom it carries, who was spoken of before
 
-    def _at_wheel(self, word: Word) -> Entity | None:
-        """A person of whom it is said later in the clause what is driven: "a woman in front of us in a red van",
-        "a pensioner drove his Opel"."""
+    def _at_wheel(self, word: Word, known: Entity | None = None) -> Entity | None:
+        """A person of whom it is said later in the clause what is driven ("a woman in front of us in a red van",
+        "a pensioner drove his Opel"): one spoken of before, else a new one."""
         for other in self.words[word.i + 1 : word.i + 12]:
-            if other.sentence != word.sentence or other.norm in (";", ":", "and", "but", "when", "while"):
+            if other.sentence != word.sentence or other.norm in (";", ":", "but", "when", "while"):
+                return None
+            if other.norm == "and" and not self._goes_on(word, other):
                 return None
             if (
                 other.span is None
@@ -45,49 +58,63 @@ class AtWheel(Reference):
             verb = self.words[other.head]
             own = self.words[other.i - 1].norm in ("his", "her") or self.words[other.i - 2].norm in ("his", "her")
             moves = verb.norm in STEERS or own and verb.lemma not in ASIDE and verb.tag in ("VBD", "VBZ", "VBG", "VBP")
-            drives = moves and verb.i > word.i and other.dep == "dobj" and self._heads(word, verb)
+            subject = (
+                self.words[verb.head] if verb.dep == "conj" else verb
+            )  # "a man mixed up the pedals and drove his Audi"
+            drives = moves and verb.i > word.i and other.dep == "dobj" and self._heads(word, subject)
             drives = drives or own and CONTROL.search(text) is not None
             if drives or SITS.fullmatch(text):
-                found = self._new(Entity("", "vehicle"))
+                found = known or self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))
                 self.wheels[other.i] = found
                 return found
             return None
         return None
 
+    def _goes_on(self, word: Word, joint: Word) -> bool:
+        """Whether "and" joins what the same person does next."""
+        verbs = [w for w in self.words[joint.i + 1 : joint.i + 4] if w.tag in ("VBD", "VBZ")]
+        return bool(verbs) and verbs[0].head == word.head and verbs[0].dep == "conj"
+
+    def _steering(self, word: Word) -> Entity | None:
+        """A person who does what only vehicles do: "a lady reversed out of her drive", "this guy cut me off"."""
+        verb = self.words[word.head]
+        after = " ".join(w.norm for w in self.words[verb.i : verb.i + 4])
+        if word.dep != "nsubj" or not (verb.lemma in VEHICULAR or MANOEUVRE.match(after)):
+            return None
+        noun = word.norm.split(" ")[-1]
+        told = {self.words[c].norm for c in word.children} & {"the", "this", "that"}
+        known = next((e for e in self.entities if noun in e.names or e.noun == noun), None) if told else None
+        if known is not None:
+            return None if known.person else known
+        return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))
+
     def _heads(self, word: Word, verb: Word) -> bool:
         """Whether a word is the subject of a verb, or what its participle describes."""
         return word.head == verb.i and word.dep == "nsubj" or verb.dep in ("acl", "relcl") and verb.head == word.i
-
-    def _titled_person(self, word: Word, noun: str) -> Entity | None:
-        """ "Mrs Pell": known by her name, once something of the road was said of her."""
-        known = next((e for e in self.entities if noun in e.names), None)
-        if known is not None:
-            return known
-        found = self._at_wheel(word)
-        if found is not None:
-            found.names.add(noun)
-        return found
 
     def _driven_by(self, word: Word) -> Entity | None:
         """Whose vehicle it is in "the defendant, operating a dump truck": the driver and the vehicle are one."""
         back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
         text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
-        match = re.search(
-            (
-                r"@( ?,)?( ?\(?who (was|is|were))? (operating|driving|riding|at the wheel of|in charge of"
-                r"|in|on) (an?|his|her|the|their)( [\w-]+){0,2} $"
-            ),
-            text + " ",
-        )
+        match = DRIVEN.search(text + " ")
         if match is None:
-            return None
+            return self._party_in(word)
         owner = next(self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None)
-        if match[4] in ("in", "on") and not re.search(
-            r"driver|motorist|party|defendant|respondent|rider|courier", owner.noun
+        if match["how"] in ("in", "on") and not re.search(
+            r"driver|motorist|party|defendant|respondent|claimant|suspect|offender|rider|courier", owner.noun
         ):
             return None
         two = owner.type in ("bicycle", "motorcycle") and re.search(r"rider|courier", owner.noun)
         return owner if owner.type in ("vehicle", "rider") or owner.ego or two else None
+
+    def _party_in(self, word: Word) -> Entity | None:
+        """The party who moves in a vehicle: "the suspect fled in a stolen Audi"."""
+        by = self.words[word.head]
+        verb = self.words[by.head]
+        if by.norm not in ("in", "on") or not verb.verb:
+            return None
+        subjects = [self.of[c] for c in verb.children if self.words[c].dep == "nsubj" and c in self.of]
+        return next((e for e in subjects if e.noun in OWNERS and not e.typed), None)
 
     def _rides(self, word: Word) -> bool:
         """Whether a person is only the one inside a vehicle ("a man in a white van"), who stands for it."""

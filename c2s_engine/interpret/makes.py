@@ -1,0 +1,55 @@
+"""Makes and models that stand for a vehicle: "a black BMW", "a Jaguar I-Pace"."""
+
+import re
+from functools import cache
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.spans import Span
+
+MAKE = re.compile(r"(?<![\w-])(?P<make>[a-z]{2,}(?:-[a-z]+)?)[ -]$")
+
+
+def stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
+    """Whether a make or model is the noun itself: "a black BMW" or "a 2019 Honda Civic", not "the Ford pickup"."""
+    before, after = text[max(0, start - 24) : start], text[end : end + 40]
+    model = re.match(r"[\s-]+([\w-]+)", after)
+    if model and model[1] in language.makes() or re.match(r"[\s-]+(?:[\w-]+\s+)?(?:" + _noun_words() + r")\b", after):
+        return False
+    named = re.search(
+        (
+            r"(?:\b(?:an?|the|his|her|their|my|our|your|another|this|that|white|black|red|blue|silver|grey|gray|green"
+            r"|yellow|dark|old|new)|\d{4}|^|[.,:;(])\s*(?:[\w-]+\s+)?$"
+        ),
+        before,
+    )
+    return bool(named)
+
+
+@cache
+def _noun_words() -> str:
+    return language.alternatives([n for n in language.actor_nouns() if n not in language.makes()])
+
+
+@cache
+def _with_model() -> re.Pattern[str]:
+    makes = language.alternatives(list(language.makes()))
+    return re.compile(
+        rf"(?<![\w-])(?P<make>(?i:{makes})) (?P<model>[A-Z0-9][\w-]*(?: (?:[A-Z]{{1,3}}\d*|\d+\w*))?)(?![\w-])"
+    )
+
+
+def models(text: str, plain: str) -> list[Span]:
+    """Makes with a model that no table knows, by the text's own case: "a Jaguar I-Pace", "the Kia EV6"."""
+    found = []
+    for match in _with_model().finditer(text):
+        make, model = match["make"].lower(), match["model"].lower()
+        known = model in language.actor_nouns() or model.split()[0] in language.actor_nouns() or model in NO_MODEL
+        if known or not match["make"][0].isupper() or not stands_for_a_vehicle(plain, match.start(), match.end()):
+            continue
+        kind = language.actor_nouns()[make][0]
+        data = {"type": kind, "plural": False, "person": False, "noun": make, "roles": [], "words": [], "make": make}
+        found.append(Span("actor", match.start(), match.end(), data))
+    return found
+
+
+NO_MODEL = frozenset(("av", "ads", "i", "and", "driver"))

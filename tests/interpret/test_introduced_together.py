@@ -1,0 +1,80 @@
+"""Road users introduced together and told apart then; labels of people and of parties."""
+
+import pytest
+
+
+def acts(component) -> list[str]:
+    return [p.action for p in component.spec.phases]
+
+
+@pytest.mark.parametrize(
+    ("text", "ego", "other"),
+    [
+        (
+            "Two vehicles approached a four-way stop. One turned left and the other went straight.",
+            "turn_left",
+            "go_straight",
+        ),
+        ("Two trucks were driving on the motorway. The first braked and the second rear-ended it.", None, "collide"),
+        ("Both vehicles were eastbound. The first vehicle slowed and the second vehicle struck it.", None, "collide"),
+        ("Two cars are racing; one loses control and the other brakes.", "lose_control", "brake"),
+        ("A car was being followed by another one. The first one braked and the second one hit it.", None, "collide"),
+    ],
+)
+def test_the_first_of_two_is_ego(read, text: str, ego: str | None, other: str) -> None:
+    s = read(text)
+    assert len(s.objects) == 1 and s["O1"].spec.count == 1
+    assert ego is None or ego in acts(s.ego)
+    assert other in acts(s["O1"])
+
+
+def test_two_that_collide(read) -> None:
+    s = read("Two cars collided head-on on a rural road.")
+    assert len(s.objects) == 1 and s["O1"].spec.phases[-1].target == "ego"
+    s = read("D2 ran a red light. D1 was driving north. The two vehicles collided.")
+    assert all(p.target != "ego" for p in s.ego.spec.phases)
+    s = read("Three cars are ahead of the ego. A taxi comes the other way. Ego overtakes the three cars.")
+    assert sorted(o.spec.count for o in s.objects) == [1, 3]
+
+
+def test_who_waits_is_ego_where_it_is_run_into(read) -> None:
+    s = read("One vehicle was stopped at a stop sign. A second vehicle struck it from behind.")
+    assert acts(s.ego) == ["stationary"] and s["O1"].spec.placement.position == "behind"
+    s = read("A van was parked on the right. Another van passed it and collided with an oncoming car.")
+    assert s.ego.spec.type == "van" and len(s.objects) == 2
+    s = read("V-1 was stopped at a light. V-2 failed to stop and rear-ended V-1.")
+    assert acts(s["O1"]) == ["collide"]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("P-1 was crossing the street in the crosswalk. V-1 was turning left and struck P-1.", "pedestrian"),
+        ("Ped 1 ran across the road from the left in front of V1.", "pedestrian"),
+        ("B1 was riding east in the bike lane. V1 turned right across the path of B1.", "bicycle"),
+        ("P-2 was riding a bicycle in the bike lane. V-1 was behind it. P-1 braked.", "bicycle"),
+        ("Unit 1 was a pedestrian crossing the street. Unit 2 was a sedan driving east.", "pedestrian"),
+        ("Vehicle 1 was driving along the B1 when a deer crossed.", "animal"),
+    ],
+)
+def test_labels_of_people(read, text: str, kind: str) -> None:
+    assert [o.spec.type for o in read(text).objects] == [kind]
+
+
+def test_party_numbers(read) -> None:
+    s = read("V-1 was in the left lane. V-2 was behind V-1. P-1 changed lanes to the right and V-2 hit V-1.")
+    assert len(s.objects) == 1 and acts(s.ego) == ["lane_change"]
+
+
+def test_numbered_actors(read) -> None:
+    s = read("NPC1 drives ahead of ego. NPC2 overtakes NPC1.")
+    assert len(s.objects) == 2 and s["O2"].spec.phases[0].target == "O1"
+    s = read("Actor 1 is a truck ahead of the ego. Actor 2 is a pedestrian that crosses the road. Actor 1 brakes.")
+    assert [(o.spec.type, acts(o)) for o in s.objects] == [("truck", ["brake"]), ("pedestrian", ["cross_road"])]
+
+
+def test_who_is_let_by_was_not_behind(read) -> None:
+    s = read("We were approaching a roundabout when a cyclist came from the left. We let him pass.")
+    assert "overtake" not in acts(s["O1"]) and s["O1"].spec.placement.position == "crossing_left"
+    s = read("A faster car approaches from behind. The ego lets it pass.")
+    assert "overtake" in acts(s["O1"])

@@ -1,0 +1,131 @@
+"""Who is spoken of again: by age, by what is ridden, by colour, by its end of a group, in a quotation, as passenger."""
+
+import pytest
+
+
+def acts(component) -> list[str]:
+    return [p.action for p in component.spec.phases]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A 45-year-old man drove his VW on the B3. A 20-year-old in a BMW overtook him. The 45-year-old braked hard.",
+        "A woman in a Corolla was driving south. A man in a BMW overtook her. The woman braked hard.",
+        "Ego drives. A BMW overtakes it. My wife was driving our car. She braked hard.",
+        "The Swift was going south when a BMW overtook it. The driver of the Swift braked hard.",
+    ],
+)
+def test_by_age_noun_or_make(read, text: str) -> None:
+    s = read(text)
+    assert s.ego.spec.reaction == "brake" or "brake" in acts(s.ego)
+    assert len(s.objects) == 1 and "overtake" in acts(s["O1"])
+
+
+def test_unknown_makes(read) -> None:
+    s = read("The Kluger braked hard. The Prado behind could not stop and hit the Kluger.")
+    assert len(s.objects) == 1 and acts(s["O1"]) == ["collide"]
+    s = read("Ego follows a truck. The Zumba overtook both.")
+    assert len(s.objects) == 2
+
+
+def test_a_girl_on_a_scooter_is_one(read) -> None:
+    s = read("A girl on an e-scooter crossed the road in front of the ego. The girl stopped in the middle.")
+    assert [o.spec.type for o in s.objects] == ["bicycle"]
+    s = read("A farmer was riding his quad ahead of the ego. The farmer turned left.")
+    assert [o.spec.type for o in s.objects] == ["motorcycle"]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("I was a passenger in a taxi. The taxi driver ran a red light.", "car"),
+        ("I was travelling on a bus when a lorry pulled out. The bus braked.", "bus"),
+        ("We were sitting in the back of a minibus. A car cut in.", "car"),
+    ],
+)
+def test_what_carries_the_first_person(read, text: str, kind: str) -> None:
+    assert read(text).ego.spec.type == kind
+
+
+def test_quotations(read) -> None:
+    s = read('A van drifted out of its lane and hit a bus. "I fell asleep for a moment," said its driver.')
+    assert s.ego.spec.type == "van" and "drift" in acts(s.ego)
+    s = read('"I was driving my van when a dog ran out in front of me. I braked hard."')
+    assert s.ego.spec.type == "van" and s.ego.spec.reaction == "brake"
+
+
+def test_members_by_end_number_and_colour(read) -> None:
+    s = read("The ego follows two trucks. The one in front brakes; the other swerves left.")
+    assert sorted(acts(o)[0] for o in s.objects) == ["brake", "swerve"]
+    s = read("The second of the three cars ahead suddenly changes to the left lane.")
+    assert sorted(o.spec.count for o in s.objects) == [1, 2]
+    s = read("A black car and a white car were ahead. The black one braked, the white one turned left.")
+    assert [acts(o)[0] for o in s.objects] == ["brake", "turn_left"]
+    s = read("There are three cars: A, B and C. A brakes, B swerves left and C hits A.")
+    assert [acts(o)[0] for o in s.objects] == ["swerve", "collide"]
+
+
+def test_the_driver_of_what(read) -> None:
+    s = read("The ego overtakes a bus. While it passed, the bus driver himself moved out to the left.")
+    assert len(s.objects) == 1
+    s = read("According to the driver, a dog ran in front of his car, so he swerved left and hit a parked car.")
+    assert acts(s.ego) == ["swerve", "collide"] and acts(s["O1"]) == ["cross_road"]
+    told = "V1 was eastbound. V2 drifted left and, per the motorist who was trailing it, braked."
+    s = read(f"{told} The trailing motorist stopped.")
+    assert len(s.objects) == 2
+
+
+def test_both_are_not_the_one_who_passes(read) -> None:
+    s = read("The ego follows a bus and a cyclist. It overtakes both.")
+    assert "overtake" in acts(s.ego)
+    s = read("A tractor is ahead of the ego. A van is behind the ego. A motorcyclist overtakes both.")
+    passer = next(o for o in s.objects if o.spec.type == "motorcycle")
+    assert [(p.action, p.target != passer.id) for p in passer.spec.phases] == [("overtake", True)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A Lexus in autonomous mode was stopped at a red light when a Kia struck it from behind.",
+        "A Kia rear-ended a Lexus operating in autonomous mode.",
+        "A Jaguar I-Pace operating autonomously was yielding to a dog when a Kia struck it from behind.",
+    ],
+)
+def test_who_drives_itself_is_ego(read, text: str) -> None:
+    s = read(text)
+    assert s.objects[-1].spec.phases[-1].target == "ego"
+    assert s.objects[-1].spec.placement.position == "behind"
+
+
+@pytest.mark.parametrize(
+    ("text", "act"),
+    [
+        ("A lady was reversing out of her driveway and did not see me. I swerved left.", "reverse"),
+        ("Our vehicle was in the left lane. A woman overtook me. The woman braked.", "overtake"),
+        ("Ego drives. A guy pulled out in front of it and cut it off.", "cut_in"),
+        ("I was driving north when the other party pulled out of a driveway on the right.", "enter_road"),
+    ],
+)
+def test_who_does_what_only_vehicles_do(read, text: str, act: str) -> None:
+    s = read(text)
+    assert [o.spec.type for o in s.objects] == ["car"] and act in acts(s["O1"])
+
+
+def test_he_from_the_start_is_ego(read) -> None:
+    s = read("He was texting. He drifted onto the right shoulder and hit a parked truck.")
+    assert "leave_road" in acts(s.ego) and len(s.objects) == 1
+    s = read("She was driving 60 on the highway when the car in front of her braked. She changed to the left lane.")
+    assert acts(s.ego) == ["lane_change"]
+
+
+def test_former_and_latter(read) -> None:
+    s = read("An SUV and the AV arrived at the four-way stop. The former went first, and the latter followed.")
+    assert "follow" not in acts(s["O1"])
+    s = read("A taxi and a bus were waiting at the light. The latter moved off, the former stayed.")
+    assert s.ego.spec.type == "bus" and acts(s.ego) == ["start"] and acts(s["O1"]) == ["stationary"]
+
+
+def test_a_makes_driver_and_its_short_name(read) -> None:
+    s = read("The Volkswagen driver turned left. She failed to notice an oncoming motorcycle. It struck the VW.")
+    assert [o.spec.type for o in s.objects] == ["motorcycle"]

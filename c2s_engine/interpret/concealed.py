@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import re
 
-from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.gaps import Gaps
 from c2s_engine.interpret.mentions import Cast
-from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.whereabouts import Where
 
 HIDES = re.compile(
@@ -17,13 +16,11 @@ LONG = 2_000
 """Characters of a sentence beyond which nobody tells what hides whom."""
 
 
-class Concealed:
+class Concealed(Gaps):
     """The part of Places that finds what blocks ego's view."""
 
     cast: Cast
-    clauses: Clauses
     of: dict[Entity, Where]
-    words: list[Word]
 
     def _hidden(self) -> None:
         for entity in self.cast.entities:

@@ -7,6 +7,7 @@ from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.groups import split_groups
 from c2s_engine.interpret.implied import evaded_lane, implied_places
 from c2s_engine.interpret.inferred import Inferred
+from c2s_engine.interpret.lane_numbers import number_lanes
 from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.struck import struck_places
 from c2s_engine.interpret.whereabouts import FRONTED, STATES, Where, read, side_of_text
@@ -57,7 +58,7 @@ class Places(Inferred):
         self._joined()
         self._encroached()
         self._shared()
-        self._numbered()
+        self.ego_lane = self.ego_lane or number_lanes(cast, clauses, self.of)
         self._overtaken()
         self._in_the_way()
         self._mutual()
@@ -80,7 +81,7 @@ class Places(Inferred):
                 parts = [
                     m[0]
                     for m in re.finditer(
-                        r"(?:from|out of|off|leave|in|on|along|ahead of|behind) (?!to)[^,.;]*", event.whole
+                        r"\b(?:from|out of|off|leave|in|on|along|ahead of|behind) (?!to)[^,.;]*", event.whole
                     )
                     if re.match(r"from|out of|off|leave", m[0])
                     or event.act
@@ -291,54 +292,3 @@ class Places(Inferred):
                 break
             found.append(other.i)
         return found
-
-    def _gap(self, indices: list[int], where: Where, only_ahead: bool = False) -> None:
-        if where.gap is not None:
-            return
-        text = self.clauses.render(indices)
-        for quantity in self.clauses._quantities(indices):
-            before = " ".join(w.norm for w in self.words[max(0, quantity["word"] - 5) : quantity["word"]])
-            after = " ".join(w.norm for w in self.words[quantity["word"] + 1 : quantity["word"] + 8])
-            if quantity["dimension"] == "distance":
-                if re.match(r"to spare|to go|of (it|the)", after) or quantity["low"] > 800:
-                    continue  # a way travelled
-                if (
-                    re.search(r"^(high|tall|wide|long|deep|thick)", after)
-                    or re.search(
-                        (
-                            r"visib|wide|radius|sideways|lateral|by (more|less)|long|off the|width|height"
-                            r"|past the (intersection|junction)|within (a|an)?"
-                        ),
-                        before + " " + after,
-                    )
-                    and not re.search(r"ahead|in front|behind|back|away", after)
-                ):
-                    continue
-                if re.search(
-                    (
-                        r"ahead|in front|behind|away|back|distance|apart|gap|headway|clearance|spacing|separation"
-                        r"|room|up the|from|at|further|beyond|short|before|#dist (to|of)|least|along|on\b|down"
-                    ),
-                    before + " " + after + " " + text,
-                ) and not (only_ahead and re.search(r"(drive|travel)s? (for )?#dist", text)):
-                    if re.search(r"(after|for|every) (about |around )?$", before + " ") or re.search(
-                        r"(turn|when|once|until)\b", before
-                    ):
-                        continue
-                    low, high = quantity["low"], quantity["high"]
-                    if re.search(r"(at least|more than|no less than|over|minimum|not less than)\s*$", before):
-                        high = max(high, low * 1.3)
-                    elif re.search(
-                        r"(less than|under|at most|within|no more than|not more than|up to|below)\s*$", before
-                    ):
-                        low, high = high * 0.6, high * 0.95
-                    where.gap = (low, high)
-                    return
-            elif (
-                quantity["dimension"] == "time"
-                and re.search(
-                    r"(time[- ]?)?(gap|headway|ttc|collision|apart|interval|distance)", before + " " + after + text
-                )
-                and where.gap_time is None
-            ):
-                where.gap_time = quantity["low"]

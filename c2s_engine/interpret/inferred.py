@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret.concealed import Concealed
-from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.towards import side
 from c2s_engine.interpret.whereabouts import STATES
 

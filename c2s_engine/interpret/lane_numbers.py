@@ -14,15 +14,19 @@ COUNTED = r"(?P<n>one|two|three|four|[1-4]|first|second|third)"
 ORDINAL = r"(?P<o>first|second|third|fourth) lane"
 NUMBERED = re.compile(rf"(?:number|lane number|(?<![\w-])lane|no\.?|#) {COUNTED}(?: lane)?\b(?!-)|\b{ORDINAL}\b")
 INTO = re.compile(rf"\b(?:in|on|over|across)?to (?:the )?(?:lane (?:number |no\.? )?{COUNTED}|{ORDINAL})\b")
-TOTAL = re.compile(r"\blane \w+ (?:out )?of (?:the )?(?P<n>two|three|four|[2-4])\b|\b(?P<m>two|three|four|[2-4])[ -]lane")
+TOTAL = re.compile(
+    r"\blane \w+ (?:out )?of (?:the )?(?P<n>two|three|four|[2-4])\b|\b(?P<m>two|three|four|[2-4])[ -]lane"
+)
 NAMED = re.compile(
-    rf"\blane (?:number |no\.? )?{COUNTED}(?: of \w+)?(?: ,)?(?: \()?(?: that is| i\.?e\.?| which is| namely| being)?(?: ,)?"
+    rf"\blane (?:number |no\.? )?{COUNTED}(?: of \w+)?(?: ,)?(?: \()?"
+    r"(?: that is| i\.?e\.?| which is| namely| being)?(?: ,)?"
     r" (?:the |in the )?(?:lane (?:on|to) (?:the |its )?)?"
     r"(?:(?P<left>left|far left|leftmost|fast|offside|overtaking|passing|inner)"
     r"|(?P<right>right|far right|rightmost|slow|nearside|outer))\b"
 )
 FROM_SIDE = re.compile(
-    r"\blanes? (?:\w+ ){0,2}from (?:the )?(?P<side>left|right)\b(?! lane)|count\w* from (?:the )?(?P<side2>left|right)\b"
+    r"\blanes? (?:\w+ ){0,2}from (?:the )?(?P<side>left|right)\b(?! lane)"
+    r"|count\w* from (?:the )?(?P<side2>left|right)\b"
 )
 SHIFTS = frozenset(("drift", "lane_change", "cut_in", "swerve"))
 
@@ -91,7 +95,13 @@ def _into_own_lane(entity: Entity, own: int, cast: Cast, clauses: Clauses) -> No
     """Who changes into the lane of ego's number cuts in."""
     for event in clauses.events:
         match = INTO.search(event.text)
-        if event.agent is entity and event.done and event.act == "lane_change" and match and _number(match["n"] or match["o"]) == own:
+        if (
+            event.agent is entity
+            and event.done
+            and event.act == "lane_change"
+            and match
+            and _number(match["n"] or match["o"]) == own
+        ):
             event.act, event.patient = "cut_in", cast.ego
 
 

@@ -109,6 +109,6 @@ def _thing(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         return {"position": "oncoming_lane", "said": True}
     if entity.type in ZONES and edge and where.lane is None:
         return {"position": "roadside", "side": edge, "said": True}
-    if where.rel == "behind" and (where.of is None or where.of.ego):
+    if where.rel == "behind":
         return {"position": "behind", "said": True}
     return {"position": "ahead", "said": where.rel is not None or where.lane is not None}

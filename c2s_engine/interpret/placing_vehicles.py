@@ -15,6 +15,10 @@ ACROSS = re.compile(r"\bacross (?:the |both |two |all |@ego 's |@ego )?(?:\w+ )?
 ON_MOTORWAY = re.compile(
     r"\b(on|along|in) the (main |through )?(motorway|highway|freeway|interstate|carriageway|main road)"
 )
+ON_SIDE = re.compile(
+    r"(?<!lane )\b(?:on|to) (?:(?:the )?@ego 's (?:left|right)(?! lane|-hand lane)"
+    r"|the (?:left|right)(?: side)? of (?:the )?@ego)"
+)
 OPPOSITE = {"left": "right", "right": "left"}
 
 
@@ -81,6 +85,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
                 rel = "behind" if passes_ego(scene, entity) or _gains(scene, entity) else "ahead"
             if rel is not None:
                 return {"position": rel, "said": True}
+        if rel is None and ON_SIDE.search(text) and not {"cut_in", "lane_change", "overtake"} & set(acts):
+            rel = "beside"
         return {
             "position": f"{lane}_lane",
             "along": along_of(rel or ("behind" if passes_ego(scene, entity) or _gains(scene, entity) else None)),

@@ -205,16 +205,19 @@ def _ego_lane(scene: Scene) -> str | None:
         match = re.match(r"\s?\(([^)]*)\)", " ".join(w.norm for w in sentence))
         if match:
             texts.append(match[1])
+        if _beside_it(scene, mention.word):
+            continue
         word = scene.words[mention.word]
         linear: list[str] = []
         for other in scene.words[mention.word + 1 : mention.word + 14]:
             if other.sentence != word.sentence or other.verb or other.norm == "and" or other.i in scene.cast.of:
                 break
+            if other.norm == "from" and scene.words[word.head].verb and word.dep != "nsubj":
+                break  # "approaches ego from behind in the left lane"
             linear.append(other.norm)
         texts.append(" ".join(linear))
         below = scene.clauses._below(mention.word)
         texts.append(" ".join(scene.words[i].norm for i in below if i > mention.word))
-        del word
     for text in texts:
         if re.search(r"(into|to|onto) the (\w+ )?(left|right)", text) and "keep" not in text:
             text = re.sub(r"(into|onto|to) the .*", "", text) if "keep" not in text else text
@@ -235,6 +238,19 @@ def _ego_lane(scene: Scene) -> str | None:
     if match:
         return "leftmost" if match[1] == "left" else "rightmost"
     return None
+
+
+BESIDE = re.compile(r"\b(?:level with|alongside|beside|next to|abreast of|side by side with|past)(?: the)?$")
+
+
+def _beside_it(scene: Scene, i: int) -> bool:
+    """Whether a lane named right after ego is another's: that of one beside it, or of one who passes it."""
+    word = scene.words[i]
+    before = " ".join(w.norm for w in scene.words[max(0, i - 5) : i] if w.sentence == word.sentence)
+    if BESIDE.search(before):
+        return True
+    event = scene.clauses.by_word.get(word.head) if word.dep == "dobj" else None
+    return event is not None and event.act == "overtake" and not event.agent.ego
 
 
 def _needs_shoulder(scene: Scene) -> bool:

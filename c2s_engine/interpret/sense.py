@@ -11,6 +11,7 @@ from c2s_engine.interpret.passing import by_the_other_lane, headings, let_past
 from c2s_engine.interpret.place import Road
 from c2s_engine.interpret.resumed import own_turns
 from c2s_engine.interpret.towards import side
+from c2s_engine.interpret.turn_lanes import turns_from_lane
 
 LEAVES = re.compile(
     r"\b(?:down|onto|up|into|for|to take) (?:the|its|his|her|an?) (?:\w+ )?(?:off-?ramp|exit|slip road)\b"
@@ -163,6 +164,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     own_turns(cast, clauses)
     _waits(cast, clauses)
     _waits_for_somebody(cast, clauses)
+    turns_from_lane(cast, clauses)
     echoes(cast, clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:

@@ -14,7 +14,6 @@ from c2s_engine.interpret.motions import third_persons
 from c2s_engine.interpret.proxies import FOLLOWS, pieces_of
 from c2s_engine.interpret.scan import Span
 
-
 LANE_NUMBER = re.compile(r"\blane (?:number |no\.? )?(?:\d|one|two|three|four)$")
 
 

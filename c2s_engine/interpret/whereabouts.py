@@ -16,10 +16,18 @@ ORIGINS = re.compile(
 )
 
 FRONTED = re.compile(
-    r"(?:^|, |and |: )((?:directly |just |right )?(?:in front of|ahead of|behind|beside|next to|alongside) "
+    r"(?:^|, |\band |: )((?:directly |just |right )?(?:in front of|ahead of|behind|beside|next to|alongside) "
     r"(?:the )?@\w+) (?:there )?(?:is|was|be|are|were|drives?|drove|comes?|came|stands?|stood|sits?|sat|follows?)"
     r" (?:a |an |another |the |\w+ ){0,3}$"
 )
+
+
+FRONTED_FAR = re.compile(
+    r"(?:^|[,:;] |\band |\bwhile )(?P<place>(?:about |around |roughly |some |only |just )?(?:#dist |#time )?"
+    r"(?:directly |immediately |right |close )?(?:in front of|ahead of|behind) (?:the )?@(?P<of>\w+)) ?,? ?"
+    r"(?:a|an|another|the|one|some|two|three|several)(?: [a-z-]+){0,2} $"
+)
+"""A place before the one who is there: "20 m behind the truck a motorcycle"."""
 
 
 @dataclass

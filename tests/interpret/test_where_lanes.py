@@ -1,0 +1,72 @@
+"""Which lane one is in: by number, by the lane that ego goes to, beside ego, in a turning lane."""
+
+import pytest
+
+
+def at(read, text: str, one: str = "O1") -> tuple:
+    place = read(text)[one].spec.placement
+    return place.position, place.along
+
+
+@pytest.mark.parametrize(
+    ("text", "position", "ego"),
+    [
+        ("Ego is in lane 2 of 3. A motorcycle in lane 1 overtakes it on the right.", "right_lane", "middle"),
+        ("The ego drives in lane 2 of three lanes. A car in lane 3, the left lane, cuts in.", "left_lane", "middle"),
+        ("Ego is in lane 1 of 4 and a truck in lane 2 merges into lane 1.", "right_lane", "leftmost"),
+        ("Ego is in lane 3 (the fast lane) and a bus in lane 2 changes into lane 3.", "right_lane", "leftmost"),
+        ("Ego drives in the second lane from the right; a van in the third lane changes to ego's lane.",
+         "left_lane", "middle"),
+    ],
+)  # fmt: skip
+def test_lanes_by_number(read, text: str, position: str, ego: str) -> None:
+    s = read(text)
+    assert s["O1"].spec.placement.position == position and s["R"].spec.ego_lane == ego
+    assert {"cut_in", "overtake"} & {p.action for p in s["O1"].spec.phases}
+
+
+@pytest.mark.parametrize(
+    ("text", "where"),
+    [
+        ("Ego accelerates and merges in front of a truck doing 70 km/h.", ("left_lane", "behind")),
+        ("Ego changes lanes to the right, ahead of a car that approaches from behind.", ("right_lane", "behind")),
+        ("Ego slows down and moves to the left lane behind a bus.", ("left_lane", "ahead")),
+        ("Ego overtakes a bus and returns to its lane in front of it.", ("ahead", None)),
+    ],
+)
+def test_whom_ego_goes_before_or_behind(read, text: str, where: tuple) -> None:
+    assert at(read, text) == where
+
+
+@pytest.mark.parametrize(
+    ("text", "where"),
+    [
+        ("A car drives level with ego in the left lane.", ("left_lane", "abreast")),
+        ("A van drives beside ego in the right lane.", ("right_lane", "abreast")),
+        ("A police car approaches ego from behind at high speed in the left lane.", ("left_lane", "behind")),
+        ("A taxi overtakes ego in the left lane and cuts in.", ("left_lane", "behind")),
+        ("There is a truck on ego's left. The car in front brakes.", ("left_lane", "abreast")),
+        ("To the right of ego a coach drives at 80 km/h.", ("right_lane", "abreast")),
+    ],
+)
+def test_beside_ego(read, text: str, where: tuple) -> None:
+    assert at(read, text) == where
+
+
+@pytest.mark.parametrize(
+    ("text", "way"),
+    [
+        ("Ego waits in the left turn lane at a red light. An oncoming van goes straight.", "left"),
+        ("Ego stands in the right turning lane behind a bus at the lights.", "right"),
+        ("The ego vehicle is in the left-turn lane at a junction. A car comes from the right.", "left"),
+        ("Ego is in the left-turn lane but goes straight on. A car from the right honks.", "straight"),
+    ],
+)
+def test_turning_lanes(read, text: str, way: str) -> None:
+    assert read(text)["R"].spec.manoeuvre == way
+
+
+def test_another_in_a_turning_lane(read) -> None:
+    assert read("A car waits in the right-turn lane next to ego.")["O1"].spec.placement.side == "right"
+    s = read("A car in the right turn lane goes straight on and cuts off ego.")
+    assert [p.action for p in s["O1"].spec.phases] == ["go_straight", "cut_in"] and not s["E"].spec.phases

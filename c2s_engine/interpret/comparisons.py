@@ -12,13 +12,19 @@ COMPARED = re.compile(
     r"|markedly|a good deal)|(?P<twice>twice|double) (?=as))?"
     r"\s*\b(?P<how>faster|slower|quicker|as fast)\b(?P<than>(?: than| as) [^,.;]{0,40})?"
 )
+DIFFERENCE = re.compile(
+    r"\b(?:(?:speed|velocity) (?:difference|differential|excess|surplus)|difference (?:in|of) (?:speed|velocity)"
+    r"|(?:relative|closing|differential|excess|approach) (?:speed|velocity)|delta[- ]?v)(?: (?:of|is|was|being|at))*"
+    r"[: =]*(?:about |around |roughly )?$"
+)
 AFTER = re.compile(r"\s*(?:faster|slower|quicker|more than|less than|above the speed of|below the speed of)\b")
 LITTLE, LOT_MORE, LOT_LESS = 0.08, 1.4, 0.6
 
 
 def is_difference(plain: str, span: Span) -> bool:
     """Whether a speed is only by how much one is faster or slower than another."""
-    return AFTER.match(plain[span.end : span.end + 20]) is not None
+    after = AFTER.match(plain[span.end : span.end + 20])
+    return after is not None or DIFFERENCE.search(plain[max(0, span.start - 50) : span.start]) is not None
 
 
 def compared_speeds(scene: Scene, quantities: list[Span]) -> None:
@@ -38,6 +44,24 @@ def compared_speeds(scene: Scene, quantities: list[Span]) -> None:
         if owner in scene.speeds and number is None:
             continue
         scene.speeds[owner] = (*_changed(match, number, base[0], base[1]), match.start(), match.end())
+    _by_difference(scene, quantities)
+
+
+def _by_difference(scene: Scene, quantities: list[Span]) -> None:
+    """The speed of one that differs from ego's by so much: who comes up is faster, who is ahead slower."""
+    for span in quantities:
+        found = DIFFERENCE.search(scene.plain[max(0, span.start - 50) : span.start])
+        own = scene.speeds.get(scene.cast.ego)
+        if found is None or span.data["dimension"] != "speed" or own is None:
+            continue
+        free = [e for e in scene.actors if e.mover and not e.person and e not in scene.speeds]
+        owner = _owner(scene, span.start)
+        other = owner if owner in free else free[0] if len(free) == 1 else None
+        if other is None:
+            continue
+        gains = scene.where(other).rel == "behind" or scene.does(other, "overtake") is not None
+        change = span.data["low"] if gains else -span.data["low"]
+        scene.speeds[other] = (max(0.0, own[0] + change), max(0.0, own[1] + change), span.start, span.end)
 
 
 def _ends_at(scene: Scene, span: Span, match: re.Match[str]) -> bool:

@@ -57,11 +57,17 @@ class Gaps:
                         low, high = high * 0.6, high * 0.95
                     where.gap = (low, high)
                     return
-            elif (
-                quantity["dimension"] == "time"
-                and re.search(
-                    r"(time[- ]?)?(gap|headway|ttc|collision|apart|interval|distance)", before + " " + after + text
-                )
-                and where.gap_time is None
-            ):
+            elif quantity["dimension"] == "time" and where.gap_time is None and _apart(before, after, text):
                 where.gap_time = quantity["low"]
+
+
+APART = re.compile(r"(time[- ]?)?(gap|headway|ttc|collision|apart|interval|distance)")
+BEFORE_ONE = re.compile(
+    r"(?:[a-z]+ )?(directly |right |close )?(behind|ahead|in front|between (them|the two))\b"
+    r"(?! of the (line|junction|stop))"
+)
+
+
+def _apart(before: str, after: str, text: str) -> bool:
+    """Whether a time is how far apart two are: "a headway of 2 s", "2 s behind the truck"."""
+    return APART.search(f"{before} {after}{text}") is not None or BEFORE_ONE.match(after.strip()) is not None

@@ -227,6 +227,8 @@ def is_limit(before: str, after: str) -> bool:
         ),
         after,
     )
+    if re.search(r"\d( ?(km/?h|kph|mph|k))? in an? $", before):  # "50 in a 30"
+        return True
     return bool(near or follows) and not re.search(
         r"travel|\bdriv(es?|ing)\b|drove|going at|cruis|set speed", before[-25:]
     )

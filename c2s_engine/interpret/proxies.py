@@ -47,7 +47,8 @@ FOLLOWS = regex.compile(
     r"|through|behind|past|with|without|for|and|then|while|when|as|because|due|hard|sharply|"
     r"suddenly|abruptly|heavily|slowly|left|right|straight|away|up|down|back|ahead|around"
     r"|again|gradually|before|after|but|so|too|immediately|quickly|by|under|until|because"
-    r"|between|beside|just|directly|unexpectedly|strongly|level|abreast|alongside|parallel|round|clear|wide|short|inside|beyond|about|upon|against|near|close|straight|apart|together|first|or)\b)"
+    r"|between|beside|just|directly|unexpectedly|strongly|level|abreast|alongside|parallel|round|clear|wide|short|inside|beyond|about|upon|against|near|close|straight|apart|together|first|or"
+    r"|side by side|neck and)\b)"
 )
 
 

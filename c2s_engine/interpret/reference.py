@@ -54,6 +54,8 @@ class Reference(Pronouns):
         bare: bool,
     ) -> Entity | None:
         candidates = [e for e in self.entities if fits(e, kind)]
+        if count == 1 and kind != "vehicle":  # the tractor is not the oncoming traffic
+            candidates = [e for e in candidates if e.noun != "traffic"]
         if noun in (brands := language.makes()):  # "the Kia hit the Hyundai"
             candidates = [e for e in candidates if e.noun not in brands or noun in (e.noun, *e.names)]
         if roles:

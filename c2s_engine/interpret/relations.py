@@ -138,7 +138,7 @@ class Places(Inferred):
             if (
                 event.patient is entity
                 and event.agent.ego
-                and event.act in ("approach", "travel", "follow", "held_up", "overtake")
+                and event.act in ("approach", "travel", "follow", "held_up", "overtake", "keep_away")
                 and event.mode != "hypothetical"
             ):
                 self._gap(event.words, where, only_ahead=event.act != "follow")

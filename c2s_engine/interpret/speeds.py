@@ -15,6 +15,7 @@ AT_LIMIT = re.compile(
 NAMED = re.compile(
     r"\bv_?(?:(?P<ego>e|ego|vut|sv|host|e0|0)|(?P<other>o|obj|o0|t|tv|target|lead|lv|1|gvt))\s*(?:=|:|in|of)\s*$"
 )
+COMPARED_WITH = re.compile(r"\b(?:than|as) (?:the |an? )?$")
 AT_REST = frozenset(("stationary", "stop", "brake", "brake_stop", "held_up", "yield"))
 GOES_ON = re.compile(r"(continue|proceed|carry|go|drive|travel|roll|move)( on)?( \w+ing)?( on)? at #speed")
 
@@ -156,6 +157,9 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
             ),
             scene.plain[word.end : span.start],
         ):
+            compared = COMPARED_WITH.search(scene.plain[max(0, word.start - 12) : word.start])
+            if compared and "," not in scene.plain[word.end : span.start]:
+                return entity
             verb = scene.clauses._governor(word)
             event = scene.clauses.by_word.get(verb.i) if verb is not None else None
             if event is not None and event.agent is not entity and _heads_part(scene, word):

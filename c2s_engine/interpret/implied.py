@@ -22,6 +22,10 @@ UNSEEN = re.compile(
 def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Fill the places that only what happens tells."""
     for event in list(clauses.events):
+        if event.done and event.act == "approach":
+            _meets(event, of)
+        if event.done and event.act in ("lane_change", "overtake") and event.agent in of:
+            _out_from_behind(event, of)
         if event.done and event.act == "collide" and event.agent.ego and event.patient in of:
             _behind_or_beside_road(event, clauses, of)
         if event.done and event.act == "oncoming" and event.agent.ego:
@@ -36,6 +40,24 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _behind_whom_it_follows(event, clauses, of)
         elif event.done and event.act in ("approach", "travel", "oncoming") and EACH_OTHER.search(event.text):
             _towards_each_other(event, of)
+
+
+def _meets(event: Event, of: dict[Entity, Where]) -> None:
+    """Whom ego meets on its way comes the other way, unless it stands."""
+    other = event.patient
+    if other not in of or not event.agent.ego or not event.text.startswith("meet "):
+        return
+    still = other.person or not other.mover or other.roles & {"stationary", "parked", "lead", "slow"}
+    if of[other].open and of[other].of is None and not still:
+        of[other].lane = "oncoming"
+
+
+def _out_from_behind(event: Event, of: dict[Entity, Where]) -> None:
+    """Who pulls out from behind one that comes the other way overtakes that one."""
+    where = of[event.agent]
+    if where.of in of and where.rel == "behind" and of[where.of].lane == "oncoming":
+        event.act = "overtake" if event.act == "lane_change" else event.act
+        event.patient = event.patient or where.of
 
 
 def _behind_whom_it_follows(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:

@@ -27,8 +27,12 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         return facing_ego(where, place)
     if place.kind == "roundabout" and CIRCULATES.search(told_of(scene, entity)):
         return {"position": "crossing_left", "said": True}
+    if place.kind == "roundabout" and _enters_before_ego(scene, entity):
+        return {"position": "crossing_right", "said": True}
     junction = place.kind == "intersection"
     lane, rel, edge = where.lane, where.rel, where.side
+    if lane == "crossing" and "enter_road" in acts and not junction:
+        lane = None
     if rel is not None and passes_ego(scene, entity):
         rel = "behind"  # where it comes to be is said with the same words
     if rel == "beside" and where.of is None and _met(scene, entity) == "ahead":
@@ -169,6 +173,14 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     if "following" in roles:
         return {"position": "behind", "said": True}
     return _implied(scene, entity, acts, place, first)
+
+
+def _enters_before_ego(scene: Scene, entity: Entity) -> bool:
+    """Whether one enters the roundabout in which ego drives, or before it without giving way."""
+    enters = [e for e in scene.events(entity) if re.match(r"(enter|drive into|pull (out )?into|join)\b", e.text)]
+    inside = any(CIRCULATES.search(e.whole) for e in scene.events(scene.cast.ego))
+    denied = any(e.agent is entity and re.match(r"(yield|give way)\b", e.text) for e in scene.clauses.events)
+    return bool(enters) and (inside or denied)
 
 
 def facing_ego(where: Where, place: PlaceSpec) -> dict:

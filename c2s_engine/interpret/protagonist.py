@@ -48,8 +48,25 @@ EGO_LIKE = frozenset(
 FROM_ASIDE = re.compile(
     r"^(?!.*\b(?:turn|chang|merg|mov|swerv|veer)\w*\b.* from ).*\bfrom (?:the |its )?"
     r"(?:left|right|rear|behind|front|opposite (?:side|direction))\b(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb))"
+    r"|\b(?:from|out of|leav\w+) (?:the |a |an )?(?:\w+ )?(?:street|road|driveway) (?:on|to)"
+    r" (?:the |its )(?:left|right)\b"
+    r"|^\S+ (?:\S+ )?at the (?:left|right)(?:-hand)? (?:kerb|curb)\b"
 )
 """A way by which one comes towards somebody who is not named: that is ego."""
+
+
+EMERGES = re.compile(r"@\w+ (?:suddenly )?(?:appear|emerge|come) (?:out )?from behind\b")
+FROM_WHERE = re.compile(r"\b(?:from|out of) (?:where|which) .*\b(?:emerg|appear|com|approach|turn)\w*")
+
+
+def _comes_into_view(entity: Entity, cast: Cast, events: list[Event]) -> bool:
+    """Whether one comes out from behind another, or from a place that is named: somebody else, ego, sees it."""
+    for mention in entity.mentions:
+        word = cast.words[mention.word]
+        before = [w.norm for w in cast.words[max(0, word.i - 5) : word.i + 5] if w.sentence == word.sentence]
+        if FROM_WHERE.search(" ".join(before)):
+            return True
+    return any(EMERGES.search(e.whole) for e in events)
 
 
 TOWARDS = frozenset(("collide", "overtake", "follow", "yield", "cut_in", "evade"))
@@ -118,7 +135,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
             and not (the and re.match(r"\S+ (is|was|were) ", first))
             and re.search(
                 (
-                    r"^\S+( \S+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)|coming"
+                    r"^\S+( \S+)?( \d[\d.]*\s*[a-z]+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)|coming"
+                    r"|on (the|its) (left|right)(?=$| (?!lane|side|hand|turn))"
                     r"|approaching|oncoming|from (the|its|behind))"
                 ),
                 first,
@@ -130,6 +148,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
             continue
         before = cast.words[head.i - 1].norm if head.i else ""
         if before in ("another", "other") or any(cast.words[c].norm in ("another", "other") for c in head.children):
+            continue
+        if not told_by and _comes_into_view(entity, cast, acting[entity]):
             continue
         acts = [v.act for v in acting[entity]]
         if any(v.act in TOWARDS and v.agent is cast.ego and v.patient is entity for v in clauses.events):

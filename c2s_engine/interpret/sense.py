@@ -29,6 +29,9 @@ def _was_over(cast: Cast, event: Event, clauses: Clauses) -> bool:
     return first and not any(e.agent is event.agent and e.word < event.word for e in clauses.events)
 
 
+PULLS_OUT = re.compile(
+    r"(?:pull|drive|move|edge) (?:out|off|away) (?:suddenly )?from (?:the |its )?(?:left|right)\b(?! (?:\w+ )?lane)"
+)
 FIRST = re.compile(r"(?:pass|go|drive|proceed|cross|move|turn|enter|get|come|travel|clear)\b[^.;]*?\bfirst\b")
 
 
@@ -95,6 +98,8 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and let_past(clauses, event, road)
         ):
             event.act = "travel"
+        if event.act == "travel" and road.kind not in ("intersection", "roundabout") and PULLS_OUT.match(event.text):
+            event.act = "enter_road"
         passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")
         if passes and not event.agent.ego and event.agent.mover and event.mode == "fact":
             word = cast.words[event.word]

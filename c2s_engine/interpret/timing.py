@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 AWAY = re.compile(
     r"(only )?(at (a |the )?(distance|range|gap) of (about |around |roughly |some )?#dist\b|with @ego #dist )"
 )
+COMES_OUT = ("cross_road", "enter_road", "reverse")
 AT_A_DISTANCE = (
     "brake",
     "brake_stop",
@@ -112,6 +113,8 @@ class Timing(Modes):
                     ):
                         event.trigger = {"kind": "time", "value": quantity["low"]}
             own = self.render(event.words)
+            if event.trigger is None and event.act in COMES_OUT and not event.agent.ego:
+                event.trigger = self._where_it_comes_out(event, own)
             if event.trigger is None:
                 for quantity in event.quantities:
                     if quantity["dimension"] == "time" and re.search(
@@ -126,6 +129,12 @@ class Timing(Modes):
                         r"\bttc\b|time[- ]to[- ](collision|contact)", own
                     ):
                         event.trigger = {"kind": "ttc", "value": quantity["low"]}
+
+    def _where_it_comes_out(self, event: Event, own: str) -> dict[str, Any] | None:
+        """How far ego is when one comes out "20 m in front of it"."""
+        match = re.search(r"#dist (?:right |directly )?(?:ahead|in front)\b(?! of (?:the |an? )?(?:\w+ )?@a)", own)
+        told = [q for q in event.quantities if q["dimension"] == "distance"]
+        return {"kind": "distance", "value": told[0]["low"]} if match and len(told) == 1 else None
 
     def _deep(self, i: int) -> list[int]:
         found = [i]

@@ -28,7 +28,7 @@ HIDDEN = (
     rf"@KEY\b.*?(?P<how>(?<!hit )(?<!struck )from behind(?! by)|from between|out from behind"
     rf"|{_HIDE} (?:by|behind)|behind|in front of|between) (?:the |a |an |two |some |row of |line of )*"
     r"(?:\w+ ){0,2}@(?P<by>a\d+)",
-    rf"\bfrom (?:behind|in front of|between) {_A}@(?P<by>a\d+) ,[^.;]{{0,30}}? ?(?:the |a |an )(?:\w+ )?@KEY\b",
+    rf"\bfrom (?:behind|in front of|between) {_A}@(?P<by>a\d+) ,?[^.;]{{0,30}}? ?(?:the |a |an )(?:\w+ )?@KEY\b",
     r"@(?P<by>a\d+)[^.;]*?(?:hide|hides|hid|conceal\w*|obscure\w*|block\w*|occlude\w*|mask\w*|obstruct\w*|screen\w*"
     r"|shield\w*)(?: (?:the|its|his|her|our|@ego ''?s) (?:view|sight|line of sight)(?: (?:of|to|on))?)?(?: @ego ''?s)?"
     r"(?: view (?:of|to))? (?:the |a |an |any )?(?:\w+ )?@KEY\b",

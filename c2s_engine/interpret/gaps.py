@@ -8,6 +8,9 @@ from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.whereabouts import Where
 
+SHORTEST = 0.5
+"""Nobody starts so close to another (m) lengthwise: what is smaller is sideways."""
+
 
 class Gaps:
     """The part of Places that reads distances."""
@@ -23,13 +26,13 @@ class Gaps:
             before = " ".join(w.norm for w in self.words[max(0, quantity["word"] - 5) : quantity["word"]])
             after = " ".join(w.norm for w in self.words[quantity["word"] + 1 : quantity["word"] + 8])
             if quantity["dimension"] == "distance":
-                if re.match(r"to spare|to go|of (it|the)", after) or quantity["low"] > 800:
+                if re.match(r"to spare|to go|of (it|the)", after) or not SHORTEST <= quantity["low"] <= 800:
                     continue  # a way travelled
                 if (
                     re.search(r"^(high|tall|wide|long|deep|thick)", after)
                     or re.search(
                         (
-                            r"visib|wide|radius|sideways|lateral|by (more|less)|long|off the|width|height"
+                            r"visib|wide|radius|\br =|beyond|sideways|lateral|by (more|less)|long|off the|width|height"
                             r"|past the (intersection|junction)|within (a|an)?"
                         ),
                         before + " " + after,

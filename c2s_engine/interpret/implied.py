@@ -92,7 +92,8 @@ def _towards_each_other(event: Event, of: dict[Entity, Where]) -> None:
 
 ACROSS = frozenset(("lane_change", "drift", "swerve", "lose_control", "cross_path"))
 OVER_LINE = re.compile(
-    r"\b(?:over|across|onto|into|cross\w*) (?:the |a |an |its )?(?:solid |white |yellow |double |middle |broken )*"
+    r"\b(?:over|across|onto|into|cross\w*) (?:the |a |an |its )?"
+    r"(?:solid |white |yellow |double |middle |broken |centre |center |central |dividing )*"
     r"(?:lines?|markings?|middle)\b"
 )
 

@@ -20,6 +20,9 @@ CARRIES = language.words("carries")
 LOST = language.words("lost")
 
 
+FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
+
+
 class Nouns(Titles):
     """The part of Cast that reads nouns."""
 
@@ -222,11 +225,9 @@ class Nouns(Titles):
     def _halts(self, word: Word) -> bool:
         """Whether traffic is said to come to a stand or to slow down, or how it moves where it is told to be."""
         after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 16] if w.sentence == word.sentence)
-        return re.match(language.table("actors")["traffic_acts"], after) is not None and word.dep in (
-            "nsubj",
-            "nsubjpass",
-            "ROOT",
-        )
+        acts = re.match(language.table("actors")["traffic_acts"], after) is not None
+        fills = FILLS.search(" ".join(self._near(word))) is not None
+        return fills or acts and word.dep in ("nsubj", "nsubjpass", "ROOT")
 
     def _parties(self, word: Word, before: list[str], data: dict, roles: set[str]) -> Entity | None:
         """The other of the two parties that "the vehicles" means ("both vehicles", "the two cars"), once two single

@@ -35,8 +35,11 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
     if where.hidden_by is not None and where.open and not crosses and set(acts) <= {"travel", "stationary"}:
         return {"position": "roadside", "side": edge or _behind_whom(scene, where) or "right", "said": True}
     if entity.type == "bicycle":
-        if where.lane == "crossing" and not re.search(
-            r"\b(cross|crosses) (the|a) (road|street|crosswalk|zebra)|crosswalk|sidewalk", text
+        over = place.kind in ("intersection", "roundabout") or "cross_road" not in acts
+        if (
+            where.lane == "crossing"
+            and over
+            and not re.search(r"\b(cross|crosses) (the|a) (road|street|crosswalk|zebra)|crosswalk|sidewalk", text)
         ):
             return {"position": f"crossing_{where.side or 'right'}", "said": True}
         if (where.lane == "oncoming" or "oncoming" in entity.roles) and not crosses:

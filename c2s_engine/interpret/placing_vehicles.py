@@ -83,7 +83,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     if lane in ("left", "right"):
         same = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
         own = where.of is None or where.of.ego and not re.search(rf"lane (?:to|on|of)\b|@ego 's {lane}", text)
-        if same == lane and own and re.search(rf"{lane}(-hand|most)? lane", text):
+        if same == lane and own and re.search(rf"({lane}(-hand|most)?|that( very)?|this|same) lane", text):
             rel = rel if rel in ("behind", "ahead") else _met(scene, entity)
             if rel is None and not {"cut_in", "lane_change"} & set(acts):  # no lane lies beyond ego's
                 rel = "behind" if passes_ego(scene, entity) or _gains(scene, entity) else "ahead"

@@ -135,8 +135,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
             and not (the and re.match(r"\S+ (is|was|were) ", first))
             and re.search(
                 (
-                    r"^\S+( \S+)?( \d[\d.]*\s*[a-z]+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)|coming"
-                    r"|on (the|its) (left|right)(?=$| (?!lane|side|hand|turn))"
+                    r"^\S+( \S+)?( \d[\d.]*\s*[a-z]+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)"
+                    r"|coming|on (the|its) (left|right)(?=$| (?!lane|side|hand|turn))"
                     r"|approaching|oncoming|from (the|its|behind))"
                 ),
                 first,

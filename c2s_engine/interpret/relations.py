@@ -20,7 +20,8 @@ __all__ = ["STATES", "Places", "Where", "read", "side_of_text"]
 AGAINST = re.compile(r"wrong[- ](way|direction)|(against|contrary to) (the )?(traffic|direction|flow|stream|current)")
 
 FILLED = re.compile(
-    r"((?:oncoming|opposite|opposing|left|right|adjacent|neighbou?ring|other|next)(?:-hand)? lane) (?:be|is|was) "
+    r"((?:oncoming|opposite|opposing|left|right|adjacent|neighbou?ring|other|next)(?:-hand)? lane"
+    r"|lane (?:to|on) (?:the|its|@ego 's) (?:left|right)) (?:be|is|was) "
     r"(?:\w+ )?(?:full of|fill(?:ed)? with|occup(?:y|ied) by|pack(?:ed)? with|block(?:ed)? (?:by|with)|taken? by)"
     r"(?: the| an?)?(?: \w+)?$"
 )
@@ -184,6 +185,8 @@ class Places(Inferred):
         filled = FILLED.search(front)
         if filled and word.span is not None:
             read(f"in the {filled[1]}", where, entity, self.cast, "noun")
+            stands = "block" in filled[0] or entity.roles & {"stationary", "parked"} or where.lane == "oncoming"
+            where.rel = where.rel or (None if stands else "beside")
         lead = word.span.data.get("words", []) if word.span is not None and word.span.kind == "actor" else []
         lead = [*lead, entity.noun] if re.match(r"wrong|ghost", entity.noun) else lead
         text = " ".join(lead) + " "

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 AWAY = re.compile(
     r"(only )?(at (a |the )?(distance|range|gap) of (about |around |roughly |some )?#dist\b|with @ego #dist )"
 )
-COMES_OUT = ("cross_road", "enter_road", "reverse")
+COMES_OUT = ("cross_road", "enter_road")
 AT_A_DISTANCE = (
     "brake",
     "brake_stop",

@@ -124,3 +124,20 @@ def test_in_the_blind_spot(read) -> None:
 def test_ego_and_another_side_by_side(read) -> None:
     s = read("Ego and a van drive side by side at 70 km/h.")
     assert kmh(s["O1"].spec.speed) == kmh(s["E"].spec.speed) == 70 and s["O1"].spec.placement.position == "beside"
+
+
+def test_what_is_no_gap(read) -> None:
+    s = read("Ego follows a car into a bend of constant radius to the left (R = 125 m), both at 60 km/h.")
+    assert s["O1"].spec.placement.gap is None and s["R"].spec.curve == "left"
+    s = read("A motorcycle passes ego on its left. No lateral reaction beyond 0.2 m is allowed.")
+    assert s["O1"].spec.placement.gap is None
+
+
+def test_speeds_by_letters(read) -> None:
+    s = read("Ego speed v0 in [30, 50] km/h. A pedestrian steps onto the road from the right, v1 in [1.0, 1.6] m/s.")
+    assert s["O1"].spec.speed == (1.0, 1.6) and len(s.objects) == 1
+
+
+def test_own_speed(read) -> None:
+    s = read("The system shall, at an own speed of 50 km/h or less, slow down and let a bus pull out in front.")
+    assert kmh(s["E"].spec.speed) == 50

@@ -92,7 +92,6 @@ def test_a_passenger_crosses(read) -> None:
         ("A child runs onto the road 20 m in front of ego.", 20.0),
         ("30 m ahead of ego a dog runs across the road.", 30.0),
         ("A car pulls out of a parking space 25 m ahead.", 25.0),
-        ("A van backs out of a driveway 35 m in front of ego.", 35.0),
     ],
 )
 def test_how_far_ahead_one_comes_out(read, text: str, away: float) -> None:
@@ -103,3 +102,29 @@ def test_how_far_ahead_one_comes_out(read, text: str, away: float) -> None:
 def test_beside_ego_on_the_ramp_is_no_cut_in(read) -> None:
     s = read("Ego drives on the acceleration lane and a truck drives next to it in the right lane of the motorway.")
     assert not s["O1"].spec.phases and s["O1"].spec.placement.along == "abreast"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Ego and a van approach each other on a country road.",
+        "VUT and target approach each other head-on, both at 50 km/h.",
+        "Two-way road. The ego car and a truck drive towards each other.",
+    ],
+)
+def test_towards_each_other(read, text: str) -> None:
+    assert read(text)["O1"].spec.placement.position == "oncoming_lane"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A cyclist rides across ego's path from the right.",
+        "From behind a bus in the opposite lane a bicycle rides across ego's lane from left to right.",
+        "A boy on a bike crosses the road from the left.",
+    ],
+)
+def test_a_bicycle_crosses_where_no_road_does(read, text: str) -> None:
+    s = read(text)
+    bike = next(o.spec for o in s.objects if o.spec.type == "bicycle")
+    assert bike.placement.position in ("roadside", "sidewalk") and bike.phases[0].action == "cross_road"

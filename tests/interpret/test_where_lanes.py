@@ -70,3 +70,47 @@ def test_another_in_a_turning_lane(read) -> None:
     assert read("A car waits in the right-turn lane next to ego.")["O1"].spec.placement.side == "right"
     s = read("A car in the right turn lane goes straight on and cuts off ego.")
     assert [p.action for p in s["O1"].spec.phases] == ["go_straight", "cut_in"] and not s["E"].spec.phases
+
+
+@pytest.mark.parametrize(
+    ("text", "where", "moves"),
+    [
+        ("The neighbouring lane is occupied by traffic. Ego brakes.", ("left_lane", "abreast"), True),
+        ("The lane to the right is filled with slow traffic.", ("right_lane", "abreast"), True),
+        ("The left lane is full of cars. A truck in front of ego brakes.", ("left_lane", "abreast"), True),
+        ("The right lane is blocked by a stationary bus.", ("right_lane", "ahead"), False),
+    ],
+)
+def test_a_lane_that_is_taken(read, text: str, where: tuple, moves: bool) -> None:
+    assert at(read, text) == where and (read(text)["O1"].spec.speed > 0) is moves
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Ego is in the left lane at 100 km/h when an ambulance nears from the rear in that lane at 130 km/h.",
+        "Ego drives in the right lane. A van comes up from behind in the same lane.",
+    ],
+)
+def test_behind_in_egos_lane(read, text: str) -> None:
+    assert read(text)["O1"].spec.placement.position == "behind"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The scooter travels at 20 km/h close to the kerb in the same direction as ego.",
+        "A cyclist rides near the right kerb at 15 km/h.",
+        "A moped drives along the kerb ahead of ego.",
+    ],
+)
+def test_along_the_kerb(read, text: str) -> None:
+    spec = read(text)["O1"].spec
+    assert (spec.placement.position, spec.placement.side) == ("partly_in_lane", "right") and spec.speed > 0
+
+
+def test_catches_up(read) -> None:
+    s = read("VUT at 72 km/h in the right-hand lane of two. The motorcyclist target catches up in the left-hand lane at"
+             " 80 km/h from a point 30 m behind.")  # fmt: skip
+    place = s["O1"].spec.placement
+    assert (place.position, place.along, place.gap) == ("left_lane", "behind", 30.0)

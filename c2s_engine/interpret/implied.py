@@ -24,6 +24,8 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
     for event in list(clauses.events):
         if event.done and event.act == "approach":
             _meets(event, of)
+        if event.done and event.act in ("approach", "travel"):
+            _comes(event, clauses, of)
         if event.done and event.act in ("lane_change", "overtake") and event.agent in of:
             _out_from_behind(event, of)
         if event.done and event.act == "collide" and event.agent.ego and event.patient in of:
@@ -40,6 +42,16 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _behind_whom_it_follows(event, clauses, of)
         elif event.done and event.act in ("approach", "travel", "oncoming") and EACH_OTHER.search(event.text):
             _towards_each_other(event, of)
+
+
+COMES = re.compile(r"(?:be )?com(?:e|ing)\b(?! (?:from|out|to|up|in|off|over|through|round|across|after|behind)\b)")
+
+
+def _comes(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Who comes while ego is in the lane of the other direction comes the other way."""
+    over = any(e.agent.ego and e.act == "oncoming" and e.done for e in clauses.events)
+    if over and event.agent in of and event.agent.mover and of[event.agent].open and COMES.match(event.text):
+        of[event.agent].lane = "oncoming"
 
 
 def _meets(event: Event, of: dict[Entity, Where]) -> None:

@@ -15,6 +15,9 @@ BEFORE_OR_BEHIND = re.compile(
 SLOWS = frozenset(("brake", "brake_stop", "stop", "stationary"))
 
 
+HALTS = frozenset(("stop", "brake_stop", "brake", "evade"))
+
+
 class Inferred(Concealed):
     """The part of Places that looks beyond a single phrase."""
 
@@ -143,7 +146,9 @@ class Inferred(Concealed):
             named = " ".join(t for _, t in where.phrases)
             if not stands or not re.search(r"(left|right)[\w-]* lane", named):
                 continue
-            if any(re.search(rf"\b(around|round|avoid|evade|block) (the )?@{entity.key}\b", e.text) for e in own):
+            met = any(re.search(rf"\b(around|round|avoid|evade|block) (the )?@{entity.key}\b", e.text) for e in own)
+            halts = re.search(r"\bblock\w*\b", named) and any(e.act in HALTS for e in own)
+            if met or halts and not any(re.search(r"(left|right|middle)[\w-]* lane", e.whole) for e in own):
                 self.ego_lane = f"{where.lane}most"
                 where.lane, where.rel, where.side = "same", "ahead", None
 

@@ -50,6 +50,7 @@ FROM_ASIDE = re.compile(
     r"(?:left|right|rear|behind|front|opposite (?:side|direction))\b(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb))"
     r"|\b(?:from|out of|leav\w+) (?:the |a |an )?(?:\w+ )?(?:street|road|driveway) (?:on|to)"
     r" (?:the |its )(?:left|right)\b"
+    r"|\b(?:comes?|came|coming|approach\w*) (?:along |up )?(?:the wrong way|against the traffic)\b"
     r"|^\S+ (?:\S+ )?at the (?:left|right)(?:-hand)? (?:kerb|curb)\b"
 )
 """A way by which one comes towards somebody who is not named: that is ego."""

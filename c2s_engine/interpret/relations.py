@@ -5,6 +5,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.accompanied import WITH_ANOTHER, accompanied, within
 from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.closures import closed_lanes
 from c2s_engine.interpret.groups import split_groups
 from c2s_engine.interpret.implied import evaded_lane, implied_places
 from c2s_engine.interpret.inferred import Inferred
@@ -54,6 +55,7 @@ class Places(Inferred):
                 where.lane, where.side = "same", None
                 self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
         accompanied(cast, clauses, self.of)
+        self.ego_lane = self.ego_lane or closed_lanes(cast, clauses, self.of)
         split_groups(cast, clauses, self.of)
         implied_places(cast, clauses, self.of)
         struck_places(cast, clauses, self.of)

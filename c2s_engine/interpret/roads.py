@@ -218,6 +218,7 @@ def _ego_lane(scene: Scene) -> str | None:
         texts.append(" ".join(linear))
         below = scene.clauses._below(mention.word)
         texts.append(" ".join(scene.words[i].norm for i in below if i > mention.word))
+    texts += _lanes_where(scene)
     for text in texts:
         if re.search(r"(into|to|onto) the (\w+ )?(left|right)", text) and "keep" not in text:
             text = re.sub(r"(into|onto|to) the .*", "", text) if "keep" not in text else text
@@ -238,6 +239,19 @@ def _ego_lane(scene: Scene) -> str | None:
     if match:
         return "leftmost" if match[1] == "left" else "rightmost"
     return None
+
+
+def _lanes_where(scene: Scene) -> list[str]:
+    """The lanes in which ego is said to drive by a relative clause: "the right lane, where ego drives"."""
+    found = []
+    for event in scene.events(scene.cast.ego):
+        word = scene.words[event.word]
+        lane = scene.words[word.head]
+        if scene.words[lane.head].norm == "of":  # "the left lane of the freeway, where ego drives"
+            lane = scene.words[scene.words[lane.head].head]
+        if word.dep in ("relcl", "advcl", "acl") and lane.norm in ("lane", "one") and lane.i < word.i:
+            found.append("in " + " ".join(scene.words[i].norm for i in scene.clauses._below(lane.i) if i <= lane.i))
+    return found
 
 
 BESIDE = re.compile(r"\b(?:level with|alongside|beside|next to|abreast of|side by side with|past)(?: the)?$")

@@ -29,6 +29,7 @@ def _was_over(cast: Cast, event: Event, clauses: Clauses) -> bool:
     return first and not any(e.agent is event.agent and e.word < event.word for e in clauses.events)
 
 
+FROM_MINOR = re.compile(r"(?:pull|come|edge|nose|creep|inch|roll|shoot) (?:straight |right |slowly )?out\b(?! of)")
 PULLS_OUT = re.compile(
     r"(?:pull|drive|move|edge) (?:out|off|away) (?:suddenly )?from (?:the |its )?(?:left|right)\b(?! (?:\w+ )?lane)"
 )
@@ -98,6 +99,8 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and let_past(clauses, event, road)
         ):
             event.act = "travel"
+        if event.act == "cut_in" and road.kind == "intersection" and FROM_MINOR.match(event.text):
+            event.act = "cross_path" if "lane" not in event.whole and not event.agent.ego else event.act
         if event.act == "travel" and road.kind not in ("intersection", "roundabout") and PULLS_OUT.match(event.text):
             event.act = "enter_road"
         passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")

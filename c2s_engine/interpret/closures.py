@@ -14,8 +14,8 @@ CLOSERS = ZONES | {"cone", "barrier", "warning_sign"}
 _LANE = r"(?P<{0}>left|right)(?:-hand|most)? (?:lane|one\b|of (?:the )?(?:two|three|four) lanes|most lane)"
 _SHUT = r"(?:clos|block|shut|occup|obstruct|cordon|fenc|cone|taken|take (?:out|up|away)|narrow)"
 CLOSED = re.compile(
-    rf"\b{_LANE.format('a')}\b[^.;]{{0,25}}?\b{_SHUT}|\b{_SHUT}\w* (?:off |up |out |away )?(?:\w+ )?(?:the |all of the )?"
-    rf"{_LANE.format('b')}"
+    rf"\b{_LANE.format('a')}\b[^.;]{{0,25}}?\b{_SHUT}"
+    rf"|\b{_SHUT}\w* (?:off |up |out |away )?(?:\w+ )?(?:the |all of the )?{_LANE.format('b')}"
 )
 
 

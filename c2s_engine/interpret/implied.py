@@ -111,8 +111,9 @@ OVER_LINE = re.compile(
 
 
 def _comes_over(event: Event, of: dict[Entity, Where]) -> bool:
-    """Whether one who comes the other way gets over the line."""
-    return of[event.agent].lane == "oncoming" and OVER_LINE.search(event.text) is not None
+    """Whether one who comes the other way gets over the line, and not little by little."""
+    slowly = event.act == "drift" and re.search(r"\b(?:slowly|gradually|little by little)\b", event.whole)
+    return of[event.agent].lane == "oncoming" and OVER_LINE.search(event.text) is not None and not slowly
 
 
 def evaded_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:

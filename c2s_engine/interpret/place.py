@@ -152,7 +152,11 @@ def _number(match: re.Match[str]) -> int | None:
     return None
 
 
+SINGLE = re.compile(r"one lane (each|per|in each|for each|either|in either) |single[- ]lane|single lane")
+
+
 def _lanes(plain: str, sentences: list[tuple[int, int]], road: Road, data: dict[str, Any]) -> None:
+    single = SINGLE.search(plain) is not None
     for entry in data["lanes"]:
         for match in _re(entry["find"]).finditer(plain):
             number = _number(match)
@@ -174,7 +178,7 @@ def _lanes(plain: str, sentences: list[tuple[int, int]], road: Road, data: dict[
             if (
                 least
                 and (road.lanes or 0) < least
-                and not (re.search(r"both (lanes|directions)", match[0]) and road.lanes == 1)
+                and not (re.search(r"both (lanes|directions)", match[0]) and (road.lanes == 1 or single))
             ):
                 road.lanes = least
     stated = re.search(
@@ -187,7 +191,7 @@ def _lanes(plain: str, sentences: list[tuple[int, int]], road: Road, data: dict[
     )
     if stated and road.lanes is None:
         road.lanes = _number(stated)
-    if re.search(r"one lane (each|per|in each|for each|either|in either) |single[- ]lane|single lane", plain):
+    if single:
         road.lanes = 1 if not road.lanes or road.lanes < 2 else road.lanes
     for entry in data["ego_lane"]:
         hit = _re(entry["find"]).search(plain)

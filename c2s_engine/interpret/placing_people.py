@@ -73,7 +73,11 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         )
         return {
             "position": position,
-            "side": _from_side(text) or edge or _by_compass(scene, entity) or _behind_whom(scene, where) or "right",
+            "side": _from_side(text)
+            or edge
+            or _by_compass(scene, entity)
+            or _behind_whom(scene, where, text)
+            or "right",
             "said": where.lane is not None or where.side is not None,
         }
     if (
@@ -162,9 +166,17 @@ def _by_compass(scene: Scene, entity: Entity) -> str | None:
     return found if found in ("left", "right") else None
 
 
-def _behind_whom(scene: Scene, where: Where) -> str | None:
-    """The side of one who hides somebody, where it stands on one side or comes the other way."""
-    blocker = where.hidden_by
+LEFT = re.compile(r"\b(?:from|out of|off|leave|exit) (?:the |a |an )?(?:\w+ )?@KEY\b")
+
+
+def _keyed(text: str, entity: Entity) -> str:
+    """A text in which one road user is called KEY."""
+    return re.sub(rf"@{entity.key}\b", "@KEY", text)
+
+
+def _behind_whom(scene: Scene, where: Where, told: str = "") -> str | None:
+    """The side of one who hides somebody or whom it leaves, where that stands on one side or comes the other way."""
+    blocker = where.hidden_by or next((e for e in scene.actors if LEFT.search(_keyed(told, e))), None)
     theirs = scene.where(blocker) if blocker is not None else None
     if theirs is None:
         return None

@@ -57,6 +57,8 @@ FROM_ASIDE = re.compile(
 
 
 EMERGES = re.compile(r"@\w+ (?:suddenly )?(?:appear|emerge|come) (?:out )?from behind\b")
+HALTED = frozenset(("stop", "stationary", "brake_stop"))
+OPPOSITE = re.compile(r"\b(?:in|on) the (?:opposite|oncoming|opposing|other) (?:lane|side|carriageway)\b")
 FROM_WHERE = re.compile(r"\b(?:from|out of) (?:where|which) .*\b(?:emerg|appear|com|approach|turn)\w*")
 
 
@@ -67,7 +69,7 @@ def _comes_into_view(entity: Entity, cast: Cast, events: list[Event]) -> bool:
         before = [w.norm for w in cast.words[max(0, word.i - 5) : word.i + 5] if w.sentence == word.sentence]
         if FROM_WHERE.search(" ".join(before)):
             return True
-    return any(EMERGES.search(e.whole) for e in events)
+    return any(EMERGES.search(e.whole) or e.act in HALTED and OPPOSITE.search(e.whole) for e in events)
 
 
 TOWARDS = frozenset(("collide", "overtake", "follow", "yield", "cut_in", "evade"))

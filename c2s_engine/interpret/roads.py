@@ -219,6 +219,10 @@ def _ego_lane(scene: Scene) -> str | None:
         below = scene.clauses._below(mention.word)
         texts.append(" ".join(scene.words[i].norm for i in below if i > mention.word))
     texts += _lanes_where(scene)
+    if same := next((m for t in texts if (m := SAME_LANE.search(t))), None):
+        begins = min((m.start for m in ego.mentions if f"{same[0]}" in scene.plain[m.start : m.start + 90]), default=0)
+        if named := scene.places._last_lane(begins):
+            return f"{named}most"
     for text in texts:
         if re.search(r"(into|to|onto) the (\w+ )?(left|right)", text) and "keep" not in text:
             text = re.sub(r"(into|onto|to) the .*", "", text) if "keep" not in text else text
@@ -254,6 +258,7 @@ def _lanes_where(scene: Scene) -> list[str]:
     return found
 
 
+SAME_LANE = re.compile(r"\bin (?:that|the) (?:very |same )+lane\b(?! as)")
 BESIDE = re.compile(r"\b(?:level with|alongside|beside|next to|abreast of|side by side with|past)(?: the)?$")
 
 

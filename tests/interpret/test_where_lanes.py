@@ -114,3 +114,28 @@ def test_catches_up(read) -> None:
              " 80 km/h from a point 30 m behind.")  # fmt: skip
     place = s["O1"].spec.placement
     assert (place.position, place.along, place.gap) == ("left_lane", "behind", 30.0)
+
+
+@pytest.mark.parametrize(
+    ("text", "ego"),
+    [
+        ("A car is stopped in the right lane. Ego drives in that very lane at 90 km/h.", "rightmost"),
+        ("A truck is in the left lane and ego follows in the same lane.", "leftmost"),
+        ("A ghost driver comes in the left lane of a motorway. The AV, in that same lane, brakes.", "leftmost"),
+    ],
+)
+def test_the_lane_spoken_of(read, text: str, ego: str) -> None:
+    s = read(text)
+    assert s["R"].spec.ego_lane == ego and s["O1"].spec.placement.position == "ahead"
+
+
+def test_across_both_lanes(read) -> None:
+    s = read("Rural road, one lane each direction. A school bus coming the other way has stopped. Two children walk"
+             " from the bus across both lanes. Ego waits.")  # fmt: skip
+    children = s["O2"].spec
+    assert children.count == 2 and children.placement.side == "left" and s["R"].spec.lanes == 1
+
+
+def test_stopped_in_the_opposite_lane_is_not_ego(read) -> None:
+    s = read("A school bus has stopped in the opposite lane. A girl gets off the bus and runs across.")
+    assert [o.spec.type for o in s.objects] == ["bus", "child"]

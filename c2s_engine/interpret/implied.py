@@ -24,6 +24,8 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
     for event in list(clauses.events):
         if event.done and event.act == "approach":
             _meets(event, of)
+        if event.done and event.act == "stationary" and event.text.startswith("block") and _beside_ego(event, of):
+            event.act = "travel"
         if event.done and event.act in ("approach", "travel"):
             _comes(event, clauses, of)
         if event.done and event.act in ("lane_change", "overtake") and event.agent in of:
@@ -42,6 +44,12 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _behind_whom_it_follows(event, clauses, of)
         elif event.done and event.act in ("approach", "travel", "oncoming") and EACH_OTHER.search(event.text):
             _towards_each_other(event, of)
+
+
+def _beside_ego(event: Event, of: dict[Entity, Where]) -> bool:
+    """Whether one that blocks the way is beside ego: it drives there."""
+    where = of.get(event.agent)
+    return where is not None and where.rel == "beside" and where.of is not None and where.of.ego
 
 
 COMES = re.compile(r"(?:be )?com(?:e|ing)\b(?! (?:from|out|to|up|in|off|over|through|round|across|after|behind)\b)")

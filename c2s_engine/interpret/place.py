@@ -169,7 +169,8 @@ def _lanes(plain: str, sentences: list[tuple[int, int]], road: Road, data: dict[
                     r"one-way|motorway|freeway|interstate|divided highway|carriageway|expressway|in this direction",
                     near + plain[match.end() : match.end() + 40],
                 ) and not re.search("undivided|two-way", near)
-                number = number if carriageway or (number == 3) else max(1, number // 2)
+                both = number >= 4 and re.search(r"(?<!un)divided", near)  # four lanes with a median: two each way
+                number = number if (carriageway or number == 3) and not both else max(1, number // 2)
                 if not carriageway and number == 1 and not re.search(r"highway|motorway", near):
                     road.oncoming = True if road.oncoming is None else road.oncoming
             if number and (road.lanes is None or entry.get("per_direction")):

@@ -17,6 +17,8 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
     by = where.side or side_of_text(passing.whole) if passing is not None else None
     if passing is not None and by is None and re.search(r"\b(?:inside|nearside)\b", passing.whole):
         by = "right"
+    if passing is not None and by is None and re.search(r"\b(?:cycle|bike|bicycle) (?:lane|path|track)", scene.plain):
+        by = "right" if place.manoeuvre == "right" else None
     if entity.type == "bicycle" and by and place.manoeuvre == by and place.kind == "intersection":
         return {"position": "roadside", "side": by, "along": "behind", "said": True}  # between ego and the kerb
     if "overtake" in acts and (where.lane is None and not where.rel or passes_ego(scene, entity)):

@@ -136,16 +136,18 @@ def _ends_before(scene: Scene) -> bool:
     return scene.does(scene.cast.ego, "stop", "stationary", "brake_stop") is not None
 
 
+ON_RAMP = re.compile(
+    r"on-?ramp|acceleration lane|slip road|entrance ramp|entry ramp|ramp"
+    r"|merg\w+ (on)?to the (motorway|highway|freeway|interstate)|join\w* (the |a )?(motorway"
+    r"|highway|freeway|interstate)"
+)
+
+
 def _ego_on_ramp(scene: Scene) -> bool:
     for event in scene.events(scene.cast.ego):
-        if re.search(
-            (
-                r"on-?ramp|acceleration lane|slip road|entrance ramp|entry ramp|ramp"
-                r"|merg\w+ (on)?to the (motorway|highway|freeway|interstate)|join\w* (the |a )?(motorway"
-                r"|highway|freeway|interstate)"
-            ),
-            re.sub(r"(off|exit)[- ]?ramp", "", event.whole),
-        ) and not re.search(r"@a\d", event.whole.split("ramp")[0][-25:]):
+        whole = re.sub(r"(off|exit)[- ]?ramp", "", event.whole)
+        match = ON_RAMP.search(whole)
+        if match and not re.search(r"@a\d", whole[max(0, match.start() - 25) : match.start()]):
             return True
         if (
             event.act == "lane_change"

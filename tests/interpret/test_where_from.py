@@ -128,3 +128,40 @@ def test_a_bicycle_crosses_where_no_road_does(read, text: str) -> None:
     s = read(text)
     bike = next(o.spec for o in s.objects if o.spec.type == "bicycle")
     assert bike.placement.position in ("roadside", "sidewalk") and bike.phases[0].action == "cross_road"
+
+
+def test_around_the_bend(read) -> None:
+    s = read("On a winding mountain road, a motorcyclist comes around the bend in ego's lane.")
+    assert (s["O1"].spec.placement.position, s["O1"].spec.placement.facing) == ("ahead", "against")
+    s = read("Ego drives on a country road. A lorry appears round the bend and drifts over the line.")
+    assert s["O1"].spec.placement.position == "oncoming_lane"
+
+
+def test_a_crossing_with_lights_is_no_pedestrian(read) -> None:
+    s = read("At a pedestrian crossing with traffic lights ego has green; a man crosses on red from the left.")
+    assert len(s.objects) == 1 and s["R"].spec.crosswalk
+    s = read("Ego stops at the pedestrian crossing. A woman crosses from the right.")
+    assert len(s.objects) == 1 and s["R"].spec.crosswalk
+
+
+def test_over_a_carriageway(read) -> None:
+    s = read("Ego crosses a dual carriageway at a junction; a car comes from the right at 80 km/h.")
+    assert [p.action for p in s["E"].spec.phases] == ["go_straight"]
+    s = read("A truck crosses the main road at the junction from the left. Ego brakes.")
+    assert s["O1"].spec.placement.position == "crossing_left"
+
+
+def test_beside_ego_and_in_its_way(read) -> None:
+    s = read("Ego wants to leave the motorway, but a truck beside it on the right blocks the way.")
+    assert s["O1"].spec.placement.along == "abreast" and s["O1"].spec.speed > 0
+    s = read("Ego turns right; a cyclist in the cycle lane overtakes it.")
+    assert (s["O1"].spec.placement.position, s["O1"].spec.placement.side) == ("roadside", "right")
+
+
+@pytest.mark.parametrize(("text", "lanes"), [
+    ("Ego drives on a four-lane divided highway behind a truck.", 2),
+    ("Ego follows a car on a three-lane motorway.", 3),
+    ("Ego follows a car on a four-lane undivided road.", 2),
+])  # fmt: skip
+def test_lanes_each_way(read, text: str, lanes: int) -> None:
+    assert read(text)["R"].spec.lanes == lanes

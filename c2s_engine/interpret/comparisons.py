@@ -17,13 +17,18 @@ DIFFERENCE = re.compile(
     r"|(?:relative|closing|differential|excess|approach) (?:speed|velocity)|delta[- ]?v)(?: (?:of|is|was|being|at))*"
     r"[: =]*(?:about |around |roughly )?$"
 )
+LIMIT = r"(?:the |its )?(?:posted |legal |permitted )?(?:speed )?limit"
+BY_LIMIT = re.compile(rf"\s*(?:(?P<more>over|above|faster than|in excess of)|under|below|slower than) {LIMIT}\b")
+AT_LIMIT = re.compile(
+    rf"\b(?:at|doing|does|do|drives?|driving|drove|keeps? to|keeping to|exactly|just) {LIMIT}\b(?! of| is| was|,? \d)"
+)
 AFTER = re.compile(r"\s*(?:faster|slower|quicker|more than|less than|above the speed of|below the speed of)\b")
 LITTLE, LOT_MORE, LOT_LESS = 0.08, 1.4, 0.6
 
 
 def is_difference(plain: str, span: Span) -> bool:
     """Whether a speed is only by how much one is faster or slower than another."""
-    after = AFTER.match(plain[span.end : span.end + 20])
+    after = AFTER.match(plain[span.end : span.end + 20]) or BY_LIMIT.match(plain[span.end : span.end + 50])
     return after is not None or DIFFERENCE.search(plain[max(0, span.start - 50) : span.start]) is not None
 
 
@@ -44,7 +49,25 @@ def compared_speeds(scene: Scene, quantities: list[Span]) -> None:
         if owner in scene.speeds and number is None:
             continue
         scene.speeds[owner] = (*_changed(match, number, base[0], base[1]), match.start(), match.end())
+    _by_limit(scene, quantities)
     _by_difference(scene, quantities)
+
+
+def _by_limit(scene: Scene, quantities: list[Span]) -> None:
+    """The speeds that are told by the posted limit: so much over or under it, or the limit itself."""
+    limit = scene.road.speed_limit
+    if limit is None:
+        return
+    for span in quantities:
+        match = BY_LIMIT.match(scene.plain[span.end : span.end + 50])
+        owner = _owner(scene, span.start) if match and span.data["dimension"] == "speed" else None
+        if match is not None and owner is not None and owner not in scene.speeds:
+            speed = max(0.5, limit + span.data["low"] * (1 if match["more"] else -1))
+            scene.speeds[owner] = (speed, speed, span.start, span.end)
+    for match in AT_LIMIT.finditer(scene.plain):
+        owner = _owner(scene, match.start())
+        if owner is not None and owner not in scene.speeds:
+            scene.speeds[owner] = (limit, limit, match.start(), match.end())
 
 
 def _by_difference(scene: Scene, quantities: list[Span]) -> None:

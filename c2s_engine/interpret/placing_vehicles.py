@@ -15,6 +15,7 @@ ACROSS = re.compile(r"\bacross (?:the |both |two |all |@ego 's |@ego )?(?:\w+ )?
 ON_MOTORWAY = re.compile(
     r"\b(on|along|in) the (main |through )?(motorway|highway|freeway|interstate|carriageway|main road)"
 )
+MIDDLE = re.compile(r"\b(?:in|on|along) the (?:middle|centre|center) lane\b")
 ON_SIDE = re.compile(
     r"(?<!lane )\b(?:on|to) (?:(?:the )?@ego 's (?:left|right)(?! lane|-hand lane)"
     r"|the (?:left|right)(?: side)? of (?:the )?@ego)"
@@ -33,6 +34,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     lane, rel, edge = where.lane, where.rel, where.side
     if lane == "crossing" and "enter_road" in acts and not junction:
         lane = None
+    if lane in (None, "same") and (where.of is None or where.of.ego) and MIDDLE.search(told_of(scene, entity)):
+        lane = {"leftmost": "right", "rightmost": "left"}.get(place.ego_lane or "", lane)
     if rel is not None and passes_ego(scene, entity):
         rel = "behind"  # where it comes to be is said with the same words
     if rel == "beside" and where.of is None and _met(scene, entity) == "ahead":

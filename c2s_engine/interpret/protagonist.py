@@ -2,12 +2,14 @@
 
 import re
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.askers import bystanding
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import MOTOR, VEHICLES, Cast, Entity
 
+NEVER_EGO = language.words("never_ego")
 ROLE_WORDS = frozenset(("lead", "oncoming", "parked", "stationary", "crossing", "adjacent", "cut_in", "slow"))
 
 
@@ -131,6 +133,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         first = " ".join(w.norm for w in cast.words[entity.mentions[0].word : entity.mentions[0].word + 7])
         if (
             entity.roles & ROLE_WORDS
+            or (entity.noun or entity.label) in NEVER_EGO
             or not told_by
             and any(v.act == "overtake" and _past_nobody(v) for v in acting[entity])
             or "following" not in entity.roles

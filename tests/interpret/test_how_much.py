@@ -141,3 +141,21 @@ def test_speeds_by_letters(read) -> None:
 def test_own_speed(read) -> None:
     s = read("The system shall, at an own speed of 50 km/h or less, slow down and let a bus pull out in front.")
     assert kmh(s["E"].spec.speed) == 50
+
+
+@pytest.mark.parametrize(
+    ("text", "ego", "other"),
+    [
+        ("The vehicle in front is going 15 km/h under the limit of 80 km/h. Ego is doing the limit.", 80, 65),
+        ("The limit is 80 km/h. Ego drives at the limit behind a truck that is 20 km/h below the speed limit.", 80, 60),
+        ("Ego drives 10 km/h over the limit of 60 km/h. A car comes up from behind at 30 km/h over the limit.", 70, 90),
+    ],
+)
+def test_by_the_limit(read, text: str, ego: int, other: int) -> None:
+    s = read(text)
+    assert (kmh(s["E"].spec.speed), kmh(s["O1"].spec.speed)) == (ego, other)
+
+
+def test_a_crossing_at_a_drivers_speed(read) -> None:
+    s = read("The test vehicle approaches a pedestrian crossing at 40 km/h. A child walks onto it at 5 km/h.")
+    assert kmh(s["E"].spec.speed) == 40 and [o.spec.type for o in s.objects] == ["child"]

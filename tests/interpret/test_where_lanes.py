@@ -139,3 +139,31 @@ def test_across_both_lanes(read) -> None:
 def test_stopped_in_the_opposite_lane_is_not_ego(read) -> None:
     s = read("A school bus has stopped in the opposite lane. A girl gets off the bus and runs across.")
     assert [o.spec.type for o in s.objects] == ["bus", "child"]
+
+
+@pytest.mark.parametrize(
+    ("text", "position"),
+    [
+        ("On a three-lane motorway ego is in the right lane and a van in the middle lane 20 m behind.", "left_lane"),
+        ("Ego drives in the left lane of three. A truck in the middle lane drifts to the left.", "right_lane"),
+        ("Ego is in the right lane. A car in the middle lane 10 m ahead changes to the right.", "left_lane"),
+    ],
+)
+def test_in_the_middle_lane(read, text: str, position: str) -> None:
+    assert read(text)["O1"].spec.placement.position == position
+
+
+def test_on_the_left_a_car(read) -> None:
+    s = read("Ego drives at 110 km/h. On the left a car 10 m behind ego at 120 km/h.")
+    place = s["O1"].spec.placement
+    assert (place.position, place.along, place.gap) == ("left_lane", "behind", 10.0)
+
+
+def test_the_side_that_one_leaves(read) -> None:
+    s = read("A cyclist 20 m ahead of ego moves from the bike lane on the right into ego's lane.")
+    assert s["O1"].spec.phases[0].side == "left"
+
+
+def test_the_other_party_is_never_ego(read) -> None:
+    s = read("The POV is 2 car lengths ahead in the adjacent left lane and drifts right.")
+    assert s["O1"].spec.placement.position == "left_lane"

@@ -55,6 +55,10 @@ def _bare() -> re.Pattern[str]:
         rf"|(?<=lane )(?P<lane>\d{{2,3}})(?=\s*(?:[,.;)]|$))"
         rf"|\b(?:speed )?limit(?:ed)?(?: zone)?(?: is| of| to| at|:)? ?(?P<limit>\d{{2,3}})(?! ?(?:km|mph|k|m|s|%)\b)"
         rf"|(?<![\w.])(?P<zone>\d{{2,3}})[- ](?=zone\b|limit\b|speed limit\b)"
+        rf"|\b(?:at|do|did|does|doing|go|goes|going|went|drives?|driving|drove|hits?|hitting) "
+        rf"(?:about |around |roughly |maybe )?"
+        rf"(?P<over>\d{{2,3}})(?= (?:[\w/]+ )?in an? \d{{2,3}}\b)"
+        rf"|(?<=\d in a )(?P<inside>\d{{2,3}})(?! ?(?:m|s|km|cm|ft)\b)"
     )
 
 

@@ -33,7 +33,7 @@ def actors(scene: Scene) -> list[Entity]:
         ):
             kept.append(entity)
             continue
-        if entity.person and where.hidden_by is not None:
+        if entity.mover and where.hidden_by is not None:
             kept.append(entity)
             continue
         if (

@@ -12,13 +12,24 @@ COMPARED = re.compile(
     r"|markedly|a good deal)|(?P<twice>twice|double) (?=as))?"
     r"\s*\b(?P<how>faster|slower|quicker|as fast)\b(?P<than>(?: than| as) [^,.;]{0,40})?"
 )
+DIFFERENCE = re.compile(
+    r"\b(?:(?:speed|velocity) (?:difference|differential|excess|surplus)|difference (?:in|of) (?:speed|velocity)"
+    r"|(?:relative|closing|differential|excess|approach) (?:speed|velocity)|delta[- ]?v)(?: (?:of|is|was|being|at))*"
+    r"[: =]*(?:about |around |roughly )?$"
+)
+LIMIT = r"(?:the |its )?(?:posted |legal |permitted )?(?:speed )?limit"
+BY_LIMIT = re.compile(rf"\s*(?:(?P<more>over|above|faster than|in excess of)|under|below|slower than) {LIMIT}\b")
+AT_LIMIT = re.compile(
+    rf"\b(?:at|doing|does|do|drives?|driving|drove|keeps? to|keeping to|exactly|just) {LIMIT}\b(?! of| is| was|,? \d)"
+)
 AFTER = re.compile(r"\s*(?:faster|slower|quicker|more than|less than|above the speed of|below the speed of)\b")
 LITTLE, LOT_MORE, LOT_LESS = 0.08, 1.4, 0.6
 
 
 def is_difference(plain: str, span: Span) -> bool:
     """Whether a speed is only by how much one is faster or slower than another."""
-    return AFTER.match(plain[span.end : span.end + 20]) is not None
+    after = AFTER.match(plain[span.end : span.end + 20]) or BY_LIMIT.match(plain[span.end : span.end + 50])
+    return after is not None or DIFFERENCE.search(plain[max(0, span.start - 50) : span.start]) is not None
 
 
 def compared_speeds(scene: Scene, quantities: list[Span]) -> None:
@@ -38,6 +49,42 @@ def compared_speeds(scene: Scene, quantities: list[Span]) -> None:
         if owner in scene.speeds and number is None:
             continue
         scene.speeds[owner] = (*_changed(match, number, base[0], base[1]), match.start(), match.end())
+    _by_limit(scene, quantities)
+    _by_difference(scene, quantities)
+
+
+def _by_limit(scene: Scene, quantities: list[Span]) -> None:
+    """The speeds that are told by the posted limit: so much over or under it, or the limit itself."""
+    limit = scene.road.speed_limit
+    if limit is None:
+        return
+    for span in quantities:
+        match = BY_LIMIT.match(scene.plain[span.end : span.end + 50])
+        owner = _owner(scene, span.start) if match and span.data["dimension"] == "speed" else None
+        if match is not None and owner is not None and owner not in scene.speeds:
+            speed = max(0.5, limit + span.data["low"] * (1 if match["more"] else -1))
+            scene.speeds[owner] = (speed, speed, span.start, span.end)
+    for match in AT_LIMIT.finditer(scene.plain):
+        owner = _owner(scene, match.start())
+        if owner is not None and owner not in scene.speeds:
+            scene.speeds[owner] = (limit, limit, match.start(), match.end())
+
+
+def _by_difference(scene: Scene, quantities: list[Span]) -> None:
+    """The speed of one that differs from ego's by so much: who comes up is faster, who is ahead slower."""
+    for span in quantities:
+        found = DIFFERENCE.search(scene.plain[max(0, span.start - 50) : span.start])
+        own = scene.speeds.get(scene.cast.ego)
+        if found is None or span.data["dimension"] != "speed" or own is None:
+            continue
+        free = [e for e in scene.actors if e.mover and not e.person and e not in scene.speeds]
+        owner = _owner(scene, span.start)
+        other = owner if owner in free else free[0] if len(free) == 1 else None
+        if other is None:
+            continue
+        gains = scene.where(other).rel == "behind" or scene.does(other, "overtake") is not None
+        change = span.data["low"] if gains else -span.data["low"]
+        scene.speeds[other] = (max(0.0, own[0] + change), max(0.0, own[1] + change), span.start, span.end)
 
 
 def _ends_at(scene: Scene, span: Span, match: re.Match[str]) -> bool:

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import re
 
-from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.gaps import Gaps
 from c2s_engine.interpret.mentions import Cast
-from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.whereabouts import Where
 
 HIDES = re.compile(
@@ -17,13 +16,31 @@ LONG = 2_000
 """Characters of a sentence beyond which nobody tells what hides whom."""
 
 
-class Concealed:
+_A = r"(?:the |a |an )?(?:\w+ )?"
+_HIDE = r"(?:hidden|hide|concealed|conceal|obscured|obscure|occluded|occlude|masked|mask|screened|screen|blocked|block)"
+HIDDEN = (
+    rf"{_HIDE} by {_A}@(?P<by>a\d+)[^.;]{{0,40}}, {_A}@KEY\b",
+    rf"(?:not|unable to|n't|cannot|hardly) (?:\w+ )?(?:see|notice|spot|detect)[^.;]*@KEY\b[^.;]*"
+    rf"(?:because of|due to|behind|as|for) {_A}@(?P<by>a\d+)",
+    r"@(?P<by>a\d+) (?:conceal|hide|obscure|block|mask)\w* be (?:the |a |an )?@KEY\b",
+    rf"\b(?:view|sight) (?:of|to|on) {_A}@KEY be (?:\w+ )?(?:{_HIDE}|obstructed|obstruct|impeded|impede) by {_A}"
+    r"@(?P<by>a\d+)",
+    rf"@KEY\b.*?(?P<how>(?<!hit )(?<!struck )from behind(?! by)|from between|out from behind"
+    rf"|{_HIDE} (?:by|behind)|behind|in front of|between) (?:the |a |an |two |some |row of |line of )*"
+    r"(?:\w+ ){0,2}@(?P<by>a\d+)",
+    rf"\bfrom (?:behind|in front of|between) {_A}@(?P<by>a\d+) ,?[^.;]{{0,30}}? ?(?:the |a |an )(?:\w+ )?@KEY\b",
+    r"@(?P<by>a\d+)[^.;]*?(?:hide|hides|hid|conceal\w*|obscure\w*|block\w*|occlude\w*|mask\w*|obstruct\w*|screen\w*"
+    r"|shield\w*)(?: (?:the|its|his|her|our|@ego ''?s) (?:view|sight|line of sight)(?: (?:of|to|on))?)?(?: @ego ''?s)?"
+    r"(?: view (?:of|to))? (?:the |a |an |any )?(?:\w+ )?@KEY\b",
+)
+"""How a sentence says that one (KEY) is hidden by another."""
+
+
+class Concealed(Gaps):
     """The part of Places that finds what blocks ego's view."""
 
     cast: Cast
-    clauses: Clauses
     of: dict[Entity, Where]
-    words: list[Word]
 
     def _hidden(self) -> None:
         for entity in self.cast.entities:
@@ -33,61 +50,34 @@ class Concealed:
                 text = self.clauses.render(sentence)
                 if len(text) > LONG or not HIDES.search(text):
                     continue
-                match = (
-                    re.search(
-                        (
-                            rf"(?:hidden|hide|concealed|conceal|obscured|obscure|occluded|occlude|masked|mask"
-                            rf"|blocked) by (the |a |an )?(\w+ )?@(?P<by>a\d+)[^.;]{{0,40}}, (the |a "
-                            rf"|an )?(\w+ )?@{entity.key}\b"
-                        ),
-                        text,
-                    )
-                    or re.search(
-                        (
-                            rf"(?:not|unable to|n't|cannot|hardly) (?:\w+ )?(?:see|notice|spot"
-                            rf"|detect)[^.;]*@{entity.key}\b[^.;]*(?:because of|due to|behind|as|for) (the |a "
-                            rf"|an )?(\w+ )?@(?P<by>a\d+)"
-                        ),
-                        text,
-                    )
-                    or re.search(
-                        rf"@(?P<by>a\d+) (conceal|hide|obscure|block|mask)\w* be (the |a |an )?@{entity.key}\b", text
-                    )
-                    or re.search(
-                        (
-                            rf"@{entity.key}\b.*?((?<!hit )(?<!struck )from behind(?! by)|from between"
-                            rf"|out from behind|(?:hidden|hide|concealed"
-                            rf"|conceal|obscured|obscure|occluded|occlude|masked|mask|screened|screen|blocked"
-                            rf"|block) (by|behind)|behind|in front of|between) (the |a |an |two |some |row of "
-                            rf"|line of )*(\w+ ){{0,2}}@(?P<by>a\d+)"
-                        ),
-                        text,
-                    )
-                )
-                if match is None:
-                    match = re.search(
-                        rf"\bfrom (?:behind|in front of|between) (?:the |a |an )?(?:\w+ )?@(?P<by>a\d+) ,"
-                        rf"[^.;]{{0,30}}? ?(?:the |a |an )(?:\w+ )?@{entity.key}\b",
-                        text,
-                    )
-                if match is None:
-                    match = re.search(
-                        (
-                            rf"@(?P<by>a\d+)[^.;]*?(hide|hides|hid|conceal\w*|obscure\w*|block\w*|occlude\w*|mask\w*"
-                            rf"|obstruct\w*|screen\w*|shield\w*)( the view (of|to|on))?( @ego ''?s)?( view (of"
-                            rf"|to))? (the |a |an |any )?(\w+ )?@{entity.key}\b"
-                        ),
-                        text,
-                    )
-                    if match is None:
-                        continue
-                elif match.re.groups > 2 and self._only_beside(entity, match[1] or "", text):
-                    continue
-                blocker = next((e for e in self.cast.entities if e.key == match["by"]), None)
+                key = self._blocker(entity, text)
+                blocker = next((e for e in self.cast.entities if e.key == key), None)
                 if blocker is not None and blocker is not entity and not (blocker.person):
                     where.hidden_by = blocker
                     if where.of is blocker and where.rel in ("behind", "ahead"):
                         where.rel, where.of = None, None
+                    self._beyond(entity, blocker)
+
+    def _beyond(self, entity: Entity, blocker: Entity) -> None:
+        """A vehicle that one ahead hides, and of which nothing else is told, is ahead of that one."""
+        where, theirs = self.of[entity], self.of[blocker]
+        idle = all(e.act == "travel" for e in self.clauses.events if e.agent is entity and e.done)
+        if idle and not entity.person and entity.type != "bicycle" and where.open and where.of is None:
+            if theirs.rel == "ahead" and theirs.lane in (None, "same"):
+                where.rel, where.of = "ahead", blocker
+            elif theirs.lane == "oncoming":
+                where.lane = "oncoming"
+
+    def _blocker(self, entity: Entity, text: str) -> str | None:
+        """Who hides one, by the words of a sentence."""
+        for pattern in HIDDEN:
+            match = re.search(pattern.replace("KEY", entity.key), text)
+            if match is None:
+                continue
+            how = match.groupdict().get("how")
+            if how is None or not self._only_beside(entity, how, text):
+                return match["by"]
+        return None
 
     @staticmethod
     def _only_beside(entity: Entity, words: str, text: str) -> bool:

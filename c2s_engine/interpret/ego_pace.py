@@ -87,14 +87,26 @@ def _speed_among_others(scene: Scene, ids: dict[Entity, str], phases: list[Phase
         )
         if any(e.act in ("turn", "go_straight", "run_red", "cross_path") for e in acts) and where.rel is None:
             continue
-        name = "closing" if caught else "passed" if passes or where.rel == "behind" else "flow"
+        follows = _keeps_behind(scene, entity)
+        gains = where.rel == "behind" and not follows
+        name = "closing" if caught else "passed" if passes or gains else "flow"
         if (
             name == "flow"
             and where.rel is None
             and where.lane not in ("left", "right", "same")
             and "lead" not in entity.roles
+            and not follows
         ):
             continue
         factor = factors[name]
         return round(min(50.0, max(3.0, (said[0] + said[1]) / 2 * factor["value"])), 2), factor["reason"]
     return None
+
+
+def _keeps_behind(scene: Scene, entity: Entity) -> bool:
+    """Whether one follows ego, and neither comes up, passes nor hits it: it is as fast as ego."""
+    acts = scene.events(entity)
+    behind = scene.where(entity).rel == "behind" and any(e.act == "travel" for e in acts)
+    follows = any(e.act == "follow" and (e.patient is None or e.patient.ego) for e in acts)
+    gains = any(e.act in ("approach", "overtake", "collide", "cut_in", "held_up") for e in acts)
+    return (behind or follows) and not gains

@@ -11,6 +11,7 @@ from c2s_engine.interpret.mentions import MOVERS, Cast, Entity
 from c2s_engine.interpret.whereabouts import Where
 
 BOTH = re.compile(
+    r"(?<!across )(?<!over )(?<!cross )(?<!block )"
     r"\b(?:both|either|each) (?:of the )?(?:adjacent |neighbou?ring |adjoining |other |outer |next )?"
     r"(?:lanes?|sides?)\b"
     r"|\b(?:left|right)(?:-hand)?(?: lane| side)? and (?:(?:in|on|to) )?(?:the |its )?(?:left|right)\b(?! turn)"

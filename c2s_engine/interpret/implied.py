@@ -22,6 +22,14 @@ UNSEEN = re.compile(
 def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Fill the places that only what happens tells."""
     for event in list(clauses.events):
+        if event.done and event.act == "approach":
+            _meets(event, of)
+        if event.done and event.act == "stationary" and event.text.startswith("block") and _beside_ego(event, of):
+            event.act = "travel"
+        if event.done and event.act in ("approach", "travel"):
+            _comes(event, clauses, of)
+        if event.done and event.act in ("lane_change", "overtake") and event.agent in of:
+            _out_from_behind(event, of)
         if event.done and event.act == "collide" and event.agent.ego and event.patient in of:
             _behind_or_beside_road(event, clauses, of)
         if event.done and event.act == "oncoming" and event.agent.ego:
@@ -36,6 +44,40 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _behind_whom_it_follows(event, clauses, of)
         elif event.done and event.act in ("approach", "travel", "oncoming") and EACH_OTHER.search(event.text):
             _towards_each_other(event, of)
+
+
+def _beside_ego(event: Event, of: dict[Entity, Where]) -> bool:
+    """Whether one that blocks the way is beside ego: it drives there."""
+    where = of.get(event.agent)
+    return where is not None and where.rel == "beside" and where.of is not None and where.of.ego
+
+
+COMES = re.compile(r"(?:be )?com(?:e|ing)\b(?! (?:from|out|to|up|in|off|over|through|round|across|after|behind)\b)")
+
+
+def _comes(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Who comes while ego is in the lane of the other direction comes the other way."""
+    over = any(e.agent.ego and e.act == "oncoming" and e.done for e in clauses.events)
+    if over and event.agent in of and event.agent.mover and of[event.agent].open and COMES.match(event.text):
+        of[event.agent].lane = "oncoming"
+
+
+def _meets(event: Event, of: dict[Entity, Where]) -> None:
+    """Whom ego meets on its way comes the other way, unless it stands."""
+    other = event.patient
+    if other not in of or not event.agent.ego or not event.text.startswith("meet "):
+        return
+    still = other.person or not other.mover or other.roles & {"stationary", "parked", "lead", "slow"}
+    if of[other].open and of[other].of is None and not still:
+        of[other].lane = "oncoming"
+
+
+def _out_from_behind(event: Event, of: dict[Entity, Where]) -> None:
+    """Who pulls out from behind one that comes the other way overtakes that one."""
+    where = of[event.agent]
+    if where.of in of and where.rel == "behind" and of[where.of].lane == "oncoming":
+        event.act = "overtake" if event.act == "lane_change" else event.act
+        event.patient = event.patient or where.of
 
 
 def _behind_whom_it_follows(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
@@ -70,14 +112,16 @@ def _towards_each_other(event: Event, of: dict[Entity, Where]) -> None:
 
 ACROSS = frozenset(("lane_change", "drift", "swerve", "lose_control", "cross_path"))
 OVER_LINE = re.compile(
-    r"\b(?:over|across|onto|into|cross\w*) (?:the |a |an |its )?(?:solid |white |yellow |double |middle |broken )*"
+    r"\b(?:over|across|onto|into|cross\w*) (?:the |a |an |its )?"
+    r"(?:solid |white |yellow |double |middle |broken |centre |center |central |dividing )*"
     r"(?:lines?|markings?|middle)\b"
 )
 
 
 def _comes_over(event: Event, of: dict[Entity, Where]) -> bool:
-    """Whether one who comes the other way gets over the line."""
-    return of[event.agent].lane == "oncoming" and OVER_LINE.search(event.text) is not None
+    """Whether one who comes the other way gets over the line, and not little by little."""
+    slowly = event.act == "drift" and re.search(r"\b(?:slowly|gradually|little by little)\b", event.whole)
+    return of[event.agent].lane == "oncoming" and OVER_LINE.search(event.text) is not None and not slowly
 
 
 def evaded_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:

@@ -4,28 +4,24 @@ from __future__ import annotations
 
 import re
 
-from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.concealed import Concealed
-from c2s_engine.interpret.entities import Entity
-from c2s_engine.interpret.mentions import Cast
-from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.towards import side
-from c2s_engine.interpret.whereabouts import STATES, Where
+from c2s_engine.interpret.whereabouts import STATES
 
+BEFORE_OR_BEHIND = re.compile(
+    r"^(?:[^;]*?\b(?P<side>left|right)\b)?[^;]*?\b(?P<rel>behind|after|in front of|ahead of|before|between) "
+    r"(?:the |an? )?(?:\w+ )?@(?P<who>a\d+)(?! 's lane)"
+)
 SLOWS = frozenset(("brake", "brake_stop", "stop", "stationary"))
+
+
+HALTS = frozenset(("stop", "brake_stop", "brake", "evade"))
 
 
 class Inferred(Concealed):
     """The part of Places that looks beyond a single phrase."""
 
-    cast: Cast
-    clauses: Clauses
-    words: list[Word]
-    of: dict[Entity, Where]
     ego_lane: str | None
-
-    def _gap(self, indices: list[int], where: Where, only_ahead: bool = False) -> None:
-        raise NotImplementedError
 
     def _mutual(self) -> None:
         """What is said of ego (or of another) towards an entity says where that entity is, too."""
@@ -72,18 +68,18 @@ class Inferred(Concealed):
         for event in self.clauses.events:
             if not event.agent.ego or event.act not in ("lane_change", "cut_in") or not event.done:
                 continue
-            match = re.search(
-                (
-                    r"\b(?P<side>left|right)\b.*?\b(?P<rel>behind|in front of|ahead of|between) (?:the "
-                    r"|an? )?(?:\w+ )?@(?P<who>a\d+)"
-                ),
-                event.text,
-            )
+            match = BEFORE_OR_BEHIND.search(event.text)
             other = next((e for e in self.cast.entities if match and e.key == match["who"]), None)
-            if match is None or other is None or self.of[other].lane not in (None, "same") or not other.mover:
+            passed = any(e.agent.ego and e.act == "overtake" and e.patient is other for e in self.clauses.events)
+            if match is None or other is None or passed or other.person or not other.mover:
                 continue
-            self.of[other].lane = match["side"]
-            self.of[other].rel = self.of[other].rel or ("ahead" if match["rel"] == "behind" else "beside")
+            where, ahead = self.of[other], match["rel"] in ("behind", "after")
+            told = side(event) or match["side"]
+            fits = (None, "beside") if told is None else (None, "beside", "ahead" if ahead else "behind")
+            if where.lane in (None, "same", "adjacent") and where.rel in fits:
+                where.lane = told or "adjacent"
+            if where.lane in ("left", "right", "adjacent"):
+                where.rel = where.rel or ("ahead" if ahead else "behind")
 
     def _encroached(self) -> None:
         """Whom ego's lane change encroaches on is beside it on that side, or where it cuts in between two."""
@@ -150,69 +146,11 @@ class Inferred(Concealed):
             named = " ".join(t for _, t in where.phrases)
             if not stands or not re.search(r"(left|right)[\w-]* lane", named):
                 continue
-            if any(re.search(rf"\b(around|round|avoid|evade|block) (the )?@{entity.key}\b", e.text) for e in own):
+            met = any(re.search(rf"\b(around|round|avoid|evade|block) (the )?@{entity.key}\b", e.text) for e in own)
+            halts = re.search(r"\bblock\w*\b", named) and any(e.act in HALTS for e in own)
+            if met or halts and not any(re.search(r"(left|right|middle)[\w-]* lane", e.whole) for e in own):
                 self.ego_lane = f"{where.lane}most"
                 where.lane, where.rel, where.side = "same", "ahead", None
-
-    def _numbered(self) -> None:
-        """Lanes by number, counted from the left: "the number two lane", "lane 3"."""
-        numbers: dict[Entity, int] = {}
-        words = {
-            "one": 1,
-            "two": 2,
-            "three": 3,
-            "four": 4,
-            "1": 1,
-            "2": 2,
-            "3": 3,
-            "4": 4,
-            "first": 1,
-            "second": 2,
-            "third": 3,
-        }
-        pattern = re.compile(
-            r"(?:number|lane number|(?<![\w-])lane|no\.?|#) (one|two|three|four|[1-4])(?: lane)?\b(?!-)"
-        )
-        for entity in (self.cast.ego, *self.cast.entities):
-            texts = [
-                e.whole
-                for e in self.clauses.events
-                if e.agent is entity and e.act in STATES | {"lane_change", "keep_lane"}
-            ]
-            texts += [t for _, t in self.of[entity].phrases] if entity in self.of else []
-            for mention in entity.mentions:
-                texts.append(
-                    " ".join(
-                        w.norm
-                        for w in self.words[mention.word + 1 : mention.word + 11]
-                        if w.sentence == self.words[mention.word].sentence
-                    )
-                )
-            for text in texts:
-                match = pattern.search(text)
-                if match and "lane" in match[0] and entity not in numbers:
-                    numbers[entity] = words[match[1]]
-        own = numbers.get(self.cast.ego)
-        if own is None:
-            return
-        if any(self._from_other_side(e, n, own) for e, n in numbers.items() if not e.ego):
-            numbers = {e: -n for e, n in numbers.items()}
-            own = -own
-        for entity, number in numbers.items():
-            if not entity.ego and abs(number - own) <= 1:
-                self.of[entity].lane = "same" if number == own else "right" if number > own else "left"
-                self.of[entity].rel = self.of[entity].rel or ("ahead" if number == own else "beside")
-        if self.ego_lane is None and own > 0:
-            self.ego_lane = "leftmost" if own == 1 else "middle" if own == 2 else "rightmost"
-
-    def _from_other_side(self, entity: Entity, number: int, own: int) -> bool:
-        """Whether one comes to ego's lane in the direction that lanes counted from the left do not allow."""
-        for event in self.clauses.events:
-            if event.agent is entity and event.done and event.act in ("drift", "lane_change", "cut_in", "swerve"):
-                match = re.search(r"\b(left|right)\b", event.text)
-                if match and "@ego" in event.text:
-                    return (match[1] == "left") == (number < own)
-        return False
 
     def _overtaken(self) -> None:
         """One whom another (not ego) overtakes drives ahead of that other."""

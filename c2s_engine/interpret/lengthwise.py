@@ -29,7 +29,10 @@ CIRCULATES = re.compile(
     r"\b(circulat\w+|(go|goes|going|drive|drives|driving|come|comes|coming|ride|riding|cycle|cycling|travelling) "
     r"(a)?round\b|already (in|on|inside) |(in|inside|on) the (roundabout|circle|ring|circulatory \w+)\b)"
 )
-OWN_LANE = re.compile(r"@ego 's (\w+ )?lane|(same|ego|own|its|@ego) lane|lane of (the )?@ego|same lane as")
+OWN_LANE = re.compile(
+    r"(?<!into )(?<!onto )(?<!into the )(?:@ego 's (\w+ )?lane|(same|ego|own|its|@ego) lane|lane of (the )?@ego)"
+    r"|same lane as"
+)
 
 
 def wrong_way(scene: Scene, entity: Entity) -> bool:

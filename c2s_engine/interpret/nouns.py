@@ -21,6 +21,9 @@ CARRIES = language.words("carries")
 LOST = language.words("lost")
 
 
+FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
+
+
 class Nouns(Titles):
     """The part of Cast that reads nouns."""
 
@@ -234,11 +237,11 @@ class Nouns(Titles):
         return None
 
     def _halts(self, word: Word) -> bool:
-        """Whether traffic is said to come to a stand or to slow down: then there is a vehicle ahead that does."""
-        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 12] if w.sentence == word.sentence)
-        ahead = r"(?:ahead|in front)(?: of \S+( \S+)?)? (?:suddenly |abruptly |\w+ly )?"
-        acts = r"(?:stop|slow|brake|halt|decelerate|back(?:ed|s)? up|came to|comes to|come to|grind|ground)"
-        return bool(re.match(rf"{ahead}{acts}|{acts}", after)) and word.dep in ("nsubj", "nsubjpass", "ROOT")
+        """Whether traffic is said to come to a stand or to slow down, or how it moves where it is told to be."""
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 16] if w.sentence == word.sentence)
+        acts = re.match(language.table("actors")["traffic_acts"], after) is not None
+        fills = FILLS.search(" ".join(self._near(word))) is not None
+        return fills or acts and word.dep in ("nsubj", "nsubjpass", "ROOT")
 
     def _parties(self, word: Word, before: list[str], data: dict, roles: set[str]) -> Entity | None:
         """The other of the two parties that "the vehicles" means ("both vehicles", "the two cars"), once two single
@@ -303,7 +306,11 @@ class Nouns(Titles):
         counts = language.table("actors")["counts"]
         if not data.get("plural") or data["type"] in ZONES:
             return 1
-        for text in [*before, *self._near(word)]:
+        near = self.words[max(0, word.i - 3) : word.i]
+        if self.words[word.i - 1].norm in ("a", "an") and language.plurals(word.norm) == [word.norm]:
+            return 1  # "a deer"
+        units = {w.norm for w in near if w.span is not None and w.span.kind == "quantity"}  # "4 s a deer"
+        for text in [t for t in (*before, *self._near(word)) if t not in units]:
             if text.isdigit() and 1 <= int(text) <= 8:
                 return int(text)
             if text in counts:

@@ -8,6 +8,7 @@ from c2s_engine.interpret.pace import pace_of
 from c2s_engine.interpret.phases import phases_of
 from c2s_engine.interpret.placing import place_object
 from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.spacing import spacing_of, without_spacing
 from c2s_engine.structure.components import Assumption, Unmet
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Placement, PlaceSpec
 
@@ -36,13 +37,16 @@ def compose_object(scene: Scene, entity: Entity, ids: dict[Entity, str], place: 
                 reason=f"“{entity.noun}” is no known road user: its type is taken from what it does",
             )
         )
-    placement = place_object(scene, entity, ids, place, assumed)
+    placement = place_object(scene, entity, ids, place, ego, assumed)
+    spacing = spacing_of(scene, entity)
+    placement = without_spacing(placement, spacing)
     phases = phases_of(scene, entity, ids, placement, place)
     speed = pace_of(scene, entity, kind, phases, ego, placement, place, assumed, ids[entity])
     spec = ObjectSpec(
         name=_name(entity, placement),
         type=kind,
         count=min(8, entity.count),
+        spacing=spacing,
         placement=placement,
         speed=speed,
         phases=tuple(phases),  # type: ignore[arg-type]

@@ -37,6 +37,8 @@ def phases_of(
         found = [Phase(action="cross_road" if on_it else "stationary")]
     if entity.person and not found and (scene.where(entity).rel == "beside" or _stands(scene, entity)):
         found = [Phase(action="stationary")]
+    if entity.person and not found and "crossing" in entity.roles:
+        found = [Phase(action="cross_road")]
     if entity.person and not found and not entity.roles and placement.position in ("intersection_exit",):
         found = [Phase(action="cross_road")]
     if "parked" in entity.roles and not found:

@@ -152,7 +152,11 @@ def _number(match: re.Match[str]) -> int | None:
     return None
 
 
+SINGLE = re.compile(r"one lane (each|per|in each|for each|either|in either) |single[- ]lane|single lane")
+
+
 def _lanes(plain: str, sentences: list[tuple[int, int]], road: Road, data: dict[str, Any]) -> None:
+    single = SINGLE.search(plain) is not None
     for entry in data["lanes"]:
         for match in _re(entry["find"]).finditer(plain):
             number = _number(match)
@@ -165,7 +169,8 @@ def _lanes(plain: str, sentences: list[tuple[int, int]], road: Road, data: dict[
                     r"one-way|motorway|freeway|interstate|divided highway|carriageway|expressway|in this direction",
                     near + plain[match.end() : match.end() + 40],
                 ) and not re.search("undivided|two-way", near)
-                number = number if carriageway or (number == 3) else max(1, number // 2)
+                both = number >= 4 and re.search(r"(?<!un)divided", near)  # four lanes with a median: two each way
+                number = number if (carriageway or number == 3) and not both else max(1, number // 2)
                 if not carriageway and number == 1 and not re.search(r"highway|motorway", near):
                     road.oncoming = True if road.oncoming is None else road.oncoming
             if number and (road.lanes is None or entry.get("per_direction")):
@@ -174,7 +179,7 @@ def _lanes(plain: str, sentences: list[tuple[int, int]], road: Road, data: dict[
             if (
                 least
                 and (road.lanes or 0) < least
-                and not (re.search(r"both (lanes|directions)", match[0]) and road.lanes == 1)
+                and not (re.search(r"both (lanes|directions)", match[0]) and (road.lanes == 1 or single))
             ):
                 road.lanes = least
     stated = re.search(
@@ -187,7 +192,7 @@ def _lanes(plain: str, sentences: list[tuple[int, int]], road: Road, data: dict[
     )
     if stated and road.lanes is None:
         road.lanes = _number(stated)
-    if re.search(r"one lane (each|per|in each|for each|either|in either) |single[- ]lane|single lane", plain):
+    if single:
         road.lanes = 1 if not road.lanes or road.lanes < 2 else road.lanes
     for entry in data["ego_lane"]:
         hit = _re(entry["find"]).search(plain)
@@ -227,6 +232,8 @@ def is_limit(before: str, after: str) -> bool:
         ),
         after,
     )
+    if re.search(r"\d( ?(km/?h|kph|mph|k))? in an? $", before):  # "50 in a 30"
+        return True
     return bool(near or follows) and not re.search(
         r"travel|\bdriv(es?|ing)\b|drove|going at|cruis|set speed", before[-25:]
     )

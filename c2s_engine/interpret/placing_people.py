@@ -2,6 +2,7 @@
 
 import re
 
+from c2s_engine.interpret.compass import compass
 from c2s_engine.interpret.lengthwise import CIRCULATES, along_of, at_edge, passes_ego, told_of, wrong_way
 from c2s_engine.interpret.mentions import Entity
 from c2s_engine.interpret.relations import Where, side_of_text
@@ -16,12 +17,14 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
     by = where.side or side_of_text(passing.whole) if passing is not None else None
     if passing is not None and by is None and re.search(r"\b(?:inside|nearside)\b", passing.whole):
         by = "right"
+    if passing is not None and by is None and re.search(r"\b(?:cycle|bike|bicycle) (?:lane|path|track)", scene.plain):
+        by = "right" if place.manoeuvre == "right" else None
     if entity.type == "bicycle" and by and place.manoeuvre == by and place.kind == "intersection":
         return {"position": "roadside", "side": by, "along": "behind", "said": True}  # between ego and the kerb
     if "overtake" in acts and (where.lane is None and not where.rel or passes_ego(scene, entity)):
         return {"position": "behind", "said": True}
     crosses = "cross_road" in acts or "enter_road" in acts or "cut_in" in acts and entity.person
-    crosses = crosses or _on_crosswalk(scene, entity, acts)
+    crosses = crosses or _on_crosswalk(scene, entity, acts) or entity.person and "crossing" in entity.roles
     along = "move_along" in acts and not crosses
     text = " ".join(e.whole for e in scene.events(entity)) + " " + " ".join(t for _, t in where.phrases)
     edge = (
@@ -31,9 +34,14 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
     )
     if wrong_way(scene, entity):
         return {"position": "ahead", "facing": "against", "said": True}
+    if where.hidden_by is not None and where.open and not crosses and set(acts) <= {"travel", "stationary"}:
+        return {"position": "roadside", "side": edge or _behind_whom(scene, where) or "right", "said": True}
     if entity.type == "bicycle":
-        if where.lane == "crossing" and not re.search(
-            r"\b(cross|crosses) (the|a) (road|street|crosswalk|zebra)|crosswalk|sidewalk", text
+        over = place.kind in ("intersection", "roundabout") or "cross_road" not in acts
+        if (
+            where.lane == "crossing"
+            and over
+            and not re.search(r"\b(cross|crosses) (the|a) (road|street|crosswalk|zebra)|crosswalk|sidewalk", text)
         ):
             return {"position": f"crossing_{where.side or 'right'}", "said": True}
         if (where.lane == "oncoming" or "oncoming" in entity.roles) and not crosses:
@@ -67,7 +75,11 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         )
         return {
             "position": position,
-            "side": _from_side(text) or edge or _behind_whom(scene, where) or "right",
+            "side": _from_side(text)
+            or edge
+            or _by_compass(scene, entity)
+            or _behind_whom(scene, where, text)
+            or "right",
             "said": where.lane is not None or where.side is not None,
         }
     if (
@@ -150,8 +162,24 @@ def _from_side(text: str) -> str | None:
     return match[3] if match else None
 
 
-def _behind_whom(scene: Scene, where: Where) -> str | None:
-    """The side of one who hides somebody, where it stands on the other side of the road."""
-    blocker = where.hidden_by
+def _by_compass(scene: Scene, entity: Entity) -> str | None:
+    """The side that a person comes from, where it walks "from west to east" and ego's heading is told."""
+    found = compass(scene, entity)
+    return found if found in ("left", "right") else None
+
+
+LEFT = re.compile(r"\b(?:from|out of|off|leave|exit) (?:the |a |an )?(?:\w+ )?@KEY\b")
+
+
+def _keyed(text: str, entity: Entity) -> str:
+    """A text in which one road user is called KEY."""
+    return re.sub(rf"@{entity.key}\b", "@KEY", text)
+
+
+def _behind_whom(scene: Scene, where: Where, told: str = "") -> str | None:
+    """The side of one who hides somebody or whom it leaves, where that stands on one side or comes the other way."""
+    blocker = where.hidden_by or next((e for e in scene.actors if LEFT.search(_keyed(told, e))), None)
     theirs = scene.where(blocker) if blocker is not None else None
-    return "left" if theirs is not None and theirs.lane == "oncoming" else None
+    if theirs is None:
+        return None
+    return "left" if theirs.lane == "oncoming" else theirs.side

@@ -15,6 +15,11 @@ ACROSS = re.compile(r"\bacross (?:the |both |two |all |@ego 's |@ego )?(?:\w+ )?
 ON_MOTORWAY = re.compile(
     r"\b(on|along|in) the (main |through )?(motorway|highway|freeway|interstate|carriageway|main road)"
 )
+MIDDLE = re.compile(r"\b(?:in|on|along) the (?:middle|centre|center) lane\b")
+ON_SIDE = re.compile(
+    r"(?<!lane )\b(?:on|to) (?:(?:the )?@ego 's (?:left|right)(?! lane|-hand lane)"
+    r"|the (?:left|right)(?: side)? of (?:the )?@ego)"
+)
 OPPOSITE = {"left": "right", "right": "left"}
 
 
@@ -23,8 +28,14 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         return facing_ego(where, place)
     if place.kind == "roundabout" and CIRCULATES.search(told_of(scene, entity)):
         return {"position": "crossing_left", "said": True}
+    if place.kind == "roundabout" and _enters_before_ego(scene, entity):
+        return {"position": "crossing_right", "said": True}
     junction = place.kind == "intersection"
     lane, rel, edge = where.lane, where.rel, where.side
+    if lane == "crossing" and "enter_road" in acts and not junction:
+        lane = None
+    if lane in (None, "same") and (where.of is None or where.of.ego) and MIDDLE.search(told_of(scene, entity)):
+        lane = {"leftmost": "right", "rightmost": "left"}.get(place.ego_lane or "", lane)
     if rel is not None and passes_ego(scene, entity):
         rel = "behind"  # where it comes to be is said with the same words
     if rel == "beside" and where.of is None and _met(scene, entity) == "ahead":
@@ -75,12 +86,14 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     if lane in ("left", "right"):
         same = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
         own = where.of is None or where.of.ego and not re.search(rf"lane (?:to|on|of)\b|@ego 's {lane}", text)
-        if same == lane and own and re.search(rf"{lane}(-hand|most)? lane", text):
+        if same == lane and own and re.search(rf"({lane}(-hand|most)?|that( very)?|this|same) lane", text):
             rel = rel if rel in ("behind", "ahead") else _met(scene, entity)
             if rel is None and not {"cut_in", "lane_change"} & set(acts):  # no lane lies beyond ego's
                 rel = "behind" if passes_ego(scene, entity) or _gains(scene, entity) else "ahead"
             if rel is not None:
                 return {"position": rel, "said": True}
+        if rel is None and ON_SIDE.search(text) and not {"cut_in", "lane_change", "overtake"} & set(acts):
+            rel = "beside"
         return {
             "position": f"{lane}_lane",
             "along": along_of(rel or ("behind" if passes_ego(scene, entity) or _gains(scene, entity) else None)),
@@ -163,6 +176,14 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     if "following" in roles:
         return {"position": "behind", "said": True}
     return _implied(scene, entity, acts, place, first)
+
+
+def _enters_before_ego(scene: Scene, entity: Entity) -> bool:
+    """Whether one enters the roundabout in which ego drives, or before it without giving way."""
+    enters = [e for e in scene.events(entity) if re.match(r"(enter|drive into|pull (out )?into|join)\b", e.text)]
+    inside = any(CIRCULATES.search(e.whole) for e in scene.events(scene.cast.ego))
+    denied = any(e.agent is entity and re.match(r"(yield|give way)\b", e.text) for e in scene.clauses.events)
+    return bool(enters) and (inside or denied)
 
 
 def facing_ego(where: Where, place: PlaceSpec) -> dict:

@@ -2,6 +2,7 @@
 
 import re
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.askers import bystanding
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.entities import URGENT
@@ -9,6 +10,7 @@ from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import MOTOR, VEHICLES, Cast, Entity
 from c2s_engine.interpret.paired import leave_group, one_of_both
 
+NEVER_EGO = language.words("never_ego")
 ROLE_WORDS = frozenset(("lead", "oncoming", "parked", "stationary", "crossing", "adjacent", "cut_in", "slow"))
 
 
@@ -56,13 +58,17 @@ IN_MODE = re.compile(
 FROM_ASIDE = re.compile(
     r"^(?!.*\b(?:turn|chang|merg|mov|swerv|veer)\w*\b.* from ).*\bfrom (?:the |its )?"
     r"(?:left|right|rear|behind|front|opposite (?:side|direction))\b(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb))"
+    r"|\b(?:from|out of|leav\w+) (?:the |a |an )?(?:\w+ )?(?:street|road|driveway) (?:on|to)"
+    r" (?:the |its )(?:left|right)\b"
+    r"|\b(?:comes?|came|coming|approach\w*) (?:along |up )?(?:the wrong way|against the traffic)\b"
+    r"|^\S+ (?:\S+ )?at the (?:left|right)(?:-hand)? (?:kerb|curb)\b"
 )
 """A way by which one comes towards somebody who is not named: that is ego."""
 
 
 BESIDE = re.compile(
-    r"^\S+( \S+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)|coming|approaching|oncoming"
-    r"|from (the|its|behind))"
+    r"^\S+( \S+)?( \d[\d.]*\s*[a-z]+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)"
+    r"|coming|on (the|its) (left|right)(?=$| (?!lane|side|hand|turn))|approaching|oncoming|from (the|its|behind))"
 )
 AHEAD = re.compile(r"(?:be|drive|travel|ride|stand|wait) (?:\w+ly )?(?:ahead|in front) ?[.,;]?$")
 """Places and ways that are told as beside or towards somebody."""
@@ -73,6 +79,22 @@ HELD = re.compile(
     r"|junction|intersection|pedestrians?|roundabout)\b"
 )
 """What one stops for that drives."""
+
+
+EMERGES = re.compile(r"@\w+ (?:suddenly )?(?:appear|emerge|come) (?:out )?from behind\b")
+HALTED = frozenset(("stop", "stationary", "brake_stop"))
+OPPOSITE = re.compile(r"\b(?:in|on) the (?:opposite|oncoming|opposing|other) (?:lane|side|carriageway)\b")
+FROM_WHERE = re.compile(r"\b(?:from|out of) (?:where|which) .*\b(?:emerg|appear|com|approach|turn)\w*")
+
+
+def _comes_into_view(entity: Entity, cast: Cast, events: list[Event]) -> bool:
+    """Whether one comes out from behind another, or from a place that is named: somebody else, ego, sees it."""
+    for mention in entity.mentions:
+        word = cast.words[mention.word]
+        before = [w.norm for w in cast.words[max(0, word.i - 5) : word.i + 5] if w.sentence == word.sentence]
+        if FROM_WHERE.search(" ".join(before)):
+            return True
+    return any(EMERGES.search(e.whole) or e.act in HALTED and OPPOSITE.search(e.whole) for e in events)
 
 
 TOWARDS = frozenset(("collide", "overtake", "follow", "yield", "cut_in", "evade"))
@@ -167,6 +189,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     for entity in vehicles:
         if (
             entity.roles & ROLE_WORDS
+            or (entity.noun or entity.label) in NEVER_EGO
             or not told_by
             and (
                 _passes_nobody(acting[entity])
@@ -186,6 +209,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         before = cast.words[head.i - 1].norm if head.i else ""
         told_apart = {before, *(cast.words[c].norm for c in head.children)} & {"another", "other"}
         if told_apart and not all(_rests(e, acting[e]) for e in vehicles[: vehicles.index(entity)]):
+            continue
+        if not told_by and _comes_into_view(entity, cast, acting[entity]):
             continue
         acts = [v.act for v in acting[entity]]
         if any(v.act in TOWARDS and v.agent is cast.ego and v.patient is entity for v in clauses.events):

@@ -36,6 +36,7 @@ def pieces_of(plain: str, start: int, end: int, spans: list[Span]) -> list[tuple
 
 
 NOUN_BEFORE = regex.compile(r"\b(?:the|a|an|this|that|his|its|each)\s+(?:[\w-]+\s+){0,2}$")
+ON_THE = regex.compile(r"\b(?:on|to|from|at|in|of)\s+(?:the|its|our|his|her|my|ego's)\s+$")
 VERBAL_LEFT = regex.compile(r"left\s+(?:the|its|his|their|a|that|this)\s+(?!side|lane of)")
 
 
@@ -47,7 +48,8 @@ FOLLOWS = regex.compile(
     r"|through|behind|past|with|without|for|and|then|while|when|as|because|due|hard|sharply|"
     r"suddenly|abruptly|heavily|slowly|left|right|straight|away|up|down|back|ahead|around"
     r"|again|gradually|before|after|but|so|too|immediately|quickly|by|under|until|because"
-    r"|between|beside|just|directly|unexpectedly|strongly|level|abreast|alongside|parallel|round|clear|wide|short|inside|beyond|about|upon|against|near|close|straight|apart|together|first|or)\b)"
+    r"|between|beside|just|directly|unexpectedly|strongly|level|abreast|alongside|parallel|round|clear|wide|short|inside|beyond|about|upon|against|near|close|straight|apart|together|first|or"
+    r"|side by side|neck and|each other|one another)\b)"
 )
 
 
@@ -109,7 +111,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         return "walking" if person else "passing"
     if text == "on" and LIT.search(plain[max(0, start - 40) : start]):
         return "off"  # "with its lights on turns" is no "on turns"
-    if text == "left" and not VERBAL_LEFT.match(plain[start : start + 24]):
+    placed = ON_THE.search(plain[max(0, start - 12) : start]) is not None
+    if text == "left" and (placed or not VERBAL_LEFT.match(plain[start : start + 24])):
         return "right"
     follows = FOLLOWS.match(plain[start + len(text) : start + len(text) + 14])
     if (

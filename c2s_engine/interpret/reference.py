@@ -75,6 +75,8 @@ class Reference(Pronouns):
     ) -> Entity | None:
         before = self._near(word)
         candidates = [e for e in self.entities if fits(e, kind)]
+        if count == 1 and kind != "vehicle":  # the tractor is not the oncoming traffic
+            candidates = [e for e in candidates if e.noun != "traffic"]
         coloured = [e for e in candidates if e.names & COLOURS & set(before)]
         candidates = coloured or candidates
         short = [e for e in self.entities if e.noun.startswith(f"{noun} ") and e.count == count and _alike(e, kind)]

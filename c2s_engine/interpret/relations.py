@@ -3,13 +3,17 @@
 import re
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.accompanied import WITH_ANOTHER, accompanied, within
 from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.closures import closed_lanes
 from c2s_engine.interpret.groups import split_groups
 from c2s_engine.interpret.implied import evaded_lane, implied_places
 from c2s_engine.interpret.inferred import Inferred
+from c2s_engine.interpret.lane_numbers import number_lanes
 from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.struck import struck_places
-from c2s_engine.interpret.whereabouts import FRONTED, STATES, Where, read, side_of_text
+from c2s_engine.interpret.syntax import Word
+from c2s_engine.interpret.whereabouts import FRONTED, FRONTED_FAR, STATES, Where, read, side_of_text
 
 __all__ = ["STATES", "Places", "Where", "read", "side_of_text"]
 
@@ -17,7 +21,8 @@ __all__ = ["STATES", "Places", "Where", "read", "side_of_text"]
 AGAINST = re.compile(r"wrong[- ](way|direction)|(against|contrary to) (the )?(traffic|direction|flow|stream|current)")
 
 FILLED = re.compile(
-    r"((?:oncoming|opposite|opposing|left|right|adjacent|neighbou?ring|other|next)(?:-hand)? lane) (?:be|is|was) "
+    r"((?:oncoming|opposite|opposing|left|right|adjacent|neighbou?ring|other|next)(?:-hand)? lane"
+    r"|lane (?:to|on) (?:the|its|@ego 's) (?:left|right)) (?:be|is|was) "
     r"(?:\w+ )?(?:full of|fill(?:ed)? with|occup(?:y|ied) by|pack(?:ed)? with|block(?:ed)? (?:by|with)|taken? by)"
     r"(?: the| an?)?(?: \w+)?$"
 )
@@ -29,6 +34,7 @@ ASIDE = re.compile(
 )
 
 DIRECTED = frozenset(("towards", "toward", "into", "onto"))
+JOINS = frozenset(("and", "but", "while", "when"))
 PLACING = language.words("placing")
 
 
@@ -48,16 +54,19 @@ class Places(Inferred):
             if match and where.rel in ("ahead", "behind"):
                 where.lane, where.side = "same", None
                 self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
+        accompanied(cast, clauses, self.of)
+        self.ego_lane = self.ego_lane or closed_lanes(cast, clauses, self.of)
         split_groups(cast, clauses, self.of)
         implied_places(cast, clauses, self.of)
         struck_places(cast, clauses, self.of)
         self.ego_lane = evaded_lane(clauses, self.of) or self.ego_lane
+        within(cast, clauses, self.of)
         self._referred()
         self._between()
         self._joined()
         self._encroached()
         self._shared()
-        self._numbered()
+        self.ego_lane = self.ego_lane or number_lanes(cast, clauses, self.of)
         self._overtaken()
         self._in_the_way()
         self._mutual()
@@ -74,13 +83,13 @@ class Places(Inferred):
                 continue
             against = event.act == "oncoming" and AGAINST.search(event.whole)
             if event.act in STATES or against or event.act == "follow" and event.patient is None:
-                read(event.whole, where, entity, self.cast, event.act)
+                read(WITH_ANOTHER.sub("", event.whole), where, entity, self.cast, event.act)
                 self._gap(event.words, where)
             elif event.act not in ("collide",):
                 parts = [
                     m[0]
                     for m in re.finditer(
-                        r"(?:from|out of|off|leave|in|on|along|ahead of|behind) (?!to)[^,.;]*", event.whole
+                        r"\b(?:from|out of|off|leave|in|on|along|ahead of|behind) (?!to)[^,.;]*", event.whole
                     )
                     if re.match(r"from|out of|off|leave", m[0])
                     or event.act
@@ -132,7 +141,7 @@ class Places(Inferred):
             if (
                 event.patient is entity
                 and event.agent.ego
-                and event.act in ("approach", "travel", "follow", "held_up", "overtake")
+                and event.act in ("approach", "travel", "follow", "held_up", "overtake", "keep_away")
                 and event.mode != "hypothetical"
             ):
                 self._gap(event.words, where, only_ahead=event.act != "follow")
@@ -165,18 +174,21 @@ class Places(Inferred):
         front = self.clauses.render([w.i for w in before])
         fronted = re.search(
             (
-                r"(?:^|, |and |: )((?:from|to|on|at|in) (?:the |its |@\w+ 's )+(?:left|right)(?:-?hand|most)?"
+                r"(?:^|, |\band |: )((?:from|to|on|at|in) (?:the |its |@\w+ 's )+(?:left|right)(?:-?hand|most)?"
                 r"(?: side| lane| pavement| sidewalk| footpath| verge| shoulder| kerb| curb| edge)?)"
-                r"(?: a| an| another| the| \w+){0,3}$"
+                r"(?: (?!(?:and|but)\b)\w+){0,3}$"
             ),
             front,
         )
         fronted = fronted or FRONTED.search(front)
         if fronted and word.span is not None:
             read(fronted[1], where, entity, self.cast, "noun")
+        self._fronted_far(word, front, where, entity)
         filled = FILLED.search(front)
         if filled and word.span is not None:
             read(f"in the {filled[1]}", where, entity, self.cast, "noun")
+            stands = "block" in filled[0] or entity.roles & {"stationary", "parked"} or where.lane == "oncoming"
+            where.rel = where.rel or (None if stands else "beside")
         lead = word.span.data.get("words", []) if word.span is not None and word.span.kind == "actor" else []
         lead = [*lead, entity.noun] if re.match(r"wrong|ghost", entity.noun) else lead
         text = " ".join(lead) + " "
@@ -256,6 +268,14 @@ class Places(Inferred):
             read(self.clauses.render([r for r in rest if r > i]), where, entity, self.cast, "noun")
             self._gap(rest, where)
 
+    def _fronted_far(self, word: Word, front: str, where: Where, entity: Entity) -> None:
+        """A place and distance before a vehicle: "20 m behind the truck a motorcycle follows"."""
+        match = FRONTED_FAR.search(front + " ") if entity.mover and not entity.person else None
+        if match is None or word.span is None or word.dep not in ("nsubj", "ROOT", "nsubjpass", "attr"):
+            return
+        read(match["place"], where, entity, self.cast, "noun")
+        self._gap([w.i for w in self.words[max(0, word.i - 9) : word.i] if w.sentence == word.sentence], where)
+
     def _unhit(self, text: str, entity: Entity) -> str:
         """The words about one without those that say how it is hit: who is hit from behind is not behind."""
         if any(e.act == "collide" and e.patient is entity and e.done for e in self.clauses.events):
@@ -271,12 +291,22 @@ class Places(Inferred):
 
     def _of_another(self, child: int, i: int, entity: Entity) -> bool:
         """Whether a phrase before a noun belongs to another's part of the list: "ego in the left lane, bus drifts"."""
-        if child > i or not any(w.norm in (",", ";") for w in self.words[child:i]):
+        if child > i:
+            return False
+        if any(w.norm in JOINS for w in self.words[child:i]):
+            return self._said_of_another(child, entity)
+        if not any(w.norm in (",", ";") for w in self.words[child:i]):
             return False
         start = next((w.i for w in reversed(self.words[:child]) if w.norm in (",", ";", ".", ":")), -1)
         heads = [self.cast.of.get(w.i) for w in self.words[start + 1 : child] if w.span is not None]
         verb = any(w.verb for w in self.words[start + 1 : i] if w.sentence == self.words[i].sentence)
         return bool(heads) and not verb and heads[0] is not None and heads[0] is not entity
+
+    def _said_of_another(self, child: int, entity: Entity) -> bool:
+        """Whether a phrase stands in a clause before, whose verb has another subject."""
+        before = [w for w in self.words[:child] if w.sentence == self.words[child].sentence]
+        verb = next((w for w in reversed(before) if w.i in self.clauses.by_word), None)
+        return verb is not None and self.clauses.by_word[verb.i].agent is not entity
 
     def _following(self, i: int) -> list[int]:
         """The words right after a noun that may say where it is, up to the end of the phrase."""
@@ -291,54 +321,3 @@ class Places(Inferred):
                 break
             found.append(other.i)
         return found
-
-    def _gap(self, indices: list[int], where: Where, only_ahead: bool = False) -> None:
-        if where.gap is not None:
-            return
-        text = self.clauses.render(indices)
-        for quantity in self.clauses._quantities(indices):
-            before = " ".join(w.norm for w in self.words[max(0, quantity["word"] - 5) : quantity["word"]])
-            after = " ".join(w.norm for w in self.words[quantity["word"] + 1 : quantity["word"] + 8])
-            if quantity["dimension"] == "distance":
-                if re.match(r"to spare|to go|of (it|the)", after) or quantity["low"] > 800:
-                    continue  # a way travelled
-                if (
-                    re.search(r"^(high|tall|wide|long|deep|thick)", after)
-                    or re.search(
-                        (
-                            r"visib|wide|radius|sideways|lateral|by (more|less)|long|off the|width|height"
-                            r"|past the (intersection|junction)|within (a|an)?"
-                        ),
-                        before + " " + after,
-                    )
-                    and not re.search(r"ahead|in front|behind|back|away", after)
-                ):
-                    continue
-                if re.search(
-                    (
-                        r"ahead|in front|behind|away|back|distance|apart|gap|headway|clearance|spacing|separation"
-                        r"|room|up the|from|at|further|beyond|short|before|#dist (to|of)|least|along|on\b|down"
-                    ),
-                    before + " " + after + " " + text,
-                ) and not (only_ahead and re.search(r"(drive|travel)s? (for )?#dist", text)):
-                    if re.search(r"(after|for|every) (about |around )?$", before + " ") or re.search(
-                        r"(turn|when|once|until)\b", before
-                    ):
-                        continue
-                    low, high = quantity["low"], quantity["high"]
-                    if re.search(r"(at least|more than|no less than|over|minimum|not less than)\s*$", before):
-                        high = max(high, low * 1.3)
-                    elif re.search(
-                        r"(less than|under|at most|within|no more than|not more than|up to|below)\s*$", before
-                    ):
-                        low, high = high * 0.6, high * 0.95
-                    where.gap = (low, high)
-                    return
-            elif (
-                quantity["dimension"] == "time"
-                and re.search(
-                    r"(time[- ]?)?(gap|headway|ttc|collision|apart|interval|distance)", before + " " + after + text
-                )
-                and where.gap_time is None
-            ):
-                where.gap_time = quantity["low"]

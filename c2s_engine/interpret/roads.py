@@ -136,16 +136,18 @@ def _ends_before(scene: Scene) -> bool:
     return scene.does(scene.cast.ego, "stop", "stationary", "brake_stop") is not None
 
 
+ON_RAMP = re.compile(
+    r"on-?ramp|acceleration lane|slip road|entrance ramp|entry ramp|ramp"
+    r"|merg\w+ (on)?to the (motorway|highway|freeway|interstate)|join\w* (the |a )?(motorway"
+    r"|highway|freeway|interstate)"
+)
+
+
 def _ego_on_ramp(scene: Scene) -> bool:
     for event in scene.events(scene.cast.ego):
-        if re.search(
-            (
-                r"on-?ramp|acceleration lane|slip road|entrance ramp|entry ramp|ramp"
-                r"|merg\w+ (on)?to the (motorway|highway|freeway|interstate)|join\w* (the |a )?(motorway"
-                r"|highway|freeway|interstate)"
-            ),
-            re.sub(r"(off|exit)[- ]?ramp", "", event.whole),
-        ) and not re.search(r"@a\d", event.whole.split("ramp")[0][-25:]):
+        whole = re.sub(r"(off|exit)[- ]?ramp", "", event.whole)
+        match = ON_RAMP.search(whole)
+        if match and not re.search(r"@a\d", whole[max(0, match.start() - 25) : match.start()]):
             return True
         if (
             event.act == "lane_change"
@@ -205,16 +207,24 @@ def _ego_lane(scene: Scene) -> str | None:
         match = re.match(r"\s?\(([^)]*)\)", " ".join(w.norm for w in sentence))
         if match:
             texts.append(match[1])
+        if _beside_it(scene, mention.word):
+            continue
         word = scene.words[mention.word]
         linear: list[str] = []
         for other in scene.words[mention.word + 1 : mention.word + 14]:
             if other.sentence != word.sentence or other.verb or other.norm == "and" or other.i in scene.cast.of:
                 break
+            if other.norm == "from" and scene.words[word.head].verb and word.dep != "nsubj":
+                break  # "approaches ego from behind in the left lane"
             linear.append(other.norm)
         texts.append(" ".join(linear))
         below = scene.clauses._below(mention.word)
         texts.append(" ".join(scene.words[i].norm for i in below if i > mention.word))
-        del word
+    texts += _lanes_where(scene)
+    if same := next((m for t in texts if (m := SAME_LANE.search(t))), None):
+        begins = min((m.start for m in ego.mentions if f"{same[0]}" in scene.plain[m.start : m.start + 90]), default=0)
+        if named := scene.places._last_lane(begins):
+            return f"{named}most"
     for text in texts:
         if re.search(r"(into|to|onto) the (\w+ )?(left|right)", text) and "keep" not in text:
             text = re.sub(r"(into|onto|to) the .*", "", text) if "keep" not in text else text
@@ -235,6 +245,33 @@ def _ego_lane(scene: Scene) -> str | None:
     if match:
         return "leftmost" if match[1] == "left" else "rightmost"
     return None
+
+
+def _lanes_where(scene: Scene) -> list[str]:
+    """The lanes in which ego is said to drive by a relative clause: "the right lane, where ego drives"."""
+    found = []
+    for event in scene.events(scene.cast.ego):
+        word = scene.words[event.word]
+        lane = scene.words[word.head]
+        if scene.words[lane.head].norm == "of":  # "the left lane of the freeway, where ego drives"
+            lane = scene.words[scene.words[lane.head].head]
+        if word.dep in ("relcl", "advcl", "acl") and lane.norm in ("lane", "one") and lane.i < word.i:
+            found.append("in " + " ".join(scene.words[i].norm for i in scene.clauses._below(lane.i) if i <= lane.i))
+    return found
+
+
+SAME_LANE = re.compile(r"\bin (?:that|the) (?:very |same )+lane\b(?! as)")
+BESIDE = re.compile(r"\b(?:level with|alongside|beside|next to|abreast of|side by side with|past)(?: the)?$")
+
+
+def _beside_it(scene: Scene, i: int) -> bool:
+    """Whether a lane named right after ego is another's: that of one beside it, or of one who passes it."""
+    word = scene.words[i]
+    before = " ".join(w.norm for w in scene.words[max(0, i - 5) : i] if w.sentence == word.sentence)
+    if BESIDE.search(before):
+        return True
+    event = scene.clauses.by_word.get(word.head) if word.dep == "dobj" else None
+    return event is not None and event.act == "overtake" and not event.agent.ego
 
 
 def _needs_shoulder(scene: Scene) -> bool:

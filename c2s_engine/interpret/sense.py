@@ -11,6 +11,7 @@ from c2s_engine.interpret.passing import by_the_other_lane, headings, let_past
 from c2s_engine.interpret.place import Road
 from c2s_engine.interpret.resumed import own_turns
 from c2s_engine.interpret.towards import side
+from c2s_engine.interpret.turn_lanes import turns_from_lane
 
 LEAVES = re.compile(
     r"\b(?:down|onto|up|into|for|to take) (?:the|its|his|her|an?) (?:\w+ )?(?:off-?ramp|exit|slip road)\b"
@@ -28,6 +29,10 @@ def _was_over(cast: Cast, event: Event, clauses: Clauses) -> bool:
     return first and not any(e.agent is event.agent and e.word < event.word for e in clauses.events)
 
 
+FROM_MINOR = re.compile(r"(?:pull|come|edge|nose|creep|inch|roll|shoot) (?:straight |right |slowly )?out\b(?! of)")
+PULLS_OUT = re.compile(
+    r"(?:pull|drive|move|edge) (?:out|off|away) (?:suddenly )?from (?:the |its )?(?:left|right)\b(?! (?:\w+ )?lane)"
+)
 FIRST = re.compile(r"(?:pass|go|drive|proceed|cross|move|turn|enter|get|come|travel|clear)\b[^.;]*?\bfirst\b")
 
 
@@ -94,6 +99,10 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and let_past(clauses, event, road)
         ):
             event.act = "travel"
+        if event.act == "cut_in" and road.kind == "intersection" and FROM_MINOR.match(event.text):
+            event.act = "cross_path" if "lane" not in event.whole and not event.agent.ego else event.act
+        if event.act == "travel" and road.kind not in ("intersection", "roundabout") and PULLS_OUT.match(event.text):
+            event.act = "enter_road"
         passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")
         if passes and not event.agent.ego and event.agent.mover and event.mode == "fact":
             word = cast.words[event.word]
@@ -163,6 +172,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     own_turns(cast, clauses)
     _waits(cast, clauses)
     _waits_for_somebody(cast, clauses)
+    turns_from_lane(cast, clauses)
     echoes(cast, clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:

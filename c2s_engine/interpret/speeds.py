@@ -15,6 +15,7 @@ AT_LIMIT = re.compile(
 NAMED = re.compile(
     r"\bv_?(?:(?P<ego>e|ego|vut|sv|host|e0|0)|(?P<other>o|obj|o0|t|tv|target|lead|lv|1|gvt))\s*(?:=|:|in|of)\s*$"
 )
+COMPARED_WITH = re.compile(r"\b(?:than|as) (?:the |an? )?$")
 AT_REST = frozenset(("stationary", "stop", "brake", "brake_stop", "held_up", "yield"))
 GOES_ON = re.compile(r"(continue|proceed|carry|go|drive|travel|roll|move)( on)?( \w+ing)?( on)? at #speed")
 
@@ -137,7 +138,9 @@ def _before(scene: Scene, span: scan.Span) -> Entity | None:
         told = [e for e in spoken if e in others]
         return scene.cast.ego if named["ego"] else told[-1] if told else others[0] if others else None
     if re.search(
-        r"set[- ]speed[^.;]*$|\b(system|alks|dcas|aebs|acc|cruise control)\b(?! (vehicle|car))[^,.;]*$", near
+        r"\bown speed[^.;,]{0,20}$"
+        r"|set[- ]speed[^.;]*$|\b(system|alks|dcas|aebs|acc|cruise control)\b(?! (vehicle|car))[^,.;]*$",
+        near,
     ) and not re.search(r"whose", near[-20:]):
         return scene.cast.ego
     return None
@@ -156,6 +159,9 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
             ),
             scene.plain[word.end : span.start],
         ):
+            compared = COMPARED_WITH.search(scene.plain[max(0, word.start - 12) : word.start])
+            if compared and "," not in scene.plain[word.end : span.start]:
+                return entity
             verb = scene.clauses._governor(word)
             event = scene.clauses.by_word.get(verb.i) if verb is not None else None
             if event is not None and event.agent is not entity and _heads_part(scene, word):

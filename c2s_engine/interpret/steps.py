@@ -23,7 +23,7 @@ def rate_of(event: Event) -> float | None:
     """The stated or implied rate of a speed change, m/s2."""
     for quantity in event.quantities:
         if quantity["dimension"] == "acceleration":
-            return round(max(0.5, quantity["high"]), 2)
+            return round(max(0.5, abs(quantity["low"]), abs(quantity["high"])), 2)
     if event.act in ("brake", "brake_stop", "stop") and (event.hard or re.search(HARD, event.whole)):
         return float(language.table("defaults")["rates"]["hard"]["value"])
     return None

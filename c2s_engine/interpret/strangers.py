@@ -9,6 +9,7 @@ from c2s_engine.interpret.entities import VEHICLES, Entity
 from c2s_engine.interpret.syntax import Word
 
 MANOEUVRES = language.words("manoeuvres")
+WALKS = re.compile(r"(cross|walk|run|ran|dash|hurr|rush|stroll|emerge|step)\w* ")
 
 
 class Strangers:
@@ -65,7 +66,9 @@ class Strangers:
             return False
         verb = self.words[word.head]
         verbs = [verb, *(self.words[c] for c in verb.children if self.words[c].dep == "conj")]
-        return any(self._leaves_on_foot(" ".join(w.norm for w in self.words[v.i : v.i + 7])) for v in verbs)
+        rides = word.lemma in ("passenger", "occupant")
+        after = [" ".join(w.norm for w in self.words[v.i : v.i + 7]) for v in verbs]
+        return any(self._leaves_on_foot(text) or rides and WALKS.match(text) for text in after)
 
     @staticmethod
     def _leaves_on_foot(after: str) -> bool:

@@ -3,6 +3,7 @@
 Spans that mean one thing (a name, a road user, a unit) reach the parser as one plain word, which makes it robust
 against the shorthand of the trade."""
 
+import re
 import sys
 from dataclasses import dataclass, field
 from functools import cache
@@ -12,6 +13,8 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.motions import third_persons
 from c2s_engine.interpret.proxies import FOLLOWS, pieces_of
 from c2s_engine.interpret.scan import Span
+
+LANE_NUMBER = re.compile(r"\blane (?:number |no\.? )?(?:\d|one|two|three|four)$")
 
 
 @dataclass
@@ -135,6 +138,7 @@ def _mistaken(doc: Any, piece: list[tuple[str, int, int, Span | None]], plain: s
                 before[3] is not None
                 or before[0].endswith("ly")
                 or plain[before[1] : before[2]] in language.word_list("subject_ends")
+                or LANE_NUMBER.search(plain[: before[2]]) is not None
             )
         ):
             continue

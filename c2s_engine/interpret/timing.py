@@ -16,6 +16,7 @@ AWAY = re.compile(
     r"(only )?(at (a |the )?(distance|range|gap) of (about |around |roughly |some )?#dist\b"
     r"|at (about |around )?#dist (distance|range|away|from)\b|with @ego #dist )"
 )
+COMES_OUT = ("cross_road", "enter_road")
 AT_A_DISTANCE = (
     "brake",
     "brake_stop",
@@ -118,6 +119,8 @@ class Timing(Modes):
                     ):
                         event.trigger = {"kind": "time", "value": quantity["low"]}
             own = self.render(event.words)
+            if event.trigger is None and event.act in COMES_OUT and not event.agent.ego:
+                event.trigger = self._where_it_comes_out(event, own)
             if event.trigger is None:
                 for quantity in event.quantities:
                     if quantity["dimension"] == "time" and re.search(
@@ -143,6 +146,12 @@ class Timing(Modes):
             if later:
                 min(later, key=lambda e: e.order).trigger = event.trigger
                 event.trigger = None
+
+    def _where_it_comes_out(self, event: Event, own: str) -> dict[str, Any] | None:
+        """How far ego is when one comes out "20 m in front of it"."""
+        match = re.search(r"#dist (?:right |directly )?(?:ahead|in front)\b(?! of (?:the |an? )?(?:\w+ )?@a)", own)
+        told = [q for q in event.quantities if q["dimension"] == "distance"]
+        return {"kind": "distance", "value": told[0]["low"]} if match and len(told) == 1 else None
 
     def _deep(self, i: int) -> list[int]:
         found = [i]

@@ -4,10 +4,17 @@ import re
 
 from c2s_engine.interpret.event import Event
 
+ORIGIN = re.compile(
+    r"\b(?:from|out of) (?:the |its |a |an )?(?:[\w-]+ ){0,2}(?:lane|path|track|bay|shoulder|space|strip)"
+    r" (?:on|to|at) (?:the |its )(?P<side>left|right)\b(?! lane)"
+)
+"""A place on one side that one leaves: it goes towards the other side."""
+
 
 def side(event: Event) -> str | None:
     """The side towards which an event goes."""
-    text = event.text
+    origin = ORIGIN.search(event.text)
+    text = ORIGIN.sub("", event.text)
     for pattern in (
         r"(?:to|onto|into|toward|towards|on|over|in)(?: \w+){0,4}? (left|right)\b",
         r"\b(left|right)(?:ward|wards|-hand)?\b(?! of way)",
@@ -23,4 +30,4 @@ def side(event: Event) -> str | None:
             if re.search(r"from (the |its |@\w+ 's )?$", before):
                 continue
             return match[1]
-    return event.side
+    return event.side or ({"left": "right", "right": "left"}[origin["side"]] if origin else None)

@@ -16,10 +16,22 @@ ORIGINS = re.compile(
 )
 
 FRONTED = re.compile(
-    r"(?:^|, |and |: )((?:directly |just |right )?(?:in front of|ahead of|behind|beside|next to|alongside) "
+    r"(?:^|, |\band |: )((?:directly |just |right )?(?:in front of|ahead of|behind|beside|next to|alongside) "
     r"(?:the )?@\w+) (?:there )?(?:is|was|be|are|were|drives?|drove|comes?|came|stands?|stood|sits?|sat|follows?)"
     r" (?:a |an |another |the |\w+ ){0,3}$"
 )
+
+
+ALONG_KERB = re.compile(
+    r"\b(?:hug\w*|(?:travel|ride|drive|cycle|pedal|go|move|run|roll|proceed|keep)\b.*\b(?:to|near|along|by|at|beside))"
+    r" (?:the |its )?(?:\w+ ){0,2}(?:kerb|curb)\b"
+)
+FRONTED_FAR = re.compile(
+    r"(?:^|[,:;] |\band |\bwhile )(?P<place>(?:about |around |roughly |some |only |just )?(?:#dist |#time )?"
+    r"(?:directly |immediately |right |close )?(?:in front of|ahead of|behind) (?:the )?@(?P<of>\w+)) ?,? ?"
+    r"(?:a|an|another|the|one|some|two|three|several)(?: [a-z-]+){0,2} $"
+)
+"""A place before the one who is there: "20 m behind the truck a motorcycle"."""
 
 
 @dataclass
@@ -100,7 +112,7 @@ def _take(
         if where.lane is None and not entity.person and entity.type != "bicycle":
             lane = side if not re.search(r"approach|from|road|street|intersection", text) else None
     if lane == "kerb":
-        moving = entity.roles & {"slow", "fast"} or "hug" in text
+        moving = entity.roles & {"slow", "fast"} or ALONG_KERB.search(text)
         lane = "sidewalk" if entity.person else "partly" if moving else "parked"
     if entity.person and lane == "parked":
         lane = "roadside"

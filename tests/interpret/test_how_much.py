@@ -1,0 +1,161 @@
+"""Speeds of the right one, gaps by time, spacings, differences, limits that are driven over."""
+
+import pytest
+
+
+def kmh(value) -> float:
+    return round((sum(value) / 2 if isinstance(value, tuple) else value) * 3.6)
+
+
+@pytest.mark.parametrize(
+    ("text", "speed", "limit"),
+    [
+        ("Ego goes 50 in a 30 zone and a child runs out.", 50, 30),
+        ("Ego is doing 80 km/h in a 50 zone behind a bus.", 80, 50),
+        ("The car was travelling at 60 in a 40 limit.", 60, 40),
+        ("We were doing 45 mph in a 35 mph zone when a dog ran out.", 72, 56),
+    ],
+)
+def test_driven_over_the_limit(read, text: str, speed: int, limit: int) -> None:
+    s = read(text)
+    assert (kmh(s["E"].spec.speed), kmh(s["R"].spec.speed_limit)) == (speed, limit)
+
+
+@pytest.mark.parametrize(
+    ("text", "speed"),
+    [
+        ("A tailgater sits 5 m behind ego at 100 km/h.", 100),
+        ("A motorcyclist hangs back 10 m behind ego at 70 km/h.", 70),
+        ("Behind ego a bus follows at 50 km/h.", 50),
+        ("A van stays 2 seconds behind ego at 90 km/h.", 90),
+    ],
+)
+def test_who_keeps_behind_is_as_fast(read, text: str, speed: int) -> None:
+    s = read(text)
+    assert kmh(s["E"].spec.speed) == kmh(s["O1"].spec.speed) == speed
+    assert s["O1"].spec.placement.position == "behind"
+
+
+@pytest.mark.parametrize(
+    ("text", "ego", "other"),
+    [
+        ("A car is approaching from behind, 15 km/h faster than ego at 80 km/h.", 80, 95),
+        ("A car comes up behind ego with a speed difference of 40 km/h; ego drives at 110 km/h.", 110, 150),
+        ("Ego drives at 90 km/h and closes in on a truck at a relative speed of 30 km/h.", 90, 60),
+        ("The lead car drives 5 m/s slower than ego, which drives at 25 m/s.", 90, 72),
+    ],
+)
+def test_differences(read, text: str, ego: int, other: int) -> None:
+    s = read(text)
+    assert (kmh(s["E"].spec.speed), kmh(s["O1"].spec.speed)) == (ego, other)
+
+
+@pytest.mark.parametrize(
+    ("text", "least", "most"),
+    [
+        ("Ego keeps a time gap of 1.2 s to the car ahead, both driving at 108 km/h.", 36, 44),
+        ("Ego drives 2 s behind a truck at 90 km/h.", 50, 61),
+        ("A van follows ego 1 second behind at 72 km/h.", 20, 25),
+        ("The headway to the lead is 0.9 s at 100 km/h.", 25, 31),
+        ("The distance between ego and the car in front is 22 m.", 22, 22),
+    ],
+)
+def test_gaps_named_or_by_time(read, text: str, least: float, most: float) -> None:
+    gap = read(text)["O1"].spec.placement.gap
+    low, high = gap if isinstance(gap, tuple) else (gap, gap)
+    assert least <= low <= high <= most
+
+
+@pytest.mark.parametrize(
+    ("text", "spacing"),
+    [
+        ("Three trucks drive 20 m apart in the right lane at 80 km/h. Ego passes them.", 20.0),
+        ("A platoon of three lorries, spacing 15 m, drives ahead of ego.", 15.0),
+        ("Four cars with gaps of 12 m drive ahead of ego.", 12.0),
+    ],
+)
+def test_spacing_of_a_group(read, text: str, spacing: float) -> None:
+    group = next(o.spec for o in read(text).objects if o.spec.count > 1)
+    assert group.spacing == spacing and group.placement.gap is None
+
+
+def test_a_lateral_distance_is_no_gap(read) -> None:
+    s = read("A cyclist is overtaken with a lateral distance of 1 m at 40 km/h.")
+    assert s["O1"].spec.placement.gap is None
+
+
+def test_a_negative_rate(read) -> None:
+    s = read("The lead decelerates at -3 m/s^2 for 2 s.")
+    assert s["O1"].spec.phases[0].rate == 3.0
+
+
+@pytest.mark.parametrize(
+    ("text", "ego", "traffic"),
+    [
+        ("Traffic in the right lane crawls at 15 km/h. Ego goes 65 km/h in the left lane.", 65, 15),
+        ("Traffic ahead is moving at 30 km/h. Ego approaches at 100 km/h.", 100, 30),
+        ("Ego drives at 80 km/h while traffic in the left lane flows at 120 km/h.", 80, 120),
+    ],
+)
+def test_the_speed_of_traffic(read, text: str, ego: int, traffic: int) -> None:
+    s = read(text)
+    assert (kmh(s["E"].spec.speed), kmh(s["O1"].spec.speed)) == (ego, traffic)
+
+
+def test_traffic_slows_to(read) -> None:
+    s = read("The traffic on the motorway slows to 20 km/h and ego brakes.")
+    assert kmh(s["O1"].spec.phases[0].speed) == 20 and kmh(s["E"].spec.speed) > 40
+
+
+def test_oncoming_traffic_is_not_the_tractor(read) -> None:
+    s = read("A constant stream of oncoming traffic keeps ego from overtaking the tractor ahead.")
+    assert [o.spec.placement.position for o in s.objects] == ["oncoming_lane", "ahead"]
+
+
+def test_in_the_blind_spot(read) -> None:
+    s = read("A car stays in ego's blind spot on the left.")
+    assert (s["O1"].spec.placement.position, s["O1"].spec.placement.along) == ("left_lane", "abreast")
+    s = read("A truck sits on ego's right at the same speed.")
+    assert s["O1"].spec.speed == s["E"].spec.speed > 0
+    s = read("A white van hangs beside ego in the left lane.")
+    assert s["O1"].spec.placement.position == "left_lane"
+
+
+def test_ego_and_another_side_by_side(read) -> None:
+    s = read("Ego and a van drive side by side at 70 km/h.")
+    assert kmh(s["O1"].spec.speed) == kmh(s["E"].spec.speed) == 70 and s["O1"].spec.placement.position == "beside"
+
+
+def test_what_is_no_gap(read) -> None:
+    s = read("Ego follows a car into a bend of constant radius to the left (R = 125 m), both at 60 km/h.")
+    assert s["O1"].spec.placement.gap is None and s["R"].spec.curve == "left"
+    s = read("A motorcycle passes ego on its left. No lateral reaction beyond 0.2 m is allowed.")
+    assert s["O1"].spec.placement.gap is None
+
+
+def test_speeds_by_letters(read) -> None:
+    s = read("Ego speed v0 in [30, 50] km/h. A pedestrian steps onto the road from the right, v1 in [1.0, 1.6] m/s.")
+    assert s["O1"].spec.speed == (1.0, 1.6) and len(s.objects) == 1
+
+
+def test_own_speed(read) -> None:
+    s = read("The system shall, at an own speed of 50 km/h or less, slow down and let a bus pull out in front.")
+    assert kmh(s["E"].spec.speed) == 50
+
+
+@pytest.mark.parametrize(
+    ("text", "ego", "other"),
+    [
+        ("The vehicle in front is going 15 km/h under the limit of 80 km/h. Ego is doing the limit.", 80, 65),
+        ("The limit is 80 km/h. Ego drives at the limit behind a truck that is 20 km/h below the speed limit.", 80, 60),
+        ("Ego drives 10 km/h over the limit of 60 km/h. A car comes up from behind at 30 km/h over the limit.", 70, 90),
+    ],
+)
+def test_by_the_limit(read, text: str, ego: int, other: int) -> None:
+    s = read(text)
+    assert (kmh(s["E"].spec.speed), kmh(s["O1"].spec.speed)) == (ego, other)
+
+
+def test_a_crossing_at_a_drivers_speed(read) -> None:
+    s = read("The test vehicle approaches a pedestrian crossing at 40 km/h. A child walks onto it at 5 km/h.")
+    assert kmh(s["E"].spec.speed) == 40 and [o.spec.type for o in s.objects] == ["child"]

@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.mentions import Cast, Entity
-from c2s_engine.interpret.patients import Patients
+from c2s_engine.interpret.subjectless import Subjectless
 from c2s_engine.interpret.syntax import Word
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.event import Event
 
 
-class Agents(Patients):
+HINDERS = language.words("hinders")
+
+
+class Agents(Subjectless):
     """The part of Clauses that finds the parties of a verb or noun."""
 
     words: list[Word]
@@ -27,8 +31,13 @@ class Agents(Patients):
         )
         passive = passive or word.tag == "VBN" and any(self.words[c].dep == "agent" for c in word.children)
         subjects = [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass", "csubj")]
+        if word.tag == "VBG" and word.dep == "pobj" and word.i - 1 in word.children and word.i - 1 in self.cast.of:
+            return self.cast.of[word.i - 1], word.i - 1, False  # "hit by a van changing lanes"
         subjects.sort(key=lambda c: (c > word.i, -c))
         if passive:
+            late = self._late_subject(word)
+            if late is not None:
+                return self.cast.of[late], late, False
             for child in word.children:
                 if (
                     self.words[child].dep == "agent"
@@ -178,6 +187,9 @@ class Agents(Patients):
                 return agent, at, False
         if word.dep in ("pcomp", "advcl", "conj", "parataxis", "dep", "csubj", "prep", "amod", "appos", "punct"):
             above = head if head.verb or self._is_verb(head) else self._governor(head)
+            kept = self._kept_from(word, above)
+            if kept is not None:
+                return self.cast.referent(kept), kept, False
             if word.dep == "pcomp" and above is not None and above.dep == "ccomp" and head.norm == "before":
                 letting = self.words[above.head]
                 above = letting if letting.lemma in ("let", "allow") else above  # "let it pass before turning"
@@ -229,8 +241,17 @@ class Agents(Patients):
                     passed = [c for c in above.children if self.words[c].dep == "nsubjpass"]
                     if passed and self.cast.referent(passed[0]):
                         return self.cast.referent(passed[0]), passed[0], False
+                    if above.dep == "ROOT" and not passed and self._headless(above):
+                        return None, None, False
                 return agent, at, False
         return self._inverted(word)
+
+    def _kept_from(self, word: Word, above: Word | None) -> int | None:
+        """Who is kept from doing something by another: "traffic prevents ego from turning"."""
+        if above is None or word.dep != "pcomp" or self.words[word.head].norm != "from":
+            return None
+        objects = [c for c in above.children if self.words[c].dep == "dobj" and self.cast.referent(c) is not None]
+        return objects[0] if objects and self._lemma(above) in HINDERS else None
 
     def _inverted(self, word: Word) -> tuple[Entity | None, int | None, bool]:
         """ "Up from behind comes a motorcyclist"; "standing in the lane is a car"."""
@@ -285,31 +306,6 @@ class Agents(Patients):
         nouns = [c for c in self.words[word.head].children if self.words[c].dep == "pobj" and c < word.i]
         near = [c for c in nouns if word.i - c <= 2 and self.words[c].span is not None]
         return self.cast.of.get(near[-1]) if near else None
-
-    def topic(self, word: Word) -> Entity | None:
-        """The one that a sentence is headed with: "Challenger: left lane, 90 km/h, cuts in"."""
-        sentence = [w for w in self.words[max(0, word.i - 60) : word.i] if w.sentence == word.sentence]
-        for first, second in zip(sentence, sentence[1:], strict=False):
-            if second.norm in (":", "-") and first.i in self.cast.of and first.span is not None:
-                return self.cast.of[first.i]
-        return None
-
-    def _continued(self, word: Word) -> Entity | None:
-        """The one spoken of in the sentence before, for a finite verb that opens a sentence: "Bus ahead. Brakes." """
-        if word.tag not in ("VBZ", "VBD", "NNS") or word.dep != "ROOT" or word.i == 0:
-            return None
-        opening = [w for w in self.words[: word.i] if w.sentence == word.sentence]
-        if any(w.noun or w.verb or w.span is not None for w in opening):
-            return None
-        subjects = {i for i, _ in self.cast.subjects}
-        for number in (word.sentence - 1, word.sentence - 2):
-            spoken = [
-                i for i in sorted(self.cast.of) if self.words[i].sentence == number and self.words[i].tag != "PRP$"
-            ]
-            first = next((i for i in reversed(spoken) if i in subjects), spoken[0] if spoken else None)
-            if first is not None:
-                return self.cast.of[first]
-        return None
 
     def _nearest(self, word: Word, at: int | None) -> Entity | None:
         """The nearest noun before the verb that no preposition governs, where the tree gives no agent."""

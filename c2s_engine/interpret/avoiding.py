@@ -36,7 +36,7 @@ def abandoned(cast: Cast, clauses: Clauses) -> None:
         if event.act not in ("lane_change", "cut_in", "overtake") or not event.done:
             continue
         words, at = cast.words, cast.words[event.word]
-        begun = clauses._lemma(words[at.head]) in BEGINS and words[at.head].sentence == at.sentence
+        begun = clauses._lemma(words[at.head]) in (BEGINS if at.head != at.i else BEGINS - {"go"})
         later = [w for w in words if w.i > event.word and w.sentence - at.sentence <= 1]
         given_up = GIVES_UP.search(" ".join(w.norm for w in later))
         if not begun or given_up is None:

@@ -7,6 +7,7 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast, Entity
+from c2s_engine.interpret.modes import CONTACT
 from c2s_engine.interpret.motions import rules
 from c2s_engine.interpret.nominal import Nominal
 from c2s_engine.interpret.syntax import Word
@@ -18,6 +19,8 @@ OUT_OF = re.compile(
 FORCEFUL = language.words("forceful")
 
 
+DRIVES = language.words("drives")
+STANDS_STILL = language.words("stands_still")
 PUTS = language.words("puts")
 NEARLY = language.words("nearly")
 CAUSES = language.words("causes")
@@ -32,6 +35,7 @@ class Clauses(Nominal):
         self.events: list[Event] = []
         self.by_word: dict[int, Event] = {}
         self.light: set[int] = set()
+        self.dangling: set[int] = set()
         for word in words:
             if self._is_verb(word):
                 self._verb(word)
@@ -117,7 +121,12 @@ class Clauses(Nominal):
             agent = self.topic(word)
         if agent is None:
             agent = self._nearest(word, at) or (self._continued(word) if at is None else None)
-        if agent is not None and word.tag == "VBG" and not passive and self._dangles(word, agent):
+        if agent is None and self._of_its_writer(word):
+            agent = self.cast.ego
+        having = word.tag == "VBN" and any(self.words[c].norm == "having" for c in word.children)
+        if agent is not None and (word.tag == "VBG" or having) and not passive and self._dangles(word, agent):
+            self.dangling.add(word.i)
+        if word.i in self.dangling or word.dep == "xcomp" and word.head in self.dangling:
             agent = self.cast.ego
         patient = awaited if awaited is not None and not awaited.ego else self._patient(word, own, agent, passive)
         if patient is None and word.dep == "amod" and word.head == word.i + 1:  # "collided head-on with V2"
@@ -185,7 +194,7 @@ class Clauses(Nominal):
         event.quantities = self._quantities(own)
         if word.dep in ("advcl", "relcl", "pcomp", "ccomp") or word.dep == "conj":
             event.adverbial = self._mark(word)
-        event.also = self._also(at)
+        event.also = self._also(at, word.i)
         self.events.append(event)
         if late is not None:
             late.adverbial, late.start, late.end = event.adverbial, event.start, event.end
@@ -204,10 +213,26 @@ class Clauses(Nominal):
         return self._subject(self.words[verb.head])[0] if self._lemma(self.words[verb.head]) in CAUSES else None
 
     def _dangles(self, word: Word, agent: Entity) -> bool:
-        """Whether a participle's object is the one taken for its agent ("following a truck, it stops"): ego does it."""
+        """Whether a participle's object is the one taken for its agent ("following a truck, it stops"), or its main
+        clause tells of somebody who cannot do it ("while reversing, a child was struck"): ego does it."""
         if agent.ego or any(self.words[c].dep in ("nsubj", "nsubjpass") for c in word.children):
             return False
+        if self._fronted_drive(word, agent):
+            return True
         return any(self.words[c].dep == "dobj" and self.cast.of.get(c) is agent for c in word.children)
+
+    def _fronted_drive(self, word: Word, agent: Entity) -> bool:
+        """Whether a participle that opens its sentence tells what ego did when the subject came or hit it."""
+        main = self._governor(word)
+        opens = not any(w.sentence == word.sentence and w.i in self.cast.of for w in self.words[: word.i])
+        if main is None or main.i < word.i or not opens:
+            return False
+        if agent.person:
+            return self._lemma(word) in DRIVES
+        if agent.type == "bicycle" or self._lemma(word) not in STANDS_STILL:
+            return self._lemma(word) in ("drive", "reverse") and agent.type == "bicycle"
+        objects = [c for i in main.children if i > main.i for c in self._below(i)]
+        return self._lemma(main) in CONTACT and any(self.cast.of.get(c) is self.cast.ego for c in objects)
 
     def _event(
         self, lemma: str, word: Word, text: str, whole: str, agent: Entity | None, patient: Entity | None
@@ -293,6 +318,8 @@ class Clauses(Nominal):
                 or actor.type in ("bicycle",)
                 and rule["act"] == "move_along"
             )
+        if who == "rider":
+            return actor.type in ("bicycle", "motorcycle")
         if who == "vehicle":
             return not actor.person and (actor.mover or actor.ego)
         return True

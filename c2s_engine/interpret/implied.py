@@ -19,6 +19,12 @@ UNSEEN = re.compile(
 )
 
 
+NEAR_JUNCTION = re.compile(
+    r"\b(?:intersections?|junctions?|crossroads|roundabout|side (?:road|street)|driveway|t-junction|traffic lights?)\b"
+)
+SIDEWAYS = re.compile(r"^side-?swip")
+
+
 def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Fill the places that only what happens tells."""
     for event in list(clauses.events):
@@ -28,8 +34,14 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _over_the_line(event, clauses, of)
         elif event.done and event.act in ("lane_change", "drift") and event.agent.ego:
             _unseen(event, cast, clauses, of)
-        elif event.done and event.act in ACROSS and event.agent in of and _comes_over(event, of):
+        elif event.done and event.agent in of and (_comes_over(event, of) or _overtakes_oncoming(event, of)):
             event.act, event.side = "oncoming", "left"
+        elif event.mode == "negated" and event.act == "yield" and event.agent in of:
+            _on_the_side(event, of[event.agent])
+        elif event.done and event.act == "cut_in" and event.agent in of:
+            _in_from_aside(event, clauses, of[event.agent])
+        elif event.done and event.act == "collide" and event.agent in of:
+            _sideswipes(event, clauses, of)
         elif event.done and event.act in ("lane_change", "drift", "swerve") and event.agent in of:
             _into_whose_lane(event, clauses, of)
         elif event.done and event.act == "follow" and event.patient in of:
@@ -77,7 +89,40 @@ OVER_LINE = re.compile(
 
 def _comes_over(event: Event, of: dict[Entity, Where]) -> bool:
     """Whether one who comes the other way gets over the line."""
-    return of[event.agent].lane == "oncoming" and OVER_LINE.search(event.text) is not None
+    towards = event.act in ACROSS and of[event.agent].lane == "oncoming"
+    return towards and OVER_LINE.search(event.text) is not None
+
+
+def _overtakes_oncoming(event: Event, of: dict[Entity, Where]) -> bool:
+    """Whether one who comes the other way overtakes somebody who is not told of: it does so in ego's lane."""
+    towards = event.act == "overtake" and of[event.agent].lane == "oncoming"
+    return towards and (event.patient is None or event.patient.ego)
+
+
+def _on_the_side(event: Event, where: Where) -> None:
+    """Who does not give way "on the right" comes from that side."""
+    told = " ".join(text for _, text in where.phrases)
+    if where.lane in ("left", "right") and where.rel is None and "lane" not in told + event.whole:
+        where.lane = "crossing"
+
+
+def _in_from_aside(event: Event, clauses: Clauses, where: Where) -> None:
+    """Who cuts in "from the right", no junction being near, comes out of the lane on that side."""
+    words = " ".join(w.norm for w in clauses.words)
+    if where.lane == "crossing" and where.side in ("left", "right") and not NEAR_JUNCTION.search(words):
+        where.lane, where.rel = where.side, where.rel or "beside"
+
+
+def _sideswipes(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Who sideswipes ego, or hits it while it changes lanes, was beside it."""
+    where = of[event.agent]
+    if event.patient is None or not event.patient.ego or not where.open:
+        return
+    over = [e for e in clauses.events if e.agent is event.agent and e.done and e.act in ("lane_change", "cut_out")]
+    if SIDEWAYS.search(event.text) or over and where.rel is None:
+        where.lane, where.rel = "adjacent", "beside"
+        for change in over:
+            change.act = "cut_in"
 
 
 def evaded_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:

@@ -69,8 +69,11 @@ class Modes(Agents):
                     "impossible",
                     "inability",
                     "keep",
+                    "hinder",
+                    "block",
+                    "bar",
                 )
-                and (lemma != "keep" or word.dep == "pcomp")
+                and (lemma not in ("keep", "block", "bar") or word.dep == "pcomp" and head.norm == "from")
             ):
                 return "negated" if mode != "negated" else "fact"
             if word.dep in ("xcomp", "advcl", "acl") and lemma in shades["intended"] and (to or lemma == "about"):

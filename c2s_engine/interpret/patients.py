@@ -30,17 +30,17 @@ class Patients(Rendering):
             found += self._everything(child)
         return sorted(found)
 
-    def _also(self, at: int | None) -> list[Entity]:
-        """The others of a joint subject ("V1 and V3 met")."""
+    def _also(self, at: int | None, verb: int) -> list[Entity]:
+        """The others of a joint subject ("V1 and V3 met"), but not who is joined behind the verb."""
         if at is None:
             return []
         found = list(self.cast.both.get(at, []))  # "both", "the two"
         for child in self.words[at].children:
-            if self.words[child].dep == "conj":
+            if self.words[child].dep == "conj" and not at < verb < child:
                 other = self.cast.referent(child)
                 if other is not None:
                     found.append(other)
-                    found += self._also(child)
+                    found += self._also(child, verb)
         return found
 
     def _patient(self, word: Word, own: list[int], agent: Entity | None, passive: bool) -> Entity | None:

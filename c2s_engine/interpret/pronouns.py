@@ -129,7 +129,8 @@ class Pronouns(Members):
                 (
                     r"(is|was|were|has been|'s|gets|got|becomes|became)( \w+)? (night|day|dark|dusk|dawn"
                     r"|raining|snowing|foggy|clear|sunny|daylight|daytime|daytime|rainy|cloudy|early|late"
-                    r"|morning|evening|noon|midnight|wet|windy|for|up|necessary|not until|only)"
+                    r"|morning|evening|noon|midnight|wet|windy|for|up|necessary|not until|only"
+                    r"|(safe|possible|clear|impossible|okay|ok|allowed|unsafe|time|too late) (enough )?(for|to))"
                 ),
                 text,
             )

@@ -107,7 +107,9 @@ class Rendering:
                 continue
             found.append(i)
             stack += other.children
-        return sorted(found)
+        if word.i + 1 < len(self.words) and self.words[word.i + 1].norm in ("left", "right"):
+            found.append(word.i + 1)  # a side that the tree gives to another word
+        return sorted(set(found))
 
     def render(self, indices: list[int], verb: int | None = None) -> str:
         """Words as patterns see them: lemmas of verbs, @names of road users, #kinds of quantities."""

@@ -6,6 +6,7 @@ from c2s_engine.interpret.avoiding import abandoned, avoided
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.echoes import echoes
 from c2s_engine.interpret.event import Event
+from c2s_engine.interpret.heeded import hindered, merged_back, unheeded
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.passing import by_the_other_lane, headings, let_past
 from c2s_engine.interpret.place import Road
@@ -40,6 +41,9 @@ def _at_junction(event: Event, clauses: Clauses, road: Road) -> bool:
 def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     """What single clauses cannot tell: a stop that is denied before a stop sign, a pass that is waited for."""
     avoided(cast, clauses)
+    unheeded(clauses)
+    hindered(cast, clauses)
+    merged_back(clauses)
     for event in list(clauses.events):
         if event.act in ("stop", "brake_stop") and event.mode == "fact" and _was_over(cast, event, clauses):
             event.act = "stationary"

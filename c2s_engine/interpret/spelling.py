@@ -3,7 +3,7 @@
 import re
 from functools import cache
 
-from c2s_engine.interpret import grids, language, notation, telegraphic
+from c2s_engine.interpret import elided, grids, language, notation, telegraphic
 from c2s_engine.interpret.motions import irregular
 from c2s_engine.interpret.rewritten import Replacement, Rewritten
 
@@ -16,7 +16,14 @@ class Mended:
     def __init__(self, text: str) -> None:
         self.original = text
         self._passes: list[Rewritten] = []
-        for replacements in (grids.grids, notation.fields, notation.signs, _repairs, telegraphic.spelt_out):
+        for replacements in (
+            grids.grids,
+            notation.fields,
+            notation.signs,
+            _repairs,
+            elided.elided,
+            telegraphic.spelt_out,
+        ):
             self._passes.append(Rewritten(text, replacements(text)))
             text = self._passes[-1].text
         self.text = text

@@ -49,6 +49,8 @@ class Timing(Modes):
             if main is None:
                 continue
             mark = event.adverbial
+            if word.dep in ("acl", "pobj") and word.tag == "VBG" and main.act == "collide" and event.word > main.word:
+                event.order = main.order - 0.4  # "was hit by a car turning left"
             if mark in ("after", "once", "when", "as", "having") and event.word > main.word:
                 event.order = main.order - 0.4
             elif mark == "before" and event.word < main.word:

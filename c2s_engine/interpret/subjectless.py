@@ -1,0 +1,62 @@
+"""Who does it where no subject stands before the verb: headings, notes, and subjects behind it."""
+
+from __future__ import annotations
+
+from c2s_engine.interpret.mentions import Entity
+from c2s_engine.interpret.patients import Patients
+from c2s_engine.interpret.syntax import Word
+
+
+class Subjectless(Patients):
+    """The part of Clauses that finds the parties of verbs without a subject before them."""
+
+    def topic(self, word: Word) -> Entity | None:
+        """The one that a sentence is headed with: "Challenger: left lane, 90 km/h, cuts in"."""
+        sentence = [w for w in self.words[max(0, word.i - 60) : word.i] if w.sentence == word.sentence]
+        for first, second in zip(sentence, sentence[1:], strict=False):
+            if second.norm in (":", "-") and first.i in self.cast.of and first.span is not None:
+                return self.cast.of[first.i]
+        return None
+
+    def _continued(self, word: Word) -> Entity | None:
+        """The one spoken of in the sentence before, for a finite verb that opens a sentence: "Bus ahead. Brakes." """
+        if word.tag not in ("VBZ", "VBD", "NNS") or word.dep != "ROOT" or word.i == 0:
+            return None
+        opening = [w for w in self.words[: word.i] if w.sentence == word.sentence]
+        if any(w.noun or w.verb or w.span is not None for w in opening):
+            return None
+        subjects = {i for i, _ in self.cast.subjects}
+        for number in (word.sentence - 1, word.sentence - 2):
+            spoken = [
+                i for i in sorted(self.cast.of) if self.words[i].sentence == number and self.words[i].tag != "PRP$"
+            ]
+            first = next((i for i in reversed(spoken) if i in subjects), spoken[0] if spoken else None)
+            if first is not None:
+                return self.cast.of[first]
+        return None
+
+    def _of_its_writer(self, word: Word) -> bool:
+        """Whether a note tells without a subject what its writer did: "Lost control and hit a tree"."""
+        if word.tag not in ("VBD", "VBN", "VBG") or word.dep not in ("ROOT", "conj", "advcl", "ccomp", "dep", "xcomp"):
+            return False
+        opening = [w for w in self.words[: word.i] if w.sentence == word.sentence]
+        told = [w for w in opening if w.i in self.cast.of and w.dep not in ("pobj", "dobj", "poss") or w.tag == "VBZ"]
+        finite = word.tag == "VBD" or any(w.tag == "VBD" for w in self.words if w.sentence == word.sentence)
+        return finite and not told and self._headless(word) and not self._subjects_of(word)
+
+    def _subjects_of(self, word: Word) -> list[int]:
+        return [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass", "csubj", "expl")]
+
+    def _late_subject(self, word: Word) -> int | None:
+        """Who stands behind the verb: "parked on the left was a van"."""
+        be = next((c for c in word.children if self.words[c].dep == "auxpass" and c > word.i), None)
+        if be is None:
+            return None
+        behind = [c for c in (*word.children, *self.words[be].children) if c > be]
+        told = [c for c in behind if self.words[c].dep in ("attr", "nsubj", "nsubjpass")]
+        return told[0] if told and told[0] in self.cast.of else None
+
+    def _headless(self, verb: Word) -> bool:
+        """Whether a note tells without a subject what became of its writer: "Braked for a cat, was hit by a van"."""
+        opening = [w for w in self.words[: verb.i] if w.sentence == verb.sentence]
+        return not any(w.dep in ("nsubj", "nsubjpass", "csubj", "expl") for w in opening)

@@ -154,7 +154,7 @@ class Agents(Subjectless):
         if depth > 6:
             return self._inverted(word)
         if word.dep in ("acl", "relcl"):
-            found = self.cast.referent(head.i)
+            found = self._placed_by(head, word) or self.cast.referent(head.i)
             if found is not None:
                 if word.tag == "VBN" and word.dep == "acl":
                     for child in word.children:
@@ -169,6 +169,13 @@ class Agents(Subjectless):
                 if above is not None and above.i != word.i and word.tag in ("VB", "VBG"):
                     return self._subject(above, depth + 1)
             return None, head.i, False
+        if (
+            word.dep == "xcomp"
+            and head.tag == "JJ"
+            and head.dep in ("amod", "acl", "appos")
+            and head.head in self.cast.of
+        ):
+            return self.cast.of[head.head], head.head, False  # "a truck unable to stop"
         if word.dep == "xcomp" and head.dep == "acomp" and self.words[head.head].verb:  # "is able to go by"
             return self._subject(self.words[head.head], depth + 1)
         if word.dep == "xcomp" or word.dep == "ccomp":

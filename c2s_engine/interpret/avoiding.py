@@ -30,6 +30,17 @@ def avoided(cast: Cast, clauses: Clauses) -> None:
             event.act = "swerve"
 
 
+def by_means(cast: Cast, clauses: Clauses) -> None:
+    """Who avoids somebody by braking or steering does that because of him: "avoids the bus by steering left"."""
+    for event in [e for e in clauses.events if e.act == "evade" and e.done]:
+        for way in clauses.events:
+            word = cast.words[way.word]
+            by = word.dep == "pcomp" and cast.words[word.head].norm == "by"
+            if by and way.agent is event.agent and clauses._main(word) in (event, None) and way.patient is None:
+                event.mode, way.patient, way.mode = "hypothetical", event.patient, "fact"
+                way.act = "swerve" if way.act == "turn" else way.act
+
+
 def abandoned(cast: Cast, clauses: Clauses) -> None:
     """A lane change that is begun and given up is a swerve; an overtaking that is given up does not happen."""
     for event in clauses.events:

@@ -85,7 +85,7 @@ class Clauses(Nominal):
             self.light.add(word.i)
             return
         agent, at, passive = self._subject(word)
-        agent = self._causer(word) or agent
+        agent = self._causer(word) or self._qualified(word) or agent
         if (before := self._joined_subject(word)) is not None:
             agent, at = self.cast.of[before], before
         if agent is None and word.tag.startswith("NN"):
@@ -154,6 +154,9 @@ class Clauses(Nominal):
         if event.patient is not None and event.patient is event.agent:  # "the driver took the bus around a truck"
             others = (self.cast.of[i] for i in own if i > word.i and i in self.cast.of)
             event.patient = next((e for e in others if e is not event.agent), None)
+        if event.act == "follow" and event.patient is None and not passive and text.strip(" .,;") == "follow":
+            led = [e.agent for e in self.events if self.words[e.word].sentence == word.sentence and e.agent.mover]
+            event.patient = next((e for e in reversed(led) if e is not event.agent), None)
         event.words, event.mode, event.passive = own, self._mode(word), passive
         if event.act == "collide" and any(self.words[c].norm in NEARLY for c in word.children):
             event.act = "approach"
@@ -216,6 +219,8 @@ class Clauses(Nominal):
         """Whether a participle's object is the one taken for its agent ("following a truck, it stops"), or its main
         clause tells of somebody who cannot do it ("while reversing, a child was struck"): ego does it."""
         if agent.ego or any(self.words[c].dep in ("nsubj", "nsubjpass") for c in word.children):
+            return False
+        if self._qualified(word) is agent:
             return False
         if self._fronted_drive(word, agent):
             return True

@@ -23,7 +23,7 @@ from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec
 
 RESPONSES = ("brake", "brake_stop", "stop")
 RETURNS = frozenset(("overtake", "oncoming", "swerve"))
-AROUND = frozenset(("overtake", "oncoming", "lane_change", "cut_out", "evade", "swerve", "u_turn", "reverse"))
+AROUND = frozenset(("overtake", "oncoming", "lane_change", "cut_out", "evade", "swerve", "u_turn"))
 """What ego does to get past what it stopped for."""
 
 

@@ -23,6 +23,9 @@ def unheeded(clauses: Clauses) -> None:
             event.act, event.mode = RUNS[event.act], "fact"
         else:
             clauses.events.remove(event)
+    for event in clauses.events:
+        if event.act == "keep_lane" and event.mode == "negated":
+            event.act, event.mode = "drift", "fact"  # "fails to keep its lane"
 
 
 def hindered(cast: Cast, clauses: Clauses) -> None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret.clauses import Clauses
-from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.entities import URGENT, Entity
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.towards import side
@@ -19,15 +19,21 @@ UNSEEN = re.compile(
 )
 
 
+FROM_BEHIND = re.compile(r"\bfrom (?:behind|the rear)|\brear-?end")
+ANSWERS = frozenset(("yield", "brake", "brake_stop", "stop", "evade", "swerve"))
 NEAR_JUNCTION = re.compile(
     r"\b(?:intersections?|junctions?|crossroads|roundabout|side (?:road|street)|driveway|t-junction|traffic lights?)\b"
 )
-SIDEWAYS = re.compile(r"^side-?swip")
+SIDEWAYS = re.compile(
+    r"^side-?swip|^(?:merge|drift|veer|swerve|steer|cut|move over|pull over|stray|wander|slide)\w* (?:\w+ )?into\b"
+)
 
 
 def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Fill the places that only what happens tells."""
     for event in list(clauses.events):
+        if event.done and event.act in ANSWERS and event.agent.ego and event.patient in of:
+            _crosses(event, clauses, of[event.patient])
         if event.done and event.act == "collide" and event.agent.ego and event.patient in of:
             _behind_or_beside_road(event, clauses, of)
         if event.done and event.act == "oncoming" and event.agent.ego:
@@ -36,6 +42,8 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _unseen(event, cast, clauses, of)
         elif event.done and event.agent in of and (_comes_over(event, of) or _overtakes_oncoming(event, of)):
             event.act, event.side = "oncoming", "left"
+        elif event.done and event.act == "yield" and event.agent.ego and event.patient in of:
+            _urgent(event.patient, clauses, of[event.patient])
         elif event.mode == "negated" and event.act == "yield" and event.agent in of:
             _on_the_side(event, of[event.agent])
         elif event.done and event.act == "cut_in" and event.agent in of:
@@ -99,6 +107,22 @@ def _overtakes_oncoming(event: Event, of: dict[Entity, Where]) -> bool:
     return towards and (event.patient is None or event.patient.ego)
 
 
+def _crosses(event: Event, clauses: Clauses, where: Where) -> None:
+    """A person for whom ego brakes or waits, and of whom nothing else is told, crosses the road."""
+    who = event.patient
+    assert who is not None
+    told = any(e.agent is who or who in e.also for e in clauses.events)
+    if who.person and not told and not who.roles and where.rel is None and where.lane is None:
+        clauses.events.append(Event.echo(event, act="cross_road", agent=who, order=event.order - 0.3))
+
+
+def _urgent(who: Entity, clauses: Clauses, where: Where) -> None:
+    """An ambulance for which ego moves aside comes from behind."""
+    aside = any(e.agent.ego and e.done and e.act in ("lane_change", "leave_road") for e in clauses.events)
+    if aside and who.type in URGENT and where.open and where.lane is None:
+        where.rel, where.lane = "behind", "same"
+
+
 def _on_the_side(event: Event, where: Where) -> None:
     """Who does not give way "on the right" comes from that side."""
     told = " ".join(text for _, text in where.phrases)
@@ -140,6 +164,19 @@ def evaded_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
         if across and halts and where.lane == across and where.rel in (None, "ahead") and where.of is None:
             where.lane, where.side, where.rel = "same", None, "ahead"
             return f"{across}most"
+    return None
+
+
+def followed_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
+    """Ego's lane where it follows one "in the right lane": it is the same."""
+    for event in clauses.events:
+        where = of.get(event.patient) if event.patient is not None else None
+        behind = event.act == "follow" or event.act == "collide" and FROM_BEHIND.search(event.whole)
+        if not behind or not event.done or not event.agent.ego or where is None or where.of is not None:
+            continue
+        if where.lane in ("left", "right") and where.rel in (None, "ahead"):
+            lane, where.lane, where.side, where.rel = where.lane, "same", None, "ahead"
+            return f"{lane}most"
     return None
 
 

@@ -73,7 +73,8 @@ class Modes(Agents):
                     "block",
                     "bar",
                 )
-                and (lemma not in ("keep", "block", "bar") or word.dep == "pcomp" and head.norm == "from")
+                and (lemma not in ("keep", "block", "bar") or word.dep == "pcomp")
+                and (word.dep != "pcomp" or head.norm in ("from", "of", "in", "to"))
             ):
                 return "negated" if mode != "negated" else "fact"
             if word.dep in ("xcomp", "advcl", "acl") and lemma in shades["intended"] and (to or lemma == "about"):

@@ -42,6 +42,11 @@ class Nominal(Timing):
             and agent.ego
         ):
             return
+        turning = re.fullmatch(r"(left|right)-turning", word.norm)
+        if turning is not None and agent.ego:
+            told = {"side": turning[1], "words": [word.i], "start": word.start, "end": word.end}
+            self.events.append(Event("turn", agent, word.i, "turn " + turning[1], "turn " + turning[1], **told))
+            return
         lemma = self._lemma(word)
         text = f"{lemma} " + " ".join(w.norm for w in self.words[word.i + 1 : word.head])
         event = self._event(lemma, word, text, text, agent, None)

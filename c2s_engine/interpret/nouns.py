@@ -223,7 +223,8 @@ class Nouns(Titles):
         """Whether traffic is said to come to a stand or to slow down: then there is a vehicle ahead that does."""
         after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 12] if w.sentence == word.sentence)
         ahead = r"(?:ahead|in front)(?: of \S+( \S+)?)? (?:suddenly |abruptly |\w+ly )?"
-        acts = r"(?:stop|slow|brake|halt|decelerate|back(?:ed|s)? up|came to|comes to|come to|grind|ground)"
+        was = r"(?:(?:has|have|had|is|was|are|were|suddenly|already|just) ){0,3}"
+        acts = was + r"(?:stop|slow|brake|halt|decelerate|back(?:ed|s)? up|came to|comes to|come to|grind|ground)"
         return bool(re.match(rf"{ahead}{acts}|{acts}", after)) and word.dep in ("nsubj", "nsubjpass", "ROOT")
 
     def _parties(self, word: Word, before: list[str], data: dict, roles: set[str]) -> Entity | None:

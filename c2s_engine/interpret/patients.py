@@ -23,6 +23,9 @@ class Patients(Rendering):
     def _subject(self, word: Word, depth: int = 0) -> tuple[Entity | None, int | None, bool]:
         raise NotImplementedError
 
+    def _placed_by(self, noun: Word, verb: Word) -> Entity | None:
+        raise NotImplementedError
+
     def _everything(self, i: int) -> list[int]:
         """All words below a word, in order."""
         found = [i]
@@ -194,7 +197,7 @@ class Patients(Rendering):
                 for target in other.children:
                     patient = patient or self.cast.referent(target)
             if other.dep == "compound" and child in self.cast.of:
-                return self.cast.of[child], None
+                return self._placed_by(other, word) or self.cast.of[child], None
         for i in range(word.i - 1, max(-1, word.i - 4), -1):
             other = self.words[i]
             if (
@@ -205,7 +208,7 @@ class Patients(Rendering):
             ):
                 break
             if i in self.cast.of and other.span is not None and other.dep not in ("pobj",):
-                return self.cast.of[i], patient
+                return self._placed_by(other, word) or self.cast.of[i], patient
         if verb is not None:
             agent, at, passive = self._subject(verb)
             if (

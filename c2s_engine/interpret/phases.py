@@ -119,7 +119,17 @@ def _merged(phases: list[Phase]) -> list[Phase]:
         if (
             last is not None
             and last.action == "start"
-            and phase.action in ("enter_road", "cut_in", "go_straight", "turn_left", "turn_right", "accelerate")
+            and phase.action
+            in (
+                "enter_road",
+                "cut_in",
+                "go_straight",
+                "turn_left",
+                "turn_right",
+                "accelerate",
+                "cross_road",
+                "move_along",
+            )
         ):
             found[-1] = phase if phase.action != "accelerate" else last
             continue

@@ -51,11 +51,7 @@ class Pronouns(Members):
                 return None
             if self._obliged(word):
                 return self.ego
-            before = self.words[word.i - 1].norm if word.i else ""
-            things = THINGS if before in BUMPED else LOOSE
-            i = self._first_person() and not self._ego_is_thing()
-            thing = lambda e: not e.person and (e.mover or e.type in things) and not (i and e.ego)  # noqa: E731
-            return self._salient(word, lambda e: thing(e) and e.count == 1) or self._salient(word, thing)
+            return self._thing(word)
         if norm in ("himself", "herself", "itself") and word.dep in ("nsubj", "npadvmod", "appos"):
             return None  # "the driver himself moved out"
         if norm in data["person"]:
@@ -80,6 +76,18 @@ class Pronouns(Members):
                 return person[-1]
             return self._salient(word, lambda e: e.mover)
         return self._elliptic(word) or self._unknown(word)
+
+    def _thing(self, word: Word) -> Entity | None:
+        """The vehicle or thing that "it" means; an animal where it is hit or avoided."""
+        bumped = word.i > 0 and self.words[word.i - 1].norm in BUMPED
+        things = THINGS if bumped else LOOSE
+        i = self._first_person() and not self._ego_is_thing()
+
+        def fits(e: Entity) -> bool:
+            moves = e.mover and (not e.person or bumped and e.type == "animal")
+            return (moves or e.type in things) and not (i and e.ego)
+
+        return self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
 
     def _rests(self, entity: Entity) -> bool:
         """Whether a vehicle was told of as standing: nobody in it is "he"."""

@@ -138,14 +138,15 @@ def _ends_before(scene: Scene) -> bool:
 
 def _ego_on_ramp(scene: Scene) -> bool:
     for event in scene.events(scene.cast.ego):
-        if re.search(
+        joins = re.search(
             (
                 r"on-?ramp|acceleration lane|slip road|entrance ramp|entry ramp|ramp"
                 r"|merg\w+ (on)?to the (motorway|highway|freeway|interstate)|join\w* (the |a )?(motorway"
                 r"|highway|freeway|interstate)"
             ),
             re.sub(r"(off|exit)[- ]?ramp", "", event.whole),
-        ) and not re.search(r"@a\d", event.whole.split("ramp")[0][-25:]):
+        )
+        if joins is not None and not re.search(r"@a\d", joins.string[: joins.end()].split("ramp")[0][-25:]):
             return True
         if (
             event.act == "lane_change"

@@ -2,7 +2,7 @@
 
 import re
 
-from c2s_engine.interpret.avoiding import abandoned, avoided
+from c2s_engine.interpret.avoiding import abandoned, avoided, by_means
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.echoes import echoes
 from c2s_engine.interpret.event import Event
@@ -41,6 +41,7 @@ def _at_junction(event: Event, clauses: Clauses, road: Road) -> bool:
 def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     """What single clauses cannot tell: a stop that is denied before a stop sign, a pass that is waited for."""
     avoided(cast, clauses)
+    by_means(cast, clauses)
     unheeded(clauses)
     hindered(cast, clauses)
     merged_back(clauses)

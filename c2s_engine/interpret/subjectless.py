@@ -56,6 +56,30 @@ class Subjectless(Patients):
         told = [c for c in behind if self.words[c].dep in ("attr", "nsubj", "nsubjpass")]
         return told[0] if told and told[0] in self.cast.of else None
 
+    def _placed_by(self, noun: Word, verb: Word) -> Entity | None:
+        """Who is placed by ego right before a participle: it is meant, not ego ("a truck in front of ego braking")."""
+        beside = verb.norm.endswith("ing") and verb.i == noun.i + 1 and self.cast.of.get(noun.i) is self.cast.ego
+        place = noun if noun.dep == "pobj" else verb if noun.head == verb.i and verb.dep == "pobj" else None
+        if not beside or place is None:
+            return None
+        above = self.words[place.head]
+        for _ in range(3):
+            if above.i in self.cast.of and not self.cast.of[above.i].ego:
+                return self.cast.of[above.i]
+            if above.tag not in ("IN", "RB", "NN", "JJ", "RP") or above.head == above.i:
+                return None
+            above = self.words[above.head]
+        return self.cast.of.get(above.i)
+
+    def _qualified(self, word: Word) -> Entity | None:
+        """Who stands right behind a participle that heads a note: "Overtaking motorcyclist. The ego ..."."""
+        after = word.i + 1
+        if word.tag != "VBG" or word.dep != "ROOT" or after not in word.children or after not in self.cast.of:
+            return None
+        first = word.i == 0 or self.words[word.i - 1].sentence != word.sentence
+        one = self.words[after].tag == "NN" and self.words[after].dep == "dobj" and not self.cast.of[after].ego
+        return self.cast.of[after] if first and one else None
+
     def _headless(self, verb: Word) -> bool:
         """Whether a note tells without a subject what became of its writer: "Braked for a cat, was hit by a van"."""
         opening = [w for w in self.words[: verb.i] if w.sentence == verb.sentence]

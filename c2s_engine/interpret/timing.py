@@ -103,7 +103,7 @@ class Timing(Modes):
                         )
                         event.trigger = (
                             {"kind": "place", "value": quantity["low"], "place": place}
-                            if place
+                            if place and (not event.agent.person or event.agent.ego)
                             else {"kind": "distance", "value": quantity["low"]}
                         )
                     elif quantity["dimension"] == "distance" and event.act in AT_A_DISTANCE and AWAY.match(text):

@@ -166,7 +166,8 @@ class Agents(Subjectless):
                 return found, head.i, word.dep == "acl" and word.tag == "VBN"
             if word.dep == "acl" and head.tag.startswith("NN"):
                 above = self._governor(head)
-                if above is not None and above.i != word.i and word.tag in ("VB", "VBG"):
+                bound = word.tag == "VB" or word.tag == "VBG" and head.dep != "pobj"  # "over a tyre lying there"
+                if above is not None and above.i != word.i and bound:
                     return self._subject(above, depth + 1)
             return None, head.i, False
         if (

@@ -131,6 +131,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             phases.append(Phase(action="go_straight"))
         elif act == "reverse" and re.match(r"\w+ back\b", event.text) and any(p.action in RETURNS for p in phases):
             continue  # into its lane
+        elif act == "drift" and towards is None and phases and phases[-1].action == "lane_change":
+            continue  # it goes on towards the side to which it changes lanes
         elif act in ("leave_road", "drift", "swerve", "reverse", "oncoming", "enter_road"):
             sided = act in ("leave_road", "drift", "swerve", "oncoming")
             phases.append(

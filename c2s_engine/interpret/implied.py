@@ -20,6 +20,7 @@ UNSEEN = re.compile(
 
 
 FROM_BEHIND = re.compile(r"\bfrom (?:behind|the rear)|\brear-?end")
+STANDING_OR_LED = frozenset(("stationary", "parked", "lead", "oncoming", "crossing"))
 ANSWERS = frozenset(("yield", "brake", "brake_stop", "stop", "evade", "swerve"))
 NEAR_JUNCTION = re.compile(
     r"\b(?:intersections?|junctions?|crossroads|roundabout|side (?:road|street)|driveway|t-junction|traffic lights?)\b"
@@ -32,8 +33,9 @@ SIDEWAYS = re.compile(
 def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Fill the places that only what happens tells."""
     for event in list(clauses.events):
-        if event.done and event.act in ANSWERS and event.agent.ego and event.patient in of:
+        if event.done and event.agent.ego and event.patient in of:
             _crosses(event, clauses, of[event.patient])
+            _hit_beside(event, clauses, of[event.patient])
         if event.done and event.act == "collide" and event.agent.ego and event.patient in of:
             _behind_or_beside_road(event, clauses, of)
         if event.done and event.act == "oncoming" and event.agent.ego:
@@ -111,9 +113,31 @@ def _crosses(event: Event, clauses: Clauses, where: Where) -> None:
     """A person for whom ego brakes or waits, and of whom nothing else is told, crosses the road."""
     who = event.patient
     assert who is not None
-    told = any(e.agent is who or who in e.also for e in clauses.events)
+    if event.act not in (ANSWERS if who.type not in ("pedestrian", "child") else ANSWERS | {"collide"}):
+        return
+    told = any((e.agent is who or who in e.also) and e.act != "travel" for e in clauses.events)
     if who.person and not told and not who.roles and where.rel is None and where.lane is None:
         clauses.events.append(Event.echo(event, act="cross_road", agent=who, order=event.order - 0.3))
+
+
+def _hit_beside(event: Event, clauses: Clauses, where: Where) -> None:
+    """Whom ego hits while it changes lanes is in the lane beside; into whose path it runs a sign crosses."""
+    who = event.patient
+    assert who is not None
+    if not who.mover or who.person or not where.open or where.lane is not None or who.roles & STANDING_OR_LED:
+        return
+    before = [e for e in clauses.events if e.agent.ego and e.done and e.order <= event.order]
+    over = [e for e in before if e.act in ("lane_change", "drift")]
+    slows = any(
+        e.agent is who and e.done and e.act in ("brake", "stop", "brake_stop", "stationary") for e in clauses.events
+    )
+    if event.act in ("run_stop", "run_red", "cross_path") and re.search(r"path of|in front of|way of", event.text):
+        where.lane = "crossing"
+    elif (
+        event.act in ("collide", "drift") and over and not FROM_BEHIND.search(event.whole) and "rear" not in event.whole
+    ):
+        towards = next((s for e in reversed(over) if (s := side(e))), None)
+        where.lane, where.side, where.rel = towards or "adjacent", towards, "ahead" if slows else "beside"
 
 
 def _urgent(who: Entity, clauses: Clauses, where: Where) -> None:

@@ -30,9 +30,8 @@ def _retold(cast: Cast, clauses: Clauses, event: Event) -> bool:
         return False
     if any(cast.of.get(w.i) is cast.ego for w in head):
         return False
-    later = [e for e in clauses.events if e.word > colon and e.done]
-    own = any(e.agent.ego and e.act == event.act for e in later)
-    return not own and any(not e.agent.ego and e.act == event.act for e in later)
+    later = [e for e in clauses.events if e.word > colon and e.done and e.act == event.act]
+    return bool(later) and (event.patient is not None or not any(e.agent.ego for e in later))
 
 
 OTHER_LANE = re.compile(

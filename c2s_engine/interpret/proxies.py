@@ -114,7 +114,11 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         return "walking" if person else "passing"
     if text == "merging" and mover and MERGES.match(plain[start + 7 : start + 20]):
         return "passing"
-    if text in ("changing", "switching") and mover and LANES.match(plain[start + len(text) :]):
+    if text in ("rear-ended", "sideswiped", "side-swiped", "t-boned", "broadsided"):
+        return "struck"
+    if text in ("changes", "switches", "swaps") and before is not None and LANES.match(plain[start + len(text) :]):
+        return "takes"
+    if text in ("changing", "switching") and before is not None and LANES.match(plain[start + len(text) :]):
         return "taking"
     if text in FORCES and regex.match(
         r"\s+(?:the|its|an?|his|her|ego|them|it|me|us|another)\b", plain[start + len(text) :]

@@ -284,6 +284,17 @@ class Agents(Subjectless):
                     "run",
                     "walk",
                     "go",
+                    "shoot",
+                    "dart",
+                    "roll",
+                    "step",
+                    "jump",
+                    "cross",
+                    "stop",
+                    "pull",
+                    "turn",
+                    "wait",
+                    "overtake",
                 )
             ):
                 found = self.cast.referent(child)

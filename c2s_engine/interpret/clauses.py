@@ -21,6 +21,7 @@ FORCEFUL = language.words("forceful")
 
 DRIVES = language.words("drives")
 STANDS_STILL = language.words("stands_still")
+PUSHES = language.words("pushes")
 PUTS = language.words("puts")
 NEARLY = language.words("nearly")
 CAUSES = language.words("causes")
@@ -45,6 +46,7 @@ class Clauses(Nominal):
         for word in words:
             self._attributive(word)
             self._striking(word)
+            self._named_by_deed(word)
         self._order()
         self._triggers()
         self.events.sort(key=lambda e: e.order)
@@ -84,6 +86,8 @@ class Clauses(Nominal):
         ) and lemma not in ("let", "allow", "permit", "wait"):
             self.light.add(word.i)
             return
+        if lemma == "follow" and any(self.words[c].dep == "expl" for c in word.children):
+            return  # "there follows a braking"
         agent, at, passive = self._subject(word)
         agent = self._causer(word) or self._qualified(word) or agent
         if (before := self._joined_subject(word)) is not None:
@@ -132,9 +136,14 @@ class Clauses(Nominal):
         if patient is None and word.dep == "amod" and word.head == word.i + 1:  # "collided head-on with V2"
             later = [i for i in range(word.i + 2, min(word.i + 6, len(self.words))) if i in self.cast.of]
             patient = self.cast.of[later[0]] if later and self.words[word.i + 2].norm in ("with", "into") else None
+        if passive and lemma in PUSHES and (pushed := patient or agent) is not None:
+            text = re.sub(r"^(\w+)", rf"\1 @{pushed.key}", text)  # "was forced off the road": whom it is about
+            patient = patient or pushed
         event = self._event(lemma, word, text, whole, agent, patient)
         if event is None or event.act == "stationary" and lemma in PUTS and not passive and self._has_object(word):
             return
+        if passive and lemma in PUSHES and event.patient is None and agent is not event.agent:
+            event.patient = agent
         if event.act == "start_straight":
             event.act = "start"
             told = {"order": word.i + 0.1, "mode": self._mode(word), "words": [word.i]}

@@ -28,7 +28,11 @@ class Modes(Agents):
                 mode = "negated"
             if other.dep == "aux" and other.norm in ("would", "could", "might") and not self._ended(child, word.i):
                 mode = "hypothetical"
-            if other.dep == "mark" and other.norm in ("if", "unless", "whether", "lest") and not self._criterion(word):
+            if (
+                other.dep == "mark"
+                and other.norm in ("if", "unless", "whether", "lest")
+                and not (self._criterion(word) or other.norm == "if" and self._demanded(word))
+            ):
                 mode = "hypothetical"
             if other.dep in ("nsubj", "nsubjpass") and (
                 other.norm in ("none", "neither", "nobody", "nothing")
@@ -162,6 +166,16 @@ class Modes(Agents):
             "successful",
             "fulfill",
         )
+
+    def _demanded(self, word: Word) -> bool:
+        """Whether an if-clause tells what happens before ego must act: "if the lead brakes, the ego shall stop"."""
+        main = self.words[word.head]
+        must = [self.words[c].norm for c in main.children if self.words[c].dep == "aux"]
+        light = main.lemma in ("have", "need") and any(self.words[c].dep == "xcomp" for c in main.children)
+        present = word.tag in ("VBZ", "VBP") and not any(self.words[c].norm == "not" for c in word.children)
+        demands = light or bool({"must", "shall", "should", "will"} & set(must))
+        agent = self._subject(word)[0]
+        return present and demands and agent is not None and not agent.ego and self._subject(main)[0] is self.cast.ego
 
     def _mark(self, word: Word) -> str:
         for child in sorted(word.children):

@@ -12,7 +12,7 @@ from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.timing import Timing
 
 ATTRIBUTIVE = frozenset(
-    ("brake", "stop", "accelerate", "reverse", "swerve", "lose_control", "drift", "u_turn", "cross_road")
+    ("brake", "stop", "accelerate", "reverse", "swerve", "lose_control", "drift", "u_turn", "cross_road", "overtake")
 )
 
 HAPPENS = frozenset(("occur", "happen", "result", "ensue", "take", "follow", "come", "be", "arise", "involve"))
@@ -61,6 +61,17 @@ class Nominal(Timing):
         event.words, event.start, event.end = [word.i], word.start, word.end
         self.events.append(event)
         self.by_word[word.i] = event
+
+    def _named_by_deed(self, word: Word) -> None:
+        """What the name of a road user tells of it: "an overtaking truck" overtakes ego."""
+        agent = self.cast.of.get(word.i)
+        named = word.span is not None and word.norm.startswith("overtaking ")
+        if not named or agent is None or agent.ego or any(e.act == "overtake" and e.agent is agent for e in self.events):
+            return
+        told = {"patient": self.cast.ego, "order": float(word.i), "words": [word.i]}
+        self.events.append(
+            Event("overtake", agent, word.i, "overtake", "overtake", start=word.start, end=word.end, **told)
+        )
 
     def _striking(self, word: Word) -> None:
         """A participle of contact taken for an adjective of whom it hits: "did not slow down, striking V1"."""

@@ -15,6 +15,7 @@ RIDDEN = frozenset(("bicycle", "motorcycle"))
 RESTS = language.words("rests")
 BOWS = language.words("bows")
 
+SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offside"))
 LOOSE = frozenset(("debris", "box", "obstacle"))
 THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
 BUMPED = language.words("bumped")
@@ -154,7 +155,7 @@ class Pronouns(Members):
                 break
             clause = self.words[clause.head]
         if clause.dep == "relcl" and clause.head in self.of and clause.head < word.i:
-            return self.of[clause.head]
+            return self._placed_beside(self.words[clause.head]) or self.of[clause.head]
         previous = [
             i
             for i in sorted(self.of)
@@ -163,10 +164,27 @@ class Pronouns(Members):
         if not previous:
             return None
         between = self.words[previous[-1] + 1 : word.i]
-        if any(w.noun for w in between) and clause.dep == "relcl" and self.words[clause.head].span is None:
+        if (
+            any(w.noun and w.norm not in SIDES for w in between)
+            and clause.dep == "relcl"
+            and self.words[clause.head].span is None
+        ):
             head = self.words[clause.head]
             return self.of.get(head.i) if head.i in self.of else None
         return self.of[previous[-1]]
+
+    def _placed_beside(self, noun: Word) -> Entity | None:
+        """Who is placed by ego right before "which": "a truck in front of ego that brakes"."""
+        above = self.words[noun.head]
+        if self.of[noun.i] is not self.ego or noun.dep != "pobj":
+            return None
+        for _ in range(3):
+            if above.i in self.of:
+                return self.of[above.i] if self.of[above.i] is not self.ego else None
+            if above.tag not in ("IN", "RB", "NN", "JJ", "RP"):
+                return None
+            above = self.words[above.head]
+        return self.of.get(above.i)
 
     def _salient(self, word: Word, accept) -> Entity | None:  # noqa: ANN001
         verb = self._governor(word)

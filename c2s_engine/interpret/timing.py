@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 AWAY = re.compile(
     r"(only )?(at (a |the )?(distance|range|gap) of (about |around |roughly |some )?#dist\b|with @ego #dist )"
 )
+BEFORE_THE_BLOW = frozenset(
+    ("run_red", "run_stop", "lose_control", "oncoming", "cross_path", "turn", "cut_in", "drift")
+)
 AT_A_DISTANCE = (
     "brake",
     "brake_stop",
@@ -51,6 +54,13 @@ class Timing(Modes):
             mark = event.adverbial
             if word.dep in ("acl", "pobj") and word.tag == "VBG" and main.act == "collide" and event.word > main.word:
                 event.order = main.order - 0.4  # "was hit by a car turning left"
+            if (
+                word.dep == "relcl"
+                and main.act == "collide"
+                and event.act in BEFORE_THE_BLOW
+                and event.word > main.word
+            ):
+                event.order = main.order - 0.4 if "then" not in event.text.split() else event.order
             if mark in ("after", "once", "when", "as", "having") and event.word > main.word:
                 event.order = main.order - 0.4
             elif mark == "before" and event.word < main.word:

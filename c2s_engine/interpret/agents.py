@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from c2s_engine.interpret.event import Event
 
 
+CONTACT = language.words("contact")
 HINDERS = language.words("hinders")
 
 
@@ -51,6 +52,9 @@ class Agents(Subjectless):
                     near = [t for t in self._everything(child) if t in self.cast.of and t - child <= 4]
                     if near:
                         return self.cast.of[near[0]], near[0], True
+            by = self._late_by(word)
+            if by is not None:
+                return self.cast.of[by], by, True
             whom = next((self.cast.referent(c) for c in subjects), None)
             if whom is None:
                 whom = self._inherited(word, depth)[0]
@@ -143,6 +147,13 @@ class Agents(Subjectless):
             if inverted[0] is not None:
                 return inverted
             for child in word.children:
+                if (
+                    child < word.i
+                    and self.words[child].dep == "ccomp"
+                    and self._is_verb(self.words[child])
+                    and (nearer := self._nearer_subject(child, word.i)) is not None
+                ):
+                    return nearer, word.i, False
                 if (
                     child < word.i
                     and self.words[child].dep == "ccomp"
@@ -254,6 +265,17 @@ class Agents(Subjectless):
                 return agent, at, False
         return self._inverted(word)
 
+    def _hitter(self, word: Word) -> Entity | None:
+        """Who hits ego where the tree gives ego itself: "tried to pass while I was turning and crashed into me"."""
+        head = self.words[word.head]
+        if word.dep != "conj" or head.dep != "advcl" or self._lemma(word) not in CONTACT or self._subjects_of(word):
+            return None
+        if not any(self.cast.of.get(i) is self.cast.ego for i in self._below(word.i) if self.words[i].tag != "PRP$"):
+            return None
+        main = self._governor(head)
+        found = self._subject(main)[0] if main is not None else None
+        return found if found is not None and not found.ego else None
+
     def _kept_from(self, word: Word, above: Word | None) -> int | None:
         """Who is kept from doing something by another: "traffic prevents ego from turning"."""
         if above is None or word.dep != "pcomp" or self.words[word.head].norm != "from":
@@ -288,13 +310,6 @@ class Agents(Subjectless):
                     "dart",
                     "roll",
                     "step",
-                    "jump",
-                    "cross",
-                    "stop",
-                    "pull",
-                    "turn",
-                    "wait",
-                    "overtake",
                 )
             ):
                 found = self.cast.referent(child)

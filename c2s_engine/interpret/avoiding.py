@@ -15,7 +15,8 @@ AVOIDS = re.compile(
     rf"|{JERKS} (?:\w+ )?(?:to the )?(?:left|right)(?= (?:and|but|when|as|while|[,.;])| ?$)"
 )
 GIVES_UP = re.compile(
-    r"\b(abort\w*|abandon\w*|cancel\w*|breaks? (it )?off|gives? up|gave up|changes? (its|his|her) mind"
+    r"\b((?:drop|fall|tuck|pull)\w* back(?: in)?(?= (?:behind|again|in|because|when|as|due|since|once)\b| ?[.,;]| ?$)"
+    r"|abort\w*|abandon\w*|cancel\w*|breaks? (it )?off|gives? up|gave up|changes? (its|his|her) mind"
     r"|think(s)? better of it|(go|goes|went|move|moves|moved|pull|pulls|pulled|steer|steers|swerve|swerves|drift|drifts"
     r"|come|comes|slip|slips|swing|swings) (right |straight )?back(?! (in|to) front)"
     r"|returns? to (its|the|his|her) (own |original |previous |initial )?lane)\b"
@@ -48,13 +49,16 @@ def abandoned(cast: Cast, clauses: Clauses) -> None:
             continue
         words, at = cast.words, cast.words[event.word]
         begun = clauses._lemma(words[at.head]) in (BEGINS if at.head != at.i else BEGINS - {"go"})
+        out = clauses.by_word.get(at.head)  # "pulls out to overtake, but drops back"
+        begun = begun or event.mode == "purpose" or at.tag == "VB" and out is not None and out.act == "lane_change"
         later = [w for w in words if w.i > event.word and w.sentence - at.sentence <= 1]
         given_up = GIVES_UP.search(" ".join(w.norm for w in later))
         if not begun or given_up is None:
             continue
         word = _word_at(later, given_up.start())
         others = [e for e in clauses.events if event.word < e.word < word and e.agent is not event.agent]
-        if any(
+        own = any(e.word == word and e.agent is event.agent for e in clauses.events)
+        if not own and any(
             not e.agent.ego or e.act == "overtake" for e in others if words[e.word].sentence == words[word].sentence
         ):
             continue

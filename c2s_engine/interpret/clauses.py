@@ -92,6 +92,8 @@ class Clauses(Nominal):
         agent = self._causer(word) or self._qualified(word) or agent
         if (before := self._joined_subject(word)) is not None:
             agent, at = self.cast.of[before], before
+        if agent is not None and agent.ego and (hitter := self._hitter(word)) is not None:
+            agent = hitter
         if agent is None and word.tag.startswith("NN"):
             agent = next((self.cast.of[c] for c in word.children if c < word.i and c in self.cast.of), None)
         if (
@@ -262,6 +264,8 @@ class Clauses(Nominal):
             if "any" in patterns and not patterns["any"].search(whole):
                 continue
             if "not" in patterns and patterns["not"].search(whole if rule["act"] != "reverse" else text):
+                continue
+            if rule.get("whom") == "person" and (patient is None or not patient.person):
                 continue
             actor = patient if rule.get("swap") else agent
             if rule["act"] in ("none", "stop_none"):

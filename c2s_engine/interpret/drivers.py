@@ -105,6 +105,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             phases.append(Phase(action="overtake", target=who or passed(scene, ids), side=towards, trigger=trigger))
             if phases[-1].target is None:
                 phases.pop()
+        elif act == "cut_in" and any(p.action.startswith("turn_") for p in phases):
+            continue  # its turn is what cuts the other off
         elif act == "cut_in":
             phases.append(Phase(action="cut_in" if who else "lane_change", target=who, side=towards, trigger=trigger))
         elif act == "turn":

@@ -66,7 +66,12 @@ class Nominal(Timing):
         """What the name of a road user tells of it: "an overtaking truck" overtakes ego."""
         agent = self.cast.of.get(word.i)
         named = word.span is not None and word.norm.startswith("overtaking ")
-        if not named or agent is None or agent.ego or any(e.act == "overtake" and e.agent is agent for e in self.events):
+        if (
+            not named
+            or agent is None
+            or agent.ego
+            or any(e.act == "overtake" and e.agent is agent for e in self.events)
+        ):
             return
         told = {"patient": self.cast.ego, "order": float(word.i), "words": [word.i]}
         self.events.append(

@@ -85,10 +85,12 @@ class Pronouns(Members):
         i = self._first_person() and not self._ego_is_thing()
 
         def fits(e: Entity) -> bool:
-            moves = e.mover and (not e.person or bumped and e.type == "animal")
-            return (moves or e.type in things) and not (i and e.ego)
+            return (not e.person and e.mover or e.type in things) and not (i and e.ego)
 
-        return self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
+        found = self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
+        if found is None and bumped:
+            found = self._salient(word, lambda e: e.type == "animal")
+        return found
 
     def _rests(self, entity: Entity) -> bool:
         """Whether a vehicle was told of as standing: nobody in it is "he"."""

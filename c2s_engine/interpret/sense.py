@@ -29,6 +29,8 @@ def _was_over(cast: Cast, event: Event, clauses: Clauses) -> bool:
     return first and not any(e.agent is event.agent and e.word < event.word for e in clauses.events)
 
 
+JERKS = ("swerve", "veer", "jink")
+INTO = re.compile(r"\b(?:in|on)to (?:the |an? |its )?(?:\w+ )?(?:road|street|drive\w*|lot|lane|avenue|entrance)\b")
 FIRST = re.compile(r"(?:pass|go|drive|proceed|cross|move|turn|enter|get|come|travel|clear)\b[^.;]*?\bfirst\b")
 
 
@@ -79,8 +81,8 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             event.act, event.mode = "cross_path", "fact"
         if event.act == "turn_or_change":
             verb = clauses._lemma(cast.words[event.word])
-            turns = road.kind in ("intersection", "roundabout")
-            event.act = "turn" if turns else "swerve" if verb in ("swerve", "veer", "jink") else "lane_change"
+            turns = road.kind in ("intersection", "roundabout") and (verb not in JERKS or INTO.search(event.text))
+            event.act = "turn" if turns else "swerve" if verb in JERKS else "lane_change"
         if event.act == "pass_by":
             junction = road.kind == "intersection" and not re.search(r"lane|left|right|behind", event.whole)
             event.act = (

@@ -80,6 +80,23 @@ class Subjectless(Patients):
         one = self.words[after].tag == "NN" and self.words[after].dep == "dobj" and not self.cast.of[after].ego
         return self.cast.of[after] if first and one else None
 
+    def _nearer_subject(self, first: int, verb: int) -> Entity | None:
+        """Who is spoken of between two clauses: "a deer ran out, the driver swerved, went off the road"."""
+        for word in reversed(self.words[first + 1 : verb]):
+            if word.dep in ("nsubj", "nsubjpass") and word.head > word.i and word.head < verb:
+                return self.cast.of.get(word.i) or (self.cast.ego if word.norm == "driver" else None)
+        return None
+
+    def _late_by(self, word: Word) -> int | None:
+        """Who did it, named by a "by" that the tree hangs lower: "is overtaken on the right by a van"."""
+        for at in self._below(word.i):
+            if at < word.i or self.words[at].norm != "by" or self.words[at].dep not in ("prep", "agent"):
+                continue
+            near = [c for c in self.words[at].children if c in self.cast.of and self.words[c].dep == "pobj"]
+            if near and self.cast.of[near[0]].mover:
+                return near[0]
+        return None
+
     def _headless(self, verb: Word) -> bool:
         """Whether a note tells without a subject what became of its writer: "Braked for a cat, was hit by a van"."""
         opening = [w for w in self.words[: verb.i] if w.sentence == verb.sentence]

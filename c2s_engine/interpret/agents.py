@@ -4,17 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from c2s_engine.interpret import language
 from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.subjectless import Subjectless
 from c2s_engine.interpret.syntax import Word
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.event import Event
-
-
-CONTACT = language.words("contact")
-HINDERS = language.words("hinders")
 
 
 class Agents(Subjectless):
@@ -100,45 +95,12 @@ class Agents(Subjectless):
             return self.cast.of[beside], beside, False
         return self._inherited(word, depth)
 
-    def _joined_subject(self, word: Word) -> int | None:
-        """The subject that was taken for the object before "and": "V2 struck V1 and V3 then struck V2"."""
-        if word.dep not in ("conj", "dep") or word.tag not in ("VBD", "VBZ", "VBP"):
-            return None
-        at = word.i - 1
-        while at > 0 and self.words[at].tag == "RB":
-            at -= 1
-        found = self.words[at]
-        first = at
-        while first > 0 and self.words[first - 1].tag in ("DT", "JJ", "PRP$"):
-            first -= 1
-        apart = first > 0 and self.words[first - 1].norm in ("and", "but")
-        joined = found.dep == "conj" and self.words[found.head].tag.startswith(("NN", "PRP")) and found.head < found.i
-        return at if apart and joined and at in self.cast.of and found.span is not None else None
-
     def _reduced(self, word: Word) -> Entity | None:
         """The noun of "vehicle approaching from the left does not yield", which is parsed as a clause for a subject."""
         if word.dep != "csubj" or word.tag not in ("VBG", "VBN"):
             return None
         nouns = [c for c in word.children if c < word.i and self.words[c].dep in ("nsubj", "nsubjpass")]
         return self.cast.referent(nouns[0]) if nouns else None
-
-    def _after_bracket(self, word: Word) -> int | None:
-        """Who stands before the participle between commas, for it and for the verb behind it: "the van, having lost
-        control, crosses"."""
-        first = min(self._everything(word.i)) if word.tag in ("VBG", "VBN") and word.dep == "advcl" else None
-        if first is not None:
-            closing = next((w.i for w in self.words[word.i + 1 :] if w.norm == ","), None)
-            last = self.words[closing + 1] if closing is not None and closing + 1 < len(self.words) else None
-            if last is None or last.sentence != word.sentence or last.tag not in ("VBZ", "VBD"):
-                return None
-        elif word.tag in ("VBZ", "VBD") and word.i and self.words[word.i - 1].norm == ",":
-            opening = [w.i for w in self.words[max(0, word.i - 16) : word.i - 1] if w.norm == ","]
-            first = opening[-1] + 1 if opening else None
-            if first is None or self.words[first].tag not in ("VBG", "VBN"):
-                return None
-        if first is None or first < 2 or self.words[first - 1].norm != "," or self.words[first - 2].span is None:
-            return None
-        return first - 2 if first - 2 in self.cast.of and self.words[first - 2].sentence == word.sentence else None
 
     def _inherited(self, word: Word, depth: int) -> tuple[Entity | None, int | None, bool]:
         head = self.words[word.head]
@@ -265,24 +227,6 @@ class Agents(Subjectless):
                 return agent, at, False
         return self._inverted(word)
 
-    def _hitter(self, word: Word) -> Entity | None:
-        """Who hits ego where the tree gives ego itself: "tried to pass while I was turning and crashed into me"."""
-        head = self.words[word.head]
-        if word.dep != "conj" or head.dep != "advcl" or self._lemma(word) not in CONTACT or self._subjects_of(word):
-            return None
-        if not any(self.cast.of.get(i) is self.cast.ego for i in self._below(word.i) if self.words[i].tag != "PRP$"):
-            return None
-        main = self._governor(head)
-        found = self._subject(main)[0] if main is not None else None
-        return found if found is not None and not found.ego else None
-
-    def _kept_from(self, word: Word, above: Word | None) -> int | None:
-        """Who is kept from doing something by another: "traffic prevents ego from turning"."""
-        if above is None or word.dep != "pcomp" or self.words[word.head].norm != "from":
-            return None
-        objects = [c for c in above.children if self.words[c].dep == "dobj" and self.cast.referent(c) is not None]
-        return objects[0] if objects and self._lemma(above) in HINDERS else None
-
     def _inverted(self, word: Word) -> tuple[Entity | None, int | None, bool]:
         """ "Up from behind comes a motorcyclist"; "standing in the lane is a car"."""
         for child in word.children:
@@ -326,14 +270,6 @@ class Agents(Subjectless):
                     if found:
                         return found, child, False
         return None, None, False
-
-    def _governor(self, word: Word) -> Word | None:
-        current = word
-        while current.head != current.i:
-            current = self.words[current.head]
-            if current.verb or self._is_verb(current):
-                return current
-        return None
 
     def _beside_preposition(self, word: Word) -> Entity | None:
         """The noun between a preposition and its participle: "due to a child running into the road"."""

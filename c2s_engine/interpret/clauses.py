@@ -7,7 +7,6 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast, Entity
-from c2s_engine.interpret.modes import CONTACT
 from c2s_engine.interpret.motions import rules
 from c2s_engine.interpret.nominal import Nominal
 from c2s_engine.interpret.syntax import Word
@@ -19,8 +18,6 @@ OUT_OF = re.compile(
 FORCEFUL = language.words("forceful")
 
 
-DRIVES = language.words("drives")
-STANDS_STILL = language.words("stands_still")
 PUSHES = language.words("pushes")
 PUTS = language.words("puts")
 NEARLY = language.words("nearly")
@@ -225,30 +222,6 @@ class Clauses(Nominal):
         if word.dep != "pcomp" or above.norm != "by" or verb.dep not in ("xcomp", "ccomp", "advcl"):
             return None
         return self._subject(self.words[verb.head])[0] if self._lemma(self.words[verb.head]) in CAUSES else None
-
-    def _dangles(self, word: Word, agent: Entity) -> bool:
-        """Whether a participle's object is the one taken for its agent ("following a truck, it stops"), or its main
-        clause tells of somebody who cannot do it ("while reversing, a child was struck"): ego does it."""
-        if agent.ego or any(self.words[c].dep in ("nsubj", "nsubjpass") for c in word.children):
-            return False
-        if self._qualified(word) is agent:
-            return False
-        if self._fronted_drive(word, agent):
-            return True
-        return any(self.words[c].dep == "dobj" and self.cast.of.get(c) is agent for c in word.children)
-
-    def _fronted_drive(self, word: Word, agent: Entity) -> bool:
-        """Whether a participle that opens its sentence tells what ego did when the subject came or hit it."""
-        main = self._governor(word)
-        opens = not any(w.sentence == word.sentence and w.i in self.cast.of for w in self.words[: word.i])
-        if main is None or main.i < word.i or not opens:
-            return False
-        if agent.person:
-            return self._lemma(word) in DRIVES
-        if agent.type == "bicycle" or self._lemma(word) not in STANDS_STILL:
-            return self._lemma(word) in ("drive", "reverse") and agent.type == "bicycle"
-        objects = [c for i in main.children if i > main.i for c in self._below(i)]
-        return self._lemma(main) in CONTACT and any(self.cast.of.get(c) is self.cast.ego for c in objects)
 
     def _event(
         self, lemma: str, word: Word, text: str, whole: str, agent: Entity | None, patient: Entity | None

@@ -21,6 +21,7 @@ UNSEEN = re.compile(
 
 FROM_BEHIND = re.compile(r"\bfrom (?:behind|the rear)|\brear-?end")
 STANDING_OR_LED = frozenset(("stationary", "parked", "lead", "oncoming", "crossing"))
+SWERVES = ("swerve", "veer", "steer", "dodge", "jink", "weave")
 ANSWERS = frozenset(("yield", "brake", "brake_stop", "stop", "evade", "swerve"))
 NEAR_JUNCTION = re.compile(
     r"\b(?:intersections?|junctions?|crossroads|roundabout|side (?:road|street)|driveway|t-junction|traffic lights?)\b"
@@ -44,6 +45,8 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _unseen(event, cast, clauses, of)
         elif event.done and event.agent in of and (_comes_over(event, of) or _overtakes_oncoming(event, of)):
             event.act, event.side = "oncoming", "left"
+        elif event.done and event.act == "overtake" and event.agent in of and event.patient is None:
+            _past_another(event, clauses, of[event.agent])
         elif event.done and event.act == "yield" and event.agent.ego and event.patient in of:
             _urgent(event.patient, clauses, of[event.patient])
         elif event.mode == "negated" and event.act == "yield" and event.agent in of:
@@ -145,6 +148,13 @@ def _urgent(who: Entity, clauses: Clauses, where: Where) -> None:
     aside = any(e.agent.ego and e.done and e.act in ("lane_change", "leave_road") for e in clauses.events)
     if aside and who.type in URGENT and where.open and where.lane is None:
         where.rel, where.lane = "behind", "same"
+
+
+def _past_another(event: Event, clauses: Clauses, where: Where) -> None:
+    """Who is ahead of ego and gets past somebody unnamed moves out of its lane; it does not overtake ego."""
+    if where.rel == "ahead" and where.lane in (None, "same") and (where.of is None or where.of.ego):
+        around = clauses._lemma(clauses.words[event.word]) in SWERVES
+        event.act, event.side = ("swerve" if around else "lane_change"), event.side or "left"
 
 
 def _on_the_side(event: Event, where: Where) -> None:

@@ -9,6 +9,7 @@ from c2s_engine.interpret.syntax import Word
 CONTACT = language.words("contact")
 
 
+LETTING = ("let", "allow", "permit")
 CHANCES = language.words("chances")
 SEEKS = language.words("seeks")
 
@@ -90,7 +91,7 @@ class Modes(Agents):
             ):
                 above = self._mode(self.words[head.head])
                 mode = above if above in ("negated", "hypothetical") and mode == "fact" else mode
-            elif word.dep == "xcomp" and head.verb and self._is_verb(head):
+            elif (word.dep == "xcomp" or lemma in LETTING) and head.verb and self._is_verb(head):
                 above = self._mode(head)
                 if above in ("negated", "hypothetical") and mode == "fact":
                     mode = above

@@ -42,6 +42,9 @@ def _may_follow(doer: Entity | None, clauses: Clauses) -> bool:
     if doer is None or doer.type not in MOTOR or doer.roles & {"lead", "oncoming", "parked", "stationary"}:
         return False
     ahead = ("brake", "stop", "brake_stop", "stationary", "cut_in", "turn", "cross_path")
+    near = {w.norm for m in doer.mentions for w in clauses.words[max(0, m.word - 3) : m.word + 5]}
+    if "behind" in near or any(e.act == "follow" and e.agent is doer for e in clauses.events):
+        return True
     met = any(e.agent.ego and e.patient is doer for e in clauses.events)
     return not met and not any(e.agent is doer and e.act in ahead for e in clauses.events)
 

@@ -57,7 +57,8 @@ class Patients(Rendering):
                 found = self.cast.referent(word.head)
                 if found is not None and found is not agent:
                     return found
-            inherited = self._inherited(word, 0)[0]
+            own_subject = any(self.words[c].dep == "nsubjpass" for c in word.children)
+            inherited = None if own_subject else self._inherited(word, 0)[0]
             if inherited is not None and inherited is not agent:
                 return inherited
         direct = [c for c in word.children if self.words[c].dep in ("dobj", "dative", "oprd")]

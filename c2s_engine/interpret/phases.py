@@ -53,9 +53,9 @@ def phases_of(
         and place.kind == "intersection"
     ):
         words = " ".join(scene.words[m.word].norm for m in entity.mentions)
-        found = [p for p in found if p.action != "go_straight"] + [
-            Phase(action="turn_right" if "right" in words else "turn_left")
-        ]
+        turn = Phase(action="turn_right" if "right" in words else "turn_left")
+        hits = [p for p in found if p.action == "collide"]
+        found = [p for p in found if p.action not in ("go_straight", "collide")] + [turn, *hits]
     if (
         "cut_in" in entity.roles
         and not any(p.action == "cut_in" for p in found)

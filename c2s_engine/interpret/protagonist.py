@@ -47,7 +47,8 @@ EGO_LIKE = frozenset(
 
 FROM_ASIDE = re.compile(
     r"^(?!.*\b(?:turn|chang|merg|mov|swerv|veer)\w*\b.* from ).*\bfrom (?:the |its )?"
-    r"(?:left|right|rear|behind|front|opposite (?:side|direction))\b(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb))"
+    r"(?:left|right|rear|behind|front|opposite (?:side|direction|carriageway|lane))\b"
+    r"(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb))"
 )
 """A way by which one comes towards somebody who is not named: that is ego."""
 

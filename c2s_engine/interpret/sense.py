@@ -83,6 +83,9 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             verb = clauses._lemma(cast.words[event.word])
             turns = road.kind in ("intersection", "roundabout") and (verb not in JERKS or INTO.search(event.text))
             event.act = "turn" if turns else "swerve" if verb in JERKS else "lane_change"
+        steers = event.act == "turn" and clauses._lemma(cast.words[event.word]) == "steer"
+        if steers and road.kind not in ("intersection", "roundabout") and not INTO.search(event.text):
+            event.act = "swerve"
         if event.act == "pass_by":
             junction = road.kind == "intersection" and not re.search(r"lane|left|right|behind", event.whole)
             event.act = (

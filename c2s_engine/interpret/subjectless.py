@@ -1,10 +1,16 @@
-"""Who does it where no subject stands before the verb: headings, notes, and subjects behind it."""
+"""Who does it where no subject stands before the verb: headings, notes, participles, subjects behind it."""
 
 from __future__ import annotations
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.mentions import Entity
 from c2s_engine.interpret.patients import Patients
 from c2s_engine.interpret.syntax import Word
+
+CONTACT = language.words("contact")
+DRIVES = language.words("drives")
+HINDERS = language.words("hinders")
+STANDS_STILL = language.words("stands_still")
 
 
 class Subjectless(Patients):
@@ -101,3 +107,86 @@ class Subjectless(Patients):
         """Whether a note tells without a subject what became of its writer: "Braked for a cat, was hit by a van"."""
         opening = [w for w in self.words[: verb.i] if w.sentence == verb.sentence]
         return not any(w.dep in ("nsubj", "nsubjpass", "csubj", "expl") for w in opening)
+
+    def _dangles(self, word: Word, agent: Entity) -> bool:
+        """Whether a participle's object is the one taken for its agent ("following a truck, it stops"), or its main
+        clause tells of somebody who cannot do it ("while reversing, a child was struck"): ego does it."""
+        if agent.ego or any(self.words[c].dep in ("nsubj", "nsubjpass") for c in word.children):
+            return False
+        if self._qualified(word) is agent:
+            return False
+        if self._fronted_drive(word, agent):
+            return True
+        return any(self.words[c].dep == "dobj" and self.cast.of.get(c) is agent for c in word.children)
+
+    def _fronted_drive(self, word: Word, agent: Entity) -> bool:
+        """Whether a participle that opens its sentence tells what ego did when the subject came or hit it."""
+        main = self._governor(word)
+        opens = not any(w.sentence == word.sentence and w.i in self.cast.of for w in self.words[: word.i])
+        if main is None or main.i < word.i or not opens:
+            return False
+        if agent.person:
+            return self._lemma(word) in DRIVES
+        if agent.type == "bicycle" or self._lemma(word) not in STANDS_STILL:
+            return self._lemma(word) in ("drive", "reverse") and agent.type == "bicycle"
+        objects = [c for i in main.children if i > main.i for c in self._below(i)]
+        return self._lemma(main) in CONTACT and any(self.cast.of.get(c) is self.cast.ego for c in objects)
+
+    def _hitter(self, word: Word) -> Entity | None:
+        """Who hits ego where the tree gives ego itself: "tried to pass while I was turning and crashed into me"."""
+        head = self.words[word.head]
+        if word.dep != "conj" or head.dep != "advcl" or self._lemma(word) not in CONTACT or self._subjects_of(word):
+            return None
+        if not any(self.cast.of.get(i) is self.cast.ego for i in self._below(word.i) if self.words[i].tag != "PRP$"):
+            return None
+        main = self._governor(head)
+        found = self._subject(main)[0] if main is not None else None
+        return found if found is not None and not found.ego else None
+
+    def _kept_from(self, word: Word, above: Word | None) -> int | None:
+        """Who is kept from doing something by another: "traffic prevents ego from turning"."""
+        if above is None or word.dep != "pcomp" or self.words[word.head].norm != "from":
+            return None
+        objects = [c for c in above.children if self.words[c].dep == "dobj" and self.cast.referent(c) is not None]
+        return objects[0] if objects and self._lemma(above) in HINDERS else None
+
+    def _governor(self, word: Word) -> Word | None:
+        current = word
+        while current.head != current.i:
+            current = self.words[current.head]
+            if current.verb or self._is_verb(current):
+                return current
+        return None
+
+    def _joined_subject(self, word: Word) -> int | None:
+        """The subject that was taken for the object before "and": "V2 struck V1 and V3 then struck V2"."""
+        if word.dep not in ("conj", "dep") or word.tag not in ("VBD", "VBZ", "VBP"):
+            return None
+        at = word.i - 1
+        while at > 0 and self.words[at].tag == "RB":
+            at -= 1
+        found = self.words[at]
+        first = at
+        while first > 0 and self.words[first - 1].tag in ("DT", "JJ", "PRP$"):
+            first -= 1
+        apart = first > 0 and self.words[first - 1].norm in ("and", "but")
+        joined = found.dep == "conj" and self.words[found.head].tag.startswith(("NN", "PRP")) and found.head < found.i
+        return at if apart and joined and at in self.cast.of and found.span is not None else None
+
+    def _after_bracket(self, word: Word) -> int | None:
+        """Who stands before the participle between commas, for it and for the verb behind it: "the van, having lost
+        control, crosses"."""
+        first = min(self._everything(word.i)) if word.tag in ("VBG", "VBN") and word.dep == "advcl" else None
+        if first is not None:
+            closing = next((w.i for w in self.words[word.i + 1 :] if w.norm == ","), None)
+            last = self.words[closing + 1] if closing is not None and closing + 1 < len(self.words) else None
+            if last is None or last.sentence != word.sentence or last.tag not in ("VBZ", "VBD"):
+                return None
+        elif word.tag in ("VBZ", "VBD") and word.i and self.words[word.i - 1].norm == ",":
+            opening = [w.i for w in self.words[max(0, word.i - 16) : word.i - 1] if w.norm == ","]
+            first = opening[-1] + 1 if opening else None
+            if first is None or self.words[first].tag not in ("VBG", "VBN"):
+                return None
+        if first is None or first < 2 or self.words[first - 1].norm != "," or self.words[first - 2].span is None:
+            return None
+        return first - 2 if first - 2 in self.cast.of and self.words[first - 2].sentence == word.sentence else None

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.mentions import Cast, Entity
-from c2s_engine.interpret.patients import Patients
+from c2s_engine.interpret.subjectless import Subjectless
 from c2s_engine.interpret.syntax import Word
 
 if TYPE_CHECKING:
@@ -16,7 +16,7 @@ UNCHANGED = frozenset(("hit", "cut", "put", "let", "shut"))
 """Verbs whose past is like their base form."""
 
 
-class Agents(Patients):
+class Agents(Subjectless):
     """The part of Clauses that finds the parties of a verb or noun."""
 
     words: list[Word]
@@ -32,8 +32,13 @@ class Agents(Patients):
         passive = passive or word.tag == "VBN" and any(self.words[c].dep == "agent" for c in word.children)
         subjects = [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass", "csubj")]
         subjects = [c for c in subjects if not self.words[c].norm.endswith("self")] or subjects  # "its driver himself"
+        if word.tag == "VBG" and word.dep == "pobj" and word.i - 1 in word.children and word.i - 1 in self.cast.of:
+            return self.cast.of[word.i - 1], word.i - 1, False  # "hit by a van changing lanes"
         subjects.sort(key=lambda c: (c > word.i, -c))
         if passive:
+            late = self._late_subject(word)
+            if late is not None:
+                return self.cast.of[late], late, False
             for child in word.children:
                 if (
                     self.words[child].dep == "agent"
@@ -47,6 +52,9 @@ class Agents(Patients):
                     near = [t for t in self._everything(child) if t in self.cast.of and t - child <= 4]
                     if near:
                         return self.cast.of[near[0]], near[0], True
+            by = self._late_by(word)
+            if by is not None:
+                return self.cast.of[by], by, True
             whom = next((self.cast.referent(c) for c in subjects), None)
             if whom is None:
                 whom = self._inherited(word, depth)[0]
@@ -92,45 +100,12 @@ class Agents(Patients):
             return self.cast.of[beside], beside, False
         return self._inherited(word, depth)
 
-    def _joined_subject(self, word: Word) -> int | None:
-        """The subject that was taken for the object before "and": "V2 struck V1 and V3 then struck V2"."""
-        if word.dep not in ("conj", "dep") or word.tag not in ("VBD", "VBZ", "VBP"):
-            return None
-        at = word.i - 1
-        while at > 0 and self.words[at].tag == "RB":
-            at -= 1
-        found = self.words[at]
-        first = at
-        while first > 0 and self.words[first - 1].tag in ("DT", "JJ", "PRP$"):
-            first -= 1
-        apart = first > 0 and self.words[first - 1].norm in ("and", "but")
-        joined = found.dep == "conj" and self.words[found.head].tag.startswith(("NN", "PRP")) and found.head < found.i
-        return at if apart and joined and at in self.cast.of and found.span is not None else None
-
     def _reduced(self, word: Word) -> Entity | None:
         """The noun of "vehicle approaching from the left does not yield", which is parsed as a clause for a subject."""
         if word.dep != "csubj" or word.tag not in ("VBG", "VBN"):
             return None
         nouns = [c for c in word.children if c < word.i and self.words[c].dep in ("nsubj", "nsubjpass")]
         return self.cast.referent(nouns[0]) if nouns else None
-
-    def _after_bracket(self, word: Word) -> int | None:
-        """Who stands before the participle between commas, for it and for the verb behind it: "the van, having lost
-        control, crosses"."""
-        first = min(self._everything(word.i)) if word.tag in ("VBG", "VBN") and word.dep == "advcl" else None
-        if first is not None:
-            closing = next((w.i for w in self.words[word.i + 1 :] if w.norm == ","), None)
-            last = self.words[closing + 1] if closing is not None and closing + 1 < len(self.words) else None
-            if last is None or last.sentence != word.sentence or last.tag not in ("VBZ", "VBD"):
-                return None
-        elif word.tag in ("VBZ", "VBD") and word.i and self.words[word.i - 1].norm == ",":
-            opening = [w.i for w in self.words[max(0, word.i - 16) : word.i - 1] if w.norm == ","]
-            first = opening[-1] + 1 if opening else None
-            if first is None or self.words[first].tag not in ("VBG", "VBN"):
-                return None
-        if first is None or first < 2 or self.words[first - 1].norm != "," or self.words[first - 2].span is None:
-            return None
-        return first - 2 if first - 2 in self.cast.of and self.words[first - 2].sentence == word.sentence else None
 
     def _inherited(self, word: Word, depth: int) -> tuple[Entity | None, int | None, bool]:
         head = self.words[word.head]
@@ -143,6 +118,13 @@ class Agents(Patients):
                     child < word.i
                     and self.words[child].dep == "ccomp"
                     and self._is_verb(self.words[child])
+                    and (nearer := self._nearer_subject(child, word.i)) is not None
+                ):
+                    return nearer, word.i, False
+                if (
+                    child < word.i
+                    and self.words[child].dep == "ccomp"
+                    and self._is_verb(self.words[child])
                     and any(self.words[c].dep == "nsubj" for c in self.words[child].children)
                 ):
                     return self._subject(self.words[child], depth + 1)
@@ -150,7 +132,7 @@ class Agents(Patients):
         if depth > 6:
             return self._inverted(word)
         if word.dep in ("acl", "relcl"):
-            found = self.cast.referent(head.i)
+            found = self._placed_by(head, word) or self.cast.referent(head.i)
             if found is not None:
                 if word.tag == "VBN" and word.dep == "acl":
                     for child in word.children:
@@ -162,9 +144,17 @@ class Agents(Patients):
                 return found, head.i, word.dep == "acl" and word.tag == "VBN"
             if word.dep == "acl" and head.tag.startswith("NN"):
                 above = self._governor(head)
-                if above is not None and above.i != word.i and word.tag in ("VB", "VBG"):
+                bound = word.tag == "VB" or word.tag == "VBG" and head.dep != "pobj"  # "over a tyre lying there"
+                if above is not None and above.i != word.i and bound:
                     return self._subject(above, depth + 1)
             return None, head.i, False
+        if (
+            word.dep == "xcomp"
+            and head.tag == "JJ"
+            and head.dep in ("amod", "acl", "appos")
+            and head.head in self.cast.of
+        ):
+            return self.cast.of[head.head], head.head, False  # "a truck unable to stop"
         if word.dep == "xcomp" and head.dep == "acomp" and self.words[head.head].verb:  # "is able to go by"
             return self._subject(self.words[head.head], depth + 1)
         if word.dep == "xcomp" or word.dep == "ccomp":
@@ -183,6 +173,9 @@ class Agents(Patients):
                 return agent, at, False
         if word.dep in ("pcomp", "advcl", "conj", "parataxis", "dep", "csubj", "prep", "amod", "appos", "punct"):
             above = head if head.verb or self._is_verb(head) else self._governor(head)
+            kept = self._kept_from(word, above)
+            if kept is not None:
+                return self.cast.referent(kept), kept, False
             if word.dep == "pcomp" and above is not None and above.dep == "ccomp" and head.norm == "before":
                 letting = self.words[above.head]
                 above = letting if letting.lemma in ("let", "allow") else above  # "let it pass before turning"
@@ -235,6 +228,8 @@ class Agents(Patients):
                     passed = [c for c in above.children if self.words[c].dep == "nsubjpass"]
                     if passed and self.cast.referent(passed[0]):
                         return self.cast.referent(passed[0]), passed[0], False
+                    if above.dep == "ROOT" and not passed and self._headless(above):
+                        return None, None, False
                 return agent, at, False
         return self._inverted(word)
 
@@ -265,6 +260,10 @@ class Agents(Patients):
                     "run",
                     "walk",
                     "go",
+                    "shoot",
+                    "dart",
+                    "roll",
+                    "step",
                 )
             ):
                 found = self.cast.referent(child)
@@ -282,44 +281,11 @@ class Agents(Patients):
                         return found, child, False
         return None, None, False
 
-    def _governor(self, word: Word) -> Word | None:
-        current = word
-        while current.head != current.i:
-            current = self.words[current.head]
-            if current.verb or self._is_verb(current):
-                return current
-        return None
-
     def _beside_preposition(self, word: Word) -> Entity | None:
         """The noun between a preposition and its participle: "due to a child running into the road"."""
         nouns = [c for c in self.words[word.head].children if self.words[c].dep == "pobj" and c < word.i]
         near = [c for c in nouns if word.i - c <= 2 and self.words[c].span is not None]
         return self.cast.of.get(near[-1]) if near else None
-
-    def topic(self, word: Word) -> Entity | None:
-        """The one that a sentence is headed with: "Challenger: left lane, 90 km/h, cuts in"."""
-        sentence = [w for w in self.words[max(0, word.i - 60) : word.i] if w.sentence == word.sentence]
-        for first, second in zip(sentence, sentence[1:], strict=False):
-            if second.norm in (":", "-") and first.i in self.cast.of and first.span is not None:
-                return self.cast.of[first.i]
-        return None
-
-    def _continued(self, word: Word) -> Entity | None:
-        """The one spoken of in the sentence before, for a finite verb that opens a sentence: "Bus ahead. Brakes." """
-        if word.tag not in ("VBZ", "VBD", "NNS") or word.dep != "ROOT" or word.i == 0:
-            return None
-        opening = [w for w in self.words[: word.i] if w.sentence == word.sentence]
-        if any(w.noun or w.verb or w.span is not None for w in opening):
-            return None
-        subjects = {i for i, _ in self.cast.subjects}
-        for number in (word.sentence - 1, word.sentence - 2):
-            spoken = [
-                i for i in sorted(self.cast.of) if self.words[i].sentence == number and self.words[i].tag != "PRP$"
-            ]
-            first = next((i for i in reversed(spoken) if i in subjects), spoken[0] if spoken else None)
-            if first is not None:
-                return self.cast.of[first]
-        return None
 
     def _nearest(self, word: Word, at: int | None) -> Entity | None:
         """The nearest noun before the verb that no preposition governs, where the tree gives no agent."""

@@ -1,5 +1,7 @@
 """Which of those spoken of belong to the scene."""
 
+import re
+
 from c2s_engine.interpret import language
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import VEHICLES, ZONES, Entity
@@ -7,8 +9,9 @@ from c2s_engine.interpret.scene import Scene
 
 
 def _tried(event: Event) -> bool:
-    """Whether ego means to overtake and does not: who is ahead is there all the same."""
-    return event.act == "overtake" and event.mode == "hypothetical" and event.agent.ego
+    """Whether ego means to overtake and does not, or avoids to hit somebody: who is ahead is there all the same."""
+    avoided = event.act == "collide" and event.mode == "negated" and re.search(r"\b(?:avoid|miss|prevent)", event.whole)
+    return event.agent.ego and (event.act == "overtake" and event.mode == "hypothetical" or bool(avoided))
 
 
 def actors(scene: Scene) -> list[Entity]:

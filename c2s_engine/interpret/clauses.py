@@ -18,6 +18,7 @@ OUT_OF = re.compile(
 FORCEFUL = language.words("forceful")
 
 
+PUSHES = language.words("pushes")
 PUTS = language.words("puts")
 STEERED = frozenset(("driven", "operated", "steered", "ridden", "piloted"))
 LETS, PASSES = frozenset(("let", "allow", "permit")), frozenset(("pass", "go", "by"))
@@ -35,6 +36,7 @@ class Clauses(Nominal):
         self.events: list[Event] = []
         self.by_word: dict[int, Event] = {}
         self.light: set[int] = set()
+        self.dangling: set[int] = set()
         for word in words:
             if self._is_verb(word):
                 self._verb(word)
@@ -44,6 +46,7 @@ class Clauses(Nominal):
         for word in words:
             self._attributive(word)
             self._striking(word)
+            self._named_by_deed(word)
         self._order()
         self._triggers()
         self._ended_waits()
@@ -84,14 +87,18 @@ class Clauses(Nominal):
         ) and lemma not in ("let", "allow", "permit", "wait"):
             self.light.add(word.i)
             return
+        if lemma == "follow" and any(self.words[c].dep == "expl" for c in word.children):
+            return  # "there follows a braking"
         agent, at, passive = self._subject(word)
         if word.norm in STEERED and word.tag == "VBN" and self.words[min(word.i, len(self.words) - 2) + 1].norm == "by":
             return  # "a van driven by Mr Tan"
         if self._let_by(word, agent):
             return
-        agent = self._causer(word) or agent
+        agent = self._causer(word) or self._qualified(word) or agent
         if (before := self._joined_subject(word)) is not None:
             agent, at = self.cast.of[before], before
+        if agent is not None and agent.ego and (hitter := self._hitter(word)) is not None:
+            agent = hitter
         if agent is None and word.tag.startswith("NN"):
             agent = next((self.cast.of[c] for c in word.children if c < word.i and c in self.cast.of), None)
         if (
@@ -125,15 +132,25 @@ class Clauses(Nominal):
             agent = self.topic(word)
         if agent is None:
             agent = self._nearest(word, at) or (self._continued(word) if at is None else None)
-        if agent is not None and word.tag == "VBG" and not passive and self._dangles(word, agent):
+        if agent is None and self._of_its_writer(word):
+            agent = self.cast.ego
+        having = word.tag == "VBN" and any(self.words[c].norm == "having" for c in word.children)
+        if agent is not None and (word.tag == "VBG" or having) and not passive and self._dangles(word, agent):
+            self.dangling.add(word.i)
+        if word.i in self.dangling or word.dep == "xcomp" and word.head in self.dangling:
             agent = self.cast.ego
         patient = awaited if awaited is not None and not awaited.ego else self._patient(word, own, agent, passive)
         if patient is None and word.dep == "amod" and word.head == word.i + 1:  # "collided head-on with V2"
             later = [i for i in range(word.i + 2, min(word.i + 6, len(self.words))) if i in self.cast.of]
             patient = self.cast.of[later[0]] if later and self.words[word.i + 2].norm in ("with", "into") else None
+        if passive and lemma in PUSHES and (pushed := patient or agent) is not None:
+            text = re.sub(r"^(\w+)", rf"\1 @{pushed.key}", text)  # "was forced off the road": whom it is about
+            patient = patient or pushed
         event = self._event(lemma, word, text, whole, agent, patient)
         if event is None or event.act == "stationary" and lemma in PUTS and not passive and self._has_object(word):
             return
+        if passive and lemma in PUSHES and event.patient is None and agent is not event.agent:
+            event.patient = agent
         if event.act == "start_straight":
             event.act = "start"
             told = {"order": word.i + 0.1, "mode": self._mode(word), "words": [word.i]}
@@ -153,6 +170,9 @@ class Clauses(Nominal):
         if event.patient is not None and event.patient is event.agent:  # "the driver took the bus around a truck"
             others = (self.cast.of[i] for i in own if i > word.i and i in self.cast.of)
             event.patient = next((e for e in others if e is not event.agent), None)
+        if event.act == "follow" and event.patient is None and not passive and text.strip(" .,;") == "follow":
+            led = [e.agent for e in self.events if self.words[e.word].sentence == word.sentence and e.agent.mover]
+            event.patient = next((e for e in reversed(led) if e is not event.agent), None)
         event.words, event.mode, event.passive = own, self._mode(word), passive
         if event.act == "collide" and any(self.words[c].norm in NEARLY for c in word.children):
             event.act = "approach"
@@ -193,7 +213,7 @@ class Clauses(Nominal):
         event.quantities = self._quantities(own)
         if word.dep in ("advcl", "relcl", "pcomp", "ccomp") or word.dep == "conj":
             event.adverbial = self._mark(word)
-        event.also = self._also(at)
+        event.also = self._also(at, word.i)
         self.events.append(event)
         if late is not None:
             late.adverbial, late.start, late.end = event.adverbial, event.start, event.end
@@ -220,12 +240,6 @@ class Clauses(Nominal):
         behind = "following" in agent.roles or any(FASTER.search(text) for text in own)
         return self._lemma(word) in PASSES and not behind and not self._has_object(word)
 
-    def _dangles(self, word: Word, agent: Entity) -> bool:
-        """Whether a participle's object is the one taken for its agent ("following a truck, it stops"): ego does it."""
-        if agent.ego or any(self.words[c].dep in ("nsubj", "nsubjpass") for c in word.children):
-            return False
-        return any(self.words[c].dep == "dobj" and self.cast.of.get(c) is agent for c in word.children)
-
     def _event(
         self, lemma: str, word: Word, text: str, whole: str, agent: Entity | None, patient: Entity | None
     ) -> Event | None:
@@ -240,6 +254,8 @@ class Clauses(Nominal):
             if "any" in patterns and not patterns["any"].search(whole):
                 continue
             if "not" in patterns and patterns["not"].search(whole if rule["act"] != "reverse" else text):
+                continue
+            if rule.get("whom") == "person" and (patient is None or not patient.person):
                 continue
             actor = patient if rule.get("swap") else agent
             if rule["act"] in ("none", "stop_none"):
@@ -310,6 +326,8 @@ class Clauses(Nominal):
                 or actor.type in ("bicycle",)
                 and rule["act"] == "move_along"
             )
+        if who == "rider":
+            return actor.type in ("bicycle", "motorcycle")
         if who == "vehicle":
             return not actor.person and (actor.mover or actor.ego)
         return True

@@ -3,7 +3,7 @@
 import re
 
 from c2s_engine.interpret import describe, objects, unmet
-from c2s_engine.interpret.awaits import await_others
+from c2s_engine.interpret.awaited import waited_for
 from c2s_engine.interpret.drivers import compose_ego
 from c2s_engine.interpret.environment import PRESET_TIME, PRESET_WEATHER
 from c2s_engine.interpret.mentions import ZONES, Entity
@@ -26,8 +26,8 @@ def compose(scene: Scene) -> Structure:
     place = compose_place(scene)
     ego, ego_assumed = compose_ego(scene, ids, place)
     drafts: list[Draft] = [objects.compose_object(scene, entity, ids, place, ego) for entity in ordered]
+    waited_for(scene, ego, drafts, ids)
     ego = settle(scene, ego, place, drafts, ids)
-    await_others(scene, drafts, ids)
     drafts += objects.signs(scene, place, len(drafts))
     place_assumed = _place_assumed(scene, place)
     untold = unmet.find(scene)

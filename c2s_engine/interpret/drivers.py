@@ -23,7 +23,7 @@ from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec
 
 RESPONSES = ("brake", "brake_stop", "stop")
 RETURNS = frozenset(("overtake", "oncoming", "swerve"))
-AROUND = frozenset(("overtake", "oncoming", "lane_change", "cut_out", "evade", "swerve", "u_turn", "reverse"))
+AROUND = frozenset(("overtake", "oncoming", "lane_change", "cut_out", "evade", "swerve", "u_turn"))
 """What ego does to get past what it stopped for."""
 
 
@@ -105,6 +105,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             phases.append(Phase(action="overtake", target=who or passed(scene, ids), side=towards, trigger=trigger))
             if phases[-1].target is None:
                 phases.pop()
+        elif act == "cut_in" and any(p.action.startswith("turn_") for p in phases):
+            continue  # its turn is what cuts the other off
         elif act == "cut_in":
             phases.append(Phase(action="cut_in" if who else "lane_change", target=who, side=towards, trigger=trigger))
         elif act == "turn":
@@ -131,6 +133,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             phases.append(Phase(action="go_straight"))
         elif act == "reverse" and re.match(r"\w+ back\b", event.text) and any(p.action in RETURNS for p in phases):
             continue  # into its lane
+        elif act == "drift" and towards is None and phases and phases[-1].action == "lane_change":
+            continue  # it goes on towards the side to which it changes lanes
         elif act in ("leave_road", "drift", "swerve", "reverse", "oncoming", "enter_road"):
             sided = act in ("leave_road", "drift", "swerve", "oncoming")
             phases.append(

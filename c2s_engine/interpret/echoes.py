@@ -20,8 +20,10 @@ def echoes(cast: Cast, clauses: Clauses) -> None:
     words = cast.words
     for i, word in enumerate(words[:-1]):
         ahead = " ".join(w.norm for w in words[i : i + 7] if w.sentence == word.sentence)
-        if LIKEWISE.match(ahead):
+        if LIKEWISE.match(ahead) and words[i - 1].norm not in ("in", "by", "while", "when", "without"):
             _likewise(i, ahead, cast, clauses)
+        if re.match(r"(?:and )?then (?:an?|the|another|two|three)\b", ahead):
+            _gapped(i, cast, clauses)
         if re.match(r"so (must|does|do|did|has|should|will|had)\b", ahead):
             target = next((cast.of[w.i] for w in words[i : i + 6] if w.i in cast.of), None)
             earlier = [e for e in clauses.events if e.word < i and e.agent is not target and e.mode == "fact"]
@@ -44,6 +46,28 @@ def echoes(cast: Cast, clauses: Clauses) -> None:
             if before:
                 told_here = {"text": ahead, "whole": ahead, "patient": cast.ego, **_at(i, cast)}
                 clauses.events.append(Event("collide", before[-1], **told_here))
+
+
+def _gapped(i: int, cast: Cast, clauses: Clauses) -> None:
+    """ "A dog runs across the road, then a girl": the second does what the first did."""
+    words = cast.words
+    after = [w for w in words[i + 1 : i + 7] if w.sentence == words[i].sentence]
+    who = next((w for w in after if w.i in cast.of and w.span is not None), None)
+    if who is None or any(w.tag.startswith(("VB", "MD")) for w in after if w.i < who.i):
+        return
+    rest = [w for w in after if w.i > who.i]
+    entity = cast.of[who.i]
+    told = (
+        any(e.agent is entity for e in clauses.events)
+        or bool(rest)
+        and rest[0].norm not in (",", ".", ";", "and", "from")
+    )
+    before = [e for e in clauses.events if e.word < i and words[e.word].sentence == words[i].sentence and e.done]
+    if told or entity.ego or not entity.mover or not before or before[-1].agent.person != entity.person:
+        return
+    last = max(before, key=lambda e: e.word)
+    patient = last.patient if last.patient is not entity else None
+    clauses.events.append(Event.echo(last, agent=entity, patient=patient, side=last.side, **_at(who.i, cast)))
 
 
 def _likewise(i: int, said: str, cast: Cast, clauses: Clauses) -> None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret.clauses import Clauses
-from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.entities import URGENT, Entity
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.towards import side
@@ -16,6 +16,18 @@ UNSEEN = re.compile(
     r"(?:without (?:see|notic|spott|detect)\w*"
     r"|(?:not|n't|never|fail\w* to|neglect\w* to) (?:see|notice|spot|detect|observe)"
     r"|overlook\w*|unaware of|missed?|did not realise|did not check for)[^.;,]*?@(?P<who>a\d+)\b(?! 's)"
+)
+
+
+FROM_BEHIND = re.compile(r"\bfrom (?:behind|the rear)|\brear-?end")
+STANDING_OR_LED = frozenset(("stationary", "parked", "lead", "oncoming", "crossing"))
+SWERVES = ("swerve", "veer", "steer", "dodge", "jink", "weave")
+ANSWERS = frozenset(("yield", "brake", "brake_stop", "stop", "evade", "swerve"))
+NEAR_JUNCTION = re.compile(
+    r"\b(?:intersections?|junctions?|crossroads|roundabout|side (?:road|street)|driveway|t-junction|traffic lights?)\b"
+)
+SIDEWAYS = re.compile(
+    r"^side-?swip|^(?:merge|drift|veer|swerve|steer|cut|move over|pull over|stray|wander|slide)\w* (?:\w+ )?into\b"
 )
 
 
@@ -30,14 +42,27 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _comes(event, clauses, of)
         if event.done and event.act in ("lane_change", "overtake") and event.agent in of:
             _out_from_behind(event, of)
+        if event.done and event.agent.ego and event.patient in of:
+            _crosses(event, clauses, of[event.patient])
+            _hit_beside(event, clauses, of[event.patient])
         if event.done and event.act == "collide" and event.agent.ego and event.patient in of:
             _behind_or_beside_road(event, clauses, of)
         if event.done and event.act == "oncoming" and event.agent.ego:
             _over_the_line(event, clauses, of)
         elif event.done and event.act in ("lane_change", "drift") and event.agent.ego:
             _unseen(event, cast, clauses, of)
-        elif event.done and event.act in ACROSS and event.agent in of and _comes_over(event, of):
+        elif event.done and event.agent in of and (_comes_over(event, of) or _overtakes_oncoming(event, of)):
             event.act, event.side = "oncoming", "left"
+        elif event.done and event.act == "overtake" and event.agent in of and event.patient is None:
+            _past_another(event, clauses, of[event.agent])
+        elif event.done and event.act == "yield" and event.agent.ego and event.patient in of:
+            _urgent(event.patient, clauses, of[event.patient])
+        elif event.mode == "negated" and event.act == "yield" and event.agent in of:
+            _on_the_side(event, of[event.agent])
+        elif event.done and event.act == "cut_in" and event.agent in of:
+            _in_from_aside(event, clauses, of[event.agent])
+        elif event.done and event.act == "collide" and event.agent in of:
+            _sideswipes(event, clauses, of)
         elif event.done and event.act in ("lane_change", "drift", "swerve") and event.agent in of:
             _into_whose_lane(event, clauses, of)
         elif event.done and event.act == "follow" and event.patient in of:
@@ -121,7 +146,85 @@ OVER_LINE = re.compile(
 def _comes_over(event: Event, of: dict[Entity, Where]) -> bool:
     """Whether one who comes the other way gets over the line, and not little by little."""
     slowly = event.act == "drift" and re.search(r"\b(?:slowly|gradually|little by little)\b", event.whole)
-    return of[event.agent].lane == "oncoming" and OVER_LINE.search(event.text) is not None and not slowly
+    towards = event.act in ACROSS and of[event.agent].lane == "oncoming"
+    return towards and OVER_LINE.search(event.text) is not None and not slowly
+
+
+def _overtakes_oncoming(event: Event, of: dict[Entity, Where]) -> bool:
+    """Whether one who comes the other way overtakes somebody who is not told of: it does so in ego's lane."""
+    towards = event.act == "overtake" and of[event.agent].lane == "oncoming"
+    return towards and (event.patient is None or event.patient.ego)
+
+
+def _crosses(event: Event, clauses: Clauses, where: Where) -> None:
+    """A person for whom ego brakes or waits, and of whom nothing else is told, crosses the road."""
+    who = event.patient
+    assert who is not None
+    if event.act not in (ANSWERS if who.type not in ("pedestrian", "child") else ANSWERS | {"collide"}):
+        return
+    told = any((e.agent is who or who in e.also) and e.act != "travel" for e in clauses.events)
+    if who.person and not told and not who.roles and where.rel is None and where.lane is None:
+        clauses.events.append(Event.echo(event, act="cross_road", agent=who, order=event.order - 0.3))
+
+
+def _hit_beside(event: Event, clauses: Clauses, where: Where) -> None:
+    """Whom ego hits while it changes lanes is in the lane beside; into whose path it runs a sign crosses."""
+    who = event.patient
+    assert who is not None
+    if not who.mover or who.person or not where.open or where.lane is not None or who.roles & STANDING_OR_LED:
+        return
+    before = [e for e in clauses.events if e.agent.ego and e.done and e.order <= event.order]
+    over = [e for e in before if e.act in ("lane_change", "drift")]
+    slows = any(
+        e.agent is who and e.done and e.act in ("brake", "stop", "brake_stop", "stationary") for e in clauses.events
+    )
+    if event.act in ("run_stop", "run_red", "cross_path") and re.search(r"path of|in front of|way of", event.text):
+        where.lane = "crossing"
+    elif (
+        event.act in ("collide", "drift") and over and not FROM_BEHIND.search(event.whole) and "rear" not in event.whole
+    ):
+        towards = next((s for e in reversed(over) if (s := side(e))), None)
+        where.lane, where.side, where.rel = towards or "adjacent", towards, "ahead" if slows else "beside"
+
+
+def _urgent(who: Entity, clauses: Clauses, where: Where) -> None:
+    """An ambulance for which ego moves aside comes from behind."""
+    aside = any(e.agent.ego and e.done and e.act in ("lane_change", "leave_road") for e in clauses.events)
+    if aside and who.type in URGENT and where.open and where.lane is None:
+        where.rel, where.lane = "behind", "same"
+
+
+def _past_another(event: Event, clauses: Clauses, where: Where) -> None:
+    """Who is ahead of ego and gets past somebody unnamed moves out of its lane; it does not overtake ego."""
+    if where.rel == "ahead" and where.lane in (None, "same") and (where.of is None or where.of.ego):
+        around = clauses._lemma(clauses.words[event.word]) in SWERVES
+        event.act, event.side = ("swerve" if around else "lane_change"), event.side or "left"
+
+
+def _on_the_side(event: Event, where: Where) -> None:
+    """Who does not give way "on the right" comes from that side."""
+    told = " ".join(text for _, text in where.phrases)
+    if where.lane in ("left", "right") and where.rel is None and "lane" not in told + event.whole:
+        where.lane = "crossing"
+
+
+def _in_from_aside(event: Event, clauses: Clauses, where: Where) -> None:
+    """Who cuts in "from the right", no junction being near, comes out of the lane on that side."""
+    words = " ".join(w.norm for w in clauses.words)
+    if where.lane == "crossing" and where.side in ("left", "right") and not NEAR_JUNCTION.search(words):
+        where.lane, where.rel = where.side, where.rel or "beside"
+
+
+def _sideswipes(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Who sideswipes ego, or hits it while it changes lanes, was beside it."""
+    where = of[event.agent]
+    if event.patient is None or not event.patient.ego or not where.open:
+        return
+    over = [e for e in clauses.events if e.agent is event.agent and e.done and e.act in ("lane_change", "cut_out")]
+    if SIDEWAYS.search(event.text) or over and where.rel is None:
+        where.lane, where.rel = "adjacent", "beside"
+        for change in over:
+            change.act = "cut_in"
 
 
 def evaded_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
@@ -139,6 +242,19 @@ def evaded_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
         if across and halts and where.lane == across and where.rel in (None, "ahead") and where.of is None:
             where.lane, where.side, where.rel = "same", None, "ahead"
             return f"{across}most"
+    return None
+
+
+def followed_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
+    """Ego's lane where it follows one "in the right lane": it is the same."""
+    for event in clauses.events:
+        where = of.get(event.patient) if event.patient is not None else None
+        behind = event.act == "follow" or event.act == "collide" and FROM_BEHIND.search(event.whole)
+        if not behind or not event.done or not event.agent.ego or where is None or where.of is not None:
+            continue
+        if where.lane in ("left", "right") and where.rel in (None, "ahead"):
+            lane, where.lane, where.side, where.rel = where.lane, "same", None, "ahead"
+            return f"{lane}most"
     return None
 
 

@@ -9,6 +9,7 @@ from c2s_engine.interpret.syntax import Word
 CONTACT = language.words("contact")
 
 
+LETTING = ("let", "allow", "permit")
 CHANCES = language.words("chances")
 SEEKS = language.words("seeks")
 
@@ -28,7 +29,11 @@ class Modes(Agents):
                 mode = "negated"
             if other.dep == "aux" and other.norm in ("would", "could", "might") and not self._ended(child, word.i):
                 mode = "hypothetical"
-            if other.dep == "mark" and other.norm in ("if", "unless", "whether", "lest") and not self._criterion(word):
+            if (
+                other.dep == "mark"
+                and other.norm in ("if", "unless", "whether", "lest")
+                and not (self._criterion(word) or other.norm == "if" and self._demanded(word))
+            ):
                 mode = "hypothetical"
             if other.dep in ("nsubj", "nsubjpass") and (
                 other.norm in ("none", "neither", "nobody", "nothing")
@@ -69,8 +74,12 @@ class Modes(Agents):
                     "impossible",
                     "inability",
                     "keep",
+                    "hinder",
+                    "block",
+                    "bar",
                 )
-                and (lemma != "keep" or word.dep == "pcomp")
+                and (lemma not in ("keep", "block", "bar") or word.dep == "pcomp" and word.tag == "VBG")
+                and (word.dep != "pcomp" or head.norm in ("from", "of", "in", "to"))
             ):
                 return "negated" if mode != "negated" else "fact"
             if word.dep in ("xcomp", "advcl", "acl") and lemma in shades["intended"] and (to or lemma == "about"):
@@ -82,7 +91,7 @@ class Modes(Agents):
             ):
                 above = self._mode(self.words[head.head])
                 mode = above if above in ("negated", "hypothetical") and mode == "fact" else mode
-            elif word.dep == "xcomp" and head.verb and self._is_verb(head):
+            elif (word.dep == "xcomp" or lemma in LETTING) and head.verb and self._is_verb(head):
                 above = self._mode(head)
                 if above in ("negated", "hypothetical") and mode == "fact":
                     mode = above
@@ -158,6 +167,16 @@ class Modes(Agents):
             "successful",
             "fulfill",
         )
+
+    def _demanded(self, word: Word) -> bool:
+        """Whether an if-clause tells what happens before ego must act: "if the lead brakes, the ego shall stop"."""
+        main = self.words[word.head]
+        must = [self.words[c].norm for c in main.children if self.words[c].dep == "aux"]
+        light = main.lemma in ("have", "need") and any(self.words[c].dep == "xcomp" for c in main.children)
+        present = word.tag in ("VBZ", "VBP") and not any(self.words[c].norm == "not" for c in word.children)
+        demands = light or bool({"must", "shall", "should", "will"} & set(must))
+        agent = self._subject(word)[0]
+        return present and demands and agent is not None and not agent.ego and self._subject(main)[0] is self.cast.ego
 
     def _mark(self, word: Word) -> str:
         for child in sorted(word.children):

@@ -12,9 +12,11 @@ from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.timing import Timing
 
 ATTRIBUTIVE = frozenset(
-    ("brake", "stop", "accelerate", "reverse", "swerve", "lose_control", "drift", "u_turn", "cross_road")
+    ("brake", "stop", "accelerate", "reverse", "swerve", "lose_control", "drift", "u_turn", "cross_road", "overtake")
 )
 
+HAPPENS = frozenset(("occur", "happen", "result", "ensue", "take", "follow", "come", "be", "arise", "involve"))
+STRUCK_PART = re.compile(r"\b(?:between|of) the (?:\w+ )?(?:rear|back|tail|side|flank|door|quarter)\b")
 BY_MEANS = language.words("by_means")
 HALTS = frozenset(("stop", "brake", "brake_stop", "stationary"))
 
@@ -40,6 +42,11 @@ class Nominal(Timing):
             and agent.ego
         ):
             return
+        turning = re.fullmatch(r"(left|right)-turning", word.norm)
+        if turning is not None and agent.ego:
+            told = {"side": turning[1], "words": [word.i], "start": word.start, "end": word.end}
+            self.events.append(Event("turn", agent, word.i, "turn " + turning[1], "turn " + turning[1], **told))
+            return
         lemma = self._lemma(word)
         text = f"{lemma} " + " ".join(w.norm for w in self.words[word.i + 1 : word.head])
         event = self._event(lemma, word, text, text, agent, None)
@@ -54,6 +61,22 @@ class Nominal(Timing):
         event.words, event.start, event.end = [word.i], word.start, word.end
         self.events.append(event)
         self.by_word[word.i] = event
+
+    def _named_by_deed(self, word: Word) -> None:
+        """What the name of a road user tells of it: "an overtaking truck" overtakes ego."""
+        agent = self.cast.of.get(word.i)
+        named = word.span is not None and word.norm.startswith("overtaking ")
+        if (
+            not named
+            or agent is None
+            or agent.ego
+            or any(e.act == "overtake" and e.agent is agent for e in self.events)
+        ):
+            return
+        told = {"patient": self.cast.ego, "order": float(word.i), "words": [word.i]}
+        self.events.append(
+            Event("overtake", agent, word.i, "overtake", "overtake", start=word.start, end=word.end, **told)
+        )
 
     def _striking(self, word: Word) -> None:
         """A participle of contact taken for an adjective of whom it hits: "did not slow down, striking V1"."""
@@ -73,6 +96,20 @@ class Nominal(Timing):
         event.words, event.start, event.end = [word.i], word.start, word.end
         self.events.append(event)
         self.by_word[word.i] = event
+
+    def _struck_each_other(self, word: Word, verb: Word | None) -> tuple[Entity, Entity] | None:
+        """Who strikes whom in a collision "between" two: the one named first, unless its rear or side is told of."""
+        heads = [word, verb] if verb is not None and self._lemma(verb) in HAPPENS else [word]
+        between = [c for w in heads for c in w.children if self.words[c].norm in ("between", "involving", "of")]
+        for at in between:
+            inside = self._below(at)
+            told = list(dict.fromkeys(self.cast.of[i] for i in inside if i in self.cast.of and self.cast.of[i].mover))
+            if len(told) != 2:
+                continue
+            text = " ".join(self.words[i].norm for i in inside)
+            struck = STRUCK_PART.match(text) or told[1].ego and not STRUCK_PART.search(text)
+            return (told[1], told[0]) if struck else (told[0], told[1])
+        return None
 
     def _noun(self, word: Word) -> None:
         if word.i in self.by_word or word.span is not None:
@@ -102,6 +139,8 @@ class Nominal(Timing):
             if rule["act"] == "overtake" and agent is not None and not agent.ego and verb is not None:
                 subject = self._subject(verb)[0]
                 agent, patient = (subject, agent) if subject is not None else (agent, patient)  # "its pass of a truck"
+            if rule["act"] == "collide" and (parties := self._struck_each_other(word, verb)) is not None:
+                agent, patient = parties
             if patient is agent:
                 patient = None
             if agent is None and word.dep == "pobj" and verb is not None and self.words[word.head].norm in BY_MEANS:

@@ -17,6 +17,21 @@ def headings(cast: Cast, clauses: Clauses) -> None:
         title = number == 0 and number not in cast.told and number not in told and bool(told)
         if title and event.agent.ego and event.act == "lane_change" and "merg" in cast.words[event.word].norm:
             event.mode = "hypothetical"
+        if event.agent.ego and number == 0 and _retold(cast, clauses, event):
+            event.mode = "hypothetical"
+
+
+def _retold(cast: Cast, clauses: Clauses, event: Event) -> bool:
+    """Whether a heading names what the text then tells of another: "Backing category: ... the truck backs up"."""
+    opening = [w for w in cast.words if w.sentence == 0]
+    colon = next((w.i for w in opening if w.norm == ":"), opening[-1].i)
+    head = [w for w in opening if w.i <= colon]
+    if event.word > colon or any(w.tag in ("VBZ", "VBD", "VBP", "MD") for w in head):
+        return False
+    if any(cast.of.get(w.i) is cast.ego for w in head):
+        return False
+    later = [e for e in clauses.events if e.word > colon and e.done and e.act == event.act]
+    return bool(later) and (event.patient is not None or not any(e.agent.ego for e in later))
 
 
 OTHER_LANE = re.compile(

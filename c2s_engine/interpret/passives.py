@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
+
 from c2s_engine.interpret.clauses import BY, Clauses
-from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.entities import MOTOR, Entity, Mention
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast
 
+FROM_BEHIND = re.compile(r"\bfrom (?:behind|the rear)\b|\brear-?end|\bin the (?:rear|back)\b")
 SUFFERED = frozenset(("collide", "overtake", "cut_in"))
 
 
@@ -21,8 +24,29 @@ def unnamed_doers(cast: Cast, clauses: Clauses) -> None:
             continue
         if event.act == "cut_in" and doer is cast.ego and any(e.act == "turn" and e.agent.ego for e in clauses.events):
             event.mode = "hypothetical"  # ego's turn is what cuts it off
+        if (
+            suffers.ego
+            and event.act == "collide"
+            and FROM_BEHIND.search(event.whole)
+            and not _may_follow(doer, clauses)
+        ):
+            word = cast.words[event.word]
+            doer = cast._new(Entity("", "vehicle", noun="vehicle"))
+            doer.mentions.append(Mention(word.i, word.start, word.end, kind="unnamed"))
         if doer is not None:
             event.agent, event.patient = doer, suffers
+
+
+def _may_follow(doer: Entity | None, clauses: Clauses) -> bool:
+    """Whether one spoken of can be who hit ego from behind: a vehicle of which nothing is told but that."""
+    if doer is None or doer.type not in MOTOR or doer.roles & {"lead", "oncoming", "parked", "stationary"}:
+        return False
+    ahead = ("brake", "stop", "brake_stop", "stationary", "cut_in", "turn", "cross_path")
+    near = {w.norm for m in doer.mentions for w in clauses.words[max(0, m.word - 3) : m.word + 5]}
+    if "behind" in near or any(e.act == "follow" and e.agent is doer for e in clauses.events):
+        return True
+    met = any(e.agent.ego and e.patient is doer for e in clauses.events)
+    return not met and not any(e.agent is doer and e.act in ahead for e in clauses.events)
 
 
 def _last(cast: Cast, clauses: Clauses, event: Event) -> Entity | None:

@@ -23,6 +23,9 @@ class Patients(Rendering):
     def _subject(self, word: Word, depth: int = 0) -> tuple[Entity | None, int | None, bool]:
         raise NotImplementedError
 
+    def _placed_by(self, noun: Word, verb: Word) -> Entity | None:
+        raise NotImplementedError
+
     def _everything(self, i: int) -> list[int]:
         """All words below a word, in order."""
         found = [i]
@@ -30,17 +33,17 @@ class Patients(Rendering):
             found += self._everything(child)
         return sorted(found)
 
-    def _also(self, at: int | None) -> list[Entity]:
-        """The others of a joint subject ("V1 and V3 met")."""
+    def _also(self, at: int | None, verb: int) -> list[Entity]:
+        """The others of a joint subject ("V1 and V3 met"), but not who is joined behind the verb."""
         if at is None:
             return []
         found = list(self.cast.both.get(at, []))  # "both", "the two"
         for child in self.words[at].children:
-            if self.words[child].dep == "conj":
+            if self.words[child].dep == "conj" and not at < verb < child:
                 other = self.cast.referent(child)
                 if other is not None:
                     found.append(other)
-                    found += self._also(child)
+                    found += self._also(child, verb)
         return found
 
     def _patient(self, word: Word, own: list[int], agent: Entity | None, passive: bool) -> Entity | None:
@@ -54,7 +57,8 @@ class Patients(Rendering):
                 found = self.cast.referent(word.head)
                 if found is not None and found is not agent:
                     return found
-            inherited = self._inherited(word, 0)[0]
+            own_subject = any(self.words[c].dep == "nsubjpass" for c in word.children)
+            inherited = None if own_subject else self._inherited(word, 0)[0]
             if inherited is not None and inherited is not agent:
                 return inherited
         direct = [c for c in word.children if self.words[c].dep in ("dobj", "dative", "oprd")]
@@ -194,7 +198,7 @@ class Patients(Rendering):
                 for target in other.children:
                     patient = patient or self.cast.referent(target)
             if other.dep == "compound" and child in self.cast.of:
-                return self.cast.of[child], None
+                return self._placed_by(other, word) or self.cast.of[child], None
         for i in range(word.i - 1, max(-1, word.i - 4), -1):
             other = self.words[i]
             if (
@@ -205,7 +209,7 @@ class Patients(Rendering):
             ):
                 break
             if i in self.cast.of and other.span is not None and other.dep not in ("pobj",):
-                return self.cast.of[i], patient
+                return self._placed_by(other, word) or self.cast.of[i], patient
         if verb is not None:
             agent, at, passive = self._subject(verb)
             if (

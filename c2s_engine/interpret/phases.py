@@ -64,9 +64,9 @@ def phases_of(
         and place.kind == "intersection"
     ):
         words = " ".join(scene.words[m.word].norm for m in entity.mentions)
-        found = [p for p in found if p.action != "go_straight"] + [
-            Phase(action="turn_right" if "right" in words else "turn_left")
-        ]
+        turn = Phase(action="turn_right" if "right" in words else "turn_left")
+        hits = [p for p in found if p.action == "collide"]
+        found = [p for p in found if p.action not in ("go_straight", "collide")] + [turn, *hits]
     if (
         "cut_in" in entity.roles
         and not any(p.action == "cut_in" for p in found)
@@ -136,7 +136,17 @@ def _merged(phases: list[Phase]) -> list[Phase]:
         if (
             last is not None
             and last.action == "start"
-            and phase.action in ("enter_road", "cut_in", "go_straight", "turn_left", "turn_right", "accelerate")
+            and phase.action
+            in (
+                "enter_road",
+                "cut_in",
+                "go_straight",
+                "turn_left",
+                "turn_right",
+                "accelerate",
+                "cross_road",
+                "move_along",
+            )
         ):
             found[-1] = phase if phase.action != "accelerate" else last
             continue

@@ -212,6 +212,9 @@ def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, fi
         return {"position": "ahead", "said": True}
     if junction and {"run_red", "run_stop"} & set(acts):
         return {"position": "crossing_left"}
+    if junction and "turning" in entity.roles and place.manoeuvre == "straight" and "turn" not in acts:
+        named = " ".join(scene.words[m.word].norm for m in entity.mentions)
+        return {"position": "crossing_right" if "right" in named else "opposite_approach"}
     if junction and "turn" in acts:
         event = scene.does(entity, "turn")
         across = re.search(r"across|in front of|into the path|path of|cut", event.whole if event else "")

@@ -10,6 +10,7 @@ from c2s_engine.interpret.entities import MOTOR, Entity
 from c2s_engine.interpret.persons import Persons
 from c2s_engine.interpret.syntax import Word
 
+SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offside"))
 LOOSE = frozenset(("debris", "box", "obstacle"))
 THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
 BUMPED = language.words("bumped")
@@ -46,12 +47,7 @@ class Pronouns(Persons):
                 return None
             if self._obliged(word):
                 return self.ego
-            before = self.words[word.i - 1].norm if word.i else ""
-            things = THINGS if before in BUMPED else LOOSE
-            i = self._first_person() and not self._ego_is_thing()
-            thing = lambda e: not e.person and e.sex != "i" and (e.mover or e.type in things) and not (i and e.ego)  # noqa: E731
-            apart = self._not_he(word, thing)
-            return apart or self._salient(word, lambda e: thing(e) and e.count == 1) or self._salient(word, thing)
+            return self._thing(word)
         if norm in ("himself", "herself", "itself") and word.dep in ("nsubj", "npadvmod", "appos"):
             return None  # "the driver himself moved out"
         if norm in data["person"]:
@@ -74,6 +70,21 @@ class Pronouns(Persons):
                 return person[-1]
             return self._salient(word, lambda e: e.mover)
         return self._elliptic(word) or self._unknown(word)
+
+    def _thing(self, word: Word) -> Entity | None:
+        """The vehicle or thing that "it" means; an animal where it is hit or avoided."""
+        bumped = word.i > 0 and self.words[word.i - 1].norm in BUMPED
+        things = THINGS if bumped else LOOSE
+        i = self._first_person() and not self._ego_is_thing()
+
+        def fits(e: Entity) -> bool:
+            return (not e.person and e.sex != "i" and e.mover or e.type in things) and not (i and e.ego)
+
+        apart = self._not_he(word, fits)
+        found = apart or self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
+        if found is None and bumped:
+            found = self._salient(word, lambda e: e.type == "animal")
+        return found
 
     def _not_he(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
         """Whom "it" means beside a "he" of the same sentence: "while he came up on the bus, its driver moved out"."""
@@ -122,7 +133,8 @@ class Pronouns(Persons):
                 (
                     r"(is|was|were|has been|'s|gets|got|becomes|became)( \w+)? (night|day|dark|dusk|dawn"
                     r"|raining|snowing|foggy|clear|sunny|daylight|daytime|daytime|rainy|cloudy|early|late"
-                    r"|morning|evening|noon|midnight|wet|windy|for|up|necessary|not until|only)"
+                    r"|morning|evening|noon|midnight|wet|windy|for|up|necessary|not until|only"
+                    r"|(safe|possible|clear|impossible|okay|ok|allowed|unsafe|time|too late) (enough )?(for|to))"
                 ),
                 text,
             )
@@ -138,7 +150,7 @@ class Pronouns(Persons):
                 break
             clause = self.words[clause.head]
         if clause.dep == "relcl" and clause.head in self.of and clause.head < word.i:
-            return self.of[clause.head]
+            return self._placed_beside(self.words[clause.head]) or self.of[clause.head]
         previous = [
             i
             for i in sorted(self.of)
@@ -147,7 +159,24 @@ class Pronouns(Persons):
         if not previous:
             return None
         between = self.words[previous[-1] + 1 : word.i]
-        if any(w.noun for w in between) and clause.dep == "relcl" and self.words[clause.head].span is None:
+        if (
+            any(w.noun and w.norm not in SIDES for w in between)
+            and clause.dep == "relcl"
+            and self.words[clause.head].span is None
+        ):
             head = self.words[clause.head]
             return self.of.get(head.i) if head.i in self.of else None
         return self.of[previous[-1]]
+
+    def _placed_beside(self, noun: Word) -> Entity | None:
+        """Who is placed by ego right before "which": "a truck in front of ego that brakes"."""
+        above = self.words[noun.head]
+        if self.of[noun.i] is not self.ego or noun.dep != "pobj":
+            return None
+        for _ in range(3):
+            if above.i in self.of:
+                return self.of[above.i] if self.of[above.i] is not self.ego else None
+            if above.tag not in ("IN", "RB", "NN", "JJ", "RP"):
+                return None
+            above = self.words[above.head]
+        return self.of.get(above.i)

@@ -57,7 +57,8 @@ IN_MODE = re.compile(
 
 FROM_ASIDE = re.compile(
     r"^(?!.*\b(?:turn|chang|merg|mov|swerv|veer)\w*\b.* from ).*\bfrom (?:the |its )?"
-    r"(?:left|right|rear|behind|front|opposite (?:side|direction))\b(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb))"
+    r"(?:left|right|rear|behind|front|opposite (?:side|direction|carriageway|lane))\b"
+    r"(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb))"
     r"|\b(?:from|out of|leav\w+) (?:the |a |an )?(?:\w+ )?(?:street|road|driveway) (?:on|to)"
     r" (?:the |its )(?:left|right)\b"
     r"|\b(?:comes?|came|coming|approach\w*) (?:along |up )?(?:the wrong way|against the traffic)\b"

@@ -6,7 +6,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.scan import Span
 
 WORD = regex.compile(
-    r"\p{L}+(?=n't\b)|n't\b|'(?:m|re|ve|ll|d)\b"
+    r"can(?=not\b)|not\b|\p{L}+(?=n't\b)|n't\b|'(?:m|re|ve|ll|d)\b"
     r"|\p{L}[\p{L}\p{M}\p{N}]*(?:[-/]\p{L}[\p{L}\p{M}\p{N}]*)*|'s\b|'(?=\s)|\d+(?:[.,]\d+)*"
     r"|[^\s\w]|\S"
 )
@@ -56,6 +56,15 @@ FOLLOWS = regex.compile(
 CROSSES = regex.compile(r"\s+(?:the|a|from|in front|at the|over|on|behind|with|slowly|against|his|her|its)\b")
 
 
+MERGES = regex.compile(r"\s+(?:from|in|into|onto|out|off|left|right|over|across|behind|ahead|with)\b")
+
+
+LANES = regex.compile(r"\s+(?:\w+\s+)?lanes?\b")
+
+
+FORCES = {"forces": "makes", "forcing": "making"}
+
+
 LIT = regex.compile(
     r"\bwith (?:\w+ ){0,3}?(?:beams?|lights?|headlights?|lamps?|hazards|indicators?|blinkers?|sirens?|beacons?)\s+$"
 )
@@ -87,6 +96,11 @@ def _finite(word: str) -> bool:
     )
 
 
+def _several(span: Span | None) -> bool:
+    """Whether several road users stand before: after them a base form is a verb ("two cars race past ego")."""
+    return span is not None and bool(span.data.get("plural"))
+
+
 def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     """The word that the parser sees in place of one that it would take for another part of speech."""
     if text in BOUND:
@@ -109,6 +123,18 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     mover = before is not None and before.data.get("type")
     if text == "crossing" and mover and CROSSES.match(plain[start + 8 : start + 20]):
         return "walking" if person else "passing"
+    if text == "merging" and mover and MERGES.match(plain[start + 7 : start + 20]):
+        return "passing"
+    if text in ("rear-ended", "sideswiped", "side-swiped", "t-boned", "broadsided"):
+        return "struck"
+    if text in ("changes", "switches", "swaps") and before is not None and LANES.match(plain[start + len(text) :]):
+        return "takes"
+    if text in ("changing", "switching") and before is not None and LANES.match(plain[start + len(text) :]):
+        return "taking"
+    if text in FORCES and regex.match(
+        r"\s+(?:the|its|an?|his|her|ego|them|it|me|us|another)\b", plain[start + len(text) :]
+    ):
+        return FORCES[text]
     if text == "on" and LIT.search(plain[max(0, start - 40) : start]):
         return "off"  # "with its lights on turns" is no "on turns"
     placed = ON_THE.search(plain[max(0, start - 12) : start]) is not None
@@ -148,7 +174,7 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         return "goes"
     elif (
         follows
-        and text in language.word_list("base")
+        and text in (language.word_list("motion") if _several(before) else language.word_list("base"))
         and (
             before is not None
             and before.kind != "quantity"

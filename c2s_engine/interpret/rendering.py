@@ -55,6 +55,8 @@ class Rendering:
             return False
         if word.norm in ("slow", "near", "clear") and word.tag != "VB":
             return False
+        if word.norm == "back" and word.i and self.words[word.i - 1].norm in ("and", "then", "straight", "right"):
+            return False
         if word.norm in COMES_TO and word.i > 1 and self.words[word.i - 1].norm == "to":
             return word.head == word.i or self._lemma(self.words[word.head]) not in ENDS_IN  # "came to rest"
         if word.norm == "slow" and not any(self.words[c].dep in ("aux", "prt", "advmod") for c in word.children):
@@ -107,7 +109,9 @@ class Rendering:
                 continue
             found.append(i)
             stack += other.children
-        return sorted(found)
+        if word.i + 1 < len(self.words) and self.words[word.i + 1].norm in ("left", "right"):
+            found.append(word.i + 1)  # a side that the tree gives to another word
+        return sorted(set(found))
 
     def render(self, indices: list[int], verb: int | None = None) -> str:
         """Words as patterns see them: lemmas of verbs, @names of road users, #kinds of quantities."""

@@ -2,10 +2,11 @@
 
 import re
 
-from c2s_engine.interpret.avoiding import abandoned, avoided
+from c2s_engine.interpret.avoiding import abandoned, avoided, by_means
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.echoes import echoes
 from c2s_engine.interpret.event import Event
+from c2s_engine.interpret.heeded import hindered, merged_back, unheeded
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.passing import by_the_other_lane, headings, let_past
 from c2s_engine.interpret.place import Road
@@ -33,6 +34,8 @@ FROM_MINOR = re.compile(r"(?:pull|come|edge|nose|creep|inch|roll|shoot) (?:strai
 PULLS_OUT = re.compile(
     r"(?:pull|drive|move|edge) (?:out|off|away) (?:suddenly )?from (?:the |its )?(?:left|right)\b(?! (?:\w+ )?lane)"
 )
+JERKS = ("swerve", "veer", "jink")
+INTO = re.compile(r"\b(?:in|on)to (?:the |an? |its )?(?:\w+ )?(?:road|street|drive\w*|lot|lane|avenue|entrance)\b")
 FIRST = re.compile(r"(?:pass|go|drive|proceed|cross|move|turn|enter|get|come|travel|clear)\b[^.;]*?\bfirst\b")
 
 
@@ -45,6 +48,10 @@ def _at_junction(event: Event, clauses: Clauses, road: Road) -> bool:
 def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     """What single clauses cannot tell: a stop that is denied before a stop sign, a pass that is waited for."""
     avoided(cast, clauses)
+    by_means(cast, clauses)
+    unheeded(clauses)
+    hindered(cast, clauses)
+    merged_back(clauses)
     for event in list(clauses.events):
         if event.act in ("stop", "brake_stop") and event.mode == "fact" and _was_over(cast, event, clauses):
             event.act = "stationary"
@@ -79,8 +86,11 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             event.act, event.mode = "cross_path", "fact"
         if event.act == "turn_or_change":
             verb = clauses._lemma(cast.words[event.word])
-            turns = road.kind in ("intersection", "roundabout")
-            event.act = "turn" if turns else "swerve" if verb in ("swerve", "veer", "jink") else "lane_change"
+            turns = road.kind in ("intersection", "roundabout") and (verb not in JERKS or INTO.search(event.text))
+            event.act = "turn" if turns else "swerve" if verb in JERKS else "lane_change"
+        steers = event.act == "turn" and clauses._lemma(cast.words[event.word]) == "steer"
+        if steers and road.kind not in ("intersection", "roundabout") and not INTO.search(event.text):
+            event.act = "swerve"
         if event.act == "pass_by":
             junction = road.kind == "intersection" and not re.search(r"lane|left|right|behind", event.whole)
             event.act = (

@@ -3,7 +3,7 @@
 import re
 from functools import cache
 
-from c2s_engine.interpret import grids, language, notation, telegraphic
+from c2s_engine.interpret import elided, grids, language, notation, telegraphic
 from c2s_engine.interpret.motions import irregular
 from c2s_engine.interpret.rewritten import Replacement, Rewritten
 
@@ -24,6 +24,7 @@ class Mended:
             *unneeded,
             notation.signs,
             _repairs,
+            elided.elided,
             telegraphic.spelt_out,
         ):
             self._passes.append(Rewritten(text, replacements(text)))

@@ -127,7 +127,7 @@ def steps_of(
         ):
             found.append(Phase(action="cut_out", side=goal, target=ego))
         return found
-    if act == "lane_change" and entity.person:
+    if act == "lane_change" and (entity.person or crossing):
         return []
     if act == "lane_change" and placement.position == "on_ramp":
         return [Phase(action="cut_in", target=ego, trigger=trigger)]

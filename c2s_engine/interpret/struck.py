@@ -13,6 +13,7 @@ from c2s_engine.interpret.towards import side
 from c2s_engine.interpret.whereabouts import Where
 
 END = r"(?:rear(?:[- ]end)?|back|tail|boot|trunk|tailgate|rear bumper|back bumper)"
+HEAD_ON = re.compile(r"\bhead[- ]?on\b|\bfront to front\b|\bfrontally\b")
 PUSHES = language.words("pushes")
 IN_ORDER = re.compile(r"\bin (?:that|this|the same|numerical|the following) order\b")
 BACKS_INTO = (6.0, 12.0)
@@ -51,6 +52,8 @@ def struck_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None
             _thing(hit, clauses, of[hit.patient])
         if _from_behind(hit, clauses):
             _one_behind(hit, of)
+        elif HEAD_ON.search(hit.text):
+            _head_on(hit, of)
 
 
 def _from_behind(hit: Event, clauses: Clauses) -> bool:
@@ -82,6 +85,13 @@ def _one_behind(hit: Event, of: dict[Entity, Where]) -> None:
     elif agent in of and _open(of[agent]) and not agent.roles & {"oncoming", "crossing"}:
         of[agent].rel, of[agent].lane = "behind", "same"
         of[agent].of = None if patient.ego else patient
+
+
+def _head_on(hit: Event, of: dict[Entity, Where]) -> None:
+    """Who meets ego head-on comes the other way."""
+    other = hit.patient if hit.agent.ego else hit.agent if hit.patient is not None and hit.patient.ego else None
+    if other in of and other.mover and not other.person and _open(of[other]) and not other.roles & {"lead", "parked"}:
+        of[other].rel, of[other].lane = None, "oncoming"
 
 
 def _thing(hit: Event, clauses: Clauses, where: Where) -> None:

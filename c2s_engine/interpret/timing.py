@@ -17,6 +17,9 @@ AWAY = re.compile(
     r"|at (about |around )?#dist (distance|range|away|from)\b|with @ego #dist )"
 )
 COMES_OUT = ("cross_road", "enter_road")
+BEFORE_THE_BLOW = frozenset(
+    ("run_red", "run_stop", "lose_control", "oncoming", "cross_path", "turn", "cut_in", "drift")
+)
 AT_A_DISTANCE = (
     "brake",
     "brake_stop",
@@ -51,6 +54,15 @@ class Timing(Modes):
             if main is None:
                 continue
             mark = event.adverbial
+            if word.dep in ("acl", "pobj") and word.tag == "VBG" and main.act == "collide" and event.word > main.word:
+                event.order = main.order - 0.4  # "was hit by a car turning left"
+            if (
+                word.dep == "relcl"
+                and main.act == "collide"
+                and event.act in BEFORE_THE_BLOW
+                and event.word > main.word
+            ):
+                event.order = main.order - 0.4 if "then" not in event.text.split() else event.order
             if mark in ("after", "once", "when", "as", "having") and event.word > main.word:
                 event.order = main.order - 0.4
             elif mark == "before" and event.word < main.word:
@@ -108,7 +120,7 @@ class Timing(Modes):
                         )
                         event.trigger = (
                             {"kind": "place", "value": quantity["low"], "place": place}
-                            if place
+                            if place and (not event.agent.person or event.agent.ego)
                             else {"kind": "distance", "value": quantity["low"]}
                         )
                     elif quantity["dimension"] == "distance" and event.act in AT_A_DISTANCE and AWAY.match(text):

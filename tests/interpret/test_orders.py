@@ -56,7 +56,11 @@ def value_of(structure: Structure, path: str) -> Any:
         (JUNCTION, "ego has to react to it with an emergency brake", {"E.reaction": "brake", "E.hard": True}),
         (MOTORWAY, "put ego in the right lane", {"R.ego_lane": "rightmost"}),
         (MOTORWAY, "van 10 km/h slower, distance 55", {"O1.placement.gap": 55.0}),
-        (MOTORWAY, "let the overtaking car cut in in front of ego and brake hard", {"O2.actions": ["cut_in", "brake"]}),
+        (
+            MOTORWAY,
+            "let the overtaking car cut in in front of ego and brake hard",
+            {"O2.actions": ["overtake", "cut_in", "brake"]},
+        ),
         (MOTORWAY, "ego is more slow by ten kilometer per hour", {"E.speed": 27.78}),
         (MOTORWAY, "the car shall cut in, then brake to 90 km/h", {"O2.actions": ["cut_in", "brake"]}),
         (MOTORWAY, "change the van into a bus and let it drive 80 km/h", {"O1.type": "bus", "O1.speed": 22.22}),

@@ -1,0 +1,88 @@
+"""Verbs left out because they were just said, what is not heeded, and what another keeps ego from."""
+
+import pytest
+
+
+def actions(component) -> list[str]:
+    return [p.action for p in component.spec.phases]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The truck approaching from the left is supposed to stop at the stop sign but fails to do so.",
+        "A van from the right must stop at the stop sign. It does not.",
+        "The car from the left, which has to stop at the stop sign, doesn't.",
+    ],
+)
+def test_who_should_stop_and_does_not_runs_the_sign(read, text: str) -> None:
+    assert "run_stop" in actions(read(text).objects[0])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The car on the right, which has to give way, does not.",
+        "A bus from the right had to give way to us but failed to.",
+        "A pickup coming from the right was required to yield; it didn't.",
+    ],
+)
+def test_who_should_give_way_and_does_not_goes_on(read, text: str) -> None:
+    structure = read(text)
+    assert structure.objects[0].spec.placement.position == "crossing_right"
+    assert structure["E"].spec.reaction != "yield"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The driver of the SUV did not see the red light and struck the ego in the side.",
+        "A taxi on the cross street fails to notice the red light and drives into the ego.",
+        "The car from the left does not respect the traffic light.",
+    ],
+)
+def test_who_does_not_heed_a_light_runs_it(read, text: str) -> None:
+    assert "run_red" in actions(read(text).objects[0])
+
+
+def test_who_sees_the_light_stops(read) -> None:
+    assert actions(read("Ego sees the red light and stops.")["E"]) == ["stop"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Ego is kept from turning left by a stream of oncoming traffic.",
+        "Oncoming traffic prevents the ego from turning left.",
+        "Ego can't turn left, as a tram is coming the other way.",
+        "Ego was unable to turn left because of a motorcycle coming the other way.",
+    ],
+)
+def test_who_is_kept_from_turning_means_to_turn_and_gives_way(read, text: str) -> None:
+    structure = read(text)
+    assert (structure.place.spec.kind, structure.place.spec.manoeuvre) == ("intersection", "left")
+    assert (structure["E"].spec.reaction, structure["E"].spec.react_to) == ("yield", "O1")
+
+
+def test_who_is_kept_from_overtaking_stays_behind(read) -> None:
+    structure = read("An oncoming bus keeps the ego from overtaking a slow tractor.")
+    assert "overtake" not in actions(structure["E"])
+    assert [o.spec.placement.position for o in structure.objects] == ["oncoming_lane", "ahead"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The ego overtakes a tractor and merges back before an oncoming car arrives.",
+        "Ego passes the bus and returns to its lane.",
+        "Ego goes past a cyclist and moves back in.",
+    ],
+)
+def test_going_back_in_ends_the_overtaking(read, text: str) -> None:
+    assert actions(read(text)["E"]) == ["overtake"]
+
+
+def test_waiting_until_it_is_safe_is_egos(read) -> None:
+    structure = read("The ego stays behind the cyclist until it is safe to overtake.")
+    assert actions(structure["E"]) == ["follow", "overtake"]
+    assert actions(structure.objects[0]) == []

@@ -77,6 +77,9 @@ class Named(AtWheel):
         clause = " ".join(w.norm for w in self.words[word.i + 1 :] if w.sentence == word.sentence)
         if self._told_what(word):
             return self._new(Entity("", "vehicle"))
+        beside = self.of.get(word.head) if word.dep == "conj" and self.words[word.head].span is not None else None
+        if beside is not None and beside.names:  # "Sam and Tom": each on foot, or both in one vehicle
+            return self._new(Entity("", beside.type, typed=True)) if beside.person else beside
         if word.dep in ("nsubj", "nsubjpass"):
             if verb.lemma in CYCLES:
                 return self._new(Entity("", "bicycle", typed=True))

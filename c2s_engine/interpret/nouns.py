@@ -182,7 +182,7 @@ class Nouns(Titles):
             if found is not None:
                 if not found.ego and found.type == "vehicle" and kind != "vehicle" and kind in MOTOR:
                     found.type, found.typed = kind, True
-                found.roles |= roles
+                found.roles |= set() if data.get("person") and found.noun == noun else roles
                 if found.noun == "traffic" and count > 1:
                     found.count, found.noun = count, noun
                 return found

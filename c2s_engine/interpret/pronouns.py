@@ -89,11 +89,13 @@ class Pronouns(Persons):
     def _not_he(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
         """Whom "it" means beside a "he" of the same sentence: "while he came up on the bus, its driver moved out"."""
         before = [w for w in self.words[: word.i] if w.sentence == word.sentence and w.i in self.of]
-        he = [self.of[w.i] for w in before if w.norm in ("he", "she")]
+        person = [w for w in before if w.norm in ("he", "she") or w.span is not None and w.span.data.get("person")]
+        he = [self.of[w.i] for w in person]
         if not he or word.dep != "poss":
             return None
         others = [self.of[w.i] for w in before if self.of[w.i] not in he and accept(self.of[w.i])]
-        return others[-1] if others and he[-1] not in [self.of[w.i] for w in before if w.span is not None] else None
+        things = [self.of[w.i] for w in before if w.span is not None and w not in person]
+        return others[-1] if others and he[-1] not in things else None
 
     def _ego_is_thing(self) -> bool:
         """Whether ego was spoken of as a vehicle, too ("our test car")."""

@@ -96,3 +96,12 @@ def test_parties_of_a_claim(read) -> None:
 
 def test_a_red_van_is_no_red_light(read) -> None:
     assert "run_red" not in acts(read("The driver was driving a red van. A dog crossed the road. He braked.").ego)
+
+
+def test_two_names(read) -> None:
+    s = read("Sam and Tom crossed the street. The ego stopped.")
+    assert [o.spec.type for o in s.objects] == ["pedestrian", "pedestrian"]
+    s = read("Sarah and Tom were driving home when a van cut in. They braked.")
+    assert [o.spec.type for o in s.objects] == ["van"]
+    s = read("Test engineer Thomas reports: the ego braked hard for a pedestrian.")
+    assert [o.spec.type for o in s.objects] == ["pedestrian"]

@@ -129,3 +129,23 @@ def test_former_and_latter(read) -> None:
 def test_a_makes_driver_and_its_short_name(read) -> None:
     s = read("The Volkswagen driver turned left. She failed to notice an oncoming motorcycle. It struck the VW.")
     assert [o.spec.type for o in s.objects] == ["motorcycle"]
+
+
+def test_its_driver_is_not_he_who_is_spoken_of(read) -> None:
+    s = read("A car and a motorcycle were involved. The rider was overtaking the car when its driver turned left.")
+    assert acts(s.ego) == ["turn_left"] and acts(s["O1"]) == ["overtake"]
+    s = read("Ego drives ahead of a taxi. While he was passing a bus, its driver braked.")
+    assert "brake" in next(acts(o) for o in s.objects if o.spec.type == "bus")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A bus overtook a cyclist and pulled in right in front of her.",
+        "Two cyclists were ahead of the bus. The bus driver overtook the first, then pulled in before the second.",
+        "A van driver cut in ahead of a cyclist.",
+    ],
+)
+def test_the_only_one_with_a_motor_is_ego(read, text: str) -> None:
+    s = read(text)
+    assert s.ego.spec.type in ("bus", "van") and {o.spec.type for o in s.objects} == {"bicycle"}

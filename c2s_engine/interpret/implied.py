@@ -59,7 +59,7 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _urgent(event.patient, clauses, of[event.patient])
         elif event.mode == "negated" and event.act == "yield" and event.agent in of:
             _on_the_side(event, of[event.agent])
-        elif event.done and event.act == "cut_in" and event.agent in of:
+        elif event.done and event.act in ("cut_in", "lane_change") and _in_from(event, of):
             _in_from_aside(event, clauses, of[event.agent])
         elif event.done and event.act == "collide" and event.agent in of:
             _sideswipes(event, clauses, of)
@@ -206,6 +206,12 @@ def _on_the_side(event: Event, where: Where) -> None:
     told = " ".join(text for _, text in where.phrases)
     if where.lane in ("left", "right") and where.rel is None and "lane" not in told + event.whole:
         where.lane = "crossing"
+
+
+def _in_from(event: Event, of: dict[Entity, Where]) -> bool:
+    """Whether one comes in "from the right" or "from the left"."""
+    told = re.search(r"\bfrom (?:the |its )?(?:left|right)\b", event.whole)
+    return event.agent in of and bool(event.act == "cut_in" or told and event.text.startswith("merg"))
 
 
 def _in_from_aside(event: Event, clauses: Clauses, where: Where) -> None:

@@ -62,6 +62,7 @@ def test_what_a_participle_tells_comes_before_the_blow(read, text: str) -> None:
     [
         "The ego car is cut off by a pickup from the right.",
         "A van cuts in from the right.",
+        "A car merges from the right and the ego slows to let it in.",
         "A taxi cuts me off from the right and brakes.",
     ],
 )

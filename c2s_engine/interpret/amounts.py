@@ -39,7 +39,7 @@ def _bare() -> re.Pattern[str]:
         rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerates? to)"
         rf"(?:,? at|,? doing| drives|:| speed)? (?:about |around |roughly |a steady "
         rf"|only )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)(?=\s*(?:[,.;)]|$|straight\b|and\b"
-        rf"|in the\b|same\b|left\b|right\b|but\b|on the\b|behind\b|ahead\b|in (?:left|right)\b))"
+        rf"|in the\b|when\b|while\b|same\b|left\b|right\b|but\b|on the\b|behind\b|ahead\b|in (?:left|right)\b))"
         rf"|\b(?:ego|lead|lv|sv|vut|target) (?P<head>\d{{2,3}})(?= (?!(?:m|s|sec\w*|min\w*|hours?"
         rf"|years?|people|cars|vehicles|trucks|km|ft|feet|degrees|percent|to|of|lanes?|am"
         rf"|pm)\b)[a-z])"

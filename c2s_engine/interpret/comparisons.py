@@ -10,7 +10,7 @@ COMPARED = re.compile(
     r"(?:(?P<little>a (?:little|tiny|wee) bit|a bit|a little|little bit|slightly|somewhat|marginally|a touch|a shade"
     r"|a tad|barely|only just|moderately)|(?P<lot>much|far|considerably|a lot|way|significantly|substantially|clearly"
     r"|markedly|a good deal)|(?P<twice>twice|double) (?=as))?"
-    r"\s*\b(?P<how>faster|slower|quicker|as fast)\b(?P<than>(?: than| as) [^,.;]{0,40})?"
+    r"\s*\b(?P<how>faster|slower|quicker|higher|lower|greater|as fast)\b(?P<than>(?: than| as) [^,.;]{0,40})?"
 )
 DIFFERENCE = re.compile(
     r"\b(?:(?:speed|velocity) (?:difference|differential|excess|surplus)|difference (?:in|of) (?:speed|velocity)"
@@ -22,7 +22,9 @@ BY_LIMIT = re.compile(rf"\s*(?:(?P<more>over|above|faster than|in excess of)|und
 AT_LIMIT = re.compile(
     rf"\b(?:at|doing|does|do|drives?|driving|drove|keeps? to|keeping to|exactly|just) {LIMIT}\b(?! of| is| was|,? \d)"
 )
-AFTER = re.compile(r"\s*(?:faster|slower|quicker|more than|less than|above the speed of|below the speed of)\b")
+AFTER = re.compile(
+    r"\s*(?:faster|slower|quicker|(?:higher|lower|greater|more|less) than|(?:above|below) the speed of)\b"
+)
 LITTLE, LOT_MORE, LOT_LESS = 0.08, 1.4, 0.6
 
 
@@ -92,7 +94,7 @@ def _ends_at(scene: Scene, span: Span, match: re.Match[str]) -> bool:
 
 
 def _changed(match: re.Match[str], number: Span | None, low: float, high: float) -> tuple[float, float]:
-    more = match["how"] != "slower"
+    more = match["how"] not in ("slower", "lower")
     if number is not None:
         change = number.data["low"] if more else -number.data["low"]
         return max(0.5, low + change), max(0.5, high + change)

@@ -34,7 +34,8 @@ def phases_of(
     if entity.person and not found and not entity.roles and placement.position in ("sidewalk", "roadside"):
         near = " ".join(w.norm for w in scene.words[entity.mentions[0].word : entity.mentions[0].word + 7])
         on_it = place.crosswalk and re.search(r"cross|zebra", near) is not None
-        found = [Phase(action="cross_road" if on_it else "stationary")]
+        comes = re.search(r"\bfrom (?:the |its )?(?:left|right|far|near)\b", near) is not None
+        found = [Phase(action="cross_road" if on_it or comes else "stationary")]
     if entity.person and not found and (scene.where(entity).rel == "beside" or _stands(scene, entity)):
         found = [Phase(action="stationary")]
     if entity.person and not found and "crossing" in entity.roles:

@@ -138,7 +138,7 @@ def _before(scene: Scene, span: scan.Span) -> Entity | None:
         told = [e for e in spoken if e in others]
         return scene.cast.ego if named["ego"] else told[-1] if told else others[0] if others else None
     if re.search(
-        r"\bown speed[^.;,]{0,20}$"
+        r"\b(?:own|test) speed[^.;,]{0,20}$"
         r"|set[- ]speed[^.;]*$|\b(system|alks|dcas|aebs|acc|cruise control)\b(?! (vehicle|car))[^,.;]*$",
         near,
     ) and not re.search(r"whose", near[-20:]):

@@ -159,3 +159,22 @@ def test_by_the_limit(read, text: str, ego: int, other: int) -> None:
 def test_a_crossing_at_a_drivers_speed(read) -> None:
     s = read("The test vehicle approaches a pedestrian crossing at 40 km/h. A child walks onto it at 5 km/h.")
     assert kmh(s["E"].spec.speed) == 40 and [o.spec.type for o in s.objects] == ["child"]
+
+
+@pytest.mark.parametrize(
+    ("text", "ego", "other"),
+    [
+        ("Test speed 50 km/h, target speed 20 km/h, both in the same lane, initial headway 4 s.", 50, 20),
+        ("The motorcycle is 40 m behind the VUT with a speed that is 20 km/h higher than that of the VUT (70 km/h).",
+         70, 90),
+        ("I was in the middle lane doing about 60 km/h when a lorry doing 70 km/h pulled out on me.", 60, 70),
+    ],
+)  # fmt: skip
+def test_whose_speed(read, text: str, ego: int, other: int) -> None:
+    s = read(text)
+    assert (kmh(s["E"].spec.speed), kmh(s["O1"].spec.speed)) == (ego, other)
+
+
+def test_occupies_egos_lane_and_moves(read) -> None:
+    s = read("A slow-moving agricultural vehicle occupies ego's lane 120 m ahead and travels at 15 km/h.")
+    assert s["O1"].spec.placement.position == "ahead" and kmh(s["O1"].spec.speed) == 15

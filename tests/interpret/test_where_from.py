@@ -165,3 +165,10 @@ def test_beside_ego_and_in_its_way(read) -> None:
 ])  # fmt: skip
 def test_lanes_each_way(read, text: str, lanes: int) -> None:
     assert read(text)["R"].spec.lanes == lanes
+
+
+def test_over_the_centre_line_into_the_path(read) -> None:
+    s = read("A vehicle drifts across the centre line into the path of the subject vehicle at 45 mph.")
+    assert s["O1"].spec.placement.position == "oncoming_lane"
+    s = read("Ego @ 50 km/h, ped from R @ 5 km/h, occluded by parked van, dusk, wet.")
+    assert [p.action for p in s["O2"].spec.phases] == ["cross_road"] and s["O2"].spec.placement.side == "right"

@@ -1,10 +1,12 @@
 """Which component of S a phrase means: "the lead", "O2", "the second car", "the pedestrian's", "it"."""
 
 import re
+from typing import get_args
 
 from c2s_engine.interpret import language, scan
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.vocabulary import ObjectType
 
 ORDINALS = {"first": 0, "1st": 0, "second": 1, "2nd": 1, "third": 2, "3rd": 2, "last": -1}
 FAMILY = {
@@ -85,6 +87,12 @@ def _ordinal(
     if re.search(r"\bother\b", plain) and len(found) > 1:
         return found[1]
     return first
+
+
+def type_said(sentence: str) -> ObjectType:
+    """The type of the first road user or thing that a sentence names; a car where it names none."""
+    types = (s.data["type"] for s in scan.names(scan.normalised(sentence)) if s.kind == "actor")
+    return next((t for t in types if t in get_args(ObjectType)), "car")
 
 
 def names_a_stranger(clause: str, structure: Structure) -> bool:

@@ -147,7 +147,8 @@ async def test_fields_that_contradict_are_kept_marked_and_said(session):
 @pytest.mark.parametrize("method", ["embedded", METHOD])
 async def test_code_by_hand_is_kept_and_a_conflict_is_said(server, session, method):
     if method == "embedded":
-        await take(session.say("A car drives 20 m ahead of ego in its lane at 40 km/h.", method=method, run=False))
+        told = "New scenario: a car drives 20 m ahead of ego in its lane at 40 km/h."
+        await take(session.say(told, method=method, run=False))
     mine = session.structure["O1"].code + "# mine\n"
     await take(session.apply(SetCode(component="O1", code=mine), method=method, run=False))
     assert session.structure["O1"].conflict is None and "# mine" in session.program.text

@@ -4,6 +4,7 @@ import re
 from collections.abc import Awaitable, Callable, Sequence
 from typing import Literal
 
+from c2s_engine.interpret import refer
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.messages import question
 from c2s_engine.structure.components import Component, Structure
@@ -88,7 +89,8 @@ def taken_apart(structure: Structure, program: str) -> Structure:
     ids = [p.id for p in parts]
     if not _in_order(ids) or not program.lstrip().startswith("## G"):
         parts, ids = [Fragment(id="E", sentence="The whole program.", code=program)], ["E"]
-    objects = tuple(Component(id=i, spec=ObjectSpec(name=f"object{i[1:]}")) for i in ids if i.startswith("O"))
+    said = {p.id: refer.type_said(p.sentence) for p in parts if p.id.startswith("O")}
+    objects = tuple(Component(id=i, spec=ObjectSpec(name=f"object{i[1:]}", type=said[i])) for i in ids if i in said)
     structure = structure.model_copy(update={"objects": objects})
     for part in parts:
         component = structure[part.id].model_copy(update={"description": part.sentence})

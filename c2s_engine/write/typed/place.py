@@ -67,7 +67,7 @@ def candidates(plan: Plan, code: PlaceCode, signs: Pairs = frozenset()) -> str:
         for i, (position, _) in enumerate(plan.approaches, start=1)
         if position in plan.stops
     )
-    if plan.stops and plan.place.control is None:  # ego's road has priority there
+    if set(plan.stops) - {"opposite_approach"} and plan.place.control is None:  # ego's road has priority there
         fit += f" and (j[0].intersection.id, j[0].startLane.road.id) not in {listed}"
     fit += "".join(
         f" and j[{i}].centerline.length > {number(plan.lengths[name])}"

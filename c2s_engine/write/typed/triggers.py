@@ -61,7 +61,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     if obstacle := _obstacle(course) if phase.action in ("swerve", "cut_out", "lane_change") else "":
         return f"until (distance from self to {obstacle}) < 12 + 1.3 * self.speed"
     if phase.action == "u_turn" and first and not a.is_ego and (course.oncoming or a.value <= 0):  # in front of ego
-        return f"until (distance from self to ego) < {scope.number(10 + 2.5 * (a.value + a.plan.ego_speed))}"
+        return f"until (distance from self to ego) < {scope.number(12 + 2.2 * (a.value + a.plan.ego_speed))}"
     if first and phase.action in ("brake", "stop") and _comes_over(a):
         return "until need(self, ego) > 1"
     if not first or phase.action not in DELAYED or a.value <= 0:

@@ -3,7 +3,7 @@
 import re
 from typing import Any
 
-from c2s_engine.interpret import language
+from c2s_engine.interpret import language, scan
 from c2s_engine.interpret.change_forms import VEHICLES, Found, name_of, quantity_of, value_of, without_unit
 from c2s_engine.interpret.refer import names_a_stranger, refer, spec_of
 from c2s_engine.structure.components import Component, Structure
@@ -19,9 +19,10 @@ def _table() -> dict[str, Any]:
 
 def distance(clause: str, structure: Structure) -> Found | None:
     """ "20 m further away", "10 m closer", "at 30 m", "set the gap to 40 m", "twice as far"."""
-    quantity = quantity_of(re.sub(_table()["told"]["meanwhile"], " ", clause), "distance") or without_unit(
-        clause, _table()["bare_distances"], 1.0
-    )
+    told = re.sub(_table()["told"]["meanwhile"], " ", clause)
+    quantity = quantity_of(told, "distance") or without_unit(clause, _table()["bare_distances"], 1.0)
+    if quantity is None and (found := _in_time(told, structure)):
+        return found
     relative = re.search(
         (
             r"\b(further|farther|more distant|closer|nearer|less|more|twice as far|double the (?:gap"
@@ -71,6 +72,35 @@ def distance(clause: str, structure: Structure) -> Found | None:
     return [
         SetField(component=component.id, path="placement.gap", value=value)
     ], f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
+
+
+def _in_time(clause: str, structure: Structure) -> Found | None:
+    """ "A following distance of 1.5 s", "reduce the gap to the van to about 1 second": so far at the speed of whom
+    follows."""
+    seconds = quantity_of(clause, "time")
+    if seconds is None or not re.search(_table()["time_gap"], clause) or names_a_stranger(clause, structure):
+        return None
+    named = refer(re.sub(r"\bego\b", " ", clause), structure)
+    component = named if named is not None and named.id != "E" else _followed(structure)
+    if component is None:
+        return None
+    spec = spec_of(component)
+    behind = spec if spec.placement.position == "behind" else structure.ego.spec
+    now = getattr(behind, "speed", None)
+    if not now or re.search(r"\b(?:by|more|less|longer|shorter)\b.*\d", clause):
+        return None
+    metres = [round(seconds[end] * middle(now), 1) for end in ("low", "high")]
+    value: Any = metres[0] if metres[0] == metres[1] else metres
+    edit = SetField(component=component.id, path="placement.gap", value=value)
+    return [edit], f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
+
+
+def _followed(structure: Structure) -> Component | None:
+    """Whom ego follows, or who is ahead of it."""
+    assert isinstance(structure.ego.spec, EgoSpec)
+    followed = {p.target for p in structure.ego.spec.phases if p.action == "follow"}
+    ahead = [c for c in structure.objects if spec_of(c).placement.position == "ahead"]
+    return next((c for c in (*structure.objects, *ahead) if c.id in followed or not followed and c in ahead), None)
 
 
 def _moved(clause: str, place: Placement) -> str:
@@ -175,6 +205,8 @@ def rate(clause: str, structure: Structure) -> Found | None:
     wanted = quantity_of(clause, "acceleration")
     change = next((f for pattern, f in table["factors"] if re.search(pattern, clause)), None)
     actions = next((a for pattern, a in table["actions"] if re.search(pattern, clause)), ())
+    if not actions and not scan.names(clause):
+        actions = table["actions"][0][1]
     if not actions or wanted is None and change is None:
         return None
     doing = [c for c in (structure.ego, *structure.objects) if any(p.action in actions for p in _phases(c))]

@@ -107,9 +107,22 @@ def retype(clause: str, structure: Structure) -> Found | None:
             edits.append(SetField(component=component.id, path="count", value=count))
         noun = kind.replace("_", " ")
         what = f"{count} {language.plurals(noun)[0]}" if count > 1 else f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
+        other = _besides(who or "", component, structure)
+        if other is not None:
+            now = structure
+            for one in edits:
+                now = apply(now, one)
+            edits += [*_release(other, now), RemoveObject(component=other.id)]
         more, said = _rest(match.groupdict().get("rest"), component.id.lower(), edits, structure)
         return [*edits, *more], "; ".join([f"{component.id} is now {what}", *said])
     return None
+
+
+def _besides(who: str, component: Component, structure: Structure) -> Component | None:
+    """The second one of "the tractor and the car", both of whom become one."""
+    joined = re.match(r"(?P<one>.+?) and (?P<other>.+)$", who)
+    other = refer(joined["other"], structure, alone=False) if joined else None
+    return other if other is not None and other.id not in ("E", component.id) else None
 
 
 def _rest(rest: str | None, who: str, edits: list[Edit], structure: Structure) -> tuple[list[Edit], list[str]]:
@@ -120,8 +133,10 @@ def _rest(rest: str | None, who: str, edits: list[Edit], structure: Structure) -
         return [], []
     for edit in edits:
         structure = apply(structure, edit)
-    verb = "is " if rest.split()[0].endswith("ing") else ""
-    return edits_of(f"{who} {verb}{re.sub(r'^(?:that|which|who) ', '', rest.strip())}", structure)
+    table = language.table("refine")
+    rest = re.sub(table["with_it"], "", rest.strip())
+    verb = "is " if re.match(r"\w+ing\b", rest) else "comes " if rest.startswith("from") else ""
+    return edits_of(f"{who} {verb}{re.sub(r'^(?:that|which|who) ', '', rest)}", structure) if rest else ([], [])
 
 
 def _count_of(what: str, now: int) -> int:

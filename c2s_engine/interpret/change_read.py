@@ -47,7 +47,8 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
         return denied
     told = indicative(clause, structure)
     new = re.match(table()["adds"], clause)
-    if not new and re.search(r"\b(?:second|third)\b", clause) and refer(clause, structure) is None:
+    stranger = re.search(r"\b(?:second|third)\b(?! of (?:the|them|these|those)\b)", clause)
+    if not new and stranger and refer(clause, structure) is None:
         return None
     if (
         told is None
@@ -64,7 +65,8 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
     if before is None:
         return None
     there = {a.id: b.id for a, b in zip(was.objects, structure.objects, strict=True)}
-    added = [c.id for c in now.objects if c.id not in before and spec_of(c).type not in SIGNS]
+    both = bool(re.search(r"\bboth sides\b", told))
+    added = [c.id for c in now.objects if c.id not in before and not _there_already(c, was, both)]
     if added and not re.search(table()["new"], told):
         return None
     ids = {c.id: there[before[c.id].id] for c in now.objects if c.id in before}
@@ -80,7 +82,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
         if component.id in ("G", "T") or awaited is not None and cid == awaited.of:
             continue
         if component.id.startswith("O") and component.id not in ids:
-            continue  # a sign
+            continue  # a sign, or one like it is there
         if component.id in added:
             edits.append(_added(component, cid, ids, structure))
             paths.append("+")
@@ -101,6 +103,14 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
     edits = _one_way(edits, structure)
     said = _in_words(edits, structure)
     return [*sorted(edits, key=lambda e: not isinstance(e, AddObject)), *_moves(now, ids, structure)], said
+
+
+def _there_already(component: Component, was: Structure, both: bool) -> bool:
+    """Whether it is a sign that the place has, or of those on both sides (`both`) the ones who stand there."""
+    spec = spec_of(component)
+    alike = (spec_of(c) for c in was.objects if both and spec_of(c).type == spec.type)
+    here = (spec.placement.position, spec.placement.side)
+    return spec.type in SIGNS or any((o.placement.position, o.placement.side) == here for o in alike)
 
 
 def _light(clause: str, now: Structure, structure: Structure) -> list[Edit]:
@@ -232,7 +242,7 @@ def _changes(
             found += [
                 (f"placement.{key}", ids.get(part, part) if key in ("of", "hidden_by") else part)
                 for key, part in value.items()
-                if part != old[path][key] and not (key == "gap" and _cuts_in(now, there))
+                if part != old[path][key] and not (key in ("gap", "along") and _cuts_in(now, there))
             ]
         elif value == "none" and not re.search(table()["denies"], clause):
             continue  # how it reacts goes on, unless that is denied
@@ -242,7 +252,7 @@ def _changes(
 
 
 def _cuts_in(now: Component, there: Component) -> bool:
-    """Whether a distance is that of the cut-in of one who starts behind, not of its start."""
+    """Whether where it is told to be is where one who starts behind cuts in."""
     return spec_of(there).placement.along == "behind" and any(p.action == "cut_in" for p in spec_of(now).phases)
 
 
@@ -272,6 +282,9 @@ def _joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tupl
         return (*new, *(p for p in old if p.action in WAYS))
     if old and [p.action for p in new] == ["move_along"] and not re.search(r"\balong\b", clause):
         return old  # how fast it goes, not what it does
+    passed = [p for p in old if p.action in ("run_red", "run_stop")]
+    if passed and {p.action for p in new} - WAYS.keys() <= {"stop", "wait", "yield"}:  # it obeys what it passed
+        return (*(p for p in new if p.action not in WAYS), *(p for p in old if p.action in WAYS))
     same = [i for i, p in enumerate(old) if len(new) == 1 and p.action == new[0].action]
     if not same:
         return new

@@ -70,7 +70,7 @@ def _who(clause: str, structure: Structure) -> list[Component]:
     """Whose speed it is."""
     table = language.table("refine")
     if re.search(table["all"], clause):
-        return [structure.ego, *_moving(structure)]
+        return [structure.ego, *(c for c in _moving(structure) if spec_of(c).type not in PERSONS)]
     vehicles = [c for c in structure.objects if spec_of(c).type not in PERSONS and spec_of(c).speed]
     if re.search(r"\bboth (?:vehicles|cars|of them|speeds)\b", clause) and vehicles:
         return [structure.ego, vehicles[0]] if len(vehicles) == 1 else vehicles[:2]

@@ -77,7 +77,7 @@ def _parts(sentence: str) -> list[str]:
         rf"(?<!only)\s+(?=then {starts})",
         rf"\s+{there}",
     )
-    sentence = re.sub(r"\bboth ((?:the )?[\w-]+) and ", r"both \1 & ", sentence)
+    sentence = re.sub(r"\b(both|between) ((?:the )?[\w-]+) and ", r"\1 \2 & ", sentence)
     return [part.replace(" & ", " and ") for part in re.split("|".join(bounds), sentence)]
 
 
@@ -87,7 +87,7 @@ def _folded(parts: list[str]) -> list[str]:
     found: list[str] = []
     ahead = ""
     for part in (p.strip() for p in parts):
-        if re.match(table["so"], part):
+        if re.match(table["so"], part) and not re.match(table["reason"], part):
             adds = language.table("refine")["told"]["adds"]
             found, ahead = [d for d in found if re.search(table["demanding"], d) or re.match(adds, found[0])], ""
         if (
@@ -97,7 +97,7 @@ def _folded(parts: list[str]) -> list[str]:
             or re.match(table["kept"], part)
         ):
             continue
-        if re.match(table["subordinate"], part) and not found:
+        if re.match(table["subordinate"], part) and not found or re.match(table["in_place"], part):
             ahead = f"{ahead}{part}, "
         elif found and (enough := re.match(table["enough"], part)):
             found[-1] = f"{found[-1]}, {enough['what']}"

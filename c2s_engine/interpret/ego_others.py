@@ -38,10 +38,10 @@ def yielded(scene: Scene, event: Event, ids: dict[Entity, str]) -> str | None:
         e
         for e in before or near
         if scene.where(e).lane in ("crossing", "oncoming", "left", "right")
-        or scene.where(e).rel == "behind"
         or "oncoming" in e.roles
         or e.person
     ]
+    conflicts = conflicts or [e for e in before or near if scene.where(e).rel == "behind"]
     comes = [e for e in before if scene.does(e, "cut_in", "lane_change", "enter_road", "overtake")]
     pick = comes if re.search(r"\b(in|out|merge|over)$", event.whole) and comes else conflicts or before or near
     return ids[pick[-1]] if pick else None

@@ -174,7 +174,7 @@ class Reference(Pronouns):
             ),
         ]:
             score = entity.mentions[-1].word / 1000 if entity.mentions else 0
-            score += 2 if entity.noun == noun else 0
+            score += 2 if entity.noun == noun and not (entity.ego and self._ego_besides(noun)) else 0
             score += 1.5 if entity.ego and self._ego_by(noun) else 0
             score += 1 if entity.type == kind and not entity.ego else 0
             score -= 0.5 if entity.count > 1 else 0
@@ -188,6 +188,11 @@ class Reference(Pronouns):
         return any(
             noun and self.words[m.word].norm.split(" ")[-1].split("-")[-1] == noun for m in self.ego.mentions
         ) or (noun == "vehicle" and self.strong_ego and not any(e.type == "vehicle" for e in self.entities))
+
+    def _ego_besides(self, noun: str) -> bool:
+        """Whether ego was only called that beside a name of its own ("Ego, a car, drives")."""
+        called = [self.words[m.word] for m in self.ego.mentions]
+        return all(w.dep == "appos" for w in called if w.norm.split(" ")[-1] == noun)
 
     def _distinguished(self, word: Word) -> bool:
         """Whether the noun phrase goes on to say which one: "the car in front of it", "the van that ..."."""

@@ -33,6 +33,8 @@ def indicative(clause: str, structure: Structure) -> str | None:
             return f"{begins['who']} will {action} {begins['when']}"
     if match := re.match(forms["adds"], said):
         rest = re.sub(forms["more"], "a", said[match.end() :])
+        if re.match(forms["part_of"], rest):
+            return None
         first = next(iter(s.data["type"] for s in scan.names(rest) if s.kind == "actor"), "")
         rest = re.sub(r"^an?\b", "another", rest) if objects_of(structure, first) else rest
         return rest if re.search(forms["finite"], rest) else f"there {'is' if rest[0] == 'a' else 'are'} {rest}"

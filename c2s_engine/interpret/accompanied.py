@@ -47,7 +47,9 @@ def within(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
         told = [t for _, t in where.phrases] + [e.whole for e in clauses.events if e.agent is entity and e.done]
         match = next((m for t in told if (m := WITHIN.search(t))), None)
         far = by_key.get(match["far"] or match["far2"]) if match else None
-        if far is None or far is entity or far not in of or entity.person or of[far].rel == "behind":
+        if far is None or far is entity or far not in of or of[far].rel == "behind":
+            continue
+        if entity.person and entity.type != "bicycle":
             continue
         where.rel, where.of, where.lane = "ahead", cast.ego, where.lane or "same"
         other = of[far]

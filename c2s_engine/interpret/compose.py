@@ -153,7 +153,7 @@ def _ego_light(scene: Scene) -> str | None:
     for found in scene.light:
         if found.value == "red" and runner is not None:
             start, end = _clause_span(scene, runner)
-            if start - 25 <= found.span[0] <= end + 25:
+            if start - 25 <= found.span[0] <= end + 25 and not _stood_at(scene, found.span[0]):
                 continue
         if (
             found.value in ("green", "red")
@@ -171,6 +171,12 @@ def _of_another(scene: Scene, at: int) -> bool:
     near = [i for i in scene.cast.of if words and i <= words[-1].i and scene.words[i].sentence == words[-1].sentence]
     last = scene.cast.of[max(near)] if near else None
     return last is not None and not last.ego and last.mover
+
+
+def _stood_at(scene: Scene, at: int) -> bool:
+    """Whether ego is told to stand at the light that is named there."""
+    halts = [e for e in scene.clauses.events if e.agent.ego and e.done and e.act in ("stationary", "stop", "wait")]
+    return any(start <= at < end for start, end in (_clause_span(scene, e) for e in halts))
 
 
 def _clause_span(scene: Scene, event) -> tuple[int, int]:  # noqa: ANN001

@@ -157,7 +157,9 @@ class Places(Inferred):
                     continue
                 if other.dep == "acl" and child in self.clauses.by_word:
                     continue
-                if other.dep == "prep" and self._of_another(child, i, entity):
+                if other.dep == "prep" and (
+                    self._of_another(child, i, entity) or self._of_time([child, *self.clauses._below(child)])
+                ):
                     continue
                 named = self.cast.of.get(child)
                 if other.dep in ("appos", "dep", "nmod") and named is not None and named is not entity:
@@ -241,6 +243,8 @@ class Places(Inferred):
                 )
             ):
                 after = []
+            if after and self._of_time(after):
+                after = []
             if after and (
                 self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO")
                 or self.words[after[0]].norm in PLACING
@@ -288,6 +292,12 @@ class Places(Inferred):
         if any(e.patient is entity or i in e.words for e in passes if e.word < i and i in e.words):
             return ASIDE.sub("", text)
         return text
+
+    def _of_time(self, phrase: list[int]) -> bool:
+        """Whether "before" begins a clause, not a place: "overtakes the cyclist before the car arrives"."""
+        after = max(phrase) + 1
+        verb = after < len(self.words) and self.words[after].tag in ("VBZ", "VBP", "VBD", "MD")
+        return self.words[min(phrase)].norm == "before" and verb
 
     def _of_another(self, child: int, i: int, entity: Entity) -> bool:
         """Whether a phrase before a noun belongs to another's part of the list: "ego in the left lane, bus drifts"."""

@@ -6,6 +6,7 @@ from c2s_engine.interpret.avoiding import abandoned, avoided, by_means
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.echoes import echoes
 from c2s_engine.interpret.event import Event
+from c2s_engine.interpret.halfway import set_out
 from c2s_engine.interpret.heeded import hindered, merged_back, unheeded
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.passing import by_the_other_lane, headings, let_past
@@ -52,6 +53,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     unheeded(clauses)
     hindered(cast, clauses)
     merged_back(clauses)
+    set_out(clauses)
     for event in list(clauses.events):
         if event.act in ("stop", "brake_stop") and event.mode == "fact" and _was_over(cast, event, clauses):
             event.act = "stationary"
@@ -61,7 +63,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             sentence = " ".join(w.norm for w in cast.words if abs(w.sentence - cast.words[event.word].sentence) <= 1)
             if re.search(r"stop sign", sentence) and road.stop_sign:
                 event.act, event.mode = "run_stop", "fact"
-            elif re.search(r"\bred\b|traffic (light|signal)", event.whole + " " + sentence) and re.search(
+            elif re.search(r"\bred\b|traffic (light|signal)|\b(at|for) (the|a|its) (light|signal)", event.whole + " " + sentence) and re.search(
                 r"(fail|not|never|without).{0,30}stop.{0,30}(red|light|signal)", sentence
             ):
                 event.act, event.mode = "run_red", "fact"

@@ -1,0 +1,22 @@
+"""Who stops in the middle of the road on foot has set out to cross it."""
+
+import re
+
+from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.event import Event
+
+MIDDLE = re.compile(
+    r"\b(?:(?:in|at|on|near) (?:the )?(?:very )?(?:middle|centre|center) of|halfway|half way|midway|mid-?(?:street|road|"
+    r"crossing|lane|block))\b|\bin the (?:middle|centre|center)$"
+)
+SETS_OUT = frozenset(("cross_road", "enter_road", "cross_path", "cut_in", "cut_out"))
+
+
+def set_out(clauses: Clauses) -> None:
+    """A crossing before a stop "in the middle of the road", where none is told of."""
+    for event in list(clauses.events):
+        if event.act not in ("stop", "brake_stop") or not event.done or not event.agent.person:
+            continue
+        told = any(e.agent is event.agent and e.act in SETS_OUT and e.done for e in clauses.events)
+        if not told and MIDDLE.search(event.text.rstrip(" .,;")):
+            clauses.events.append(Event.echo(event, act="cross_road", order=event.order - 0.1))

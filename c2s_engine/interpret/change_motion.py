@@ -39,7 +39,7 @@ def distance(clause: str, structure: Structure) -> Found | None:
     component = refer(clause, structure)
     if component is None or component.id == "E":
         component = _only_one(structure)
-    if component is None:
+    if component is None or re.search(_table()["of_the_road"], clause):
         return None
     spec = spec_of(component)
     between = re.search(r"\bbetween (?:the |each |them\b|one )", clause)
@@ -127,7 +127,7 @@ def sides(clause: str, structure: Structure) -> Found | None:
     match = re.search(
         r"\b(?:from|on|to|at|in)(?: the| its)? (left|right|other|opposite)(?:-hand)?(?: side| lane| hand)?\b", clause
     )
-    if not match or re.search(r"\bturn|\bchange", clause):
+    if not match or re.search(r"\bturn|\bchange|\bsteer|\bswerv|\bavoid|\bevad", clause):
         return None
     component = refer(clause, structure)
     own = component is not None and component.id == "E" and re.match(r"(?:put |move )?ego\b", clause)

@@ -90,6 +90,8 @@ def retype(clause: str, structure: Structure) -> Found | None:
         if pattern == table["how_many"] and (not objects_of(structure, kind) or re.search(r"\bmore\b", match["what"])):
             continue
         who = match.groupdict().get("who")
+        if who and re.search(table["unfinished"], who):
+            continue
         alike = not who or who in ("it", "that", "this")
         component = _akin(kind, structure) if alike else refer(who, structure)
         if component is None:

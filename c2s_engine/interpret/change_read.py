@@ -9,17 +9,17 @@ from typing import Any
 
 from c2s_engine.interpret import scan
 from c2s_engine.interpret.change_forms import Found, name_of
+from c2s_engine.interpret.change_phases import WAYS, afterwards, awaited, joined, mapped
 from c2s_engine.interpret.refer import refer, spec_of
 from c2s_engine.interpret.retold import indicative, read, scene, table
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField
 from c2s_engine.structure.quantity import high, low
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, SettingsSpec, Trigger
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec, SettingsSpec, Trigger
 
 PLACE = ("kind", "manoeuvre", "arms", "control", "ego_lane", "crosswalk")
 """Fields of R that a clause about road users can say."""
 PARTS = {"R": "the place", "G": "the scene"}
-WAYS = {"go_straight": "straight", "turn_left": "left", "turn_right": "right", "u_turn": "u_turn"}
 SIGNS = frozenset(("stop_sign", "yield_sign", "speed_sign"))
 
 
@@ -72,14 +72,14 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
     ids = {c.id: there[before[c.id].id] for c in now.objects if c.id in before}
     number = int(structure.next_object_id()[1:])
     ids |= {cid: f"O{number + i}" for i, cid in enumerate(added)}
-    awaited = _awaited(told, structure)
+    waited = awaited(told, structure)
     main = re.sub(table()["meanwhile"], " ", told)
     main = main if scan.names(main) else told
     edits: list[Edit] = []
     paths: list[str] = []
     for component in now.components:
         cid = ids.get(component.id, component.id)
-        if component.id in ("G", "T") or awaited is not None and cid == awaited.of:
+        if component.id in ("G", "T") or waited is not None and cid == waited.of:
             continue
         if component.id.startswith("O") and component.id not in ids:
             continue  # a sign, or one like it is there
@@ -88,7 +88,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
             paths.append("+")
         elif cid == "R" or _names(main, structure[cid], structure):
             old = before.get(component.id) or was[component.id]
-            changed = _changes(old, component, structure[cid], ids, clause, awaited)
+            changed = _changes(old, component, structure[cid], ids, clause, waited)
             if cid not in ("R", "E") and _only_beside(main, structure[cid], structure):
                 changed = [c for c in changed if c[0] not in ("phases", "speed")]
             if cid == "R" and not _names(told, structure.ego, structure):
@@ -99,7 +99,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
             paths += [path for path, _ in changed]
     if not any(wanted(path) for path in paths):
         return None
-    edits += _light(clause, now, structure)
+    edits += [*_light(clause, now, structure), *afterwards(clause, edits, structure)]
     edits = _one_way(edits, structure)
     said = _in_words(edits, structure)
     return [*sorted(edits, key=lambda e: not isinstance(e, AddObject)), *_moves(now, ids, structure)], said
@@ -200,19 +200,8 @@ def _counterparts(was: Structure, now: Structure) -> dict[str, Component] | None
     return None if left else found
 
 
-def _awaited(told: str, structure: Structure) -> Trigger | None:
-    """ "As soon as the child starts to cross, the bus stops": what another does, for which it is waited."""
-    match = re.match(table()["awaits"], told)
-    if match is None or re.search(r"\d", condition := match["before"] or match["after"]):
-        return None
-    other = refer(condition, structure, alone=False)
-    if other is None or other.id == "E" or not (phases := spec_of(other).phases):
-        return None
-    return Trigger(kind="action", of=other.id, action=phases[0].action)
-
-
 def _changes(
-    was: Component, now: Component, there: Component, ids: dict[str, str], clause: str, awaited: Trigger | None
+    was: Component, now: Component, there: Component, ids: dict[str, str], clause: str, waited: Trigger | None
 ) -> list[tuple[str, Any]]:
     """Paths and new values of the fields of a component that the clause says."""
     old, new = was.spec.model_dump(), now.spec.model_dump()
@@ -220,7 +209,7 @@ def _changes(
         old["reaction"] = getattr(there.spec, "reaction", None)
     found: list[tuple[str, Any]] = []
     for path, value in new.items():
-        same = value == old[path]
+        same = value == old[path] and path != "placement"
         if path == "ego_lane" and re.match(table()["located"], clause):
             same = value == getattr(there.spec, path)
         if path == "speed":
@@ -233,22 +222,33 @@ def _changes(
         if path == "phases":
             assert isinstance(there.spec, EgoSpec | ObjectSpec) and isinstance(now.spec, EgoSpec | ObjectSpec)
             turns = any(p.action in ("turn_left", "turn_right", "u_turn") for p in now.spec.phases)
-            phases = tuple(_mapped(p, ids) for p in now.spec.phases if not (turns and p.action == "go_straight"))
+            phases = tuple(mapped(p, ids) for p in now.spec.phases if not (turns and p.action == "go_straight"))
             phases = tuple(sorted(phases, key=lambda p: p.action not in ("run_red", "run_stop")))
-            if awaited is not None and phases and phases[0].trigger is None:
-                phases = (phases[0].model_copy(update={"trigger": awaited}), *phases[1:])
-            found.append((path, _joined(there.spec.phases, phases, clause)))
+            if waited is not None and phases and phases[0].trigger is None:
+                phases = (phases[0].model_copy(update={"trigger": waited}), *phases[1:])
+            found.append((path, joined(there.spec.phases, phases, clause)))
         elif path == "placement":
+            place = _placed_before(was, now, there, clause)
             found += [
                 (f"placement.{key}", ids.get(part, part) if key in ("of", "hidden_by") else part)
                 for key, part in value.items()
-                if part != old[path][key] and not (key in ("gap", "along") and _cuts_in(now, there))
+                if part != place[key] and not (key in ("gap", "along") and _cuts_in(now, there))
             ]
         elif value == "none" and not re.search(table()["denies"], clause):
             continue  # how it reacts goes on, unless that is denied
         elif value is not None:
             found.append((path, ids.get(value, value) if path == "react_to" else value))
     return found
+
+
+def _placed_before(was: Component, now: Component, there: Component, clause: str) -> dict[str, Any]:
+    """Where it was: of one whose place the clause tells anew, where it really is, but for what is not told."""
+    old, new = spec_of(was).placement.model_dump(), spec_of(now).placement.model_dump()
+    assumed = any(a.field == "placement.position" for a in now.assumed)
+    if assumed or not re.match(table()["located"], clause):
+        return old
+    real = spec_of(there).placement.model_dump()
+    return real | {key: new[key] for key in ("gap", "hidden_by") if new[key] is None}
 
 
 def _cuts_in(now: Component, there: Component) -> bool:
@@ -261,39 +261,6 @@ def _near(a: Any, b: Any) -> bool:
     return a is not None and b is not None and abs(low(a) - low(b)) < 0.15 and abs(high(a) - high(b)) < 0.15
 
 
-def _mapped(phase: Phase, ids: dict[str, str]) -> Phase:
-    trigger = phase.trigger
-    if trigger is not None and trigger.of:
-        trigger = trigger.model_copy(update={"of": ids.get(trigger.of, trigger.of)})
-    target = ids.get(phase.target, phase.target) if phase.target else None
-    return phase.model_copy(update={"trigger": trigger, "target": target})
-
-
-def _joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
-    """What it does from now on: the new phases; behind the old ones where the clause says so; where they only say more
-    of an old phase, that one with what is new."""
-    if re.search(table()["besides"], clause) and (len(new) == 1 or re.match(table()["afterwards"], clause)):
-        ways = ("go_straight", "turn_left", "turn_right", "u_turn")
-        turns = any(p.action in ways for p in new)
-        if old and new and old[-1].action == new[0].action:
-            new = new[1:]
-        return (*(p for p in old if not (turns and p.action in ways)), *new)
-    if re.search(r"\bfirst\b", clause) and len(new) == 1 and new[0].action not in WAYS:
-        return (*new, *(p for p in old if p.action in WAYS))
-    if old and [p.action for p in new] == ["move_along"] and not re.search(r"\balong\b", clause):
-        return old  # how fast it goes, not what it does
-    passed = [p for p in old if p.action in ("run_red", "run_stop")]
-    if passed and {p.action for p in new} - WAYS.keys() <= {"stop", "wait", "yield"}:  # it obeys what it passed
-        return (*(p for p in new if p.action not in WAYS), *(p for p in old if p.action in WAYS))
-    same = [i for i, p in enumerate(old) if len(new) == 1 and p.action == new[0].action]
-    if not same:
-        return new
-    said = {k: v for k, v in new[0].model_dump().items() if v is not None}
-    said |= {} if len(said) > 1 else {"rate": None}
-    merged = Phase.model_validate(old[same[0]].model_dump() | said)
-    return (*old[: same[0]], merged, *old[same[0] + 1 :])
-
-
 def _added(component: Component, cid: ComponentId, ids: dict[str, str], structure: Structure) -> AddObject:
     spec = spec_of(component)
     place = spec.placement
@@ -302,7 +269,7 @@ def _added(component: Component, cid: ComponentId, ids: dict[str, str], structur
     )
     taken = {spec_of(c).name for c in structure.objects}
     name = spec.name if spec.name not in taken else f"{spec.name}_{cid[1:]}"
-    phases = tuple(_mapped(p, ids) for p in spec.phases)
+    phases = tuple(mapped(p, ids) for p in spec.phases)
     update = {"name": name, "placement": placement, "phases": phases}
     return AddObject(spec=spec.model_copy(update=update), description=component.description, component=cid)
 

@@ -37,9 +37,7 @@ def yielded(scene: Scene, event: Event, ids: dict[Entity, str]) -> str | None:
     conflicts = [
         e
         for e in before or near
-        if scene.where(e).lane in ("crossing", "oncoming", "left", "right")
-        or "oncoming" in e.roles
-        or e.person
+        if scene.where(e).lane in ("crossing", "oncoming", "left", "right") or "oncoming" in e.roles or e.person
     ]
     conflicts = conflicts or [e for e in before or near if scene.where(e).rel == "behind"]
     comes = [e for e in before if scene.does(e, "cut_in", "lane_change", "enter_road", "overtake")]

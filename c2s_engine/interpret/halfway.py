@@ -6,8 +6,8 @@ from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.event import Event
 
 MIDDLE = re.compile(
-    r"\b(?:(?:in|at|on|near) (?:the )?(?:very )?(?:middle|centre|center) of|halfway|half way|midway|mid-?(?:street|road|"
-    r"crossing|lane|block))\b|\bin the (?:middle|centre|center)$"
+    r"\b(?:(?:in|at|on|near) (?:the )?(?:very )?(?:middle|centre|center) of|halfway|half way|midway|"
+    r"mid-?(?:street|road|crossing|lane|block))\b|\bin the (?:middle|centre|center)$"
 )
 SETS_OUT = frozenset(("cross_road", "enter_road", "cross_path", "cut_in", "cut_out"))
 

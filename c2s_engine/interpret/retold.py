@@ -41,6 +41,10 @@ def indicative(clause: str, structure: Structure) -> str | None:
     named = [s for s in scan.names(said) if s.kind in ("actor", "ego", "label")]
     if not named:
         return None
+    first = named[0]
+    bare = first.kind == "actor" and first.start == 0 and not first.data["plural"] and " " in said[first.end - 1 :]
+    if bare and refer(said[: first.end], structure, alone=False) is not None:
+        said = f"the {said}"
     if match := re.match(forms["causes"], said):
         subject = next((s for s in named if s.start >= match.end()), None)
         if subject is None:
@@ -67,7 +71,8 @@ def scene(structure: Structure, told: str) -> str:
         place = place.model_copy(update={"manoeuvre": None, "ego_lane": None})
     told_speed = any(q.data["dimension"] == "speed" for q in amounts.quantities(told))
     mover = refer(told, structure, alone=False) if told_speed else None
-    located = refer(told, structure, alone=False) if re.match(table()["located"], told) else None
+    placed = re.match(table()["located"], told) and not re.match(table()["adds"], told)
+    located = refer(told, structure, alone=False) if placed else None
     names = {c.id: spec_of(c).name for c in structure.objects}
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)

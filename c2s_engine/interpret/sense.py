@@ -46,6 +46,10 @@ def _at_junction(event: Event, clauses: Clauses, road: Road) -> bool:
     return turns or road.kind in ("intersection", "roundabout") or bool(event.agent.roles & {"oncoming", "crossing"})
 
 
+def _at_a_light(told: str) -> bool:
+    return bool(re.search(r"\bred\b|traffic (light|signal)|\b(at|for) (the|a|its) (light|signal)", told))
+
+
 def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     """What single clauses cannot tell: a stop that is denied before a stop sign, a pass that is waited for."""
     avoided(cast, clauses)
@@ -63,7 +67,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             sentence = " ".join(w.norm for w in cast.words if abs(w.sentence - cast.words[event.word].sentence) <= 1)
             if re.search(r"stop sign", sentence) and road.stop_sign:
                 event.act, event.mode = "run_stop", "fact"
-            elif re.search(r"\bred\b|traffic (light|signal)|\b(at|for) (the|a|its) (light|signal)", event.whole + " " + sentence) and re.search(
+            elif _at_a_light(event.whole + " " + sentence) and re.search(
                 r"(fail|not|never|without).{0,30}stop.{0,30}(red|light|signal)", sentence
             ):
                 event.act, event.mode = "run_red", "fact"

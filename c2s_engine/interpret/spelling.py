@@ -7,7 +7,7 @@ from c2s_engine.interpret import elided, grids, language, notation, telegraphic
 from c2s_engine.interpret.motions import irregular
 from c2s_engine.interpret.rewritten import Replacement, Rewritten
 
-WORD = re.compile(r"[A-Za-z]{4,}")
+WORD = re.compile(r"[A-Za-z]{4,}(?!['’]t\b)(?![A-Za-z])")
 
 
 class Mended:

@@ -52,7 +52,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
     if structure is None or not structure.text and not structure.objects:
         return Turn("scenario", span=whole)
     commanding = bool(re.match(table["commands"], plain)) or bool(re.search(table["marks"], plain))
-    if len(plain.split()) > 45 or _tells(plain, commanding) and not _adds(plain):
+    if len(plain.split()) > 45 or _tells(plain, commanding) and not _adds(plain) and not _goes_on(plain, structure):
         return Turn("scenario", span=whole)
     edits, said = refine.edits_of(text, structure)
     if edits:
@@ -120,6 +120,14 @@ def _of_those_there(plain: str, structure: Structure) -> bool:
 def _adds(plain: str) -> bool:
     """Whether a text only tells of somebody new in the scene that is there."""
     return bool(re.match(language.table("refine")["told"]["adds"], plain)) and not retold.tells_ego(plain)
+
+
+def _goes_on(plain: str, structure: Structure) -> bool:
+    """Whether one sentence tells more of one who is there: "the police car is chasing a red sports car"."""
+    if not plain.startswith("the ") or re.search(r"[.;] \w", plain) or len(plain.split()) > 25:
+        return False
+    first = next((s for s in scan.names(plain) if s.kind == "actor"), None)
+    return first is not None and first.start < 20 and refer(plain[: first.end], structure, alone=False) is not None
 
 
 def _tells(plain: str, commanding: bool) -> bool:

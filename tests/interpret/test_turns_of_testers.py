@@ -1,0 +1,152 @@
+"""Changes as testers type them, without a verb, in one breath or by what they call things: what becomes of S."""
+
+from typing import Any
+
+import pytest
+
+from c2s_engine.interpret.turn import route
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import apply
+
+STREET = "Ego follows a taxi at 50 km/h. The taxi brakes hard and a woman crosses from the right."
+JUNCTION = (
+    "Ego approaches a signalised intersection at 40 km/h and turns left. An oncoming lorry goes straight on. "
+    "A motorcycle follows ego."
+)
+MOTORWAY = (
+    "On a three-lane motorway ego drives at 108 km/h in the middle lane. A van 30 m ahead brakes. "
+    "A car on the left at 140 km/h overtakes ego."
+)
+ROW = "Ego drives at 30 km/h past three cars that are parked on the right. A boy runs out from behind them. A bus comes the other way."
+STOP = "At a four-way stop a police car comes from the right and runs the stop sign while ego goes straight on."
+
+
+def after(structure: Structure, text: str) -> Structure:
+    turn = route(text, structure)
+    assert turn.kind == "edit" and turn.edits, turn
+    for edit in turn.edits:
+        structure = apply(structure, edit)
+    return structure
+
+
+def value_of(structure: Structure, path: str) -> Any:
+    cid, _, rest = path.partition(".")
+    found: Any = structure[cid].spec
+    if rest == "actions":
+        return [p.action for p in found.phases]
+    if rest == "trigger":
+        return next((p.trigger.of, p.trigger.action) for p in found.phases if p.trigger)
+    for name in rest.split("."):
+        found = found[int(name)] if name.isdigit() else getattr(found, name)
+    return found
+
+
+@pytest.mark.parametrize(
+    ("scene", "text", "expected"),
+    [
+        (STREET, "the braking is too hard, make it gentle, about 2 m/s²", {"O1.phases.0.rate": 2.0}),
+        (STREET, "the taxi brakes too hard", {"O1.phases.0.rate": 3.6}),
+        (STREET, "start the woman only once the taxi has begun to brake", {"O2.trigger": ("O1", "brake")}),
+        (STREET, "the taxi changes lanes before the woman crosses", {"O2.trigger": ("O1", "cut_out")}),
+        (STREET, "give ego a following distance of 1.5 seconds", {"O1.placement.gap": 20.8}),
+        (MOTORWAY, "reduce the gap to the van to about 1 second", {"O1.placement.gap": 30.0}),
+        (STREET, "the road should be one-way with three lanes, ego in the rightmost", {"R.ego_lane": "rightmost"}),
+        (STREET, "swap it: woman from the left and the taxi in the left lane", {"O1.placement.position": "left_lane"}),
+        (STREET, "make everything 9 km/h slower", {"E.speed": 11.39, "O1.speed": 11.39, "O2.speed": 1.4}),
+        (STREET, "avoid the collision by steering to the left", {"E.actions": ["swerve"], "O2.placement.side": "right"}),
+        (JUNCTION, "there is no signal, ego must yield", {"E.reaction": "yield", "E.react_to": "O1"}),
+        (JUNCTION, "move the motorcycle to the adjacent left lane", {"O2.placement.position": "left_lane"}),
+        (MOTORWAY, "the left car cuts in between ego and the van and brakes", {"O2.actions": ["cut_in", "brake"]}),
+        (MOTORWAY, "let the van be a lorry with a trailer that does 72", {"O1.type": "truck", "O1.speed": 20.0}),
+        (MOTORWAY, "car on the left rides level with ego so that it can't change lanes", {"O2.placement.along": "abreast"}),
+        (ROW, "the bus is further away, so ego can get past", {"O3.placement.gap": 40.0}),
+        (ROW, "boy stops in the middle of the street", {"O2.actions": ["cross_road", "stop"]}),
+        (ROW, "bus in ego's lane", {"O3.placement.position": "ahead"}),
+        (STOP, "the police car stops properly", {"O1.actions": ["stop", "go_straight"]}),
+        (STOP, "the police car comes from the left with 72", {"O1.placement.position": "crossing_left", "O1.speed": 20.0}),
+        (STREET, "instead of a woman, a cyclist coming from the left", {"O2.type": "bicycle", "O2.placement.side": "left"}),
+    ],
+)  # fmt: skip
+def test_what_it_becomes(read, scene: str, text: str, expected: dict[str, Any]) -> None:
+    before = read(scene)
+    now = after(before, text)
+    for path, wanted in expected.items():
+        found = value_of(now, path)
+        assert found == pytest.approx(wanted, abs=0.06) if isinstance(wanted, float) else found == wanted
+    assert now.ids == before.ids
+
+
+@pytest.mark.parametrize(
+    ("scene", "text", "expected"),
+    [
+        (ROW, "the second of the parked cars pulls out", {"O1.count": 2, "O4.placement.position": "parked"}),
+        (ROW, "cars parked on both sides", {"O1.count": 3, "O4.placement.side": "left"}),
+        (STOP, "the police car is chasing a red sports car that goes first", {"O1.actions": ["go_straight", "follow"]}),
+        (STREET, "add a cyclist between ego and the taxi", {"O3.placement.position": "ahead"}),
+        (MOTORWAY, "roadworks in the right lane", {"O3.placement.position": "right_lane"}),
+        (JUNCTION, "from the right comes an ambulance which does not care about the light", {"O3.actions": ["run_red", "go_straight"]}),
+    ],
+)  # fmt: skip
+def test_who_comes_besides(read, scene: str, text: str, expected: dict[str, Any]) -> None:
+    before = read(scene)
+    now = after(before, text)
+    assert {path: value_of(now, path) for path in expected} == expected
+    assert len(now.ids) == len(before.ids) + 1
+
+
+@pytest.mark.parametrize(
+    ("scene", "text", "gone", "stays"),
+    [
+        (STREET, "the taxi shouldn't be there any more, but the woman must stay", "O1", "O2"),
+        (MOTORWAY, "replace the van and the car by a coach", "O2", "O1"),
+    ],
+)
+def test_who_goes_and_who_stays(read, scene: str, text: str, gone: str, stays: str) -> None:
+    now = after(read(scene), text)
+    assert gone not in now and stays in now
+
+
+@pytest.mark.parametrize(
+    ("scene", "text"),
+    [
+        (ROW, "a door of the first parked car opens"),
+        (MOTORWAY, "ego's lane ends in 200 m"),
+        (MOTORWAY, "ego should keep 1.5 m lateral distance when passing"),
+    ],
+)
+def test_what_cannot_be_said_changes_nothing(read, scene: str, text: str) -> None:
+    turn = route(text, read(scene))
+    assert turn.kind == "edit" and not turn.edits
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "gap"),
+    [
+        ("Ego, a car, drives at 50 km/h. A car is 30 m ahead of ego. The car is in the left lane.", "left_lane", 30.0),
+        ("Ego follows a truck. A cyclist rides between ego and the truck.", "ahead", None),
+        ("Ego overtakes a cyclist before an oncoming car arrives.", "ahead", None),
+    ],
+)
+def test_where_they_are(read, text: str, name: str, gap: float | None) -> None:
+    first = next(o for o in read(text).objects if o.spec.type in ("car", "bicycle"))
+    assert (first.spec.placement.position, first.spec.placement.of, first.spec.placement.gap) == (name, "ego", gap)
+
+
+@pytest.mark.parametrize(
+    ("text", "actions"),
+    [
+        ("A pedestrian stops in the middle of the crosswalk.", ["cross_road", "stop"]),
+        ("A child stops halfway across the street.", ["cross_road", "stop"]),
+        ("A pedestrian stops at the kerb.", ["stop"]),
+        ("A car from the left pays no attention to the traffic light.", ["run_red", "go_straight"]),
+        ("A car from the left takes no notice of the stop sign.", ["run_stop", "go_straight"]),
+        ("A car from the left does not stop at the signal.", ["run_red", "go_straight"]),
+    ],
+)
+def test_what_they_do(read, text: str, actions: list[str]) -> None:
+    assert [p.action for p in read(text).objects[0].spec.phases] == actions
+
+
+def test_ego_waits_at_its_own_red_light(read) -> None:
+    found = read("Ego waits at a red light; an ambulance from the right ignores the light.")
+    assert found.settings.spec.light == "red"

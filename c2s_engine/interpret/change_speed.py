@@ -29,7 +29,7 @@ def speed_difference(clause: str, structure: Structure) -> Found | None:
 def speed(clause: str, structure: Structure) -> Found | None:
     """ "Ego at 50 km/h", "the lead drives 20 km/h", "faster", "10 km/h slower", "twice as fast"."""
     table = _table()
-    if re.search(r"\blimit\b", clause):
+    if re.search(r"\blimit\b", clause) or re.search(table["of_distance"], clause) and "speed" not in clause:
         return None
     quantity = quantity_of(clause, "speed") or without_unit(clause, table["bare"], 1 / 3.6)
     change = _factor(clause)
@@ -72,7 +72,7 @@ def _who(clause: str, structure: Structure) -> list[Component]:
     if re.search(table["all"], clause):
         return [structure.ego, *(c for c in _moving(structure) if spec_of(c).type not in PERSONS)]
     vehicles = [c for c in structure.objects if spec_of(c).type not in PERSONS and spec_of(c).speed]
-    if re.search(r"\bboth (?:vehicles|cars|of them|speeds)\b", clause) and vehicles:
+    if re.search(r"\bboth (?:vehicles|cars|of them|speeds|at|with)\b", clause) and vehicles:
         return [structure.ego, vehicles[0]] if len(vehicles) == 1 else vehicles[:2]
     joint = re.match(table["joint"], clause)
     both = [refer(joint[name], structure, alone=False) for name in ("one", "other")] if joint else []

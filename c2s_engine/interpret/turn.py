@@ -43,8 +43,8 @@ def _route(text: str, structure: Structure | None) -> Turn:
         return Turn("edit", reply="Say what the scene is, or what to change in it.", span=whole)
     if (back := _taken_back(plain)) is not None:
         return Turn(back, span=whole)
-    if structure is not None and (supposed := _supposed(plain)):
-        edits, said = refine.edits_of(supposed, structure)
+    if structure is not None and (asked := _requested(plain) or _supposed(plain)):
+        edits, said = refine.edits_of(asked, structure)
         if edits:
             return Turn("edit", edits, "; ".join(said), whole)
     if _asks(plain, table):
@@ -84,11 +84,23 @@ def _taken_back(plain: str) -> Literal["undo", "redo"] | None:
 
 def _supposed(plain: str) -> str:
     """What a "what if" supposes, as a demand; empty where the text is none."""
-    match = re.match(language.table("refine")["supposed"], plain)
+    table = language.table("refine")
+    match = next((m for pattern in table["supposed"] if (m := re.match(pattern, plain))), None)
     if not match:
         return ""
     said = re.sub(r"^there (?:were|was|is|are) (?:also )?", "add ", match["said"].strip())
     return re.sub(r"^(?!add )(?P<what>.+?) (?:were|was|is|are|be) (?P<how>.+)$", r"make \g<what> \g<how>", said)
+
+
+def _requested(plain: str) -> str:
+    """What is asked for politely, as an order: "would you mind removing the van?"; empty where the text is none."""
+    table = language.table("refine")
+    for pattern, new in table["requested"]:
+        said, number = re.subn(rf"^(?:please |and |so |ok,? )?(?:{pattern})", new, plain)
+        if number:
+            first, _, rest = said.rstrip("? ").partition(" ")
+            return f"{table['orders'].get(first, first)} {rest}"
+    return ""
 
 
 def _asks(plain: str, table: dict[str, str]) -> bool:

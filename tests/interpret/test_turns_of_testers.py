@@ -17,7 +17,10 @@ MOTORWAY = (
     "On a three-lane motorway ego drives at 108 km/h in the middle lane. A van 30 m ahead brakes. "
     "A car on the left at 140 km/h overtakes ego."
 )
-ROW = "Ego drives at 30 km/h past three cars that are parked on the right. A boy runs out from behind them. A bus comes the other way."
+ROW = (
+    "Ego drives at 30 km/h past three cars that are parked on the right. A boy runs out from behind them. "
+    "A bus comes the other way."
+)
 STOP = "At a four-way stop a police car comes from the right and runs the stop sign while ego goes straight on."
 
 
@@ -53,20 +56,41 @@ def value_of(structure: Structure, path: str) -> Any:
         (STREET, "the road should be one-way with three lanes, ego in the rightmost", {"R.ego_lane": "rightmost"}),
         (STREET, "swap it: woman from the left and the taxi in the left lane", {"O1.placement.position": "left_lane"}),
         (STREET, "make everything 9 km/h slower", {"E.speed": 11.39, "O1.speed": 11.39, "O2.speed": 1.4}),
-        (STREET, "avoid the collision by steering to the left", {"E.actions": ["swerve"], "O2.placement.side": "right"}),
+        (
+            STREET,
+            "avoid the collision by steering to the left",
+            {"E.actions": ["swerve"], "O2.placement.side": "right"},
+        ),
         (JUNCTION, "there is no signal, ego must yield", {"E.reaction": "yield", "E.react_to": "O1"}),
         (JUNCTION, "move the motorcycle to the adjacent left lane", {"O2.placement.position": "left_lane"}),
         (MOTORWAY, "the left car cuts in between ego and the van and brakes", {"O2.actions": ["cut_in", "brake"]}),
         (MOTORWAY, "let the van be a lorry with a trailer that does 72", {"O1.type": "truck", "O1.speed": 20.0}),
-        (MOTORWAY, "car on the left rides level with ego so that it can't change lanes", {"O2.placement.along": "abreast"}),
+        (STREET, "the driver of the taxi falls asleep and drifts to the right", {"O1.actions": ["drift"]}),
+        (STREET, "double the distance between ego and the taxi", {"O1.placement.gap": 50.0, "E.speed": 13.89}),
+        (STREET, "could we see what happens when the woman runs?", {"O2.speed": 2.8}),
+        (STREET, "Is it possible to have the taxi brake at 3 m/s2?", {"O1.phases.0.rate": 3.0}),
+        (STREET, "why don't we make the taxi a van?", {"O1.type": "van"}),
+        (JUNCTION, "Shouldn't the lorry run the red light?", {"O1.actions": ["run_red", "go_straight"]}),
+        (STREET, "once more with a child instead", {"O2.type": "child"}),
+        (STREET, "let's say the taxi is a lorry", {"O1.type": "truck"}),
+        (STREET, "both at 36", {"E.speed": 10.0, "O1.speed": 10.0}),
+        (STREET, "too fast!", {"E.speed": 10.42}),
         (ROW, "the bus is further away, so ego can get past", {"O3.placement.gap": 40.0}),
         (ROW, "boy stops in the middle of the street", {"O2.actions": ["cross_road", "stop"]}),
         (ROW, "bus in ego's lane", {"O3.placement.position": "ahead"}),
         (STOP, "the police car stops properly", {"O1.actions": ["stop", "go_straight"]}),
-        (STOP, "the police car comes from the left with 72", {"O1.placement.position": "crossing_left", "O1.speed": 20.0}),
-        (STREET, "instead of a woman, a cyclist coming from the left", {"O2.type": "bicycle", "O2.placement.side": "left"}),
+        (
+            STOP,
+            "the police car comes from the left with 72",
+            {"O1.placement.position": "crossing_left", "O1.speed": 20.0},
+        ),
+        (
+            STREET,
+            "instead of a woman, a cyclist coming from the left",
+            {"O2.type": "bicycle", "O2.placement.side": "left"},
+        ),
     ],
-)  # fmt: skip
+)
 def test_what_it_becomes(read, scene: str, text: str, expected: dict[str, Any]) -> None:
     before = read(scene)
     now = after(before, text)
@@ -84,9 +108,13 @@ def test_what_it_becomes(read, scene: str, text: str, expected: dict[str, Any]) 
         (STOP, "the police car is chasing a red sports car that goes first", {"O1.actions": ["go_straight", "follow"]}),
         (STREET, "add a cyclist between ego and the taxi", {"O3.placement.position": "ahead"}),
         (MOTORWAY, "roadworks in the right lane", {"O3.placement.position": "right_lane"}),
-        (JUNCTION, "from the right comes an ambulance which does not care about the light", {"O3.actions": ["run_red", "go_straight"]}),
+        (
+            JUNCTION,
+            "from the right comes an ambulance which does not care about the light",
+            {"O3.actions": ["run_red", "go_straight"]},
+        ),
     ],
-)  # fmt: skip
+)
 def test_who_comes_besides(read, scene: str, text: str, expected: dict[str, Any]) -> None:
     before = read(scene)
     now = after(before, text)
@@ -97,6 +125,8 @@ def test_who_comes_besides(read, scene: str, text: str, expected: dict[str, Any]
 @pytest.mark.parametrize(
     ("scene", "text", "gone", "stays"),
     [
+        (STREET, "would you mind removing the woman?", "O2", "O1"),
+        (STREET, "there must not be any woman", "O2", "O1"),
         (STREET, "the taxi shouldn't be there any more, but the woman must stay", "O1", "O2"),
         (MOTORWAY, "replace the van and the car by a coach", "O2", "O1"),
     ],

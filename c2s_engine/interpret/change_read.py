@@ -150,8 +150,11 @@ def _denied(clause: str, structure: Structure) -> Found | None:
     positive, number = re.subn(table()["not"], "will", clause)
     found = _told(positive, structure, lambda path: path == "phases") if number == 1 else None
     edits: list[Edit] = []
+    doer = refer(clause, structure, alone=False)
     for edit in found[0] if found else ():
         if not isinstance(edit, SetField) or edit.path != "phases" or not edit.component.startswith("O"):
+            continue
+        if doer is not None and doer.id != edit.component:
             continue
         denied = {p.action for p in edit.value} - {"go_straight"}
         phases = spec_of(structure[edit.component]).phases
@@ -215,7 +218,8 @@ def _changes(
         if path == "speed":
             same = _near(value, old[path]) or _near(value, getattr(there.spec, "speed", None))
         if path == "speed" and not re.search(table()["paces"], clause):
-            same = True
+            moves = getattr(there.spec, "speed", None) == 0.0 and bool(now.spec.model_dump()["phases"])
+            same = not moves or not value
         same = same and not (path == "phases" and value and re.search(table()["besides"], clause))
         if same or path in ("name", "component", "model") or (there.id == "R" and path not in PLACE):
             continue

@@ -29,6 +29,8 @@ def speed_difference(clause: str, structure: Structure) -> Found | None:
 def speed(clause: str, structure: Structure) -> Found | None:
     """ "Ego at 50 km/h", "the lead drives 20 km/h", "faster", "10 km/h slower", "twice as fast"."""
     table = _table()
+    if re.search(table["denied"], clause) and quantity_of(clause, "speed") is None:
+        return None
     if re.search(r"\blimit\b", clause) or re.search(table["of_distance"], clause) and "speed" not in clause:
         return None
     quantity = quantity_of(clause, "speed") or without_unit(clause, table["bare"], 1 / 3.6)

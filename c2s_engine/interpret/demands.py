@@ -32,9 +32,11 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
     too" has what was said there, "and the van a truck" its verb, and a bare number its unit.
     """
     table = _table()
+    who = "ego" if topic == "E" else (topic or "").lower()
+    if who:
+        demand = re.sub(table["objects"], rf"\g<1>{who}", demand)
     for pattern, said in table["told_as"]:
         demand = re.sub(pattern, said, demand)
-    who = "ego" if topic == "E" else (topic or "").lower()
     if who:
         demand = re.sub(r"^(then )?(?:it|he|she|they)\b", rf"\g<1>{who}", demand)
         if not re.search(table["owned"], demand) or not scan.names(demand):
@@ -70,7 +72,9 @@ def topic_of(demand: str, structure: Structure) -> ComponentId | None:
 def _parts(sentence: str) -> list[str]:
     table = _table()
     starts, contrast, there = table["starts"], table["contrast"], table["there"]
+    sentence = re.sub(table["reasoned"], "", sentence)
     bounds = (
+        r"\s+with (?=ego (?:in|on|at)\b)",
         r"\s*,\s+(?:and |but )?",
         rf"\s+(?:and|but)\s+(?=(?:then )?{starts})",
         rf"\s+but\s+(?={contrast})",

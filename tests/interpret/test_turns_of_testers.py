@@ -75,6 +75,43 @@ def value_of(structure: Structure, path: str) -> Any:
         (STREET, "let's say the taxi is a lorry", {"O1.type": "truck"}),
         (STREET, "both at 36", {"E.speed": 10.0, "O1.speed": 10.0}),
         (STREET, "too fast!", {"E.speed": 10.42}),
+        (
+            STREET,
+            "the planner always passes, so the woman should start later, at about 10 m",
+            {"O2.phases.0.trigger.value": 10.0},
+        ),
+        (STREET, "because the camera is blind in the dark it has to be night", {"G.time": "night"}),
+        (
+            STREET,
+            "Please shift the whole thing to a three-lane one-way street with ego in the middle.",
+            {"R.lanes": 3, "R.oncoming": False, "R.ego_lane": "middle"},
+        ),
+        (
+            STREET,
+            "Ego shall not follow the taxi but overtake it before the woman steps out.",
+            {"E.actions": ["overtake"], "O2.actions": ["cross_road"]},
+        ),
+        (
+            JUNCTION,
+            "According to our spec the lorry must be a car at 36 km/h and it does not slow down.",
+            {"O1.type": "car", "O1.speed": 10.0},
+        ),
+        (
+            MOTORWAY,
+            "bring ego and the van down to 90 and the overtaker to 108",
+            {"E.speed": 25.0, "O1.speed": 25.0, "O2.speed": 30.0},
+        ),
+        (
+            MOTORWAY,
+            "make the van an articulated lorry doing 72, and increase the distance to 100 m",
+            {"O1.speed": 20.0, "O1.placement.gap": 100.0},
+        ),
+        (
+            STOP,
+            "make the police car come from the left, with its siren on, at 72 km/h and ignore the stop sign",
+            {"O1.speed": 20.0, "O1.actions": ["run_stop", "go_straight"]},
+        ),
+        (ROW, "Ego drives 54 although 30 is allowed there.", {"E.speed": 15.0}),
         (ROW, "the bus is further away, so ego can get past", {"O3.placement.gap": 40.0}),
         (ROW, "boy stops in the middle of the street", {"O2.actions": ["cross_road", "stop"]}),
         (ROW, "bus in ego's lane", {"O3.placement.position": "ahead"}),
@@ -103,6 +140,16 @@ def test_what_it_becomes(read, scene: str, text: str, expected: dict[str, Any]) 
 @pytest.mark.parametrize(
     ("scene", "text", "expected"),
     [
+        (
+            STREET,
+            "The woman is too visible, hide her behind a parked van.",
+            {"O2.placement.hidden_by": "O3", "O2.actions": ["cross_road"]},
+        ),
+        (
+            JUNCTION,
+            "The lorry should have a car behind it.",
+            {"O3.placement.of": "O1", "O3.placement.position": "behind"},
+        ),
         (ROW, "the second of the parked cars pulls out", {"O1.count": 2, "O4.placement.position": "parked"}),
         (ROW, "cars parked on both sides", {"O1.count": 3, "O4.placement.side": "left"}),
         (STOP, "the police car is chasing a red sports car that goes first", {"O1.actions": ["go_straight", "follow"]}),
@@ -126,6 +173,7 @@ def test_who_comes_besides(read, scene: str, text: str, expected: dict[str, Any]
     ("scene", "text", "gone", "stays"),
     [
         (STREET, "would you mind removing the woman?", "O2", "O1"),
+        (STREET, "The taxi is a distraction here. Take it out and leave the rest.", "O1", "O2"),
         (STREET, "there must not be any woman", "O2", "O1"),
         (STREET, "the taxi shouldn't be there any more, but the woman must stay", "O1", "O2"),
         (MOTORWAY, "replace the van and the car by a coach", "O2", "O1"),
@@ -140,6 +188,7 @@ def test_who_goes_and_who_stays(read, scene: str, text: str, gone: str, stays: s
     ("scene", "text"),
     [
         (ROW, "a door of the first parked car opens"),
+        (ROW, "one of the parked cars opens its door"),
         (MOTORWAY, "ego's lane ends in 200 m"),
         (MOTORWAY, "ego should keep 1.5 m lateral distance when passing"),
     ],

@@ -5,10 +5,10 @@ from dataclasses import replace
 from typing import Any
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.deverbal import Deverbal
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.motions import rules
-from c2s_engine.interpret.nominal import Nominal
 from c2s_engine.interpret.syntax import Word
 
 OUT_OF = re.compile(
@@ -28,7 +28,7 @@ CAUSES = language.words("causes")
 BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
 
 
-class Clauses(Nominal):
+class Clauses(Deverbal):
     """The events of a text."""
 
     def __init__(self, words: list[Word], cast: Cast) -> None:
@@ -36,9 +36,10 @@ class Clauses(Nominal):
         self.events: list[Event] = []
         self.by_word: dict[int, Event] = {}
         self.light: set[int] = set()
+        self.deeds: set[int] = set()  # who does what a noun tells
         self.dangling: set[int] = set()
         for word in words:
-            if self._is_verb(word):
+            if not self._deed(word) and self._is_verb(word):
                 self._verb(word)
         for word in words:
             if word.tag.startswith("NN") or word.tag == "VBG":
@@ -89,6 +90,8 @@ class Clauses(Nominal):
             return
         if lemma == "follow" and any(self.words[c].dep == "expl" for c in word.children):
             return  # "there follows a braking"
+        if lemma == "follow" and self._by_a_deed(word):
+            return  # "a braking, followed by a lane change of ego"
         agent, at, passive = self._subject(word)
         if word.norm in STEERED and word.tag == "VBN" and self.words[min(word.i, len(self.words) - 2) + 1].norm == "by":
             return  # "a van driven by Mr Tan"

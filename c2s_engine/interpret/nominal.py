@@ -17,6 +17,7 @@ ATTRIBUTIVE = frozenset(
 
 HAPPENS = frozenset(("occur", "happen", "result", "ensue", "take", "follow", "come", "be", "arise", "involve"))
 STRUCK_PART = re.compile(r"\b(?:between|of) the (?:\w+ )?(?:rear|back|tail|side|flank|door|quarter)\b")
+OTHERS = frozenset(("cut_in", "cut_out", "lane_change", "brake", "stop"))
 BY_MEANS = language.words("by_means")
 HALTS = frozenset(("stop", "brake", "brake_stop", "stationary"))
 
@@ -27,6 +28,9 @@ class Nominal(Timing):
     def _event(
         self, lemma: str, word: Word, text: str, whole: str, agent: Entity | None, patient: Entity | None
     ) -> Event | None:
+        raise NotImplementedError
+
+    def _somebody_else(self, word: Word, verb: Word | None) -> Entity | None:
         raise NotImplementedError
 
     def _attributive(self, word: Word) -> None:
@@ -143,8 +147,12 @@ class Nominal(Timing):
                 agent, patient = parties
             if patient is agent:
                 patient = None
+            if rule["act"] == "cut_in" and (agent is None or agent.ego):
+                agent = self._somebody_else(word, verb) or agent
             if agent is None and word.dep == "pobj" and verb is not None and self.words[word.head].norm in BY_MEANS:
                 agent = self._subject(verb)[0]
+            if agent is None and rule["act"] in OTHERS:
+                agent = self._somebody_else(word, verb)
             if agent is None:
                 if rule["act"] == "collide":
                     others = [self.cast.of[i] for i in sorted(self.cast.of) if i < word.i and not self.cast.of[i].ego]

@@ -1,5 +1,6 @@
 """Where entities are at the start: relations read from noun phrases and from clauses."""
 
+import itertools
 import re
 
 from c2s_engine.interpret import language
@@ -34,6 +35,7 @@ ASIDE = re.compile(
 )
 
 DIRECTED = frozenset(("towards", "toward", "into", "onto"))
+HEADING = DIRECTED | {"to", "across", "over"}
 JOINS = frozenset(("and", "but", "while", "when"))
 PLACING = language.words("placing")
 
@@ -155,10 +157,12 @@ class Places(Inferred):
             if other.dep in ("prep", "advmod", "appos", "npadvmod", "amod", "dep", "nmod", "acl") and child != i:
                 if other.dep == "amod" and child < i:
                     continue
-                if other.dep == "acl" and child in self.clauses.by_word:
+                if other.dep == "acl" and (child in self.clauses.by_word or self.clauses._by_a_deed(other)):
                     continue
                 if other.dep == "prep" and self._of_another(child, i, entity):
                     continue
+                if i in self.clauses.deeds and other.norm in HEADING:
+                    continue  # "a lane change by the truck to the left"
                 named = self.cast.of.get(child)
                 if other.dep in ("appos", "dep", "nmod") and named is not None and named is not entity:
                     continue
@@ -233,6 +237,8 @@ class Places(Inferred):
             or word.norm == "another"
         ):
             after = self._following(i)
+            if i in self.clauses.deeds:
+                after = list(itertools.takewhile(lambda at: self.words[at].norm not in HEADING, after))
             if (
                 after
                 and word.dep == "dobj"
@@ -253,7 +259,7 @@ class Places(Inferred):
                     "noun",
                 )
                 self._gap(after, where)
-        if self.clauses.fragment(i):
+        if self.clauses.fragment(i) and i not in self.clauses.deeds:
             rest = self.clauses.about(i)
             text = re.sub(
                 r"(?<!in )(?<!the )\b(left|right|same|own|ego|oncoming|opposite|adjacent|next)(-hand|most)? lane",

@@ -15,6 +15,7 @@ OUT_OF = re.compile(
     r"\b(out|from|off)\b.*\b(drive|driveway|parking|space|bay|garage|yard|gate|alley|lot|property)\b"
     r"|\b(on|in)to (the |a )?(\w+ )?(road|street|carriageway|highway|roadway)\b|out in front of"
 )
+HALTED = frozenset(("stop", "brake", "brake_stop", "lose_control"))
 FORCEFUL = language.words("forceful")
 
 
@@ -48,6 +49,7 @@ class Clauses(Deverbal):
             self._attributive(word)
             self._striking(word)
             self._named_by_deed(word)
+            self._standing(word)
         self._order()
         self._triggers()
         self._ended_waits()
@@ -186,6 +188,8 @@ class Clauses(Deverbal):
             event.agent, event.patient = self.cast.ego, agent  # "the deer was hit"
         if event.act == "follow" and passive and event.agent is agent and not event.agent.ego and not BY.search(whole):
             event.agent, event.patient = self.cast.ego, agent
+        if passive and event.act in HALTED and event.agent is agent and event.patient not in (None, agent):
+            event.agent, event.patient = event.patient, None  # "was brought to a standstill by a tree"
         late: Event | None = None
         into = (
             re.search(
@@ -262,6 +266,8 @@ class Clauses(Deverbal):
                 continue
             actor = patient if rule.get("swap") else agent
             if rule["act"] in ("none", "stop_none"):
+                if agent is not None and not self._agrees(rule, agent):
+                    continue
                 return None
             if rule.get("swap_passive"):
                 if patient is None and agent is not None and not agent.ego:

@@ -1,4 +1,4 @@
-"""Nouns of motion read as the verbs they come from: "the departure of a van from the kerb", "its merging ahead of ego"."""
+"""Nouns of motion read as the verbs that they come from: "the departure of a van", "its merging ahead of ego"."""
 
 from __future__ import annotations
 
@@ -40,10 +40,16 @@ class Deverbal(Nominal):
         if agent is None or doer is None or not (agent.mover or agent.ego):
             return False
         patient = self.cast.of.get(of) if of is not None else None
-        rest = [i for i in self._below(min(noun, word, key=self._depth).i) if i not in (doer, word.i) and self._told(i, doer)]
+        rest = [
+            i
+            for i in self._below(min(noun, word, key=self._depth).i)
+            if i not in (doer, word.i) and self._told(i, doer)
+        ]
         later = [i for i in rest if i > word.i]
         before = self.render([i for i in rest if i < word.i])
-        own = [w for i in rest if i < word.i and ((w := self.words[i].norm) in SIDES or self.words[i].dep == "compound")]
+        own = [
+            w for i in rest if i < word.i and ((w := self.words[i].norm) in SIDES or self.words[i].dep == "compound")
+        ]
         after = re.sub(r"^(of|from) " if lemma in OBJECTS else "^of ", "", self.render(later))
         text = " ".join([lemma, *own, after]).strip()
         if patient is None or patient is agent:
@@ -135,4 +141,3 @@ class Deverbal(Nominal):
         verb = self.words[noun.head]
         apart = apart or noun.dep.startswith("nsubj") and any(self.words[c].dep == "neg" for c in verb.children)
         return "negated" if apart else "fact"
-

@@ -18,6 +18,7 @@ ATTRIBUTIVE = frozenset(
 HAPPENS = frozenset(("occur", "happen", "result", "ensue", "take", "follow", "come", "be", "arise", "involve"))
 STRUCK_PART = re.compile(r"\b(?:between|of) the (?:\w+ )?(?:rear|back|tail|side|flank|door|quarter)\b")
 OTHERS = frozenset(("cut_in", "cut_out", "lane_change", "brake", "stop"))
+STANDS = language.words("stands")
 BY_MEANS = language.words("by_means")
 HALTS = frozenset(("stop", "brake", "brake_stop", "stationary"))
 
@@ -65,6 +66,17 @@ class Nominal(Timing):
         event.words, event.start, event.end = [word.i], word.start, word.end
         self.events.append(event)
         self.by_word[word.i] = event
+
+    def _standing(self, word: Word) -> None:
+        """What an adjective before the name of ego tells: "an ambulance overtakes a standing ego"."""
+        ego = self.cast.of.get(word.i)
+        before = self.words[word.i - 1] if word.i and word.span is not None else None
+        if ego is None or not ego.ego or before is None or before.norm not in STANDS | {"waiting"}:
+            return
+        if any(e.agent.ego and e.act in HALTS | {"start"} for e in self.events):
+            return
+        told = {"words": [before.i], "start": before.start, "end": before.end, "order": float(before.i)}
+        self.events.append(Event("stationary", ego, before.i, "stand", "stand", **told))
 
     def _named_by_deed(self, word: Word) -> None:
         """What the name of a road user tells of it: "an overtaking truck" overtakes ego."""

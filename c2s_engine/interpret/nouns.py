@@ -19,6 +19,7 @@ COUNTED = re.compile(
 )
 CARRIES = language.words("carries")
 LOST = language.words("lost")
+MASS = language.words("mass")
 
 
 FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
@@ -90,7 +91,7 @@ class Nouns(Titles):
         ):
             roles.add("stationary")
         known = language.roles()
-        roles |= {known[b] for b in before if b in known}
+        roles |= {known[b] for b in (*before, *self._behind(word)) if b in known}
         host = self._copula(word)
         if (
             host is not None
@@ -302,9 +303,15 @@ class Nouns(Titles):
             and not head.verb
         )
 
+    def _behind(self, word: Word) -> list[str]:
+        """The adjective right behind a noun that tells its state: "a van double-parked in ego's lane"."""
+        after = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
+        told = after is not None and after.head == word.i and after.dep == "amod" and after.norm in STANDS
+        return [after.norm] if after is not None and told else []
+
     def _count(self, word: Word, before: list[str], data: dict) -> int:
         counts = language.table("actors")["counts"]
-        if not data.get("plural") or data["type"] in ZONES:
+        if not data.get("plural") or data["type"] in ZONES or data.get("noun") in MASS:
             return 1
         near = self.words[max(0, word.i - 3) : word.i]
         if self.words[word.i - 1].norm in ("a", "an") and language.plurals(word.norm) == [word.norm]:

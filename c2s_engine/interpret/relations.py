@@ -118,7 +118,8 @@ class Places(Inferred):
                         part = re.sub(r"\b(in front of|ahead of) (the )?@\w+", "", part)
                     if not (event.act == "overtake" and re.match(r"in|on|ahead", part)):
                         read(part, where, entity, self.cast, event.act)
-                if event.act in ("cut_in", "brake", "follow", "run_red", "turn"):
+                comes_past = event.act == "cut_in" and any(e.act == "overtake" and e.done for e in events)
+                if event.act in ("cut_in", "brake", "follow", "run_red", "turn") and not comes_past:
                     self._gap(event.words, where, only_ahead=event.act == "cut_in")
             if self.words[event.word].dep == "relcl" and event.adverbial == "where":
                 head = self.words[event.word].head

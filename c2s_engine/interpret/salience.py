@@ -35,7 +35,9 @@ class Salience(Members):
             clash = self._subject_of(self.words[verb.head])
         if word.dep == "nsubj" and {"until", "till"} & {self.words[c].norm for c in verb.children if c < word.i}:
             main = self.words[verb.head]
-            if irregular().get(main.norm, main.lemma) in WAITS or any(self.words[c].dep == "neg" for c in main.children):
+            if irregular().get(main.norm, main.lemma) in WAITS or any(
+                self.words[c].dep == "neg" for c in main.children
+            ):
                 clash = self._subject_of(main)  # one waits until another has passed; one slows until it stands itself
         if word.dep in ("dobj", "pobj") and word.norm not in ("its", "itself"):
             clash = self._subject_of(verb)

@@ -112,7 +112,9 @@ class Timing(Modes):
                         quantity["dimension"] == "distance"
                         and self.words[i].dep in ("advcl", "advmod")
                         and marks in ("when", "once", "as", "after", "until", "while")
-                        and re.search(r"when|once|as soon as|after|until|^as\b.*\b(?:away|closer|nearer|within|under)\b", text)
+                        and re.search(
+                            r"when|once|as soon as|after|until|^as\b.*\b(?:away|closer|nearer|within|under)\b", text
+                        )
                     ):
                         place = (
                             "intersection"

@@ -79,6 +79,8 @@ class Nouns(Titles):
             return None
         if self._gone(word, before):
             return None
+        if previous == "neither" and kind in MOTOR:
+            data, noun = {**data, "plural": True}, language.plurals(noun)[0]  # "neither car brakes": of two
         count = self._count(word, before, data)
         parties = self._parties(word, before, data, roles)
         if parties is not None:
@@ -144,7 +146,7 @@ class Nouns(Titles):
         if host is not None and kind in VEHICLES:
             return self._retyped(host, kind, roles, noun)
         pronominal = self._type_of_definite(word, before, kind)
-        definite = bool(DEFINITE & set(before)) or previous in DEFINITE
+        definite = bool(DEFINITE & set(before)) or previous in DEFINITE or previous == "neither"
         other = bool({"other", "another"} & set(before)) or previous in ("other", "another")
         ordinal = next((ORDINALS[b] for b in before if b in ORDINALS), None)
         if definite and not other and ordinal is None and " " not in noun:

@@ -35,6 +35,10 @@ ASIDE = re.compile(
 )
 
 DIRECTED = frozenset(("towards", "toward", "into", "onto"))
+WITHIN = re.compile(
+    r"(?:be|come|get|draw) (?:\w+ )?(?:closer|nearer|less|within|away|below|under)\b.*#dist"
+    r"|(?:be|come|get) (?:only |just |about |less than )*#dist (?:away|from|off|distant)\b"
+)
 HEADING = DIRECTED | {"to", "across", "over"}
 JOINS = frozenset(("and", "but", "while", "when"))
 PLACING = language.words("placing")
@@ -83,6 +87,8 @@ class Places(Inferred):
         for event in sorted(events, key=lambda e: e.word):
             if event.mode in ("hypothetical", "negated") and event.act not in ("stationary", "travel"):
                 continue
+            if event.adverbial in ("when", "if", "once", "as", "until") and WITHIN.match(event.text):
+                continue  # "brakes when a cyclist is closer than 15 m": how near it comes, not where it starts
             against = event.act == "oncoming" and AGAINST.search(event.whole)
             if event.act in STATES or against or event.act == "follow" and event.patient is None:
                 read(WITH_ANOTHER.sub("", event.whole), where, entity, self.cast, event.act)

@@ -109,3 +109,55 @@ def test_debris_is_one_thing(read) -> None:
 def test_who_opens_a_door_is_not_on_the_road(read) -> None:
     s = read("Someone opens the door of a parked car on the right, and ego swerves to the left.")
     assert [o.spec.type for o in s.objects] == ["car"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Ego brakes when a pedestrian is closer than 15 m. A van is parked on the right. A pedestrian behind the "
+        "parked van walks onto the road from the right when ego is 20 m away.",
+        "Ego brakes for any pedestrian within 20 m. A truck is parked on the right. A child behind it runs onto the "
+        "road.",
+    ],
+)
+def test_whom_a_condition_foretells(read, text: str) -> None:
+    s = read(text)
+    assert len(s.objects) == 2
+    assert acts(s, "O2") == ["cross_road"]
+    assert s["O2"].spec.placement.hidden_by == "O1"
+    assert s["O2"].spec.placement.gap is None
+
+
+def test_others_than_the_foretold(read) -> None:
+    s = read("Ego brakes when a cyclist crosses the road. A cyclist behind ego cannot stop.")
+    assert [o.spec.placement.position for o in s.objects] == ["roadside", "behind"]
+
+
+@pytest.mark.parametrize(
+    ("text", "position", "expected"),
+    [
+        ("Neither car brakes before they collide.", None, ["collide"]),
+        ("Neither vehicle yields and they crash at the intersection.", "crossing_left", ["collide"]),
+        ("Ego and a car approach a crossroads. Neither car brakes before they collide.", "crossing_left", ["collide"]),
+        ("Two cars meet at a junction and neither brakes.", "crossing_left", ["go_straight"]),
+        ("Ego does not react to the pedestrian.", "roadside", ["cross_road"]),
+        ("Ego fails to yield to the pedestrian.", "roadside", ["cross_road"]),
+    ],
+)
+def test_what_is_not_done(read, text: str, position: str | None, expected: list[str]) -> None:
+    s = read(text)
+    assert len(s.objects) == 1
+    assert acts(s, "O1") == expected
+    assert position in (None, s["O1"].spec.placement.position)
+    assert s["E"].spec.reaction == "none"
+
+
+def test_who_brakes_to_a_speed_was_faster(read) -> None:
+    s = read("The lead car slows to 80 km/h.")
+    assert s["O1"].spec.speed > 80 / 3.6
+    assert s["E"].spec.speed > 80 / 3.6
+    assert read("Ego had slowed to 60 km/h when a dog ran out.")["E"].spec.speed < 17
+
+
+def test_ego_keeps_its_speed(read) -> None:
+    assert read("Ego keeps its speed although the car in front is braking.")["E"].spec.reaction == "none"

@@ -24,6 +24,8 @@ def actors(scene: Scene) -> list[Entity]:
         passive = [e for e in scene.clauses.events if e.patient is entity and (e.done or _tried(e))]
         if "group" in entity.roles or _mere_background(scene, entity):
             continue
+        if entity.noun in ("somebody", "someone") and not own and not passive and where.rel is None:
+            continue
         if entity.noun in language.table("actors")["fixed"] and not any(e.act == "collide" for e in passive):
             continue
         if (

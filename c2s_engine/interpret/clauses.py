@@ -5,16 +5,17 @@ from dataclasses import replace
 from typing import Any
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.deverbal import Deverbal
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.motions import rules
-from c2s_engine.interpret.nominal import Nominal
 from c2s_engine.interpret.syntax import Word
 
 OUT_OF = re.compile(
     r"\b(out|from|off)\b.*\b(drive|driveway|parking|space|bay|garage|yard|gate|alley|lot|property)\b"
     r"|\b(on|in)to (the |a )?(\w+ )?(road|street|carriageway|highway|roadway)\b|out in front of"
 )
+HALTED = frozenset(("stop", "brake", "brake_stop", "lose_control"))
 FORCEFUL = language.words("forceful")
 
 
@@ -28,7 +29,7 @@ CAUSES = language.words("causes")
 BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
 
 
-class Clauses(Nominal):
+class Clauses(Deverbal):
     """The events of a text."""
 
     def __init__(self, words: list[Word], cast: Cast) -> None:
@@ -36,9 +37,10 @@ class Clauses(Nominal):
         self.events: list[Event] = []
         self.by_word: dict[int, Event] = {}
         self.light: set[int] = set()
+        self.deeds: set[int] = set()  # who does what a noun tells
         self.dangling: set[int] = set()
         for word in words:
-            if self._is_verb(word):
+            if not self._deed(word) and self._is_verb(word):
                 self._verb(word)
         for word in words:
             if word.tag.startswith("NN") or word.tag == "VBG":
@@ -47,6 +49,7 @@ class Clauses(Nominal):
             self._attributive(word)
             self._striking(word)
             self._named_by_deed(word)
+            self._standing(word)
         self._order()
         self._triggers()
         self._ended_waits()
@@ -89,6 +92,8 @@ class Clauses(Nominal):
             return
         if lemma == "follow" and any(self.words[c].dep == "expl" for c in word.children):
             return  # "there follows a braking"
+        if lemma == "follow" and self._by_a_deed(word):
+            return  # "a braking, followed by a lane change of ego"
         agent, at, passive = self._subject(word)
         if word.norm in STEERED and word.tag == "VBN" and self.words[min(word.i, len(self.words) - 2) + 1].norm == "by":
             return  # "a van driven by Mr Tan"
@@ -183,6 +188,8 @@ class Clauses(Nominal):
             event.agent, event.patient = self.cast.ego, agent  # "the deer was hit"
         if event.act == "follow" and passive and event.agent is agent and not event.agent.ego and not BY.search(whole):
             event.agent, event.patient = self.cast.ego, agent
+        if passive and event.act in HALTED and event.agent is agent and event.patient not in (None, agent):
+            event.agent, event.patient = event.patient, None  # "was brought to a standstill by a tree"
         late: Event | None = None
         into = (
             re.search(
@@ -259,6 +266,8 @@ class Clauses(Nominal):
                 continue
             actor = patient if rule.get("swap") else agent
             if rule["act"] in ("none", "stop_none"):
+                if agent is not None and not self._agrees(rule, agent):
+                    continue
                 return None
             if rule.get("swap_passive"):
                 if patient is None and agent is not None and not agent.ego:

@@ -36,6 +36,15 @@ HIDDEN = (
 """How a sentence says that one (KEY) is hidden by another."""
 
 
+STANDS_OR_COMES = re.compile(r"parked|stand|stop|stationary|emerge|step|appear|run|dart")
+
+
+def _comes_onto_road(entity: Entity, text: str) -> bool:
+    """Whether one that is behind something walks or rides onto the road."""
+    moves = "walk|come|move|rush|hurr|jump|ride|cycle|wander|push|enter|go|cross"
+    return re.search(rf"@{entity.key} .*\b(?:{moves})\w* .*\b(?:road|lane|across)", text) is not None
+
+
 class Concealed(Gaps):
     """The part of Places that finds what blocks ego's view."""
 
@@ -84,7 +93,7 @@ class Concealed(Gaps):
         """Whether "behind", "between" or "in front of" says where one is, not that it is hidden."""
         if words not in ("behind", "in front of", "between"):
             return False
-        if words == "behind" and not re.search(r"parked|stand|stop|stationary|emerge|step|appear|run|dart", text):
+        if words == "behind" and not (STANDS_OR_COMES.search(text) or _comes_onto_road(entity, text)):
             return True
         if words == "in front of" and not re.search(r"(parked|stopped|stationary)", text):
             return True

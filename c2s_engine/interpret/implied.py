@@ -42,8 +42,9 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _comes(event, clauses, of)
         if event.done and event.act in ("lane_change", "overtake") and event.agent in of:
             _out_from_behind(event, of)
-        if event.done and event.agent.ego and event.patient in of:
+        if (event.done or event.mode == "negated") and event.agent.ego and event.patient in of:
             _crosses(event, clauses, of[event.patient])
+        if event.done and event.agent.ego and event.patient in of:
             _hit_beside(event, clauses, of[event.patient])
         if event.done and event.act == "collide" and event.agent.ego and event.patient in of:
             _behind_or_beside_road(event, clauses, of)
@@ -67,7 +68,11 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _into_whose_lane(event, clauses, of)
         elif event.done and event.act == "follow" and event.patient in of:
             _behind_whom_it_follows(event, clauses, of)
-        elif event.done and event.act in ("approach", "travel", "oncoming") and EACH_OTHER.search(event.text):
+        elif (
+            event.done
+            and event.act in ("approach", "travel", "oncoming")
+            and (EACH_OTHER.search(event.text) or MEET_AT.match(event.text))
+        ):
             _towards_each_other(event, of)
 
 
@@ -125,14 +130,18 @@ EACH_OTHER = re.compile(
 )
 
 
+MEET_AT = re.compile(r"(?:meet|converge)\b.*\b(?:intersection|junction|crossroads?|crossing)\b|\w+ .*\bright angles\b")
+
+
 def _towards_each_other(event: Event, of: dict[Entity, Where]) -> None:
-    """Of two that approach each other, of which ego is one, the other comes the other way."""
-    both = [event.agent, *event.also]
+    """Of two that approach each other, of which ego is one, the other comes the other way; from the side where they
+    meet at a junction."""
+    both = [event.agent, *event.also, *([event.patient] if event.patient is not None else [])]
     if not any(e.ego for e in both):
         return
     for other in both:
         if other in of and other.mover and not other.person and of[other].open:
-            of[other].lane = "oncoming"
+            of[other].lane = "crossing" if MEET_AT.match(event.text) else "oncoming"
 
 
 ACROSS = frozenset(("lane_change", "drift", "swerve", "lose_control", "cross_path"))
@@ -160,7 +169,8 @@ def _crosses(event: Event, clauses: Clauses, where: Where) -> None:
     """A person for whom ego brakes or waits, and of whom nothing else is told, crosses the road."""
     who = event.patient
     assert who is not None
-    if event.act not in (ANSWERS if who.type not in ("pedestrian", "child") else ANSWERS | {"collide"}):
+    answers = ANSWERS if who.type not in ("pedestrian", "child") or not event.done else ANSWERS | {"collide"}
+    if event.act not in answers and not event.text.startswith(("react", "respond")):
         return
     told = any((e.agent is who or who in e.also) and e.act != "travel" for e in clauses.events)
     if who.person and not told and not who.roles and where.rel is None and where.lane is None:

@@ -17,6 +17,8 @@ ATTRIBUTIVE = frozenset(
 
 HAPPENS = frozenset(("occur", "happen", "result", "ensue", "take", "follow", "come", "be", "arise", "involve"))
 STRUCK_PART = re.compile(r"\b(?:between|of) the (?:\w+ )?(?:rear|back|tail|side|flank|door|quarter)\b")
+OTHERS = frozenset(("cut_in", "cut_out", "lane_change", "brake", "stop"))
+STANDS = language.words("stands")
 BY_MEANS = language.words("by_means")
 HALTS = frozenset(("stop", "brake", "brake_stop", "stationary"))
 
@@ -27,6 +29,9 @@ class Nominal(Timing):
     def _event(
         self, lemma: str, word: Word, text: str, whole: str, agent: Entity | None, patient: Entity | None
     ) -> Event | None:
+        raise NotImplementedError
+
+    def _somebody_else(self, word: Word, verb: Word | None) -> Entity | None:
         raise NotImplementedError
 
     def _attributive(self, word: Word) -> None:
@@ -61,6 +66,17 @@ class Nominal(Timing):
         event.words, event.start, event.end = [word.i], word.start, word.end
         self.events.append(event)
         self.by_word[word.i] = event
+
+    def _standing(self, word: Word) -> None:
+        """What an adjective before the name of ego tells: "an ambulance overtakes a standing ego"."""
+        ego = self.cast.of.get(word.i)
+        before = self.words[word.i - 1] if word.i and word.span is not None else None
+        if ego is None or not ego.ego or before is None or before.norm not in STANDS | {"waiting"}:
+            return
+        if any(e.agent.ego and e.act in HALTS | {"start"} for e in self.events):
+            return
+        told = {"words": [before.i], "start": before.start, "end": before.end, "order": float(before.i)}
+        self.events.append(Event("stationary", ego, before.i, "stand", "stand", **told))
 
     def _named_by_deed(self, word: Word) -> None:
         """What the name of a road user tells of it: "an overtaking truck" overtakes ego."""
@@ -143,8 +159,12 @@ class Nominal(Timing):
                 agent, patient = parties
             if patient is agent:
                 patient = None
+            if rule["act"] == "cut_in" and (agent is None or agent.ego):
+                agent = self._somebody_else(word, verb) or agent
             if agent is None and word.dep == "pobj" and verb is not None and self.words[word.head].norm in BY_MEANS:
                 agent = self._subject(verb)[0]
+            if agent is None and rule["act"] in OTHERS:
+                agent = self._somebody_else(word, verb)
             if agent is None:
                 if rule["act"] == "collide":
                     others = [self.cast.of[i] for i in sorted(self.cast.of) if i < word.i and not self.cast.of[i].ego]

@@ -19,6 +19,7 @@ COUNTED = re.compile(
 )
 CARRIES = language.words("carries")
 LOST = language.words("lost")
+MASS = language.words("mass")
 
 
 FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
@@ -78,6 +79,8 @@ class Nouns(Titles):
             return None
         if self._gone(word, before):
             return None
+        if previous == "neither" and kind in MOTOR:
+            data, noun = {**data, "plural": True}, language.plurals(noun)[0]  # "neither car brakes": of two
         count = self._count(word, before, data)
         parties = self._parties(word, before, data, roles)
         if parties is not None:
@@ -90,7 +93,7 @@ class Nouns(Titles):
         ):
             roles.add("stationary")
         known = language.roles()
-        roles |= {known[b] for b in before if b in known}
+        roles |= {known[b] for b in (*before, *self._behind(word)) if b in known}
         host = self._copula(word)
         if (
             host is not None
@@ -143,7 +146,7 @@ class Nouns(Titles):
         if host is not None and kind in VEHICLES:
             return self._retyped(host, kind, roles, noun)
         pronominal = self._type_of_definite(word, before, kind)
-        definite = bool(DEFINITE & set(before)) or previous in DEFINITE
+        definite = bool(DEFINITE & set(before)) or previous in DEFINITE or previous == "neither"
         other = bool({"other", "another"} & set(before)) or previous in ("other", "another")
         ordinal = next((ORDINALS[b] for b in before if b in ORDINALS), None)
         if definite and not other and ordinal is None and " " not in noun:
@@ -302,9 +305,15 @@ class Nouns(Titles):
             and not head.verb
         )
 
+    def _behind(self, word: Word) -> list[str]:
+        """The adjective right behind a noun that tells its state: "a van double-parked in ego's lane"."""
+        after = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
+        told = after is not None and after.head == word.i and after.dep == "amod" and after.norm in STANDS
+        return [after.norm] if after is not None and told else []
+
     def _count(self, word: Word, before: list[str], data: dict) -> int:
         counts = language.table("actors")["counts"]
-        if not data.get("plural") or data["type"] in ZONES:
+        if not data.get("plural") or data["type"] in ZONES or data.get("noun") in MASS:
             return 1
         near = self.words[max(0, word.i - 3) : word.i]
         if self.words[word.i - 1].norm in ("a", "an") and language.plurals(word.norm) == [word.norm]:

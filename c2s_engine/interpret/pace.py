@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.ego_pace import FASTER, slows_to
 from c2s_engine.interpret.mentions import PERSONS, Entity
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.structure.components import Assumption
@@ -126,6 +127,8 @@ def pace_of(
     speed = round(max(2.0, own * value["value"]), 2)
     if placement.position.startswith("crossing") or placement.position == "opposite_approach":
         return None
+    if (slowed := slows_to(scene, [entity])) is not None and slowed >= speed:
+        speed, value = round(slowed * FASTER, 2), {"reason": "faster than the speed that it brakes to"}
     assumed.append(Assumption(field="speed", value=f"{speed * 3.6:.0f} km/h", reason=value["reason"]))
     return speed
 

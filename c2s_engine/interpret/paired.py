@@ -1,14 +1,21 @@
 """Ego as one of several that were introduced together: "Two cars collided. One was turning left"."""
 
+import re
+
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.mentions import MOTOR, Cast, Entity
 
+MEET = re.compile(
+    r"(?:meet|approach|near|reach|arrive|come)\b.*\b(?:intersection|junction|crossroads?|crossing|right angles?)\b"
+)
+
 
 def one_of_both(cast: Cast, clauses: Clauses) -> list[Entity]:
-    """One of two that collided with each other, where nothing tells them apart: that is ego."""
+    """One of two that collided with each other or met at a junction, where nothing tells them apart: that is ego."""
     for event in clauses.events:
         group = event.agent
-        if event.act == "collide" and event.done and event.patient is None and group.type in MOTOR and group.count > 1:
+        met = event.act == "collide" or event.act == "approach" and MEET.match(event.text)
+        if met and event.done and event.patient is None and group.type in MOTOR and group.count > 1:
             first = cast.member(group, "first")
             return [first] if first is not None else []
     return []
@@ -26,7 +33,7 @@ def leave_group(one: Entity, cast: Cast, clauses: Clauses) -> None:
     for event in clauses.events:
         if event.agent is not group:
             event.patient = rest[0] if event.patient is group else event.patient
-        elif event.act == "collide" and event.patient is None:
+        elif event.act in ("collide", "approach") and event.patient is None:
             event.agent, event.patient, event.also = rest[0], one, rest[1:]
         else:
             event.agent, event.also = one, [*event.also, *rest]

@@ -4,12 +4,37 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.motions import irregular, third_persons
 from c2s_engine.interpret.spans import Span
 
 
 def other_party(text: str, span: Span) -> bool:
     """Whether "the claimant" is the other party, as the text tells of "the insured", too."""
     return re.match(r"claimant|plaintiff|complainant", text[span.start : span.end]) is not None and "insured" in text
+
+
+SOME_DRIVER = re.compile(
+    r"(?<![\w-])(?:(?:an?|another|some) (?:(?!the|ego|test|safety|human|host|trained)\w+ )?"
+    r"|the (?=driver (?:ahead|behind|in front)\b))(?P<noun>driver)"
+    r"(?= (?:\w+ly |then )?(?P<verb>ahead\b|behind\b|who\b|in front\b|\w+(?:s|ed|ing)\b|[a-z]+\b))"
+)
+FORMS = frozenset(("ahead", "behind", "who", "in front"))
+AT_HOME = re.compile(
+    r"(?:is|was|has|does|of|in|on|at|with|and|or|as|to|for|from|assist\w*|seats?|driv\w+|drove|sits|sat|sitting|monitor\w*"
+    r"|supervis\w*|operat\w*|control\w*|takes|took|uses|holds|held|engages|activates|keeps|warning\w*|alert\w*)$"
+)
+
+
+def some_driver(text: str, found: list[Span]) -> list[Span]:
+    """ "A driver pulls out in front of ego": another vehicle, where ego has a name of its own."""
+    if not any(s.kind == "ego" for s in found):
+        return []
+    data = {"type": "vehicle", "plural": False, "person": True, "noun": "driver", "roles": [], "words": [], "make": ""}
+    return [
+        Span("actor", m.start("noun"), m.end("noun"), dict(data))
+        for m in SOME_DRIVER.finditer(text)
+        if not AT_HOME.match(m["verb"]) and (m["verb"] in FORMS or m["verb"] in third_persons() | irregular().keys())
+    ]
 
 
 @cache

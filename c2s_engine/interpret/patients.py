@@ -212,9 +212,11 @@ class Patients(Rendering):
                 return self._placed_by(other, word) or self.cast.of[i], patient
         if verb is not None:
             agent, at, passive = self._subject(verb)
+            answered = self._lemma(verb) in ("respond", "react", "answer") and self.words[word.head].norm == "to"
             if (
                 agent is not None
                 and not passive
+                and not answered
                 and self._lemma(verb)
                 in (
                     "make",

@@ -6,6 +6,7 @@ from c2s_engine.interpret.compass import compass
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.lengthwise import CIRCULATES, along_of, passes_ego, told_of, wrong_way
 from c2s_engine.interpret.mentions import Entity
+from c2s_engine.interpret.overtakings import PART
 from c2s_engine.interpret.relations import Where, side_of_text
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.structure.specs import PlaceSpec
@@ -152,6 +153,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         start = _cut_side(scene, entity) or "left"
         if place.ego_lane == "leftmost":
             start = "right"
+        if rel == "behind" and any(e.mode == PART and e.agent is entity for e in scene.clauses.events):
+            return {"position": "behind", "said": True}
         if event is not None and "overtake" in acts or rel == "behind":
             return {"position": f"{start}_lane", "along": "behind", "said": True}
         return {"position": f"{start}_lane", "along": along_of(rel), "said": True}

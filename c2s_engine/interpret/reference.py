@@ -25,6 +25,9 @@ def _alike(entity: Entity, kind: str) -> bool:
     return entity.type == kind or entity.type in VEHICLES and kind in VEHICLES
 
 
+ALL_OF_THEM = frozenset(("both", "the", "these", "all", "neither"))
+
+
 class Reference(Pronouns):
     """The part of Cast that resolves definite nouns."""
 
@@ -154,7 +157,7 @@ class Reference(Pronouns):
             alike = [e for e in many if e.count == count] if counted else many
             if alike:
                 return alike[-1]
-            told = {w.norm for w in self.words[max(0, word.i - 2) : word.i]} & {"both", "the", "these", "all"}
+            told = {w.norm for w in self.words[max(0, word.i - 2) : word.i]} & ALL_OF_THEM
             every = VEHICLES if noun == "vehicles" else CARS if noun == "cars" else ()
             fitting = [e for e in self.entities if e.type in every] if every else candidates
             singles = sorted((e for e in fitting if e.mentions and e.count == 1), key=lambda e: e.mentions[-1].word)

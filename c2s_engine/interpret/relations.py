@@ -1,5 +1,6 @@
 """Where entities are at the start: relations read from noun phrases and from clauses."""
 
+import itertools
 import re
 
 from c2s_engine.interpret import language
@@ -34,6 +35,11 @@ ASIDE = re.compile(
 )
 
 DIRECTED = frozenset(("towards", "toward", "into", "onto"))
+WITHIN = re.compile(
+    r"(?:be|come|get|draw) (?:\w+ )?(?:closer|nearer|less|within|away|below|under)\b.*#dist"
+    r"|(?:be|come|get) (?:only |just |about |less than )*#dist (?:away|from|off|distant)\b"
+)
+HEADING = DIRECTED | {"to", "across", "over"}
 JOINS = frozenset(("and", "but", "while", "when"))
 PLACING = language.words("placing")
 
@@ -81,6 +87,8 @@ class Places(Inferred):
         for event in sorted(events, key=lambda e: e.word):
             if event.mode in ("hypothetical", "negated") and event.act not in ("stationary", "travel"):
                 continue
+            if event.adverbial in ("when", "if", "once", "as", "until") and WITHIN.match(event.text):
+                continue  # "brakes when a cyclist is closer than 15 m": how near it comes, not where it starts
             against = event.act == "oncoming" and AGAINST.search(event.whole)
             if event.act in STATES or against or event.act == "follow" and event.patient is None:
                 read(WITH_ANOTHER.sub("", event.whole), where, entity, self.cast, event.act)
@@ -116,7 +124,8 @@ class Places(Inferred):
                         part = re.sub(r"\b(in front of|ahead of) (the )?@\w+", "", part)
                     if not (event.act == "overtake" and re.match(r"in|on|ahead", part)):
                         read(part, where, entity, self.cast, event.act)
-                if event.act in ("cut_in", "brake", "follow", "run_red", "turn"):
+                comes_past = event.act == "cut_in" and any(e.act == "overtake" and e.done for e in events)
+                if event.act in ("cut_in", "brake", "follow", "run_red", "turn") and not comes_past:
                     self._gap(event.words, where, only_ahead=event.act == "cut_in")
             if self.words[event.word].dep == "relcl" and event.adverbial == "where":
                 head = self.words[event.word].head
@@ -155,12 +164,14 @@ class Places(Inferred):
             if other.dep in ("prep", "advmod", "appos", "npadvmod", "amod", "dep", "nmod", "acl") and child != i:
                 if other.dep == "amod" and child < i:
                     continue
-                if other.dep == "acl" and child in self.clauses.by_word:
+                if other.dep == "acl" and (child in self.clauses.by_word or self.clauses._by_a_deed(other)):
                     continue
                 if other.dep == "prep" and (
                     self._of_another(child, i, entity) or self._of_time([child, *self.clauses._below(child)])
                 ):
                     continue
+                if i in self.clauses.deeds and other.norm in HEADING:
+                    continue  # "a lane change by the truck to the left"
                 named = self.cast.of.get(child)
                 if other.dep in ("appos", "dep", "nmod") and named is not None and named is not entity:
                     continue
@@ -235,6 +246,8 @@ class Places(Inferred):
             or word.norm == "another"
         ):
             after = self._following(i)
+            if i in self.clauses.deeds:
+                after = list(itertools.takewhile(lambda at: self.words[at].norm not in HEADING, after))
             if (
                 after
                 and word.dep == "dobj"
@@ -257,7 +270,7 @@ class Places(Inferred):
                     "noun",
                 )
                 self._gap(after, where)
-        if self.clauses.fragment(i):
+        if self.clauses.fragment(i) and i not in self.clauses.deeds:
             rest = self.clauses.about(i)
             text = re.sub(
                 r"(?<!in )(?<!the )\b(left|right|same|own|ego|oncoming|opposite|adjacent|next)(-hand|most)? lane",

@@ -6,6 +6,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret import place as places
 from c2s_engine.interpret.lengthwise import at_edge, wrong_way
 from c2s_engine.interpret.mentions import MOTOR
+from c2s_engine.interpret.overtakings import PART
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.structure.specs import PlaceSpec
 
@@ -165,7 +166,7 @@ def _neighbours(scene: Scene) -> tuple[bool, bool, bool]:
     """Whether a lane to the left, to the right, and one of the other direction are needed."""
     left = right = oncoming = False
     for event in scene.clauses.events:
-        if not event.done:
+        if not event.done and not (event.mode == PART and "lane" in event.text):
             continue
         if event.act in ("lane_change", "cut_out") and (
             event.agent.ego or scene.where(event.agent).lane in (None, "same")

@@ -8,10 +8,12 @@ from collections.abc import Callable
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.members import Members
+from c2s_engine.interpret.motions import irregular
 from c2s_engine.interpret.syntax import Word
 
 STRIKES = language.words("strikes")
 BOWS = language.words("bows")
+WAITS = language.words("waits")
 BESIDE = re.compile(r"(to|on|in|at) (left|right|front|rear)\b")
 
 
@@ -32,7 +34,11 @@ class Salience(Members):
         ):
             clash = self._subject_of(self.words[verb.head])
         if word.dep == "nsubj" and {"until", "till"} & {self.words[c].norm for c in verb.children if c < word.i}:
-            clash = self._subject_of(self.words[verb.head])  # one waits until another has passed
+            main = self.words[verb.head]
+            if irregular().get(main.norm, main.lemma) in WAITS or any(
+                self.words[c].dep == "neg" for c in main.children
+            ):
+                clash = self._subject_of(main)  # one waits until another has passed; one slows until it stands itself
         if word.dep in ("dobj", "pobj") and word.norm not in ("its", "itself"):
             clash = self._subject_of(verb)
         if word.dep == "poss" and verb.lemma in STRIKES and self.words[word.head].dep in ("dobj", "pobj"):

@@ -8,7 +8,7 @@ from functools import cache
 from c2s_engine.interpret import language
 from c2s_engine.interpret.askers import asked
 from c2s_engine.interpret.makes import MAKE, stands_for_a_vehicle
-from c2s_engine.interpret.parties import other_party, short_labels
+from c2s_engine.interpret.parties import other_party, short_labels, some_driver
 from c2s_engine.interpret.spans import Span
 
 __all__ = ["Span"]
@@ -139,7 +139,7 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
         )
     found = [s for s in found if s.kind != "ego" or not other_party(text, s)]
     found += short_labels(text)
-    found += _numbered(text, found)
+    found += _numbered(text, found) + some_driver(text, found)
     taken = [(s.start, s.end) for s in found]
     tables = language.table("actors")
     queues = tables["queues"]

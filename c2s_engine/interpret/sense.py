@@ -9,6 +9,7 @@ from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.halfway import set_out
 from c2s_engine.interpret.heeded import hindered, merged_back, unheeded
 from c2s_engine.interpret.mentions import Cast
+from c2s_engine.interpret.overtakings import overtakings
 from c2s_engine.interpret.passing import by_the_other_lane, headings, let_past
 from c2s_engine.interpret.place import Road
 from c2s_engine.interpret.resumed import own_turns
@@ -190,6 +191,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     _waits_for_somebody(cast, clauses)
     turns_from_lane(cast, clauses)
     echoes(cast, clauses)
+    overtakings(clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:
         if (

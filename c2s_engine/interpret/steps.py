@@ -118,7 +118,10 @@ def steps_of(
             return [Phase(action="lane_change", side=towards or "left", trigger=trigger)] if towards else []
         if crossing:
             return []
-        found = [Phase(action="cut_in", side=goal, target=who if who and who != "ego" else ego, trigger=trigger)]
+        back = towards if placement.position == "behind" else None  # it has come past first
+        found = [
+            Phase(action="cut_in", side=goal or back, target=who if who and who != "ego" else ego, trigger=trigger)
+        ]
         if (
             goal
             and re.search(rf"through the (middle|centre|center)|(on |over )?into the {goal} (one|lane)", event.whole)

@@ -16,6 +16,7 @@ AWAY = re.compile(
     r"(only )?(at (a |the )?(distance|range|gap) of (about |around |roughly |some )?#dist\b"
     r"|at (about |around )?#dist (distance|range|away|from)\b|with @ego #dist )"
 )
+CIRCUMSTANCES = frozenset(("advcl", "prep", "npadvmod", "advmod"))
 COMES_OUT = ("cross_road", "enter_road")
 BEFORE_THE_BLOW = frozenset(
     ("run_red", "run_stop", "lose_control", "oncoming", "cross_path", "turn", "cut_in", "drift")
@@ -36,6 +37,8 @@ AT_A_DISTANCE = (
 
 class Timing(Modes):
     """The part of Clauses that orders the events."""
+
+    light: set[int]
 
     def _quantities(self, indices: list[int]) -> list[dict[str, Any]]:
         found = []
@@ -94,7 +97,7 @@ class Timing(Modes):
         """ "when ego is 20 m away", "once the TTC falls to 2 s", "after 5 s": for the event they stand with."""
         for event in self.events:
             word = self.words[event.word]
-            for i in [c for c in word.children if self.words[c].dep in ("advcl", "prep", "npadvmod", "advmod")]:
+            for i in self._circumstances(word):
                 inside = self._deep(i)
                 text = self.render(inside)
                 told = [self.words[j].norm for j in inside if self.words[j].norm not in ("only", "just", "exactly")]
@@ -109,7 +112,9 @@ class Timing(Modes):
                         quantity["dimension"] == "distance"
                         and self.words[i].dep in ("advcl", "advmod")
                         and marks in ("when", "once", "as", "after", "until", "while")
-                        and re.search(r"when|once|as soon as|after|until", text)
+                        and re.search(
+                            r"when|once|as soon as|after|until|^as\b.*\b(?:away|closer|nearer|within|under)\b", text
+                        )
                     ):
                         place = (
                             "intersection"
@@ -123,6 +128,8 @@ class Timing(Modes):
                             if place and (not event.agent.person or event.agent.ego)
                             else {"kind": "distance", "value": quantity["low"]}
                         )
+                        if marks == "until" and event.mode == "negated":
+                            event.mode = "fact"  # "does not start running until ego is 15 m away"
                     elif quantity["dimension"] == "distance" and event.act in AT_A_DISTANCE and AWAY.match(text):
                         event.trigger = {"kind": "distance", "value": quantity["low"]}
                     elif quantity["dimension"] == "time" and (
@@ -147,6 +154,14 @@ class Timing(Modes):
                         r"\bttc\b|time[- ]to[- ](collision|contact)", own
                     ):
                         event.trigger = {"kind": "ttc", "value": quantity["low"]}
+
+    def _circumstances(self, word: Word) -> list[int]:
+        """What stands with a verb, or with the verb that only begins it ("starts to cross when ...")."""
+        found = [c for c in word.children if self.words[c].dep in CIRCUMSTANCES]
+        above = self.words[word.head]
+        if word.dep == "xcomp" and above.i in self.light:
+            found += [c for c in above.children if self.words[c].dep == "advcl"]
+        return found
 
     def _ended_waits(self) -> None:
         """What ends a wait ("until ego is 20 m away, then crosses") begins what comes next."""

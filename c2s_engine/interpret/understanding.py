@@ -3,6 +3,7 @@
 from c2s_engine.interpret import amounts, division, environment, letters, place, scan, syntax
 from c2s_engine.interpret.casting import actors
 from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.foretold import foretold
 from c2s_engine.interpret.headlines import headline
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.passives import unnamed_doers
@@ -32,6 +33,7 @@ def understand(text: str) -> Scene:
     road = place.read(plain, sentences, quantities)
     words = syntax.parse(text, plain, sentences, spans)
     cast = Cast(words)
+    foretold(cast)
     clauses = Clauses(words, cast)
     unnamed_doers(cast, clauses)
     pushed(clauses)

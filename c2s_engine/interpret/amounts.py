@@ -69,14 +69,14 @@ def bare_speeds(text: str) -> list[Span]:
     factor = 0.44704 if MILES.search(text) else 1 / 3.6
     for match in _bare().finditer(text):
         group = next(name for name, value in match.groupdict().items() if value)
-        value = _value(match[group])
+        value = value_of(match[group])
         if 10 <= value <= 200:
             data = {"dimension": "speed", "low": value * factor, "high": value * factor, "bare": True}
             found.append(Span("quantity", match.start(group), match.end(group), data))
     return found
 
 
-def _value(text: str) -> float:
+def value_of(text: str) -> float:
     text = " ".join(text.split()).lstrip("+")
     words = language.table("units")["numbers"]
     digits = text.split()
@@ -110,6 +110,8 @@ ELAPSED = re.compile(  # what follows a second of time, not a second car
     r"\s*(?:[.,;:!?)'-]|$|(?:ahead|behind|away|before|after|later|from|apart|or|and|to|of|into|in|at|gap|headway|long|pause"
     r"|delay|earlier|sooner|passes|passed|ago|when|then|while|until)\b)"
 )
+EARLIER = re.compile(r"(?:(?<![\w.])\d+(?:\.\d+)?, ?)+$")
+"""The first numbers of a list that shares its last one's unit: "60, 50 and 40 km/h"."""
 AWAY = re.compile(r"\s+(ahead|behind|away|before|after|from|in front|apart|or)\b")
 
 
@@ -127,7 +129,7 @@ def quantities(text: str) -> list[Span]:
         if match["high"] and match["lowunit"]:
             other, own = language.units()[" ".join(match["lowunit"].split())]
             if other != dimension:  # "with 0.5 g to 60 km/h": no range
-                low, high = _value(match["low"]) * own, _value(match["high"]) * factor
+                low, high = value_of(match["low"]) * own, value_of(match["high"]) * factor
                 found.append(Span("quantity", match.start(), match.end("lowunit"), _exactly(other, low)))
                 found.append(Span("quantity", match.start("high"), match.end(), _exactly(dimension, high)))
                 continue
@@ -139,7 +141,7 @@ def quantities(text: str) -> list[Span]:
             continue
         if match["unit"] == "m" and not match["low"][-1:].isdigit():
             continue
-        low = _value(match["low"]) * (
+        low = value_of(match["low"]) * (
             language.units()[" ".join(match["lowunit"].split())][1] if match["lowunit"] else factor
         )
         first = low
@@ -148,14 +150,19 @@ def quantities(text: str) -> list[Span]:
             if match["high"]
             else None
         )
-        high = _value(match["high"]) * factor if match["high"] else low
+        high = value_of(match["high"]) * factor if match["high"] else low
         before = text[max(0, match.start() - 30) : match.start()]
+        each = None
         if joined and joined[1] == "and" and "between" not in before:
+            listed = [value_of(n) for n in re.findall(r"\d+(?:\.\d+)?", (EARLIER.search(before) or [""])[0])]
+            each = (*(v * factor for v in listed), low, high)
             low = high
         if high < low:
             low, high = high, low
         found.append(Span("quantity", match.start(), match.end(), {"dimension": dimension, "low": low, "high": high}))
+        if each is not None:
+            found[-1].data["each"] = each
         if joined and joined[1] == "to" and re.search(r"from\s*$", before):
-            second = _value(match["high"]) * factor
+            second = value_of(match["high"]) * factor
             found[-1].data.update({"first": first, "second": second})
     return found

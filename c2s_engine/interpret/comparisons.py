@@ -9,8 +9,9 @@ from c2s_engine.interpret.scene import Scene
 COMPARED = re.compile(
     r"(?:(?P<little>a (?:little|tiny|wee) bit|a bit|a little|little bit|slightly|somewhat|marginally|a touch|a shade"
     r"|a tad|barely|only just|moderately)|(?P<lot>much|far|considerably|a lot|way|significantly|substantially|clearly"
-    r"|markedly|a good deal)|(?P<twice>twice|double) (?=as))?"
-    r"\s*\b(?P<how>faster|slower|quicker|higher|lower|greater|as fast)\b(?P<than>(?: than| as) [^,.;]{0,40})?"
+    r"|markedly|a good deal))?"
+    r"\s*\b(?P<how>faster|slower|quicker|higher|lower|greater|more|less|(?:above|below) the (?=speed))\b"
+    r"(?P<than>(?: than| as|speed of) [^,.;]{0,40})?"
 )
 DIFFERENCE = re.compile(
     r"\b(?:(?:speed|velocity) (?:difference|differential|excess|surplus)|difference (?:in|of) (?:speed|velocity)"
@@ -25,6 +26,10 @@ AT_LIMIT = re.compile(
 AFTER = re.compile(
     r"\s*(?:faster|slower|quicker|(?:higher|lower|greater|more|less) than|(?:above|below) the speed of)\b"
 )
+RIGHT_BEFORE = re.compile(
+    r"(?:,? (?:ahead|in front|behind|beside)(?: of (?:it|the ego|ego))?)?,?(?: at| doing| going)? "
+)
+"""What stands between a road user and its speed where the verb is left out: "and the car ahead 30 % slower"."""
 LITTLE, LOT_MORE, LOT_LESS = 0.08, 1.4, 0.6
 
 
@@ -38,14 +43,16 @@ def compared_speeds(scene: Scene, quantities: list[Span]) -> None:
     """The speeds that follow from another's by a comparison."""
     for match in COMPARED.finditer(scene.plain):
         number = next((q for q in quantities if q.data["dimension"] == "speed" and _ends_at(scene, q, match)), None)
-        if number is None and not (match["little"] or match["lot"] or match["twice"]):
+        if number is None and (not (match["little"] or match["lot"]) or match["how"] in ("more", "less")):
             continue
-        owner = _owner(scene, match.start())
+        owner = owner_of(scene, match.start())
         other = _named(scene, match) or (scene.cast.ego if owner is not scene.cast.ego else None)
         if other is None and owner is scene.cast.ego:
             told = [e for e in scene.actors if e in scene.speeds]
             other = told[0] if len(told) == 1 else None
         base = scene.speeds.get(other) if other is not None else None
+        if owner is not None and number is not None and base is None and other is scene.cast.ego is not owner:
+            scene.by_ego.setdefault(owner, (1.0, _difference(match, number)))
         if owner is None or other is owner or base is None:
             continue
         if owner in scene.speeds and number is None:
@@ -62,12 +69,12 @@ def _by_limit(scene: Scene, quantities: list[Span]) -> None:
         return
     for span in quantities:
         match = BY_LIMIT.match(scene.plain[span.end : span.end + 50])
-        owner = _owner(scene, span.start) if match and span.data["dimension"] == "speed" else None
+        owner = owner_of(scene, span.start) if match and span.data["dimension"] == "speed" else None
         if match is not None and owner is not None and owner not in scene.speeds:
             speed = max(0.5, limit + span.data["low"] * (1 if match["more"] else -1))
             scene.speeds[owner] = (speed, speed, span.start, span.end)
     for match in AT_LIMIT.finditer(scene.plain):
-        owner = _owner(scene, match.start())
+        owner = owner_of(scene, match.start())
         if owner is not None and owner not in scene.speeds:
             scene.speeds[owner] = (limit, limit, match.start(), match.end())
 
@@ -80,7 +87,7 @@ def _by_difference(scene: Scene, quantities: list[Span]) -> None:
         if found is None or span.data["dimension"] != "speed" or own is None:
             continue
         free = [e for e in scene.actors if e.mover and not e.person and e not in scene.speeds]
-        owner = _owner(scene, span.start)
+        owner = owner_of(scene, span.start)
         other = owner if owner in free else free[0] if len(free) == 1 else None
         if other is None:
             continue
@@ -94,23 +101,35 @@ def _ends_at(scene: Scene, span: Span, match: re.Match[str]) -> bool:
 
 
 def _changed(match: re.Match[str], number: Span | None, low: float, high: float) -> tuple[float, float]:
-    more = match["how"] not in ("slower", "lower")
     if number is not None:
-        change = number.data["low"] if more else -number.data["low"]
+        change = _difference(match, number)
         return max(0.5, low + change), max(0.5, high + change)
-    factor = 2.0 if match["twice"] else 1 + LITTLE if more else 1 - LITTLE
+    more = _more(match)
+    factor = 1 + LITTLE if more else 1 - LITTLE
     if match["lot"]:
         factor = LOT_MORE if more else LOT_LESS
     return low * factor, high * factor
 
 
-def _owner(scene: Scene, at: int) -> Entity | None:
+def _more(match: re.Match[str]) -> bool:
+    return match["how"] not in ("slower", "lower", "less") and not match["how"].startswith("below")
+
+
+def _difference(match: re.Match[str], number: Span) -> float:
+    return number.data["low"] if _more(match) else -number.data["low"]
+
+
+def owner_of(scene: Scene, at: int) -> Entity | None:
     """Who is said to be faster: the subject of the clause, else who was spoken of last in the sentence."""
     word = next((w for w in scene.words if w.start <= at + 1 < w.end or w.start >= at), None)
     if word is None:
         return None
     event = next((e for e in reversed(scene.clauses.events) if word.i in e.words), None)
     own = [i for i in sorted(scene.cast.of) if i < word.i and scene.words[i].sentence == word.sentence]
+    for i in own[-2:]:
+        entity = scene.cast.of[i]
+        if (entity.mover or entity.ego) and RIGHT_BEFORE.fullmatch(scene.plain[scene.words[i].end : at]):
+            return entity
     if event is not None and event.agent in [scene.cast.of[i] for i in own]:
         relative = [i for i in own if i > event.word and scene.words[i].norm in ("which", "that", "who")]
         return scene.cast.of[relative[-1]] if relative else event.agent

@@ -7,7 +7,7 @@ from copy import copy
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.clauses import Clauses
-from c2s_engine.interpret.mentions import MOVERS, Cast, Entity
+from c2s_engine.interpret.mentions import MOTOR, MOVERS, Cast, Entity
 from c2s_engine.interpret.whereabouts import Where
 
 BOTH = re.compile(
@@ -34,10 +34,40 @@ def split_groups(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
                 _dissolve(member, group, cast, clauses, of)
         if own:
             _leave(group, own, cast, clauses, of)
-        elif group.ordinal is None and _every_lane(group, cast):
+        elif group.ordinal is None and _every_lane(group, cast, of):
             _in_every_lane(group, cast, clauses, of)
         elif group.ordinal is None and any(p.search(_said(group, cast, of)) for p in (BOTH, FROM_BOTH)):
             _both_sides(group, cast, clauses, of)
+
+
+def abreast(clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Two told together that are side by side ("a taxi and a van wait side by side"): one is in the lane beside."""
+    for event in clauses.events:
+        pair = [event.agent, *event.also]
+        if len(pair) != 2 or not event.done or not ABREAST.search(event.whole) or event.patient in pair:
+            continue
+        if any(e.ego or e.type not in MOTOR or e.count > 1 for e in pair):
+            continue
+        for where in (of[e] for e in pair):
+            where.rel = "ahead" if where.rel == "beside" and (where.of is None or where.of in pair) else where.rel
+        beside = of[pair[1]]
+        if (
+            beside.lane in (None, "same")
+            and of[pair[0]].lane in (None, "same")
+            and beside.rel in (None, "ahead", "behind")
+        ):
+            beside.lane, beside.rel = "adjacent", beside.rel or "ahead"
+
+
+def goes_on_abreast(clauses: Clauses) -> None:
+    """Who drives and blocks the lanes with it does not stand: "two trucks driving abreast occupy both lanes"."""
+    for event in clauses.events:
+        if event.act == "stationary" and event.done and FILLING.search(event.text):
+            drives = (
+                e for e in clauses.events if e.agent is event.agent and e.done and e.act in ("travel", "overtake")
+            )
+            if any(abs(e.word - event.word) < 12 for e in drives):
+                event.act = "travel"
 
 
 def _said(entity: Entity, cast: Cast, of: dict[Entity, Where]) -> str:
@@ -57,6 +87,8 @@ def _matters(member: Entity, clauses: Clauses, of: dict[Entity, Where]) -> bool:
         member.type != group.type
         or where.hidden_by is not None
         or where.gap is not None
+        or where.lane is not None
+        or where.side is not None
         or any(
             e.done and (e.agent is member or e.patient is member and e.act in ("collide", "follow", "overtake"))
             for e in clauses.events
@@ -92,12 +124,20 @@ def _leave(group: Entity, own: list[Entity], cast: Cast, clauses: Clauses, of: d
         before = queue[queue.index(member) - 1] if queue.index(member) else None
         theirs = of[member]
         theirs.lane, theirs.side = theirs.lane or where.lane, theirs.side or where.side
+        if where.lane == "parked" and theirs.side and "lane" not in " ".join(t for _, t in theirs.phrases):
+            theirs.lane = "parked"
         theirs.facing = theirs.facing or where.facing
         theirs.phrases = [*where.phrases, *theirs.phrases]
         theirs.gap = theirs.gap or (where.gap if before is None else None)
         if theirs.rel in (None, where.rel):
             theirs.rel = where.rel
-            if before is not None and before is not member and theirs.of is None and theirs.lane in (None, "same"):
+            aside = (
+                theirs.side is not None and theirs.side != (where if before is group else of[before]).side
+                if before
+                else False
+            )
+            in_line = before is not None and before is not member and theirs.of is None and not aside
+            if before is not None and in_line and theirs.lane in (None, "same"):
                 theirs.of, theirs.rel = before, "behind" if where.rel == "behind" else "ahead"
         member.roles |= group.roles - {"group"}
         for event in clauses.events:
@@ -159,9 +199,23 @@ EVERY = re.compile(
 )
 
 
-def _every_lane(group: Entity, cast: Cast) -> bool:
-    """Whether standing cars fill the lanes of ego's direction ("both lanes are blocked by stationary cars")."""
-    if "stationary" not in group.roles or group.person:
+FILLING = re.compile(
+    r"\b(?:block|occupy|occupie|fill|obstruct|hog|tak\w+ up|cover|close)\w* (?:up )?(?:both|all|the two|all two|the)"
+    r"(?: of)?(?: the| its| three| \w+bound| through| travel)* lanes\b"
+)
+ABREAST = re.compile(
+    r"\b(?:side by side|abreast|next to (?:each other|one another)|neck and neck|alongside each other)\b"
+)
+
+
+def _every_lane(group: Entity, cast: Cast, of: dict[Entity, Where]) -> bool:
+    """Whether some fill the lanes of ego's direction: "both lanes are blocked by stationary cars", "two trucks side by
+    side block both lanes"."""
+    if group.type not in MOTOR:
+        return False
+    if FILLING.search(_said(group, cast, of)):
+        return True
+    if "stationary" not in group.roles:
         return False
     for mention in group.mentions:
         number = cast.words[mention.word].sentence
@@ -172,17 +226,20 @@ def _every_lane(group: Entity, cast: Cast) -> bool:
 
 
 def _in_every_lane(group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
-    """One half of the group stands in ego's lane, the other in the lane beside."""
-    twin = copy(group)
-    twin.key, twin.roles, twin.mentions = f"{group.key}0", set(group.roles), list(group.mentions)
-    twin.count = max(1, group.count // 2)
-    group.count = max(1, group.count - twin.count)
-    cast.entities.insert(cast.entities.index(group) + 1, twin)
+    """One half of the group is in ego's lane, the other in the lane beside; of three, one is in each lane."""
     where = of[group]
     where.lane, where.rel, where.side = "same", "ahead", None
-    other = copy(where)
-    other.phrases, other.lane = list(where.phrases), "adjacent"
-    of[twin] = other
-    for event in clauses.events:
-        if event.agent is group:
-            event.also = [*event.also, twin]
+    where.of = None if where.of is not None and where.of.ego else where.of
+    lanes = ("left", "right") if group.count == 3 else ("adjacent",)
+    for number, lane in enumerate(lanes):
+        twin = copy(group)
+        twin.key, twin.roles, twin.mentions = f"{group.key}{number}", set(group.roles), list(group.mentions)
+        twin.count = max(1, group.count // (len(lanes) + 1 - number))
+        group.count = max(1, group.count - twin.count)
+        cast.entities.insert(cast.entities.index(group) + 1, twin)
+        other = copy(where)
+        other.phrases, other.lane = list(where.phrases), lane
+        of[twin] = other
+        for event in clauses.events:
+            if event.agent is group:
+                event.also = [*event.also, twin]

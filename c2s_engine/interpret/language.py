@@ -121,7 +121,7 @@ def units() -> dict[str, tuple[str, float]]:
     return {
         name: (dimension, float(entry["factor"]))
         for dimension, entries in table("units").items()
-        if dimension != "numbers"
+        if dimension not in ("numbers", "fractions")
         for entry in entries
         for name in entry["names"]
     }

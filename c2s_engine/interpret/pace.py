@@ -80,14 +80,17 @@ def pace_of(
             if first not in ("cross_road", "enter_road") or kind not in PERSONS
             else None
         )
+    own = ego.speed if isinstance(ego.speed, int | float) else (sum(ego.speed) / 2 if ego.speed else 12.0)
+    own = own or 8.0
+    if entity in scene.by_ego:
+        times, more = scene.by_ego[entity]
+        return round(max(0.5, own * times + more), 2)
     if kind in PERSONS or kind == "bicycle":
         text = " ".join(e.text for e in scene.events(entity))
         key = "running" if kind == "pedestrian" and re.search(r"\b(run|dart|dash|rush|sprint|jog|bolt)", text) else kind
         value = defaults["types"][key]
         assumed.append(Assumption(field="speed", value=f"{value['value']} m/s", reason=value["reason"]))
         return float(value["value"])
-    own = ego.speed if isinstance(ego.speed, int | float) else (sum(ego.speed) / 2 if ego.speed else 12.0)
-    own = own or 8.0
     text = " ".join(e.text for e in scene.events(entity)) + " " + " ".join(t for _, t in scene.where(entity).phrases)
     factor = "same"
     if (

@@ -168,6 +168,12 @@ def _on_its_own(entity: Entity) -> bool:
     return entity.group is None or entity.group.type in MOTOR and not entity.group.roles & ROLE_WORDS
 
 
+def _of_parked(entity: Entity, clauses: Clauses) -> bool:
+    """Whether it is one of several that only stand there ("two cars are parked; one is on the left")."""
+    acts = [e for e in clauses.events if e.agent is entity.group and e.done] if entity.group is not None else []
+    return bool(acts) and all(e.act == "stationary" and "park" in e.text for e in acts)
+
+
 def _rests(entity: Entity, acts: list[Event]) -> bool:
     """Whether it only stands there."""
     return bool(entity.roles & {"parked", "stationary"}) or bool(acts) and all(v.act == "stationary" for v in acts)
@@ -183,7 +189,9 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     """Where nobody is called ego: the vehicle that the text is about, if there is one besides the others."""
     if cast.ego.mentions:
         return
-    vehicles = [e for e in cast.entities if e.type in MOTOR and e.count == 1 and _on_its_own(e)]
+    vehicles = [
+        e for e in cast.entities if e.type in MOTOR and e.count == 1 and _on_its_own(e) and not _of_parked(e, clauses)
+    ]
     told_by = cast.me is not cast.ego or bystanding(" ".join(w.norm for w in cast.words))
     acting = {e: [v for v in clauses.events if v.agent is e and v.done] for e in vehicles}
     candidates = []

@@ -7,7 +7,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.accompanied import WITH_ANOTHER, accompanied, within
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.closures import closed_lanes
-from c2s_engine.interpret.groups import split_groups
+from c2s_engine.interpret.groups import abreast, goes_on_abreast, split_groups
 from c2s_engine.interpret.implied import evaded_lane, followed_lane, implied_places
 from c2s_engine.interpret.inferred import Inferred
 from c2s_engine.interpret.lane_numbers import number_lanes
@@ -62,7 +62,9 @@ class Places(Inferred):
                 self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
         accompanied(cast, clauses, self.of)
         self.ego_lane = self.ego_lane or closed_lanes(cast, clauses, self.of)
+        goes_on_abreast(clauses)
         split_groups(cast, clauses, self.of)
+        abreast(clauses, self.of)
         implied_places(cast, clauses, self.of)
         struck_places(cast, clauses, self.of)
         self.ego_lane = evaded_lane(clauses, self.of) or self.ego_lane or followed_lane(clauses, self.of)

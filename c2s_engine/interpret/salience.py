@@ -48,9 +48,10 @@ class Salience(Members):
             clash = self._subject_of(verb)  # nobody goes across its own bows
         if word.dep == "poss" and BESIDE.match(self._around(word.i)) and above.dep == "pobj":
             clash = self.of.get(self.words[above.head].head) or clash  # "a coach to its left": not the coach's own
-        holder = self.of.get(above.head) if word.dep == "pobj" and above.head != above.i else None
-        if holder is not None and holder is not clash and above.head < word.i:
+        holder = self._placed(word)
+        if holder is not None and holder is not clash:
             inner, accept_all = holder, accept
+            clash = None if above.norm == "of" else clash
             accept = lambda e: accept_all(e) and e is not inner  # noqa: E731
         same = [(i, e) for i, e in self.subjects if i < word.i and accept(e) and e is not clash]
         last = [i for i in sorted(self.of) if i < word.i and accept(self.of[i]) and self.of[i] is not clash]
@@ -102,6 +103,17 @@ class Salience(Members):
                 else (mains or earlier)[-1][1]
             )
         return self.of[last[-1]]
+
+    def _placed(self, word: Word) -> Entity | None:
+        """Who is placed by a pronoun: the truck of "the truck ahead of it"."""
+        above = self.words[word.head]
+        if word.dep != "pobj":
+            return None
+        while above.norm == "of" and above.head != above.i and self.words[above.head].tag in ("RB", "IN", "NN"):
+            if above.head in self.of:
+                break
+            above = self.words[above.head]
+        return self.of.get(above.head) if above.head < word.i and above.head != above.i else None
 
     def _finite(self, verb: Word) -> bool:
         """Whether a verb is no infinitive ("for the traffic to clear")."""

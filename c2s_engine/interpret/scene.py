@@ -71,6 +71,7 @@ class Scene:
     light: list[environment.Found]
     actors: list[Entity] = field(default_factory=list)
     speeds: dict[Entity, tuple[float, float, int, int]] = field(default_factory=dict)
+    by_ego: dict[Entity, tuple[float, float]] = field(default_factory=dict)  # speeds by ego's: (times, plus m/s)
     spans: list[scan.Span] = field(default_factory=list)
 
     def events(self, entity: Entity) -> list[Event]:

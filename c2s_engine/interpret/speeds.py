@@ -6,7 +6,9 @@ from c2s_engine.interpret import language, scan, syntax
 from c2s_engine.interpret.comparisons import compared_speeds, is_difference
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import VEHICLES, Entity
+from c2s_engine.interpret.ratios import speeds_by_ratio
 from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.shared_out import shared_out
 
 SIDEWAYS = re.compile(r"\b(?:lateral|sideways|sideward|wind|yaw)\s+(?:\w+\s+){0,2}(?:\w+\s+)?$")
 AT_LIMIT = re.compile(
@@ -23,6 +25,7 @@ GOES_ON = re.compile(r"(continue|proceed|carry|go|drive|travel|roll|move)( on)?(
 def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
     """Whose each speed is: the agent of the clause it stands in, the noun that it describes, or both parties."""
     clauses, cast = scene.clauses, scene.cast
+    shared_out(scene)
     by_span = {id(w.span): w for w in scene.words if w.span is not None and w.span.kind == "quantity"}
     for span in quantities:
         if span.data["dimension"] != "speed" or SIDEWAYS.search(scene.plain[max(0, span.start - 40) : span.start]):
@@ -126,6 +129,7 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
             for other in others[:many]:
                 scene.speeds.setdefault(other, value)
     compared_speeds(scene, quantities)
+    speeds_by_ratio(scene, quantities)
 
 
 def _before(scene: Scene, span: scan.Span) -> Entity | None:

@@ -3,7 +3,7 @@
 import re
 from functools import cache
 
-from c2s_engine.interpret import elided, grids, language, notation, telegraphic
+from c2s_engine.interpret import each_apart, elided, grids, language, notation, telegraphic
 from c2s_engine.interpret.motions import irregular
 from c2s_engine.interpret.rewritten import Replacement, Rewritten
 
@@ -25,6 +25,7 @@ class Mended:
             notation.signs,
             _repairs,
             elided.elided,
+            each_apart.each_apart,
             telegraphic.spelt_out,
         ):
             self._passes.append(Rewritten(text, replacements(text)))

@@ -188,7 +188,6 @@ def test_who_goes_and_who_stays(read, scene: str, text: str, gone: str, stays: s
     ("scene", "text"),
     [
         (ROW, "a door of the first parked car opens"),
-        (ROW, "one of the parked cars opens its door"),
         (MOTORWAY, "ego's lane ends in 200 m"),
         (MOTORWAY, "ego should keep 1.5 m lateral distance when passing"),
     ],

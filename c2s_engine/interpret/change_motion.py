@@ -30,8 +30,10 @@ def distance(clause: str, structure: Structure) -> Found | None:
         ),
         clause,
     )
-    if quantity is None and (
-        relative is None or not re.search(r"away|closer|nearer|gap|distance|far|ahead|behind", clause)
+    if (
+        quantity is None
+        and not (_wider(clause) and re.search(r"\b(?:gap|distance|headway|spac)", clause))
+        and (relative is None or not re.search(r"away|closer|nearer|gap|distance|far|ahead|behind", clause))
     ):
         return None
     if names_a_stranger(clause, structure) or re.search(_table()["no_gap"], clause):
@@ -43,13 +45,18 @@ def distance(clause: str, structure: Structure) -> Found | None:
         return None
     spec = spec_of(component)
     between = re.search(r"\bbetween (?:the |each |them\b|one )", clause)
+    if between and spec.count > 1 and quantity is None and (word := _wider(clause)):
+        usual = middle(spec.spacing) if spec.spacing is not None else 3.0
+        apart = round(usual * (1.6 if word == "more" else 0.6), 1)
+        edit = SetField(component=component.id, path="spacing", value=apart)
+        return [edit], f"{name_of(component)}: {apart:g} m between them"
     if between and spec.count > 1 and quantity is not None:
         edit = SetField(component=component.id, path="spacing", value=value_of(quantity))
         return [edit], f"{name_of(component)}: {quantity['low']:g} m between them"
     word = relative[1] if relative else ""
     if quantity is not None and not re.search(_table()["so_much_further"], clause):
         word = ""  # a distance to have, not one more or less
-    word = word or _moved(clause, spec.placement)
+    word = word or _moved(clause, spec.placement) or _wider(clause)
     now = spec.placement.gap
     base = middle(now) if now is not None else 25.0
     if not word and quantity is not None:
@@ -110,6 +117,12 @@ def _moved(clause: str, place: Placement) -> str:
         return ""
     behind = place.position == "behind" or place.along == "behind"
     return "further" if (match[1] == "back") == behind else "closer"
+
+
+def _wider(clause: str) -> str:
+    """ "Make the gap bigger"."""
+    more, less = (re.search(_table()[name], clause) for name in ("bigger", "smaller"))
+    return "more" if more else "less" if less else ""
 
 
 def _only_one(structure: Structure) -> Component | None:

@@ -12,7 +12,9 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 
 
 def remove(clause: str, structure: Structure) -> Found | None:
-    """ "Remove the rain", "without the cyclist", "delete O2"."""
+    """ "Remove the rain", "without the cyclist", "delete O2", "remove everything but the pedestrian"."""
+    if alone := _all_but(clause, structure):
+        return alone
     match = next((m for p in language.table("refine")["removes"] if (m := re.match(p, clause))), None)
     if not match:
         return None
@@ -28,6 +30,24 @@ def remove(clause: str, structure: Structure) -> Found | None:
     if component is None or component.id == "E" or re.search(r"\bother (traffic|vehicles|cars|road users)\b", rest):
         return None
     return [*_release(component, structure), RemoveObject(component=component.id)], f"{name_of(component)} removed"
+
+
+def _all_but(clause: str, structure: Structure) -> Found | None:
+    match = next((m for p in language.table("refine")["all_but"] if (m := re.match(p, clause))), None)
+    names = re.split(r",? and | , |, ", match["kept"]) if match else []
+    kept = [refer(name, structure, alone=False) for name in names]
+    if not kept or None in kept:
+        return None
+    stay = {c.id for c in kept if c is not None}
+    edits: list[Edit] = []
+    for component in structure.objects:
+        if component.id not in stay:
+            gone = [*_release(component, structure), RemoveObject(component=component.id)]
+            for edit in gone:
+                structure = apply(structure, edit)
+            edits += gone
+    said = ", ".join(name_of(c) for c in kept if c is not None and c.id != "E")
+    return (edits, f"only {said} stays" if said else "only ego stays") if edits else None
 
 
 def _without_weather(values: list[str], structure: Structure) -> Found:

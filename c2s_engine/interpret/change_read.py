@@ -90,8 +90,8 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
             old = before.get(component.id) or was[component.id]
             changed = _changes(old, component, structure[cid], ids, clause, waited)
             if cid not in ("R", "E") and _only_beside(main, structure[cid], structure):
-                changed = [c for c in changed if c[0] not in ("phases", "speed")]
-            if cid == "R" and not _names(told, structure.ego, structure):
+                changed = [c for c in changed if c[0] in ("placement.hidden_by", "count")]
+            if cid == "R" and not (_names(told, structure.ego, structure) and re.search(table()["of_lanes"], told)):
                 changed = [c for c in changed if c[0] != "ego_lane"]
             if added and new and cid.startswith("O"):
                 changed = [c for c in changed if c[0] == "placement.hidden_by"]

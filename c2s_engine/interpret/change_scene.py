@@ -101,6 +101,8 @@ def road(clause: str, structure: Structure) -> Found | None:
     if found.lanes or lanes:
         words = {"one": 1, "two": 2, "three": 3, "four": 4}
         update["lanes"] = (words.get(lanes[1]) or int(lanes[1])) if lanes else found.lanes
+    if (update.get("lanes") or 3) < 3 and old.ego_lane == "middle":
+        update["ego_lane"] = "rightmost"
     if found.speed_limit:
         update["speed_limit"] = round(found.speed_limit, 2)
     if found.oncoming is not None:

@@ -48,6 +48,10 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
             demand = re.sub(table["lets"], "ego lets ", demand)
         demand = re.sub(table["subjectless"], rf"\g<1>{who} ", demand)
         demand = re.sub(table["infinitive"], rf"\g<1>{who} will ", demand)
+    if (side := re.search(r"\b(?:from|on) the (left|right)\b", before)) and not re.search(
+        r"\b(?:left|right)\b", demand
+    ):
+        demand = re.sub(r"\b(from|on) (?:there|the same side|that side)\b", rf"\g<1> the {side[1]}", demand)
     named = scan.names(before)
     if (too := re.match(table["as_well"], demand)) and named and scan.names(demand):
         head = re.sub(r"\b(?:the|an?|my|our)\s*$", "", before[: named[0].start])

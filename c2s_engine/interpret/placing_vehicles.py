@@ -78,6 +78,9 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     if "parked" in roles and rel == "ahead" and lane is None and _ego_parked(scene):
         return {"position": "parked", "side": "right", "along": "ahead", "said": True}
     if lane == "oncoming" or "oncoming" in roles:
+        by = where.of if where.of is not entity else None
+        if rel in ("behind", "ahead") and by is not None and _oncoming(scene, by):
+            return {"position": rel, "said": True}  # seen from another one of them
         return {
             "position": "opposite_approach" if junction and not _before_junction(text) else "oncoming_lane",
             "said": True,
@@ -309,3 +312,7 @@ def _before_junction(text: str) -> bool:
 
 def _ego_parked(scene: Scene) -> bool:
     return any(e.act == "stationary" and "park" in e.whole for e in scene.events(scene.cast.ego))
+
+
+def _oncoming(scene: Scene, other: Entity) -> bool:
+    return not other.ego and ("oncoming" in other.roles or scene.where(other).lane == "oncoming")

@@ -72,6 +72,10 @@ BESIDE = re.compile(
     r"|coming|on (the|its) (left|right)(?=$| (?!lane|side|hand|turn))|approaching|oncoming|from (the|its|behind))"
 )
 AHEAD = re.compile(r"(?:be|drive|travel|ride|stand|wait) (?:\w+ly )?(?:ahead|in front) ?[.,;]?$")
+IS_AHEAD = re.compile(
+    r"^\S+ (?:is|are) (?:\w+ly |close |right |just )?(?:about |some |around )?(?:\d[\d.]*\s*[a-z]+ )?"
+    r"(?:ahead|in front|behind|on the (?:left|right))(?= ?[.,;]| and\b|$)"
+)
 """Places and ways that are told as beside or towards somebody."""
 
 
@@ -193,6 +197,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         e for e in cast.entities if e.type in MOTOR and e.count == 1 and _on_its_own(e) and not _of_parked(e, clauses)
     ]
     told_by = cast.me is not cast.ego or bystanding(" ".join(w.norm for w in cast.words))
+    if not told_by and any(IS_AHEAD.match(_after(e.mentions[0].word, cast)) for e in vehicles):
+        return  # of somebody who is not named
     acting = {e: [v for v in clauses.events if v.agent is e and v.done] for e in vehicles}
     candidates = []
     for entity in vehicles:

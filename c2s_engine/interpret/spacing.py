@@ -9,6 +9,7 @@ from c2s_engine.structure.specs import Placement
 AFTER = re.compile(
     r"\s*(?:apart\b|(?:from|to|behind|after) (?:each other|one another|the next)\b"
     r"|between (?:them|each|every|the (?:vehicles|cars|trucks|lorries|two|three)|one and the next)\b"
+    r"|(?:behind|after|ahead of|in front of) (?:the (?:first|other|leading|front|one in front)\b|another\b)"
     r"|(?:gaps?|intervals?|spacings?)\b)"
 )
 BEFORE = re.compile(

@@ -131,7 +131,8 @@ def _of_those_there(plain: str, structure: Structure) -> bool:
 
 def _adds(plain: str) -> bool:
     """Whether a text only tells of somebody new in the scene that is there."""
-    return bool(re.match(language.table("refine")["told"]["adds"], plain)) and not retold.tells_ego(plain)
+    table = language.table("refine")["told"]
+    return bool(re.match(table["adds"], plain)) and not retold.tells_ego(re.sub(table["meanwhile"], " ", plain))
 
 
 def _goes_on(plain: str, structure: Structure) -> bool:

@@ -75,6 +75,9 @@ def value_of(structure: Structure, path: str) -> Any:
         (STREET, "let's say the taxi is a lorry", {"O1.type": "truck"}),
         (STREET, "both at 36", {"E.speed": 10.0, "O1.speed": 10.0}),
         (STREET, "too fast!", {"E.speed": 10.42}),
+        (ROW, "make the gap between the parked cars bigger", {"O1.spacing": 4.8}),
+        (ROW, "the parked cars are on the left and the boy comes from there", {"O2.placement.side": "left"}),
+        (MOTORWAY, "two lanes only", {"R.lanes": 2, "R.ego_lane": "rightmost"}),
         (
             STREET,
             "the planner always passes, so the woman should start later, at about 10 m",
@@ -150,6 +153,11 @@ def test_what_it_becomes(read, scene: str, text: str, expected: dict[str, Any]) 
             "The lorry should have a car behind it.",
             {"O3.placement.of": "O1", "O3.placement.position": "behind"},
         ),
+        (
+            JUNCTION,
+            "a pedestrian crosses the exit while ego is turning, coming from the left side",
+            {"O3.placement.side": "left"},
+        ),
         (ROW, "the second of the parked cars pulls out", {"O1.count": 2, "O4.placement.position": "parked"}),
         (ROW, "cars parked on both sides", {"O1.count": 3, "O4.placement.side": "left"}),
         (STOP, "the police car is chasing a red sports car that goes first", {"O1.actions": ["go_straight", "follow"]}),
@@ -173,6 +181,8 @@ def test_who_comes_besides(read, scene: str, text: str, expected: dict[str, Any]
     ("scene", "text", "gone", "stays"),
     [
         (STREET, "would you mind removing the woman?", "O2", "O1"),
+        (STREET, "remove everything but the woman", "O1", "O2"),
+        (STREET, "only ego and the taxi, nobody else", "O2", "O1"),
         (STREET, "The taxi is a distraction here. Take it out and leave the rest.", "O1", "O2"),
         (STREET, "there must not be any woman", "O2", "O1"),
         (STREET, "the taxi shouldn't be there any more, but the woman must stay", "O1", "O2"),

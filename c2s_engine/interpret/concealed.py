@@ -25,7 +25,7 @@ HIDDEN = (
     r"@(?P<by>a\d+) (?:conceal|hide|obscure|block|mask)\w* be (?:the |a |an )?@KEY\b",
     rf"\b(?:view|sight) (?:of|to|on) {_A}@KEY be (?:\w+ )?(?:{_HIDE}|obstructed|obstruct|impeded|impede) by {_A}"
     r"@(?P<by>a\d+)",
-    rf"@KEY\b.*?(?P<how>(?<!hit )(?<!struck )from behind(?! by)|from between|out from behind"
+    rf"@KEY\b.*?(?P<how>(?<!hit )(?<!struck )from behind(?! by)|from between|out from behind|from in front of"
     rf"|{_HIDE} (?:by|behind)|behind|in front of|between) (?:the |a |an |two |some |row of |line of )*"
     r"(?:\w+ ){0,2}@(?P<by>a\d+)",
     rf"\bfrom (?:behind|in front of|between) {_A}@(?P<by>a\d+) ,?[^.;]{{0,30}}? ?(?:the |a |an )(?:\w+ )?@KEY\b",

@@ -161,7 +161,8 @@ def _comes_over(event: Event, of: dict[Entity, Where]) -> bool:
 
 def _overtakes_oncoming(event: Event, of: dict[Entity, Where]) -> bool:
     """Whether one who comes the other way overtakes somebody who is not told of: it does so in ego's lane."""
-    towards = event.act == "overtake" and of[event.agent].lane == "oncoming"
+    waited = event.adverbial in ("until", "till", "after", "once", "when", "before")
+    towards = event.act == "overtake" and of[event.agent].lane == "oncoming" and not waited
     return towards and (event.patient is None or event.patient.ego)
 
 

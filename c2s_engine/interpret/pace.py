@@ -113,6 +113,7 @@ def pace_of(
         or "fast" in entity.roles
         or _hurries(scene, entity, kind, placement)
         or any(p.action == "overtake" for p in phases)
+        and not _passes_what_stands(scene, entity)
         or placement.position == "behind"
         and any(p.action == "collide" for p in phases)
     ):
@@ -149,6 +150,12 @@ def _hurries(scene: Scene, entity: Entity, kind: str, placement: Placement) -> b
     if any(e.act == "follow" for e in scene.events(entity)):
         return False
     return any(e.agent is entity and FAST.search(e.whole) for e in scene.events(entity))
+
+
+def _passes_what_stands(scene: Scene, entity: Entity) -> bool:
+    """Whether all whom it overtakes stand or are things: it need not be faster for that."""
+    passed = [e.patient for e in scene.clauses.events if e.act == "overtake" and e.agent is entity and e.done]
+    return all(p is not None and (not p.mover or bool(p.roles & {"parked", "stationary"})) for p in passed)
 
 
 def _passed_by_another(scene: Scene, entity: Entity) -> bool:

@@ -263,7 +263,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     if not candidates:
         struck = {v.patient for v in clauses.events if v.act == "collide" and v.done and not v.agent.ego}
         candidates = [e for e in vehicles if e in struck and not e.roles & ROLE_WORDS][:1]
-    if not candidates and len(vehicles) == 1:
+    if not candidates and len(vehicles) == 1 and not _beside_nobody(vehicles[0], cast):
         passed = [v.patient for v in acting[vehicles[0]] if v.act in ("overtake", "cut_in")]
         candidates = (
             vehicles if passed and all(p is not None and p.type not in MOTOR and not p.ego for p in passed) else []

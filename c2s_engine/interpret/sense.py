@@ -105,7 +105,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 if junction or event.agent.ego and event.patient is None and event.adverbial in ("as", "when", "while")
                 else "overtake"
             )
-        elif (
+        if (
             (
                 event.act == "overtake"
                 and event.patient is None

@@ -60,6 +60,8 @@ def steps_of(
 ) -> list[Phase]:
     act, trigger = event.act, trigger_of(event)
     towards = side(event)
+    if act == "evade" and event.patient is not None and not entity.person and not event.patient.ego and not crossing:
+        return [Phase(action="swerve", side=towards, trigger=trigger)]
     if act in ("travel", "lead", "held_up", "approach", "keep_lane", "evade", "swing"):
         if act == "keep_lane" and not before:
             return [Phase(action="keep_lane")]

@@ -36,3 +36,28 @@ def test_where(read, text: str, places: list[tuple[str, str, float | None]]) -> 
 def test_how_far_apart(read, text: str, spacing: float, position: str) -> None:
     found = read(text).objects[0].spec
     assert (found.count, found.spacing, found.placement.position, found.placement.gap) == (2, spacing, position, None)
+
+
+@pytest.mark.parametrize(
+    ("text", "actions"),
+    [
+        ("The car ahead avoids a box on the road.", ["swerve"]),
+        ("There is debris 100 m ahead and the van ahead swerves around it.", ["overtake"]),
+        ("Ego stops behind a van until an oncoming car has gone by.", []),
+        ("A tyre lies in ego's lane and the car ahead brakes.", ["brake"]),
+    ],
+)
+def test_what_the_others_do(read, text: str, actions: list[str]) -> None:
+    movers = [o.spec for o in read(text).objects if o.spec.type in ("car", "van") and o.spec.speed]
+    assert [p.action for p in movers[-1].phases] == actions
+
+
+def test_who_passes_what_stands_is_no_faster(read) -> None:
+    found = read("The van ahead swerves around a stopped truck.")
+    assert found.objects[0].spec.speed == found.ego.spec.speed
+
+
+def test_who_comes_from_in_front_of_a_bus_is_hidden_by_it(read) -> None:
+    found = read("A pedestrian emerges from in front of a stopped bus and runs across the road.")
+    hidden = next(o for o in found.objects if o.spec.type == "pedestrian")
+    assert hidden.spec.placement.hidden_by == next(o.id for o in found.objects if o.spec.type == "bus")

@@ -1,4 +1,4 @@
-"""Who stops in the middle of the road on foot has set out to cross it."""
+"""Who stops in the middle of the road on foot has set out to cross it; who goes after one who crosses crosses, too."""
 
 import re
 
@@ -10,6 +10,16 @@ MIDDLE = re.compile(
     r"mid-?(?:street|road|crossing|lane|block))\b|\bin the (?:middle|centre|center)$"
 )
 SETS_OUT = frozenset(("cross_road", "enter_road", "cross_path", "cut_in", "cut_out"))
+
+
+def go_after(clauses: Clauses) -> None:
+    """ "A child runs across the street, followed by a dog": the dog crosses, too."""
+    crossing = {e.agent for e in clauses.events if e.act == "cross_road" and e.done}
+    for event in [e for e in clauses.events if e.act == "go_after"]:
+        if event.done and event.patient in crossing and event.agent not in crossing:
+            event.act = "cross_road"
+        else:
+            clauses.events.remove(event)
 
 
 def set_out(clauses: Clauses) -> None:

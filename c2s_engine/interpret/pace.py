@@ -114,6 +114,7 @@ def pace_of(
         or _hurries(scene, entity, kind, placement)
         or any(p.action == "overtake" for p in phases)
         and not _passes_what_stands(scene, entity)
+        and not (placement.along == "ahead" and _passes_others(scene, entity))
         or placement.position == "behind"
         and any(p.action == "collide" for p in phases)
     ):
@@ -156,6 +157,12 @@ def _passes_what_stands(scene: Scene, entity: Entity) -> bool:
     """Whether all whom it overtakes stand or are things: it need not be faster for that."""
     passed = [e.patient for e in scene.clauses.events if e.act == "overtake" and e.agent is entity and e.done]
     return all(p is not None and (not p.mover or bool(p.roles & {"parked", "stationary"})) for p in passed)
+
+
+def _passes_others(scene: Scene, entity: Entity) -> bool:
+    """Whether it only overtakes others than ego."""
+    passed = [e.patient for e in scene.clauses.events if e.act == "overtake" and e.agent is entity and e.done]
+    return bool(passed) and all(p is not None and not p.ego for p in passed)
 
 
 def _passed_by_another(scene: Scene, entity: Entity) -> bool:

@@ -6,7 +6,7 @@ from c2s_engine.interpret.avoiding import abandoned, avoided, by_means
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.echoes import echoes
 from c2s_engine.interpret.event import Event
-from c2s_engine.interpret.halfway import set_out
+from c2s_engine.interpret.halfway import go_after, set_out
 from c2s_engine.interpret.heeded import hindered, merged_back, unheeded
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.overtakings import overtakings
@@ -59,6 +59,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     hindered(cast, clauses)
     merged_back(clauses)
     set_out(clauses)
+    go_after(clauses)
     for event in list(clauses.events):
         if event.act in ("stop", "brake_stop") and event.mode == "fact" and _was_over(cast, event, clauses):
             event.act = "stationary"

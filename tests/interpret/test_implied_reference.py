@@ -61,3 +61,33 @@ def test_who_comes_from_in_front_of_a_bus_is_hidden_by_it(read) -> None:
     found = read("A pedestrian emerges from in front of a stopped bus and runs across the road.")
     hidden = next(o for o in found.objects if o.spec.type == "pedestrian")
     assert hidden.spec.placement.hidden_by == next(o.id for o in found.objects if o.spec.type == "bus")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Two children run across the street, a dog follows them.",
+        "A child runs across the street, followed by a dog.",
+    ],
+)
+def test_who_goes_after_one_who_crosses_crosses(read, text: str) -> None:
+    assert [[p.action for p in o.spec.phases] for o in read(text).objects] == [["cross_road"]] * 2
+
+
+@pytest.mark.parametrize(
+    ("text", "actions"),
+    [
+        ("A horse rider trots along the right-hand edge of the road.", ["move_along"]),
+        ("A man on horseback crosses.", ["cross_road"]),
+    ],
+)
+def test_a_rider_on_a_horse_is_one(read, text: str, actions: list[str]) -> None:
+    (rider,) = read(text).objects
+    assert rider.spec.type == "animal" and [p.action for p in rider.spec.phases] == actions
+
+
+def test_a_lorry_that_overtakes_another_is_no_faster_than_ego(read) -> None:
+    found = read(
+        "Ego drives in the left lane at 130 km/h; a lorry in the right lane pulls out to overtake another lorry."
+    )
+    assert found.objects[0].spec.speed <= found.ego.spec.speed

@@ -112,17 +112,19 @@ def retype(clause: str, structure: Structure) -> Found | None:
         who = match.groupdict().get("who")
         if who and re.search(table["unfinished"], who):
             continue
-        alike = not who or who in ("it", "that", "this")
+        alike = not who or who in ("it", "that", "this", "one", "just one", "only one", "a single one")
         component = _akin(kind, structure) if alike else refer(who, structure)
         if component is None:
             return None
         if component.id == "E":
             if kind not in VEHICLES:
                 return None
-            return [
+            typed: list[Edit] = [
                 SetField(component="E", path="type", value=kind),
                 SetField(component="E", path="model", value=None),
-            ], f"ego is a {kind.replace('_', ' ')}"
+            ]
+            more, said = _rest(match.groupdict().get("rest"), "ego", typed, structure)
+            return [*typed, *more], "; ".join([f"ego is a {kind.replace('_', ' ')}", *said])
         edits: list[Edit] = [SetSpec(component=component.id, spec=_typed(spec_of(component), kind))]
         count = _count_of(match["what"], spec_of(component).count) if plural else 1
         if count != spec_of(component).count:

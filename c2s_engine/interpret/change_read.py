@@ -54,7 +54,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
         told is None
         or not new
         and re.search(table()["relative"], clause)
-        or re.search(r"\b(?:other|opposite) side\b", clause)
+        or re.search(r"(?<!to the )(?<!across to )\b(?:other|opposite) side\b", clause)
     ):
         return None
     there_is = scene(structure, told)

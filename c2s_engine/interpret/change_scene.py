@@ -5,9 +5,10 @@ from typing import Any
 
 from c2s_engine.interpret import amounts, environment, language, scan
 from c2s_engine.interpret.change_forms import Found, quantity_of
+from c2s_engine.interpret.refer import refer
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, SetField, SetSpec
-from c2s_engine.structure.specs import PlaceSpec
+from c2s_engine.structure.specs import Condition, PlaceSpec, RestrictionsSpec
 
 
 def setting(clause: str, structure: Structure) -> Found | None:
@@ -136,6 +137,26 @@ LANES = {
     "left": "leftmost", "fast": "leftmost", "inner": "leftmost", "overtaking": "leftmost", "passing": "leftmost",
     "right": "rightmost", "slow": "rightmost", "outer": "rightmost", "center": "middle", "centre": "middle",
 }  # fmt: skip
+
+
+def ending(clause: str, structure: Structure) -> Found | None:
+    """ "End the run as soon as ego has stopped", "stop the simulation when they collide"."""
+    table = language.table("refine")["ends"]
+    match = re.match(table["said"], clause)
+    if match is None:
+        return None
+    said = re.match(table["stopped"], match["when"])
+    who = refer(said["who"], structure, alone=False) if said else None
+    subject = "ego" if who is None or who.id == "E" else who.id
+    if said is None and not re.search(table["collision"], match["when"]):
+        return None
+    kind = "stopped" if said else "collision"
+    old = structure.restrictions.spec
+    assert isinstance(old, RestrictionsSpec)
+    kept = tuple(c for c in old.terminate_when if c.kind != kind)
+    value = (*kept, Condition(kind=kind, subject=subject))  # type: ignore[arg-type]
+    words = f"the run ends when {subject} stands" if said else "the run ends with a collision"
+    return [SetField(component="T", path="terminate_when", value=value)], words
 
 
 def length(clause: str, structure: Structure) -> Found | None:

@@ -5,10 +5,11 @@ from c2s_engine.interpret.change_looks import blueprint, uncovered
 from c2s_engine.interpret.change_motion import distance, rate, reaction, sides
 from c2s_engine.interpret.change_objects import remove, retype
 from c2s_engine.interpret.change_read import acting, standing
-from c2s_engine.interpret.change_scene import length, own_lane, road, setting
+from c2s_engine.interpret.change_scene import ending, length, own_lane, road, setting
 from c2s_engine.interpret.change_speed import speed, speed_difference, walked
 
 FORMS: tuple[Form, ...] = (
+    ending,
     length,
     blueprint,
     uncovered,

@@ -21,6 +21,7 @@ def _table() -> dict[str, Any]:
 def demands(text: str) -> list[str]:
     """The demands of a text, in order, as plain text."""
     plain = " ".join(scan.normalised(text).replace("?", " ").replace("!", " ").split())
+    plain = re.sub(_table()["moment"], "when ", plain)
     found: list[str] = []
     for sentence in re.split(r"(?:[.;:]\s+|\.$)", plain):
         found += [d for part in _folded(_parts(sentence)) if (d := _bare(part))]
@@ -38,6 +39,9 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
     for pattern, said in table["told_as"]:
         demand = re.sub(pattern, said, demand)
     if who:
+        demand = re.sub(r"^to (?=down to )", f"{who} brakes ", re.sub(r"^to (?=up to )", f"{who} accelerates ", demand))
+        if re.match(r"(?:about |around )?\d[\d.]* ?[a-z]+ (?:between|apart|of space)", demand):
+            demand = f"{who} with {demand}"
         demand = re.sub(r"^(then )?(?:it|he|she|they)\b", rf"\g<1>{who}", demand)
         if not re.search(table["owned"], demand) or not scan.names(demand):
             demand = re.sub(table["owned"], f"{who}'s", demand)
@@ -77,8 +81,11 @@ def _parts(sentence: str) -> list[str]:
     table = _table()
     starts, contrast, there = table["starts"], table["contrast"], table["there"]
     sentence = re.sub(table["reasoned"], "", sentence)
+    if joint := re.match(table["jointly"], sentence):
+        return [f"{joint[name]} {joint['rest']}" for name in ("one", "other")]
     bounds = (
         r"\s+with (?=ego (?:in|on|at)\b)",
+        table["apart"],
         r"\s*,\s+(?:and |but )?",
         rf"\s+(?:and|but)\s+(?=(?:then )?{starts})",
         rf"\s+but\s+(?={contrast})",

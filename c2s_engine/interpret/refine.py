@@ -20,7 +20,7 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     current = structure
     before, topic = "", topic_of(text, structure)
     parts = demands(text)
-    if len(parts) > 1 and (new := introduced(parts, structure)):
+    if len(parts) > 1 and not changes.retype(parts[0], structure) and (new := introduced(parts, structure)):
         return _all(new, structure)
     while parts:
         part = parts.pop(0)

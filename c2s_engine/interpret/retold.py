@@ -50,7 +50,8 @@ def indicative(clause: str, structure: Structure) -> str | None:
         if subject is None:
             return None
         return f"{said[match.end() : subject.end]} will{said[subject.end :]}"
-    return re.sub(forms["demands"], "will", said)
+    said = re.sub(forms["demands"], "will", said)
+    return re.sub(forms["beside_on"], r"the \g<who>\g<where> on the \g<side>", said)
 
 
 def _called(cid: ComponentId, structure: Structure) -> str:

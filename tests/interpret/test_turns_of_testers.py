@@ -238,3 +238,42 @@ def test_what_they_do(read, text: str, actions: list[str]) -> None:
 def test_ego_waits_at_its_own_red_light(read) -> None:
     found = read("Ego waits at a red light; an ambulance from the right ignores the light.")
     assert found.settings.spec.light == "red"
+
+
+@pytest.mark.parametrize(
+    ("scene", "text", "expected"),
+    [
+        (STREET, "three women instead of one, 1.5 m apart", {"O2.count": 3, "O2.spacing": 1.5}),
+        (STREET, "the woman starts crossing in the moment the taxi begins to brake", {"O2.trigger": ("O1", "brake")}),
+        (
+            JUNCTION,
+            "Lorry => ambulance. It runs the red light.",
+            {"O1.type": "ambulance", "O1.phases.0.action": "run_red"},
+        ),
+        (
+            MOTORWAY,
+            "the van brakes harder: 7 m/s2, down to 54 km/h",
+            {"O1.phases.0.rate": 7.0, "O1.phases.0.speed": 15.0},
+        ),
+        (MOTORWAY, "all of this in a left hand bend", {"R.curve": "left"}),
+        (ROW, "five parked cars with 2 m between them", {"O1.count": 5, "O1.spacing": 2.0}),
+        (ROW, "parked cars and boy both on the left side", {"O1.placement.side": "left", "O2.placement.side": "left"}),
+        (ROW, "End the run as soon as ego has stopped.", {"T.terminate_when.0.kind": "stopped"}),
+        (ROW, "stop the simulation when they collide", {"T.terminate_when.0.kind": "collision"}),
+        (ROW, "ego should be motorcycle with 90 km/h", {"E.type": "motorcycle", "E.speed": 25.0}),
+        (ROW, "bus 20 m closer, 9 km/h faster", {"O3.placement.gap": 5.0}),
+        (
+            STOP,
+            "police 72 km/h, ego 45 km/h, snow, run takes 25 s",
+            {"O1.speed": 20.0, "E.speed": 12.5, "T.duration": 25.0},
+        ),
+        (STREET, "swap the woman for a child, on the left sidewalk", {"O2.type": "child", "O2.placement.side": "left"}),
+    ],
+)
+def test_notes_of_several_demands(read, scene: str, text: str, expected: dict[str, Any]) -> None:
+    before = read(scene)
+    now = after(before, text)
+    for path, wanted in expected.items():
+        found = value_of(now, path)
+        assert found == pytest.approx(wanted, abs=0.06) if isinstance(wanted, float) else found == wanted
+    assert now.ids == before.ids

@@ -54,6 +54,8 @@ class Nouns(Titles):
             kind = "motorcycle"
         if noun == "scooter" and (who := self._aboard(word)) is not None and who.span.data["type"] == "child":
             kind = "bicycle"  # "a kid on a scooter"
+        if noun in language.table("actors")["riders"] and (mount := self._mount(word)) is not None:
+            return mount
         before = self._modifiers(word)
         previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
         if previous in ("other",) and "no" in self._near(word):
@@ -304,6 +306,16 @@ class Nouns(Titles):
             and head.span is None
             and not head.verb
         )
+
+    def _mount(self, word: Word) -> Entity | None:
+        """What a rider rides: "V2's rider", "the rider" where ego is a motorcycle."""
+        poss = (c for c in word.children if self.words[c].dep == "poss" and self.words[c].tag != "PRP$")
+        whose = next((self.of[c] for c in poss if c in self.of), None)
+        if whose is not None:
+            return whose if whose.type in ("bicycle", "motorcycle", "vehicle") or whose.ego else None
+        the = any(self.words[c].norm == "the" for c in word.children)
+        others = [e for e in self.entities if fits(e, "rider")]
+        return self.ego if the and not others and self.ego.type == "motorcycle" and self.ego.typed else None
 
     def _behind(self, word: Word) -> list[str]:
         """The adjective right behind a noun that tells its state: "a van double-parked in ego's lane"."""

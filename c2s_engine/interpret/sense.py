@@ -63,7 +63,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             if re.search(r"stop sign", sentence) and road.stop_sign:
                 event.act, event.mode = "run_stop", "fact"
             elif re.search(r"\bred\b|traffic (light|signal)", event.whole + " " + sentence) and re.search(
-                r"(fail|not|never|without).{0,30}stop.{0,30}(red|light|signal)", sentence
+                r"(fail|not|never|without|instead of).{0,30}stop.{0,30}(red|light|signal)", sentence
             ):
                 event.act, event.mode = "run_red", "fact"
         late = event.act in ("stop", "brake", "brake_stop") and event.mode == "negated"

@@ -41,6 +41,12 @@ def acts(s: Structure, who: str) -> list[str]:
         ("A car ahead of ego gradually slows until it stands still.", "ahead", ["stop", "wait"]),
         ("A driver pulls out in front of ego without looking.", "left_lane", ["cut_in"]),
         ("The driver behind fails to notice that ego has stopped.", "behind", []),
+        (
+            "V2, a motorcycle, was eastbound. V2's rider braked hard, and the motorcycle struck V1.",
+            None,
+            ["brake", "collide"],
+        ),
+        ("In his lane there was standing a cow. The driver swerved to the left.", "ahead", ["stationary"]),
     ],
 )
 def test_what_the_other_does(read, text: str, position: str | None, expected: list[str]) -> None:
@@ -56,6 +62,10 @@ def test_what_the_other_does(read, text: str, position: str | None, expected: li
         ("The left turn of the lead vehicle is followed by a stop of ego.", ["stop"]),
         ("Ego's overtaking of a tractor.", ["overtake"]),
         ("A lane departure of ego is not acceptable.", []),
+        ("A parked van's rear door swings open into ego's path.", []),
+        ("Ego was first in line at a red light.", ["stationary"]),
+        ("I grabbed the brakes and escaped into the left lane.", ["brake", "lane_change"]),
+        ("The driver made a sharp manoeuvre to the left, in the lane for the contrary direction.", ["oncoming"]),
         ("Then it is ego's turn.", []),
         ("A safety driver sits in the ego vehicle.", []),
     ],
@@ -161,3 +171,7 @@ def test_who_brakes_to_a_speed_was_faster(read) -> None:
 
 def test_ego_keeps_its_speed(read) -> None:
     assert read("Ego keeps its speed although the car in front is braking.")["E"].spec.reaction == "none"
+
+
+def test_a_snow_plough_is_no_snow(read) -> None:
+    assert read("Ego follows a snow plough.")["G"].spec.weather == ()

@@ -19,6 +19,7 @@ COUNTED = re.compile(
 )
 CARRIES = language.words("carries")
 LOST = language.words("lost")
+TOWED, TOWS = language.words("towed"), language.words("tows")
 MASS = language.words("mass")
 
 
@@ -56,6 +57,8 @@ class Nouns(Titles):
             kind = "bicycle"  # "a kid on a scooter"
         if noun in language.table("actors")["riders"] and (mount := self._mount(word)) is not None:
             return mount
+        if noun in TOWED and (tows := self._towing(word)) is not None:
+            return tows
         before = self._modifiers(word)
         previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
         if previous in ("other",) and "no" in self._near(word):
@@ -306,6 +309,17 @@ class Nouns(Titles):
             and head.span is None
             and not head.verb
         )
+
+    def _towing(self, word: Word) -> Entity | None:
+        """Who pulls a trailer: "a tractor with a trailer", "a car towing a caravan"."""
+        above = self.words[word.head]
+        if above.norm == "with" and word.dep == "pobj":
+            return self.of.get(above.head)
+        if above.lemma not in TOWS or word.dep != "dobj":
+            return None
+        noun = self.words[above.head] if above.dep == "acl" else None
+        subjects = [c for c in above.children if self.words[c].dep == "nsubj"]
+        return self.of.get(noun.i) if noun is not None else self.of.get(subjects[0]) if subjects else None
 
     def _mount(self, word: Word) -> Entity | None:
         """What a rider rides: "V2's rider", "the rider" where ego is a motorcycle."""

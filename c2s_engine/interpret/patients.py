@@ -175,7 +175,7 @@ class Patients(Rendering):
     def _at_rest(self, actor: Entity) -> bool:
         """Whether one is said to stand."""
         return bool(actor.roles & {"parked", "stationary"}) or any(
-            e.agent is actor and e.act == "stationary" for e in self.events
+            e.agent is actor and e.act in ("stationary", "reverse") for e in self.events
         )
 
     def _was_off_road(self, actor: Entity) -> bool:

@@ -115,6 +115,10 @@ class Reference(Pronouns):
                 ahead = [e for e in candidates if "ahead" in self._hints(e)]
                 if ahead:
                     return ahead[-1]
+            if roles & {"oncoming"} and definite:
+                towards = [e for e in candidates if "oncoming" in self._hints(e)]
+                if towards:
+                    return towards[-1]
             if not definite and roles & {"stationary", "parked", "slow", "turning", "fast"}:
                 return None
             if roles & TOLD_APART or not candidates:
@@ -219,6 +223,8 @@ class Reference(Pronouns):
             )
             if re.search(r"ahead|in front|slow|before it|precedes|\bleads\b|\bleading\b", near):
                 found.add("ahead")
+            if re.search(r"(?:the|from the) (?:other|opposite) (?:way|direction)|towards? (?:ego|it)\b", near):
+                found.add("oncoming")
             before = " ".join(
                 w.norm
                 for w in self.words[max(0, mention.word - 6) : mention.word]

@@ -175,3 +175,47 @@ def test_ego_keeps_its_speed(read) -> None:
 
 def test_a_snow_plough_is_no_snow(read) -> None:
     assert read("Ego follows a snow plough.")["G"].spec.weather == ()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A tractor with a trailer turns onto the road in front of ego.",
+        "A pickup towing a caravan brakes ahead of ego.",
+        "A truck with a wide load drives ahead of ego.",
+    ],
+)
+def test_a_trailer_is_part_of_who_pulls_it(read, text: str) -> None:
+    assert len(read(text).objects) == 1
+
+
+def test_the_oncoming_one_is_who_came_the_other_way(read) -> None:
+    s = read("A van overtakes ego although a car is coming the other way. The oncoming car escapes onto the shoulder.")
+    assert [o.spec.type for o in s.objects] == ["van", "car"]
+    assert acts(s, "O2") == ["leave_road"]
+
+
+def test_in_front_of_whom_one_cuts_in(read) -> None:
+    s = read("A truck ahead of ego brakes suddenly because a car has cut in in front of it.")
+    assert s["O2"].spec.phases[0].target == "O1"
+    s = read("Ego brakes because a car has cut in in front of it.")
+    assert s["O1"].spec.phases[0].target == "ego"
+
+
+def test_the_lane_that_is_named_first_is_egos(read) -> None:
+    assert (
+        read("Ego is driving in the middle lane with a van behind it in the left lane.")["R"].spec.ego_lane == "middle"
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "position", "expected"),
+    [
+        ("The oncoming car leaves its lane and hits ego head-on.", "oncoming_lane", ["oncoming", "collide"]),
+        ("A child gets off a bus and steps into the lane of ego.", None, ["cross_road"]),
+    ],
+)
+def test_leaving_and_getting_off(read, text: str, position: str | None, expected: list[str]) -> None:
+    s = read(text)
+    assert acts(s, "O1") == expected
+    assert position in (None, s["O1"].spec.placement.position)

@@ -200,6 +200,9 @@ class Reference(Pronouns):
         """Whether the noun phrase goes on to say which one: "the car in front of it", "the van that ..."."""
         for child in word.children:
             other = self.words[child]
+            aside = other.dep == "relcl" and self.words[word.i + 1].norm == ","  # "the vehicle, which ..."
+            if aside and word.norm == "vehicle":
+                continue
             if child > word.i and other.dep in ("prep", "acl", "relcl", "advmod") and other.norm not in ("of",):
                 return True
         return False

@@ -219,3 +219,37 @@ def test_leaving_and_getting_off(read, text: str, position: str | None, expected
     s = read(text)
     assert acts(s, "O1") == expected
     assert position in (None, s["O1"].spec.placement.position)
+
+
+@pytest.mark.parametrize(
+    ("text", "who", "expected"),
+    [
+        ("Ego pulls out to overtake a cyclist but has to abort because of an oncoming car.", "E", ["swerve"]),
+        ("Ego starts overtaking a bus, breaks off the manoeuvre and falls back.", "E", []),
+        ("A car starts to overtake ego, gives up and falls back behind it.", "O1", ["follow"]),
+        ("A van attempts to change into ego's lane but returns to its own.", "O1", ["cut_in", "lane_change"]),
+        ("Having overtaken ego, the motorcycle brakes sharply.", "O1", ["overtake", "brake"]),
+        ("Ego meant to turn right, waited and then turned.", "E", ["turn_right"]),
+    ],
+)
+def test_what_is_begun(read, text: str, who: str, expected: list[str]) -> None:
+    assert acts(read(text), who) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "many"),
+    [
+        ("Ego hit a truck. Two persons are injured.", 1),
+        ("Residents have called for better lighting. A car hits ego.", 1),
+        ("The bus ahead of ego stops to let children off.", 1),
+        ("Two pedestrians were injured when ego ran into them.", 1),
+        ("A pedestrian was killed by a truck in front of ego.", 2),
+    ],
+)
+def test_who_is_only_spoken_of(read, text: str, many: int) -> None:
+    assert len(read(text).objects) == many
+
+
+def test_the_course_of_the_road_is_no_side(read) -> None:
+    s = read("The vehicle ran off the road in a bend to the left and collided with a tree.")
+    assert s["E"].spec.phases[0].side != "left"

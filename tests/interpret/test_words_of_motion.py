@@ -230,6 +230,8 @@ def test_leaving_and_getting_off(read, text: str, position: str | None, expected
         ("A van attempts to change into ego's lane but returns to its own.", "O1", ["cut_in", "lane_change"]),
         ("Having overtaken ego, the motorcycle brakes sharply.", "O1", ["overtake", "brake"]),
         ("Ego meant to turn right, waited and then turned.", "E", ["turn_right"]),
+        ("As nothing was coming, ego went out into the other lane to pass a bus.", "E", ["oncoming", "overtake"]),
+        ("Ego drives on a motorway and moves into the other lane.", "E", ["lane_change"]),
     ],
 )
 def test_what_is_begun(read, text: str, who: str, expected: list[str]) -> None:
@@ -253,3 +255,10 @@ def test_who_is_only_spoken_of(read, text: str, many: int) -> None:
 def test_the_course_of_the_road_is_no_side(read) -> None:
     s = read("The vehicle ran off the road in a bend to the left and collided with a tree.")
     assert s["E"].spec.phases[0].side != "left"
+
+
+def test_who_enters_the_motorway_comes_from_the_ramp(read) -> None:
+    s = read("Ego slows down for a car entering the motorway.")
+    assert s["O1"].spec.placement.position == "on_ramp"
+    assert acts(s, "O1") == ["cut_in"]
+    assert read("Ego enters the motorway behind a van.")["O1"].spec.placement.position != "on_ramp"

@@ -185,7 +185,7 @@ class Reference(Pronouns):
             score += 1.5 if entity.ego and self._ego_by(noun) else 0
             score += 1 if entity.type == kind and not entity.ego else 0
             score -= 0.5 if entity.count > 1 else 0
-            scored.append((score, id(entity), entity))
+            scored.append((score, len(scored), entity))
         if not scored and kind == self.ego.type and self.ego.typed:
             return self.ego
         return max(scored)[2] if scored else None

@@ -229,6 +229,7 @@ def test_leaving_and_getting_off(read, text: str, position: str | None, expected
         ("A car starts to overtake ego, gives up and falls back behind it.", "O1", ["follow"]),
         ("A van attempts to change into ego's lane but returns to its own.", "O1", ["cut_in", "lane_change"]),
         ("Having overtaken ego, the motorcycle brakes sharply.", "O1", ["overtake", "brake"]),
+        ("A scooter squeezed past ego on the right and braked in front of it.", "O1", ["overtake", "brake"]),
         ("Ego meant to turn right, waited and then turned.", "E", ["turn_right"]),
         ("As nothing was coming, ego went out into the other lane to pass a bus.", "E", ["oncoming", "overtake"]),
         ("Ego drives on a motorway and moves into the other lane.", "E", ["lane_change"]),

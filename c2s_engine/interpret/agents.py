@@ -12,6 +12,7 @@ from c2s_engine.interpret.syntax import Word
 if TYPE_CHECKING:
     from c2s_engine.interpret.event import Event
 CAUSES = language.words("causes")
+ALONG = frozenset(("past", "across", "along", "through", "around", "round"))
 UNCHANGED = frozenset(("hit", "cut", "put", "let", "shut"))
 """Verbs whose past is like their base form."""
 
@@ -141,7 +142,7 @@ class Agents(Subjectless):
                                 actor = self.cast.referent(target)
                                 if actor:
                                     return actor, target, True
-                return found, head.i, word.dep == "acl" and word.tag == "VBN"
+                return found, head.i, word.dep == "acl" and word.tag == "VBN" and not self._went(word, head)
             if word.dep == "acl" and head.tag.startswith("NN"):
                 above = self._governor(head)
                 bound = word.tag == "VB" or word.tag == "VBG" and head.dep != "pobj"  # "over a tyre lying there"
@@ -232,6 +233,11 @@ class Agents(Subjectless):
                         return None, None, False
                 return agent, at, False
         return self._inverted(word)
+
+    def _went(self, word: Word, head: Word) -> bool:
+        """Whether a past tense was taken for a participle: "a scooter squeezed past ego"."""
+        alone = head.dep == "ROOT" and word.i == head.i + 1 and word.norm.endswith("ed")
+        return alone and any(self.words[c].norm in ALONG for c in word.children)
 
     def _made_to(self, verb: Word | None) -> bool:
         """Whether somebody is made to do it ("causing it to swerve and hit the rail")."""

@@ -4,6 +4,7 @@ import re
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.clauses import Clauses
+from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.syntax import Word
 
@@ -19,7 +20,8 @@ GIVES_UP = re.compile(
     r"|abort\w*|abandon\w*|cancel\w*|breaks? (it )?off|gives? up|gave up|changes? (its|his|her) mind"
     r"|think(s)? better of it|(go|goes|went|move|moves|moved|pull|pulls|pulled|steer|steers|swerve|swerves|drift|drifts"
     r"|come|comes|slip|slips|swing|swings) (right |straight )?back(?! (in|to) front)"
-    r"|returns? to (its|the|his|her) (own |original |previous |initial )?lane)\b"
+    r"|returns? to (its|the|his|her) (own |original |previous |initial )?lane|returns? to (its|his|her) own"
+    r"|(goes|went|stays|stayed|remains|remained) (back )?in (its|his|her) own (lane)?)\b"
 )
 BEGINS = language.words("begins")
 
@@ -63,6 +65,8 @@ def abandoned(cast: Cast, clauses: Clauses) -> None:
         ):
             continue
         back = [e for e in clauses.events if e.agent is event.agent and abs(e.word - word) <= 1 and e is not event]
+        if out is not None and out.act == "lane_change" and out.agent is event.agent and event.act == "overtake":
+            out.act, out.side = "swerve", out.side or "left"  # it leaves its lane and comes back
         if event.act == "overtake":
             event.act, event.mode = ("overtake", "hypothetical") if event.agent.ego else ("follow", "fact")
             event.patient = event.patient or cast.ego
@@ -70,6 +74,9 @@ def abandoned(cast: Cast, clauses: Clauses) -> None:
             event.act = "swerve"
             for other in back:
                 other.mode = "hypothetical" if other.act in ("reverse", "lane_change", "swerve") else other.mode
+        elif not back and event.act == "cut_in":
+            told = {"text": "move back", "whole": "move back", "words": [word], "mode": "fact", "order": word + 0.1}
+            clauses.events.append(Event.echo(event, act="cut_out", word=word, **told))
         else:
             for other in back:
                 other.act = "lane_change" if other.act == "reverse" else other.act

@@ -7,6 +7,8 @@ from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import VEHICLES, ZONES, Entity
 from c2s_engine.interpret.scene import Scene
 
+SAYS = language.words("says")
+
 
 def _tried(event: Event) -> bool:
     """Whether ego means to overtake and does not, or avoids to hit somebody: who is ahead is there all the same."""
@@ -23,6 +25,8 @@ def actors(scene: Scene) -> list[Entity]:
         where = scene.where(entity)
         passive = [e for e in scene.clauses.events if e.patient is entity and (e.done or _tried(e))]
         if "group" in entity.roles or _mere_background(scene, entity):
+            continue
+        if not own and not passive and where.rel is None and where.lane is None and _only_spoken_of(scene, entity):
             continue
         if entity.noun in ("somebody", "someone") and not own and not passive and where.rel is None:
             continue
@@ -121,6 +125,30 @@ def actors(scene: Scene) -> list[Entity]:
             kept.remove(entity)
             _pass_on(scene, entity, [e for e in same if e.mentions[0].word > entity.mentions[0].word])
     return kept
+
+
+HURT = re.compile(
+    r"\b(?:injur|hurt\b|kill|wound|unharmed|unhurt|uninjured|hospital|witness|interview|died|fatal|treated|dead\b)"
+)
+OFF = re.compile(r"\b(?:off|out|up|down|on|alight|board)\b")
+LET_OFF = re.compile(r"(?:let|allow|pick|drop|set|discharg|collect|unload|deliver|board|alight)\w*$")
+
+
+def _only_spoken_of(scene: Scene, entity: Entity) -> bool:
+    """Whether people are only said to be hurt, to have said something, or to be in a vehicle."""
+    if not entity.person or entity.type == "animal":
+        return False
+    verbs = [scene.words[scene.words[m.word].head] for m in entity.mentions]
+    for mention, verb in zip(entity.mentions, verbs, strict=True):
+        clause = " ".join(w.norm for w in scene.words[mention.word : mention.word + 8] if w.sentence == verb.sentence)
+        before = [w.norm for w in scene.words[max(0, mention.word - 2) : mention.word]]
+        off = any(LET_OFF.match(word) for word in before) and re.search(
+            r"\b(?:off|out|up|down|on|alight|board)\b", clause
+        )
+        says = entity.count > 1 and verb.lemma in SAYS
+        if not (HURT.search(clause) and verb.lemma == "be" or off or says):
+            return False
+    return True
 
 
 def _led(scene: Scene, traffic: Entity) -> bool:

@@ -15,6 +15,7 @@ OUT_OF = re.compile(
     r"\b(out|from|off)\b.*\b(drive|driveway|parking|space|bay|garage|yard|gate|alley|lot|property)\b"
     r"|\b(on|in)to (the |a )?(\w+ )?(road|street|carriageway|highway|roadway)\b|out in front of"
 )
+BEGINS = frozenset(("start", "begin", "attempt", "try"))
 HALTED = frozenset(("stop", "brake", "brake_stop", "lose_control"))
 FORCEFUL = language.words("forceful")
 
@@ -89,6 +90,10 @@ class Clauses(Deverbal):
             and not (lemma == "stop" and any(self.words[c].tag == "VB" for c in complements))
         ) and lemma not in ("let", "allow", "permit", "wait"):
             self.light.add(word.i)
+            return
+        infinitive = word.i + 2 < len(self.words) and self.words[word.i + 1].norm == "to"
+        if infinitive and lemma in BEGINS and self._lemma(self.words[word.i + 2]) in ("overtake", "pass"):
+            self.light.add(word.i)  # "starts to overtake ego, gives up": the tree takes the infinitive for a purpose
             return
         if lemma == "follow" and any(self.words[c].dep == "expl" for c in word.children):
             return  # "there follows a braking"

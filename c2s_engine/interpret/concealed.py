@@ -70,7 +70,7 @@ class Concealed(Gaps):
     def _beyond(self, entity: Entity, blocker: Entity) -> None:
         """A vehicle that one ahead hides, and of which nothing else is told, is ahead of that one."""
         where, theirs = self.of[entity], self.of[blocker]
-        idle = all(e.act == "travel" for e in self.clauses.events if e.agent is entity and e.done)
+        idle = all(e.act in ("travel", "collide") for e in self.clauses.events if e.agent is entity and e.done)
         if idle and not entity.person and entity.type != "bicycle" and where.open and where.of is None:
             if theirs.rel == "ahead" and theirs.lane in (None, "same"):
                 where.rel, where.of = "ahead", blocker

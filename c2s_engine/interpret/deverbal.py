@@ -15,6 +15,7 @@ REASONS = frozenset(("to", "of", "after", "upon", "on", "following", "at"))
 GERUNDS = ("ROOT", "nsubj", "nsubjpass", "pobj", "attr", "dobj", "conj", "pcomp", "csubj")
 OBJECTS = frozenset(("leave", "enter"))
 SIDES = ("left", "right")
+PLACES_TOO = frozenset(("stop", "halt", "exit", "entrance", "entry", "crossing", "start", "departure"))
 NAMES_IT = frozenset(("manoeuvre", "maneuver", "movement", "attempt", "action"))
 
 
@@ -32,6 +33,8 @@ class Deverbal(Nominal):
         lemma, noun = verb
         of, by = self._named_by(noun, ("of",)), self._named_by(noun, ("by", "from"))
         whose = next((c for c in noun.children if self.words[c].dep == "poss" and c in self.cast.of), None)
+        if word.norm in PLACES_TOO:  # "pulls out from its stop"
+            whose = None
         doer = next((at for at in (by, whose) if at is not None), None)
         done_to = lemma in language.table("motions")["deeds"]["transitive"] and noun is word
         if doer is None and not done_to:

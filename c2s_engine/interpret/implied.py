@@ -40,6 +40,8 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             event.act = "travel"
         if event.done and event.act in ("approach", "travel"):
             _comes(event, clauses, of)
+        if event.done and event.act in ("lane_change", "cut_in", "cut_out") and event.agent in of:
+            _joins(event, of[event.agent])
         if event.done and event.act in ("lane_change", "overtake") and event.agent in of:
             _out_from_behind(event, of)
         if (event.done or event.mode == "negated") and event.agent.ego and event.patient in of:
@@ -122,6 +124,19 @@ def _behind_whom_it_follows(event: Event, clauses: Clauses, of: dict[Entity, Whe
     where, ahead = of[follower], of[leader]
     if where.rel is None and where.of is None and where.lane in (None, ahead.lane) and ahead.lane is not None:
         where.rel, where.of, where.lane = "behind", leader, None
+
+
+MOTORWAY = re.compile(
+    r"(?:enter|join|merge)\w* (?:on|in)?(?:to )?(?:the |a )?(?:motorway|freeway|interstate|expressway|autobahn)\b"
+)
+
+
+def _joins(event: Event, where: Where) -> None:
+    """Who enters the motorway comes from the ramp."""
+    if not where.open or where.of is not None and not where.of.ego or where.rel is not None:
+        return
+    if MOTORWAY.match(event.text):
+        where.lane = "ramp"
 
 
 EACH_OTHER = re.compile(

@@ -18,6 +18,9 @@ SLOWS = frozenset(("brake", "brake_stop", "stop", "stationary"))
 HALTS = frozenset(("stop", "brake_stop", "brake", "evade"))
 
 
+ON_EGOS_LANE = re.compile(r"\b(?:block|obstruct|stand|stop|park|in|on)\w* (?:in |across )?@ego 's (?:\w+ )?lane\b")
+
+
 class Inferred(Concealed):
     """The part of Places that looks beyond a single phrase."""
 
@@ -166,6 +169,8 @@ class Inferred(Concealed):
             ):
                 continue
             where, whose = self.of[other], self.of[event.agent]
+            if any(e.agent is other and ON_EGOS_LANE.search(e.whole) for e in self.clauses.events):
+                where.lane, where.rel = where.lane or "same", where.rel or "ahead"
             if (where.lane == "oncoming" or "oncoming" in other.roles) and whose.lane in (
                 None,
                 "same",

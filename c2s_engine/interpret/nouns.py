@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.attached import Attached
 from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PERSONS, VEHICLES, ZONES, Entity, fits
 from c2s_engine.interpret.persons import DRIVERS
 from c2s_engine.interpret.syntax import Word
-from c2s_engine.interpret.titles import Titles
 
 COLOURS = language.words("colours")
 STANDS = language.words("stands")
@@ -19,13 +19,14 @@ COUNTED = re.compile(
 )
 CARRIES = language.words("carries")
 LOST = language.words("lost")
+TOWED = language.words("towed")
 MASS = language.words("mass")
 
 
 FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
 
 
-class Nouns(Titles):
+class Nouns(Attached):
     """The part of Cast that reads nouns."""
 
     def _apposed(self, word: Word) -> Entity | None:
@@ -54,6 +55,10 @@ class Nouns(Titles):
             kind = "motorcycle"
         if noun == "scooter" and (who := self._aboard(word)) is not None and who.span.data["type"] == "child":
             kind = "bicycle"  # "a kid on a scooter"
+        if noun in language.table("actors")["riders"] and (mount := self._mount(word)) is not None:
+            return mount
+        if noun in TOWED and (tows := self._towing(word)) is not None:
+            return tows
         before = self._modifiers(word)
         previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
         if previous in ("other",) and "no" in self._near(word):
@@ -304,12 +309,6 @@ class Nouns(Titles):
             and head.span is None
             and not head.verb
         )
-
-    def _behind(self, word: Word) -> list[str]:
-        """The adjective right behind a noun that tells its state: "a van double-parked in ego's lane"."""
-        after = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
-        told = after is not None and after.head == word.i and after.dep == "amod" and after.norm in STANDS
-        return [after.norm] if after is not None and told else []
 
     def _count(self, word: Word, before: list[str], data: dict) -> int:
         counts = language.table("actors")["counts"]

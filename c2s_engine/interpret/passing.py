@@ -46,12 +46,28 @@ def by_the_other_lane(clauses: Clauses, road: Road) -> None:
         return
     for event in list(clauses.events):
         where = OTHER_LANE.search(event.text)
+        over = where is not None and (where["lane"] != "other" or (road.lanes or 1) == 1)
+        changes = event.done and event.agent.ego and event.act == "lane_change"
+        if over and changes and _looks_ahead(clauses):
+            event.act, event.side = "oncoming", "left"  # "as nothing was coming I went out into the other lane"
+            return
         if not (event.done and event.agent.ego and event.act in ("overtake", "evade") and where):
             continue
         if where["lane"] == "other" and (road.lanes or 1) > 1:
             continue
         clauses.events.append(Event.echo(event, act="oncoming", order=event.order - 0.1, side="left"))
         return
+
+
+COMING = re.compile(
+    r"\b(?:nothing|nobody|no one|no (?:car|traffic|vehicle)s?) (?:\w+ ){0,2}(?:coming|came|comes)\b"
+    r"|\bon-?coming\b|\bopposite direction\b|\bthe other way\b"
+)
+
+
+def _looks_ahead(clauses: Clauses) -> bool:
+    """Whether the text speaks of who comes the other way, or that nobody does."""
+    return COMING.search(" ".join(w.norm for w in clauses.words)) is not None
 
 
 MEETS = re.compile(r"\b(?:other|opposite) (?:way|direction)|oncom|towards|head-on|from (?:the |its )?(?:left|right)\b")

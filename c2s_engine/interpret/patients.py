@@ -9,6 +9,10 @@ from c2s_engine.interpret.mentions import Cast, Entity
 from c2s_engine.interpret.rendering import CLAUSAL, Rendering
 from c2s_engine.interpret.syntax import Word
 
+PARTS = frozenset(
+    ("door", "doors", "boot", "tailgate", "bonnet", "hood", "gate", "light", "lights", "barrier", "barriers")
+)
+
 
 class Patients(Rendering):
     """The part of Clauses that finds the other parties of a verb or noun."""
@@ -130,6 +134,8 @@ class Patients(Rendering):
             "crossing",
         ):
             return None
+        if any(self.words[c].norm in PARTS for c in word.children if c < word.i):
+            return None  # "its rear door swings open"
         if not subjects and word.dep not in ("ROOT", "conj", "csubj", "xcomp", "advcl", "ccomp", "pcomp"):
             return None
         if act == "follow" and word.tag == "VBN":
@@ -169,7 +175,7 @@ class Patients(Rendering):
     def _at_rest(self, actor: Entity) -> bool:
         """Whether one is said to stand."""
         return bool(actor.roles & {"parked", "stationary"}) or any(
-            e.agent is actor and e.act == "stationary" for e in self.events
+            e.agent is actor and e.act in ("stationary", "reverse") for e in self.events
         )
 
     def _was_off_road(self, actor: Entity) -> bool:

@@ -115,6 +115,10 @@ class Reference(Pronouns):
                 ahead = [e for e in candidates if "ahead" in self._hints(e)]
                 if ahead:
                     return ahead[-1]
+            if roles & {"oncoming"} and definite:
+                towards = [e for e in candidates if "oncoming" in self._hints(e)]
+                if towards:
+                    return towards[-1]
             if not definite and roles & {"stationary", "parked", "slow", "turning", "fast"}:
                 return None
             if roles & TOLD_APART or not candidates:
@@ -181,7 +185,7 @@ class Reference(Pronouns):
             score += 1.5 if entity.ego and self._ego_by(noun) else 0
             score += 1 if entity.type == kind and not entity.ego else 0
             score -= 0.5 if entity.count > 1 else 0
-            scored.append((score, id(entity), entity))
+            scored.append((score, len(scored), entity))
         if not scored and kind == self.ego.type and self.ego.typed:
             return self.ego
         return max(scored)[2] if scored else None
@@ -201,6 +205,9 @@ class Reference(Pronouns):
         """Whether the noun phrase goes on to say which one: "the car in front of it", "the van that ..."."""
         for child in word.children:
             other = self.words[child]
+            aside = other.dep == "relcl" and self.words[word.i + 1].norm == ","  # "the vehicle, which ..."
+            if aside and word.norm == "vehicle":
+                continue
             if child > word.i and other.dep in ("prep", "acl", "relcl", "advmod") and other.norm not in ("of",):
                 return True
         return False
@@ -224,6 +231,8 @@ class Reference(Pronouns):
             )
             if re.search(r"ahead|in front|slow|before it|precedes|\bleads\b|\bleading\b", near):
                 found.add("ahead")
+            if re.search(r"(?:the|from the) (?:other|opposite) (?:way|direction)|towards? (?:ego|it)\b", near):
+                found.add("oncoming")
             before = " ".join(
                 w.norm
                 for w in self.words[max(0, mention.word - 6) : mention.word]

@@ -57,7 +57,9 @@ class Places(Inferred):
             text = " ; ".join(t for _, t in where.phrases)
             close = r"(?:directly|immediately|just|right) " if "lead" not in entity.roles else ""
             match = re.search(rf"{close}(?:in front of|ahead of|behind) (?:the )?@ego in the (left|right)", text)
-            if match and where.rel in ("ahead", "behind"):
+            named = [self.words[m.word] for m in entity.mentions[:1]]
+            own = any("lane" in self._before(w) for w in named)  # "ego is in the middle lane with a van behind it"
+            if match and where.rel in ("ahead", "behind") and not own:
                 where.lane, where.side = "same", None
                 self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
         accompanied(cast, clauses, self.of)
@@ -80,6 +82,10 @@ class Places(Inferred):
         self._mutual()
         self._hidden()
         self._revealed()
+
+    def _before(self, word: Word) -> list[str]:
+        """The words of a sentence before one of it."""
+        return [w.norm for w in self.words[: word.i] if w.sentence == word.sentence]
 
     def _where(self, entity: Entity) -> Where:
         where = Where()

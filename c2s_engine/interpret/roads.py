@@ -231,9 +231,9 @@ def _ego_lane(scene: Scene) -> str | None:
             text = re.sub(r"(into|onto|to) the .*", "", text) if "keep" not in text else text
         if re.search(r"@a\d+ (in|on|from) the", text):
             text = re.split(r"@a\d+", text)[0]
-        for entry in patterns:
-            if re.search(entry["find"], text):
-                return entry["is"]
+        told = [(match.start(), entry["is"]) for entry in patterns if (match := re.search(entry["find"], text))]
+        if told:
+            return min(told, key=lambda found: found[0])[1]
     for entity in scene.actors:
         for event in scene.events(entity):
             match = re.search(r"which be also the @ego|also the @ego ''?s", event.whole)

@@ -56,7 +56,8 @@ class Salience(Members):
         same = [(i, e) for i, e in self.subjects if i < word.i and accept(e) and e is not clash]
         last = [i for i in sorted(self.of) if i < word.i and accept(self.of[i]) and self.of[i] is not clash]
         if not last:
-            return None
+            beside = holder is not None and holder is not clash and clash is not None
+            return clash if beside and accept(clash) else None  # "the lorry hides a motorcycle behind it"
         sentence = [p for p in same if self.words[p[0]].sentence == word.sentence]
         if word.dep == "poss":
             twin = self._parallel(word)
@@ -88,6 +89,8 @@ class Salience(Members):
             if clash is not None and near:
                 before = self._governor(self.words[sentence[-1][0]]) if sentence else word
                 fronted = before.dep == "advcl" and before.i < word.i < verb.i  # "while V1 waited, a car behind it"
+                if sentence and verb.dep == "advcl" and sentence[-1][0] < near[-1] < before.i == verb.head:
+                    return sentence[-1][1]  # "a truck ahead of ego brakes because a car cuts in in front of it"
                 return sentence[-1][1] if fronted and before.head == verb.i else self.of[near[-1]]
             if sentence:
                 return sentence[-1][1]

@@ -9,7 +9,7 @@ from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.halfway import go_after, set_out
 from c2s_engine.interpret.heeded import hindered, merged_back, unheeded
 from c2s_engine.interpret.mentions import Cast
-from c2s_engine.interpret.overtakings import overtakings
+from c2s_engine.interpret.overtakings import PART, overtakings
 from c2s_engine.interpret.passing import by_the_other_lane, headings, let_past
 from c2s_engine.interpret.place import Road
 from c2s_engine.interpret.resumed import own_turns
@@ -70,7 +70,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             if re.search(r"stop sign", sentence) and road.stop_sign:
                 event.act, event.mode = "run_stop", "fact"
             elif _at_a_light(event.whole + " " + sentence) and re.search(
-                r"(fail|not|never|without).{0,30}stop.{0,30}(red|light|signal)", sentence
+                r"(fail|not|never|without|instead of).{0,30}stop.{0,30}(red|light|signal)", sentence
             ):
                 event.act, event.mode = "run_red", "fact"
         late = event.act in ("stop", "brake", "brake_stop") and event.mode == "negated"
@@ -192,6 +192,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     _waits_for_somebody(cast, clauses)
     turns_from_lane(cast, clauses)
     echoes(cast, clauses)
+    _meant_and_done(clauses)
     overtakings(clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:
@@ -202,6 +203,17 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
         ):
             event.mode = "hypothetical"
     clauses.events.sort(key=lambda e: e.order)
+
+
+def _meant_and_done(clauses: Clauses) -> None:
+    """ "Meant to turn right. ... Then it turned right": what is told again when it is done happens only then."""
+    for event in clauses.events:
+        if event.mode != "intended" or event.act not in ("turn", "lane_change"):
+            continue
+        later = [e for e in clauses.events if e.agent is event.agent and e.act == event.act and e.mode == "fact"]
+        done = next((e for e in later if e.word > event.word), None)
+        if done is not None and side(done) in (None, side(event)):
+            event.mode, done.side = PART, done.side or side(event)
 
 
 def _follows(cast: Cast, clauses: Clauses, event: Event) -> bool:

@@ -95,6 +95,8 @@ def steps_of(
                 trigger=trigger,
             )
         ]
+    if act == "turn" and towards is None and any(p.action.startswith("turn") for p in before):
+        return []  # the turn that was told of
     if act == "turn":
         towards = towards or "left"
         return [Phase(action=f"turn_{towards}", trigger=trigger)]
@@ -147,6 +149,8 @@ def steps_of(
             return []
         if placement.position == "oncoming_lane" and event.patient is not None and event.patient.ego:
             return [Phase(action="oncoming", side="left", trigger=trigger)]
+        if act == "cut_out" and placement.position == "oncoming_lane" and towards != "right":
+            return [Phase(action="oncoming", side="left", trigger=trigger)]  # it leaves its lane
         if act == "lane_change" and placement.position in ("left_lane", "right_lane"):
             toward_ego = {"left_lane": "right", "right_lane": "left"}[placement.position]
             if towards in (None, toward_ego) and not any(p.action == "cut_in" for p in before):

@@ -118,7 +118,7 @@ class Subjectless(Patients):
     def _dangles(self, word: Word, agent: Entity) -> bool:
         """Whether a participle's object is the one taken for its agent ("following a truck, it stops"), or its main
         clause tells of somebody who cannot do it ("while reversing, a child was struck"): ego does it."""
-        if agent.ego or any(self.words[c].dep in ("nsubj", "nsubjpass") for c in word.children):
+        if agent.ego or any(self.words[c].dep in ("nsubj", "nsubjpass", "expl") for c in word.children):
             return False
         if self._qualified(word) is agent:
             return False

@@ -126,7 +126,7 @@ def _mistaken(doc: Any, piece: list[tuple[str, int, int, Span | None]], plain: s
         if (
             token.tag_ not in ("NNS", "NN", "NNP", "NNPS")
             or span is not None
-            or plain[start:end] not in third_persons()
+            or plain[start:end] not in third_persons() | language.word_list("idle")
         ):
             continue
         before = piece[token.i - 1] if token.i else None
@@ -145,13 +145,19 @@ def _mistaken(doc: Any, piece: list[tuple[str, int, int, Span | None]], plain: s
         if (
             before[3] is not None
             and before[3].data.get("plural")
-            or any(t.tag_ in ("VBZ", "VBD", "MD") and t.head.i == token.i for t in doc)
+            or any(t.tag_ in ("VBZ", "VBD", "MD") and t.head.i == token.i and t.dep_ != "conj" for t in doc)
         ):
             continue
-        if any(t.tag_ in ("VBZ", "VBD", "VBP", "MD") and t.i < token.i and not _closed(doc, t.i, token.i) for t in doc):
+        finite = [t for t in doc[: token.i] if t.tag_ in ("VBZ", "VBD", "VBP", "MD") and not _relative(t)]
+        if any(not _closed(doc, t.i, token.i) for t in finite):
             continue
         found[token.i] = "goes" if FOLLOWS.match(plain[end : end + 16]) else "takes"
     return found
+
+
+def _relative(token: Any) -> bool:
+    """Whether a finite verb belongs to a relative clause: the verb of its noun is still to come."""
+    return "relcl" in (token.dep_, token.head.dep_ if token.dep_ in ("aux", "auxpass") else "")
 
 
 def _closed(doc: Any, verb: int, at: int) -> bool:

@@ -11,10 +11,17 @@ ORIGIN = re.compile(
 """A place on one side that one leaves: it goes towards the other side."""
 
 
+BEND = re.compile(
+    r"\b(?:bends?|curves?|corner)\b(?: \w+){0,2}? (?:to|towards) (?:the )?(?:left|right)\b"
+    r"|\b(?:left|right)(?:-hand)? (?:bend|curve|corner)\b"
+)
+"""The course of the road, which is not that of who drives there."""
+
+
 def side(event: Event) -> str | None:
     """The side towards which an event goes."""
     origin = ORIGIN.search(event.text)
-    text = ORIGIN.sub("", event.text)
+    text = BEND.sub("", ORIGIN.sub("", event.text))
     for pattern in (
         r"(?:to|onto|into|toward|towards|on|over|in)(?: \w+){0,4}? (left|right)\b",
         r"\b(left|right)(?:ward|wards|-hand)?\b(?! of way)",

@@ -41,6 +41,12 @@ def acts(s: Structure, who: str) -> list[str]:
         ("A car ahead of ego gradually slows until it stands still.", "ahead", ["stop", "wait"]),
         ("A driver pulls out in front of ego without looking.", "left_lane", ["cut_in"]),
         ("The driver behind fails to notice that ego has stopped.", "behind", []),
+        (
+            "V2, a motorcycle, was eastbound. V2's rider braked hard, and the motorcycle struck V1.",
+            None,
+            ["brake", "collide"],
+        ),
+        ("In his lane there was standing a cow. The driver swerved to the left.", "ahead", ["stationary"]),
     ],
 )
 def test_what_the_other_does(read, text: str, position: str | None, expected: list[str]) -> None:
@@ -56,6 +62,10 @@ def test_what_the_other_does(read, text: str, position: str | None, expected: li
         ("The left turn of the lead vehicle is followed by a stop of ego.", ["stop"]),
         ("Ego's overtaking of a tractor.", ["overtake"]),
         ("A lane departure of ego is not acceptable.", []),
+        ("A parked van's rear door swings open into ego's path.", []),
+        ("Ego was first in line at a red light.", ["stationary"]),
+        ("I grabbed the brakes and escaped into the left lane.", ["brake", "lane_change"]),
+        ("The driver made a sharp manoeuvre to the left, in the lane for the contrary direction.", ["oncoming"]),
         ("Then it is ego's turn.", []),
         ("A safety driver sits in the ego vehicle.", []),
     ],
@@ -161,3 +171,95 @@ def test_who_brakes_to_a_speed_was_faster(read) -> None:
 
 def test_ego_keeps_its_speed(read) -> None:
     assert read("Ego keeps its speed although the car in front is braking.")["E"].spec.reaction == "none"
+
+
+def test_a_snow_plough_is_no_snow(read) -> None:
+    assert read("Ego follows a snow plough.")["G"].spec.weather == ()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A tractor with a trailer turns onto the road in front of ego.",
+        "A pickup towing a caravan brakes ahead of ego.",
+        "A truck with a wide load drives ahead of ego.",
+    ],
+)
+def test_a_trailer_is_part_of_who_pulls_it(read, text: str) -> None:
+    assert len(read(text).objects) == 1
+
+
+def test_the_oncoming_one_is_who_came_the_other_way(read) -> None:
+    s = read("A van overtakes ego although a car is coming the other way. The oncoming car escapes onto the shoulder.")
+    assert [o.spec.type for o in s.objects] == ["van", "car"]
+    assert acts(s, "O2") == ["leave_road"]
+
+
+def test_in_front_of_whom_one_cuts_in(read) -> None:
+    s = read("A truck ahead of ego brakes suddenly because a car has cut in in front of it.")
+    assert s["O2"].spec.phases[0].target == "O1"
+    s = read("Ego brakes because a car has cut in in front of it.")
+    assert s["O1"].spec.phases[0].target == "ego"
+
+
+def test_the_lane_that_is_named_first_is_egos(read) -> None:
+    assert (
+        read("Ego is driving in the middle lane with a van behind it in the left lane.")["R"].spec.ego_lane == "middle"
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "position", "expected"),
+    [
+        ("The oncoming car leaves its lane and hits ego head-on.", "oncoming_lane", ["oncoming", "collide"]),
+        ("A child gets off a bus and steps into the lane of ego.", None, ["cross_road"]),
+    ],
+)
+def test_leaving_and_getting_off(read, text: str, position: str | None, expected: list[str]) -> None:
+    s = read(text)
+    assert acts(s, "O1") == expected
+    assert position in (None, s["O1"].spec.placement.position)
+
+
+@pytest.mark.parametrize(
+    ("text", "who", "expected"),
+    [
+        ("Ego pulls out to overtake a cyclist but has to abort because of an oncoming car.", "E", ["swerve"]),
+        ("Ego starts overtaking a bus, breaks off the manoeuvre and falls back.", "E", []),
+        ("A car starts to overtake ego, gives up and falls back behind it.", "O1", ["follow"]),
+        ("A van attempts to change into ego's lane but returns to its own.", "O1", ["cut_in", "lane_change"]),
+        ("Having overtaken ego, the motorcycle brakes sharply.", "O1", ["overtake", "brake"]),
+        ("A scooter squeezed past ego on the right and braked in front of it.", "O1", ["overtake", "brake"]),
+        ("Ego meant to turn right, waited and then turned.", "E", ["turn_right"]),
+        ("As nothing was coming, ego went out into the other lane to pass a bus.", "E", ["oncoming", "overtake"]),
+        ("Ego drives on a motorway and moves into the other lane.", "E", ["lane_change"]),
+    ],
+)
+def test_what_is_begun(read, text: str, who: str, expected: list[str]) -> None:
+    assert acts(read(text), who) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "many"),
+    [
+        ("Ego hit a truck. Two persons are injured.", 1),
+        ("Residents have called for better lighting. A car hits ego.", 1),
+        ("The bus ahead of ego stops to let children off.", 1),
+        ("Two pedestrians were injured when ego ran into them.", 1),
+        ("A pedestrian was killed by a truck in front of ego.", 2),
+    ],
+)
+def test_who_is_only_spoken_of(read, text: str, many: int) -> None:
+    assert len(read(text).objects) == many
+
+
+def test_the_course_of_the_road_is_no_side(read) -> None:
+    s = read("The vehicle ran off the road in a bend to the left and collided with a tree.")
+    assert s["E"].spec.phases[0].side != "left"
+
+
+def test_who_enters_the_motorway_comes_from_the_ramp(read) -> None:
+    s = read("Ego slows down for a car entering the motorway.")
+    assert s["O1"].spec.placement.position == "on_ramp"
+    assert acts(s, "O1") == ["cut_in"]
+    assert read("Ego enters the motorway behind a van.")["O1"].spec.placement.position != "on_ramp"

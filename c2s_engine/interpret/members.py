@@ -169,6 +169,15 @@ class Members(Parts):
             spoken = [
                 self.of[w.i] for w in self.words[: word.i] if w.i in self.of and w.norm not in ("former", "latter")
             ]
+            others = [
+                self.of[w.i]
+                for w in self.words[: word.i]
+                if w.i in self.of
+                and (w.span is not None or w.norm == "another")
+                and w.sentence >= word.sentence - 3
+                and not self.of[w.i].ego
+            ]
+            spoken = others if len(set(others)) > 1 else spoken
             pair = list(dict.fromkeys(reversed(spoken)))[:2]
             return pair[0 if norm == "latter" or len(pair) == 1 else 1] if pair else None
         counted = norm == "one" and word.i > 1 and self.words[word.i - 1].norm in COUNTED

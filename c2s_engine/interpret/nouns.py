@@ -57,7 +57,7 @@ class Nouns(Titles):
         previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
         if previous in ("other",) and "no" in self._near(word):
             return None
-        if "no" in before or previous in ("no", "without", "any"):
+        if "no" in before or previous in ("no", "without", "any") or self._denied_list(word):
             return None
         if previous in ("my", "our") and word.i - 1 in self.asking:
             return None  # "I was walking my dog when I saw ..."
@@ -179,7 +179,7 @@ class Nouns(Titles):
             found = self._definite(word, kind, noun, roles, other, ordinal, definite, count, bare)
             if found is None and bare and data.get("person") and not roles:
                 found = next((e for e in reversed(self.entities) if fits(e, kind) and e.count == 1), None)
-            if found is not None:
+            if found is not None and found is not self._placed(word):
                 if not found.ego and found.type == "vehicle" and kind != "vehicle" and kind in MOTOR:
                     found.type, found.typed = kind, True
                 found.roles |= set() if data.get("person") and found.noun == noun else roles
@@ -192,6 +192,19 @@ class Nouns(Titles):
         if data.get("make"):  # "a Ford Focus": "the Ford" is the same
             found.names.add(data["make"])
         return self._new(found)
+
+    def _denied_list(self, word: Word) -> bool:
+        """Whether a noun belongs to a list that is denied: "neither cars nor a cyclist", "no cars or pedestrians"."""
+        joined = any(self.words[c].norm in ("neither", "nor") for c in word.children if c < word.i)
+        if joined:
+            return True
+        first = self.words[word.head]
+        if word.dep != "conj" or not first.noun or first.i in self.of:
+            return False
+        no = any(self.words[c].norm in ("no", "neither") for c in first.children if c < first.i)
+        links = {self.words[c].norm for c in first.children if self.words[c].dep == "cc"}
+        own = any(self.words[c].norm in ("a", "an", "the") for c in word.children)
+        return no and (bool(links & {"nor", "or"}) or bool(links & {"and"}) and not own)
 
     def _motor_bike(self) -> bool:
         """Whether "the bike" is a motorcycle spoken of before, as no bicycle was."""

@@ -118,6 +118,7 @@ def pace_of(
         factor = "fast"
     elif (
         placement.position == "ahead"
+        and placement.facing != "against"
         and not any(p.action in ("brake", "stop", "follow") for p in phases)
         and any(
             e.act in ("approach", "overtake", "held_up", "collide") and (e.patient is entity)

@@ -58,7 +58,7 @@ IN_MODE = re.compile(
 FROM_ASIDE = re.compile(
     r"^(?!.*\b(?:turn|chang|merg|mov|swerv|veer)\w*\b.* from ).*\bfrom (?:the |its )?"
     r"(?:left|right|rear|behind|front|opposite (?:side|direction|carriageway|lane))\b"
-    r"(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb))"
+    r"(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb)\b)"
     r"|\b(?:from|out of|leav\w+) (?:the |a |an )?(?:\w+ )?(?:street|road|driveway) (?:on|to)"
     r" (?:the |its )(?:left|right)\b"
     r"|\b(?:comes?|came|coming|approach\w*) (?:along |up )?(?:the wrong way|against the traffic)\b"
@@ -68,7 +68,8 @@ FROM_ASIDE = re.compile(
 
 
 BESIDE = re.compile(
-    r"^\S+( \S+)?( \d[\d.]*\s*[a-z]+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)"
+    r"^\S+( \S+)?( \d[\d.]*\s*[a-z]+)? (ahead|in front|(right |close |directly |just )?behind it\b"
+    r"|in the (left|right|adjacent|next|oncoming)"
     r"|coming|on (the|its) (left|right)(?=$| (?!lane|side|hand|turn))|approaching|oncoming|from (the|its|behind))"
 )
 AHEAD = re.compile(r"(?:be|drive|travel|ride|stand|wait) (?:\w+ly )?(?:ahead|in front) ?[.,;]?$")
@@ -95,7 +96,10 @@ def _comes_into_view(entity: Entity, cast: Cast, events: list[Event]) -> bool:
         before = [w.norm for w in cast.words[max(0, word.i - 5) : word.i + 5] if w.sentence == word.sentence]
         if FROM_WHERE.search(" ".join(before)):
             return True
-    return any(EMERGES.search(e.whole) or e.act in HALTED and OPPOSITE.search(e.whole) for e in events)
+    first = cast.words[entity.mentions[0].word]
+    new = {"a", "an"} & {w.norm for w in cast.words[max(0, first.i - 2) : first.i]}
+    there = HALTED | {"travel", "approach"} if new else HALTED
+    return any(EMERGES.search(e.whole) or e.act in there and OPPOSITE.search(e.whole) for e in events)
 
 
 TOWARDS = frozenset(("collide", "overtake", "follow", "yield", "cut_in", "evade"))

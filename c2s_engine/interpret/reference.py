@@ -120,6 +120,9 @@ class Reference(Pronouns):
         alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
         if second and alone and not self._distinguished(word) and self.words[word.i - 1].norm == "the":
             return self.ego  # a driver is told what to do: "you will feel the car"
+        asks = any(self.words[c].norm in ("shall", "must") for c in self.words[word.head].children)
+        if alone and asks and self.ego_named and word.dep == "nsubj" and not self._distinguished(word):
+            return self.ego  # "the VUT backs up. The car shall stop"
         if kind == "vehicle" and noun == "vehicle" and not self.ego_named and not bare and not other:
             generic = [e for e in candidates if e.noun == "vehicle"]
             plain = [e for e in candidates if e.noun != "vehicle" and not e.roles]

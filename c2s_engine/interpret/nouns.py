@@ -72,7 +72,7 @@ class Nouns(Titles):
             return self.me  # "School patrol, 8.25. I walked out ..."
         if word.i in self.wheels:
             return self._retyped(self.wheels[word.i], kind, roles, noun)
-        if self._is_modifier(word) or self._proper(word):
+        if self._is_modifier(word) or self._proper(word) or self._towed(word):
             return None
         if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word)):
             return None
@@ -192,6 +192,15 @@ class Nouns(Titles):
         if data.get("make"):  # "a Ford Focus": "the Ford" is the same
             found.names.add(data["make"])
         return self._new(found)
+
+    def _towed(self, word: Word) -> bool:
+        """Whether it is what another pulls: "a tractor pulls a trailer", "a car with a caravan"."""
+        if not re.search(r"(?:trailer|caravan)s?$", word.norm) or word.span is None or word.span.data.get("words"):
+            return False
+        above = self.words[word.head]
+        pulled = word.dep == "dobj" and above.lemma in ("pull", "tow", "haul", "draw", "carry")
+        held = word.dep == "pobj" and above.norm == "with" and self.words[above.head].span is not None
+        return pulled or held
 
     def _denied_list(self, word: Word) -> bool:
         """Whether a noun belongs to a list that is denied: "neither cars nor a cyclist", "no cars or pedestrians"."""

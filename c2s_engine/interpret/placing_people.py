@@ -96,6 +96,8 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
     side = where.side or ("right" if where.rel == "beside" else None)
     if entity.type == "bicycle" and side and place.manoeuvre == side and where.rel in (None, "ahead", "beside"):
         return {"position": "partly_in_lane", "side": side, "said": True}
+    if entity.type == "bicycle" and where.lane == "sidewalk":
+        return {"position": "sidewalk", "side": edge or "right", "said": True}
     if along or entity.type == "bicycle":
         if where.rel == "behind" and where.lane != "same":
             return {"position": "behind", "said": True}

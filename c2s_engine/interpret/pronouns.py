@@ -45,6 +45,12 @@ class Pronouns(Persons):
         if norm in ("it", "its", "itself"):
             if word.dep == "expl" or self._weather_it(word):
                 return None
+            if (
+                word.dep == "dobj"
+                and self.words[word.head].lemma in ("enter", "exit", "join", "leave")
+                and word.norm == "it"
+            ):
+                return None  # the roundabout
             if self._obliged(word):
                 return self.ego
             return self._thing(word)

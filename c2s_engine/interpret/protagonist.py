@@ -69,7 +69,7 @@ FROM_ASIDE = re.compile(
 
 BESIDE = re.compile(
     r"^\S+( \S+)?( \d[\d.]*\s*[a-z]+)? (ahead|in front|(right |close |directly |just )?behind it\b"
-    r"|in the (left|right|adjacent|next|oncoming)"
+    r"|in the (left|right|adjacent|next|oncoming|neighbou?ring|adjoining|other)"
     r"|coming|on (the|its) (left|right)(?=$| (?!lane|side|hand|turn))|approaching|oncoming|from (the|its|behind))"
 )
 AHEAD = re.compile(r"(?:be|drive|travel|ride|stand|wait) (?:\w+ly )?(?:ahead|in front) ?[.,;]?$")

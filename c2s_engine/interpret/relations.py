@@ -203,7 +203,7 @@ class Places(Inferred):
         ):
             following = self._following(i)
             read(" ".join([*lead, self.clauses.render(following)]), where, entity, self.cast, "noun")
-        text = self._unpassed(self._unhit(text, entity), i, entity)
+        text = self._unfollowed(self._unpassed(self._unhit(text, entity), i, entity), entity)
         if self.cast.of and text.strip():
             read(text, where, entity, self.cast, "noun")
             self._gap(indices, where)
@@ -248,7 +248,9 @@ class Places(Inferred):
                 or self.words[after[0]].norm in PLACING
             ):
                 read(
-                    self._unpassed(self._unhit(self.clauses.render(after), entity), i, entity),
+                    self._unfollowed(
+                        self._unpassed(self._unhit(self.clauses.render(after), entity), i, entity), entity
+                    ),
                     where,
                     entity,
                     self.cast,
@@ -290,6 +292,11 @@ class Places(Inferred):
         if any(e.patient is entity or i in e.words for e in passes if e.word < i and i in e.words):
             return ASIDE.sub("", text)
         return text
+
+    def _unfollowed(self, text: str, entity: Entity) -> str:
+        """The words about one whom ego follows without those that say that ego is behind: "follows it 10 m behind"."""
+        follows = any(e.act == "follow" and e.agent.ego and e.patient is entity and e.done for e in self.clauses.events)
+        return re.sub(r"\bbehind\b(?! (?:the |an? )?@)", "away", text) if follows else text
 
     def _of_another(self, child: int, i: int, entity: Entity) -> bool:
         """Whether a phrase before a noun belongs to another's part of the list: "ego in the left lane, bus drifts"."""

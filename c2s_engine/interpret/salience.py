@@ -48,7 +48,7 @@ class Salience(Members):
         holder = self._placed(word)
         if holder is not None and holder is not clash:
             inner, accept_all = holder, accept
-            clash = None if above.norm == "of" else clash
+            clash = None if above.head not in self.of else clash
             accept = lambda e: accept_all(e) and e is not inner  # noqa: E731
         same = [(i, e) for i, e in self.subjects if i < word.i and accept(e) and e is not clash]
         last = [i for i in sorted(self.of) if i < word.i and accept(self.of[i]) and self.of[i] is not clash]
@@ -113,10 +113,14 @@ class Salience(Members):
         above = self.words[word.head]
         if word.dep != "pobj":
             return None
-        while above.norm == "of" and above.head != above.i and self.words[above.head].tag in ("RB", "IN", "NN"):
-            if above.head in self.of:
+        between = ("lane", "side", "space", "row", "bay")
+        while above.head != above.i and above.head not in self.of:
+            over = self.words[above.head]
+            if not (
+                above.norm == "of" and over.tag in ("RB", "IN", "NN") or over.norm in between or above.norm in between
+            ):
                 break
-            above = self.words[above.head]
+            above = over
         return self.of.get(above.head) if above.head < word.i and above.head != above.i else None
 
     def _finite(self, verb: Word) -> bool:

@@ -110,7 +110,11 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
         ):
             event.act = "travel"
         if event.act == "cut_in" and road.kind == "intersection" and FROM_MINOR.match(event.text):
-            event.act = "cross_path" if "lane" not in event.whole and not event.agent.ego else event.act
+            out = "go_straight" if event.agent.ego else "cross_path"
+            event.act = out if "lane" not in event.whole and (not event.agent.ego or road.stop_sign) else event.act
+        leaves_sign = event.agent.ego and road.stop_sign and FROM_MINOR.match(event.text) is not None
+        if leaves_sign and event.act in ("lane_change", "cut_in", "travel") and "lane" not in event.whole:
+            event.act = "go_straight"
         if event.act == "travel" and road.kind not in ("intersection", "roundabout") and PULLS_OUT.match(event.text):
             event.act = "enter_road"
         passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")

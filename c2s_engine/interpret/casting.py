@@ -143,7 +143,10 @@ def _title_only(scene: Scene, entity: Entity) -> bool:
     done = {e.act for e in scene.clauses.events if e.word > last}
     own = {e.act for e in scene.clauses.events if e.agent is entity}
     open_still = where.open and where.side is None and where.gap is None or scene.words[last].norm == ":"
-    return bool(later) and open_still and own <= done | {"travel"}
+    named = bool(later) and open_still and own <= done | {"travel"}
+    if named and not later[0].ego:
+        later[0].roles |= entity.roles & {"stationary", "slow", "parked"}  # "stationary target"
+    return named
 
 
 def _title_ends(scene: Scene) -> int | None:

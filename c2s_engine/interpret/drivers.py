@@ -274,7 +274,8 @@ def _makes_way(scene: Scene, react_to: str | None, phases: list[Phase], ids: dic
     aside = phases and phases[-1].action in ASIDE
     stops = any(e.act in ("stop", "brake_stop") for e in scene.events(scene.cast.ego))
     urgent = any(a.type in URGENT and ids.get(a) == react_to for a in scene.actors)
-    return bool(aside or stops and urgent) and _lets_by(scene, react_to, ids)
+    stays = not any(p.action in ASIDE for p in phases)
+    return bool(aside or stops and urgent and stays) and _lets_by(scene, react_to, ids)
 
 
 def _lets_by(scene: Scene, react_to: str | None, ids: dict[Entity, str]) -> bool:

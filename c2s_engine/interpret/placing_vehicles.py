@@ -158,7 +158,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         start = _cut_side(scene, entity) or "left"
         if place.ego_lane == "leftmost":
             start = "right"
-        if lane in (None, "same") and acts[0] == "follow" and {"lane_change", "overtake"} & set(acts):
+        if lane in (None, "same") and acts[:1] == ["follow"] and {"lane_change", "overtake"} & set(acts):
             return {"position": "behind", "said": True}
         if event is not None and "overtake" in acts or rel == "behind":
             return {"position": f"{start}_lane", "along": "behind", "said": True}

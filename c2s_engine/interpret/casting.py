@@ -245,6 +245,10 @@ def _seen(scene: Scene, entity: Entity) -> bool:
             "find",
             "encounter",
             "meet",
+            "pick",
+            "reveal",
+            "illuminate",
+            "catch",
         )
         for m in entity.mentions
     )

@@ -88,7 +88,8 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         and (where.lane in ("same", None) and where.rel != "beside")
         and where.lane not in ("sidewalk", "roadside")
     ):
-        if where.lane is None and edge and entity.person:  # "a pedestrian waiting on the right"
+        waits_at = entity.person or "crossing" in text or scene.road.crosswalk
+        if where.lane is None and edge and waits_at:  # "a pedestrian waiting on the right"
             walk = scene.road.crosswalk or scene.road.setting == "urban"
             return {"position": "sidewalk" if walk else "roadside", "side": edge, "said": True}
         back = where.rel == "behind" and where.of is not None and where.of.ego

@@ -68,7 +68,8 @@ FROM_ASIDE = re.compile(
 
 
 BESIDE = re.compile(
-    r"^\S+( \S+)?( \d[\d.]*\s*[a-z]+)? (ahead|in front|(right |close |directly |just )?behind it\b"
+    r"^\S+( \S+)?( \d[\d.]*\s*[a-z]+)? (ahead|in front|(right |close |directly |just )?"
+    r"behind(?= it\b| [a-z]+(?:s|ed)\b)"
     r"|in the (left|right|adjacent|next|oncoming|neighbou?ring|adjoining|other)"
     r"|coming|on (the|its) (left|right)(?=$| (?!lane|side|hand|turn))|approaching|oncoming|from (the|its|behind))"
 )
@@ -83,7 +84,10 @@ HELD = re.compile(
 """What one stops for that drives."""
 
 
-EMERGES = re.compile(r"@\w+ (?:suddenly )?(?:appear|emerge|come) (?:out )?from behind\b")
+EMERGES = re.compile(
+    r"@\w+ (?:suddenly )?(?:come|pull|drive|emerge|turn|shoot) out of (?:it|there)\b"
+    r"|@\w+ (?:suddenly )?(?:appear|emerge|come) (?:out )?from behind\b"
+)
 HALTED = frozenset(("stop", "stationary", "brake_stop"))
 OPPOSITE = re.compile(r"\b(?:in|on) the (?:opposite|oncoming|opposing|other) (?:lane|side|carriageway)\b")
 FROM_WHERE = re.compile(r"\b(?:from|out of) (?:where|which) .*\b(?:emerg|appear|com|approach|turn)\w*")
@@ -222,6 +226,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         before = cast.words[head.i - 1].norm if head.i else ""
         told_apart = {before, *(cast.words[c].norm for c in head.children)} & {"another", "other"}
         if told_apart and not all(_rests(e, acting[e]) for e in vehicles[: vehicles.index(entity)]):
+            continue
+        if "other" in told_apart and len(vehicles) == 1 and not told_by:
             continue
         if not told_by and _comes_into_view(entity, cast, acting[entity]):
             continue

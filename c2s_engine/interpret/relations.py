@@ -27,6 +27,11 @@ FILLED = re.compile(
     r"(?: the| an?)?(?: \w+)?$"
 )
 
+PART_FILLED = re.compile(
+    r"\b(?:half|part|most|a third|some) of (?:the |its |(?:the )?@ego 's )(?:\w+ )?lane (?:be|is|was) "
+    r"(?:\w+ ){1,2}(?:by|with)(?: the| an?)?(?: \w+)?$"
+)
+
 ASIDE = re.compile(
     r"\b(?:on|in|via|by|over|using|through|into|across) (?:the |its )?(?:on-?coming|opposite|opposing|other|wrong"
     r"|left|right|next"
@@ -186,6 +191,9 @@ class Places(Inferred):
         if fronted and word.span is not None:
             read(fronted[1], where, entity, self.cast, "noun")
         self._fronted_far(word, front, where, entity)
+        far = self.clauses.render([w.i for w in self.words[max(0, i - 14) : i] if w.sentence == word.sentence])
+        if PART_FILLED.search(far) and word.span is not None and where.lane is None:
+            where.lane = "partly"
         filled = FILLED.search(front)
         if filled and word.span is not None:
             read(f"in the {filled[1]}", where, entity, self.cast, "noun")
@@ -239,7 +247,9 @@ class Places(Inferred):
                 after
                 and word.dep == "dobj"
                 and re.match(
-                    r"(in|on) the (rear|side|back|front|left|right)(?!(-hand|most)? lane)", self.clauses.render(after)
+                    r"(in|on) the (rear|side|back|front|left|right)"
+                    r"(?!(-hand|most)? (lane|pavement|sidewalk|footpath|kerb|curb|verge|shoulder))",
+                    self.clauses.render(after),
                 )
             ):
                 after = []

@@ -82,6 +82,8 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and re.search(r"\bboth\b|\bthem all\b|\ball of them\b", event.text)
         ):
             event.patient = cast.ego
+        if event.act == "keep_away" and not event.agent.ego and event.patient is cast.ego and event.mode == "fact":
+            event.act = "follow"
         if event.act == "yield" and event.mode == "negated" and not event.agent.ego:
             event.act, event.mode = "cross_path", "fact"
         if event.act == "turn_or_change":

@@ -150,3 +150,53 @@ def test_one_on_either_side_of_ego(read) -> None:
 )
 def test_a_median(read, text: str, oncoming: bool | None) -> None:
     assert read(text)["R"].spec.oncoming is oncoming
+
+
+@pytest.mark.parametrize(
+    ("text", "action"),
+    [
+        ("The vehicle ahead brakes. Ego follows at 50 km/h.", "brake"),
+        ("Ego drives at 50 km/h. The vehicle ahead stops.", "stop"),
+        ("A van is ahead of ego and a bus behind. The vehicle ahead stops.", "stop"),
+        ("Without any warning the car in front stops.", "stop"),
+    ],
+)
+def test_the_vehicle_ahead_is_not_ego(read, text: str, action: str) -> None:
+    s = read(text)
+    assert acts(s["O1"]) == [action] and action not in acts(s["E"])
+
+
+@pytest.mark.parametrize(
+    ("text", "position"),
+    [
+        ("The other vehicle, a white van, was 30 ft ahead.", "ahead"),
+        ("The car behind is only one car length away.", "behind"),
+        ("The taxi keeps a distance of at least 30 m to ego.", "behind"),
+        ("With a gap of just 8 m to the vehicle in front, the ego vehicle travels at 90 km/h.", "ahead"),
+        ("Half of ego's lane is taken up by a skip on the right.", "partly_in_lane"),
+        ("Beyond the crosswalk, a bus is waiting at a stop.", "parked"),
+        ("At a distance of 60 m from the crosswalk ego sees a child on the left-hand pavement.", "sidewalk"),
+    ],
+)
+def test_the_only_other_one(read, text: str, position: str) -> None:
+    s = read(text)
+    assert len(s.objects) == 1 and s["O1"].spec.placement.position == position
+
+
+def test_comes_towards_ego(read) -> None:
+    place = read("A van comes towards ego at 40 km/h in the middle of a narrow road.")["O1"].spec.placement
+    assert (place.position, place.facing) == ("ahead", "against")
+    s = read("The car behind the lorry pulls out to overtake it just as ego approaches from the other side.")
+    assert s["O1"].spec.placement.position == "oncoming_lane"
+
+
+def test_what_the_headlights_show(read) -> None:
+    s = read("At midnight on an unlit country road the ego's headlights pick out a deer.")
+    assert [o.spec.type for o in s.objects] == ["animal"]
+    s = read("The road is still damp and the light is fading. Ego drives at 50 km/h.")
+    assert s["R"].spec.control is None and s["G"].spec.time == "dusk"
+
+
+def test_how_far_from_the_crosswalk_is_no_gap(read) -> None:
+    s = read("At a distance of 60 m from the crosswalk ego sees a child on the left-hand pavement.")
+    assert (s["O1"].spec.placement.gap, s["O1"].spec.placement.side) == (None, "left")

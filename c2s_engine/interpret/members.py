@@ -59,6 +59,8 @@ class Members(Parts):
             return ""
         ahead = "ahead" in self._hints(group)  # the first of those ahead is the nearest
         after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5] if w.sentence == word.sentence)
+        if group.count == 2 and (side := re.match(r"(?:on|to) (?:the|its|@ego 's) (left|right)\b", after)):
+            return "first" if side[1] == "left" else "last"
         for number, ends in ENDS.items():
             if before[-1] in ends["before"] or re.match(ends["after"], after):
                 return number if not ahead else "last" if number == "first" else "first"

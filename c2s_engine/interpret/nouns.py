@@ -74,6 +74,8 @@ class Nouns(Titles):
             return self._retyped(self.wheels[word.i], kind, roles, noun)
         if self._is_modifier(word) or self._proper(word) or self._towed(word):
             return None
+        if noun == "traffic" and {"facing", "face", "faces", "against"} & {self.words[word.head].norm, previous}:
+            return None  # "parked facing oncoming traffic"
         if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word)):
             return None
         if self._gone(word, before):

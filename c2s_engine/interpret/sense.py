@@ -111,7 +111,14 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and let_past(clauses, event, road)
         ):
             event.act = "travel"
-        if event.act == "cut_in" and road.kind == "intersection" and FROM_MINOR.match(event.text):
+        minor = event.act == "cut_in" or event.act == "lane_change" and not event.agent.ego
+        overtakes = re.search(r"\b(?:overtak|pass)\w*|behind|kerb|curb|park", event.whole)
+        if (
+            minor
+            and (event.act == "cut_in" or not overtakes)
+            and road.kind == "intersection"
+            and FROM_MINOR.match(event.text)
+        ):
             out = "go_straight" if event.agent.ego else "cross_path"
             event.act = out if "lane" not in event.whole and (not event.agent.ego or road.stop_sign) else event.act
         leaves_sign = event.agent.ego and road.stop_sign and FROM_MINOR.match(event.text) is not None

@@ -200,3 +200,25 @@ def test_what_the_headlights_show(read) -> None:
 def test_how_far_from_the_crosswalk_is_no_gap(read) -> None:
     s = read("At a distance of 60 m from the crosswalk ego sees a child on the left-hand pavement.")
     assert (s["O1"].spec.placement.gap, s["O1"].spec.placement.side) == (None, "left")
+
+
+def test_it_is_the_animal(read) -> None:
+    s = read("A deer stands on the hard shoulder on the right. It leaps in front of ego at 40 m.")
+    assert acts(s["O1"]) == ["cross_road"]
+    assert acts(read("Ego passes a dog. It drives at 30 km/h.")["E"]) == ["overtake"]
+
+
+def test_the_one_on_the_right(read) -> None:
+    s = read("Two pedestrians stand at the crossing. The one on the right steps out.")
+    assert [acts(o) for o in s.objects] == [["stationary"], ["cross_road"]]
+    assert s["O2"].spec.placement.side == "right"
+
+
+def test_facing_traffic_is_nobody(read) -> None:
+    s = read("Unit 2 was parked on the right shoulder facing oncoming traffic. Unit 1 struck Unit 2.")
+    assert len(s.objects) == 1
+
+
+def test_pulls_out_of_a_side_road(read) -> None:
+    s = read("Ego approaches a T-junction. A tractor waits on the side road on the right. It pulls out.")
+    assert (s["O1"].spec.placement.position, acts(s["O1"])) == ("crossing_right", ["go_straight"])

@@ -6,6 +6,7 @@ import re
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PERSONS, VEHICLES, ZONES, Entity, fits
+from c2s_engine.interpret.not_there import NotThere
 from c2s_engine.interpret.persons import DRIVERS
 from c2s_engine.interpret.syntax import Word
 from c2s_engine.interpret.titles import Titles
@@ -17,14 +18,9 @@ COUNTED = re.compile(
     r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units"
     r"|animals|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
 )
-CARRIES = language.words("carries")
-LOST = language.words("lost")
 
 
-FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
-
-
-class Nouns(Titles):
+class Nouns(Titles, NotThere):
     """The part of Cast that reads nouns."""
 
     def _apposed(self, word: Word) -> Entity | None:
@@ -74,9 +70,7 @@ class Nouns(Titles):
             return self._retyped(self.wheels[word.i], kind, roles, noun)
         if self._is_modifier(word) or self._proper(word) or self._towed(word):
             return None
-        if noun == "traffic" and {"facing", "face", "faces", "against"} & {self.words[word.head].norm, previous}:
-            return None  # "parked facing oncoming traffic"
-        if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word)):
+        if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word) or self._faced(word)):
             return None
         if self._gone(word, before):
             return None
@@ -195,28 +189,6 @@ class Nouns(Titles):
             found.names.add(data["make"])
         return self._new(found)
 
-    def _towed(self, word: Word) -> bool:
-        """Whether it is what another pulls: "a tractor pulls a trailer", "a car with a caravan"."""
-        if not re.search(r"(?:trailer|caravan)s?$", word.norm) or word.span is None or word.span.data.get("words"):
-            return False
-        above = self.words[word.head]
-        pulled = word.dep == "dobj" and above.lemma in ("pull", "tow", "haul", "draw", "carry")
-        held = word.dep == "pobj" and above.norm == "with" and self.words[above.head].span is not None
-        return pulled or held
-
-    def _denied_list(self, word: Word) -> bool:
-        """Whether a noun belongs to a list that is denied: "neither cars nor a cyclist", "no cars or pedestrians"."""
-        joined = any(self.words[c].norm in ("neither", "nor") for c in word.children if c < word.i)
-        if joined:
-            return True
-        first = self.words[word.head]
-        if word.dep != "conj" or not first.noun or first.i in self.of:
-            return False
-        no = any(self.words[c].norm in ("no", "neither") for c in first.children if c < first.i)
-        links = {self.words[c].norm for c in first.children if self.words[c].dep == "cc"}
-        own = any(self.words[c].norm in ("a", "an", "the") for c in word.children)
-        return no and (bool(links & {"nor", "or"}) or bool(links & {"and"}) and not own)
-
     def _motor_bike(self) -> bool:
         """Whether "the bike" is a motorcycle spoken of before, as no bicycle was."""
         kinds = {e.type for e in self.entities}
@@ -227,19 +199,6 @@ class Nouns(Titles):
         above = self.words[word.head]
         verb = self.words[above.head] if above.dep == "prep" else above
         return word.dep in ("pobj", "dobj") and verb.lemma in ("look", "watch", "check", "monitor", "scan", "glance")
-
-    def _gone(self, word: Word, before: list[str]) -> bool:
-        """Whether it is only who lost something on the road before: "a ladder, shed by an unknown vehicle"."""
-        by = self.words[word.head]
-        verb = self.words[by.head]
-        if word.dep == "dobj" and (
-            by.lemma in CARRIES or by.lemma == "drop" and "off" in [w.norm for w in self.words[by.i : word.i + 2]]
-        ):
-            return word.span is not None and word.span.data["type"] in ("box", "trash", "container")
-        lost = by.norm in ("by", "from", "off") and verb.tag in ("VBN", "VBD") and verb.norm in LOST
-        return lost and (
-            verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))
-        )
 
     def _alternative(self, word: Word) -> Entity | None:
         """The first of two nouns of which either may be meant: "a tractor or a coach"."""
@@ -259,13 +218,6 @@ class Nouns(Titles):
             if not other.tag.startswith(("JJ", "NN", "CD")) or other.norm in language.table("actors")["never"]:
                 return None
         return None
-
-    def _halts(self, word: Word) -> bool:
-        """Whether traffic is said to come to a stand or to slow down, or how it moves where it is told to be."""
-        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 16] if w.sentence == word.sentence)
-        acts = re.match(language.table("actors")["traffic_acts"], after) is not None
-        fills = FILLS.search(" ".join(self._near(word))) is not None
-        return fills or acts and word.dep in ("nsubj", "nsubjpass", "ROOT")
 
     def _parties(self, word: Word, before: list[str], data: dict, roles: set[str]) -> Entity | None:
         """The other of the two parties that "the vehicles" means ("both vehicles", "the two cars"), once two single

@@ -12,7 +12,10 @@ SAYS = language.words("says")
 
 def _tried(event: Event) -> bool:
     """Whether ego means to overtake and does not, or avoids to hit somebody: who is ahead is there all the same."""
-    avoided = event.act == "collide" and event.mode == "negated" and re.search(r"\b(?:avoid|miss|prevent)", event.whole)
+    avoided = event.act == "collide" and event.mode == "negated"
+    avoided = avoided and (
+        event.adverbial == "before" or re.search(r"\b(?:avoid|miss|prevent)", event.whole) is not None
+    )
     return event.agent.ego and (event.act == "overtake" and event.mode == "hypothetical" or bool(avoided))
 
 
@@ -24,7 +27,7 @@ def actors(scene: Scene) -> list[Entity]:
         own = scene.events(entity)
         where = scene.where(entity)
         passive = [e for e in scene.clauses.events if e.patient is entity and (e.done or _tried(e))]
-        if "group" in entity.roles or _mere_background(scene, entity):
+        if "group" in entity.roles or _mere_background(scene, entity) or _title_only(scene, entity):
             continue
         if not own and not passive and where.rel is None and where.lane is None and _only_spoken_of(scene, entity):
             continue
@@ -151,6 +154,42 @@ def _only_spoken_of(scene: Scene, entity: Entity) -> bool:
     return True
 
 
+def _title_only(scene: Scene, entity: Entity) -> bool:
+    """Whether one is only named in a title, whose part another has in what the text then tells: "Cut-in by a slower
+    vehicle. ... a passenger car begins a lane change"."""
+    last = _title_ends(scene)
+    first = entity.mentions[0].word if entity.mentions else 0
+    if (
+        last is None
+        or first > last
+        or not entity.mover
+        or any(m.word > last and m.kind != "pronoun" for m in entity.mentions)
+    ):
+        return False
+    where = scene.where(entity)
+    kinds = VEHICLES if entity.type == "vehicle" else {entity.type}
+    others = [e for e in (scene.cast.ego, *scene.cast.entities) if e is not entity and e.mentions]
+    later = [e for e in others if e.mentions[-1].word > last and (e.type in kinds or e.type == entity.type)]
+    done = {e.act for e in scene.clauses.events if e.word > last}
+    own = {e.act for e in scene.clauses.events if e.agent is entity}
+    open_still = where.open and where.side is None and where.gap is None or scene.words[last].norm == ":"
+    named = bool(later) and open_still and own <= done | {"travel"}
+    if named and not later[0].ego:
+        later[0].roles |= entity.roles & {"stationary", "slow", "parked"}  # "stationary target"
+    return named
+
+
+def _title_ends(scene: Scene) -> int | None:
+    """The last word of a title without a finite verb and without numbers, if the text has one."""
+    title = [w for w in scene.words if w.sentence == 0]
+    colon = next((w.i for w in title[:8] if w.norm == ":"), None)
+    title = title[: colon + 1] if colon is not None else title
+    if len(title) == len(scene.words) or not 1 < len(title) <= 14 or title[-1].norm not in (".", ":"):
+        return None
+    told = any(w.tag in ("VBZ", "VBD", "VBP", "MD") or w.span and w.span.kind in ("quantity", "ego") for w in title)
+    return None if told else title[-1].i
+
+
 def _led(scene: Scene, traffic: Entity) -> bool:
     """Whether another vehicle is named that ego has ahead of it or runs into: it is the traffic that slows down."""
     met = {e.patient for e in scene.clauses.events if e.agent.ego and e.act in ("collide", "follow", "approach")}
@@ -236,6 +275,10 @@ def _seen(scene: Scene, entity: Entity) -> bool:
             "find",
             "encounter",
             "meet",
+            "pick",
+            "reveal",
+            "illuminate",
+            "catch",
         )
         for m in entity.mentions
     )

@@ -35,14 +35,14 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     others = [e for e in scene.actors if e in ids]
     phases: list[Phase] = []
     reaction, react_to, hard = "none", None, False
-    said_reaction = False
+    said_reaction, waits_at = False, 0
     for event in events:
         who = ids.get(event.patient) if event.patient is not None and not event.patient.ego else None
         act = event.act
         towards = side(event)
         trigger = trigger_of(event)
         if act == "yield":
-            reaction, said_reaction = "yield", True
+            reaction, said_reaction, waits_at = "yield", True, len(phases)
             react_to = react_to or who or yielded(scene, event, ids)
         elif act in RESPONSES:
             stop = act != "brake"
@@ -169,7 +169,12 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         (e for e in scene.clauses.events if e.act == "collide" and e.done and not e.agent.ego and e.patient is ego),
         None,
     )
-    if reaction == "yield" and _makes_way(scene, react_to, phases, ids):
+    shift = next((n for n, p in enumerate(phases[waits_at:], waits_at) if p.action == "lane_change"), None)
+    if reaction == "yield" and shift is not None and _lets_by(scene, react_to, ids):
+        phases = [p for p in phases[:shift] if p.action not in ("stop", "wait")] + phases[shift:]
+        phases.insert(min(shift, len(phases) - 1), Phase(action="yield", target=react_to))
+        reaction, react_to = "none", None
+    elif reaction == "yield" and _makes_way(scene, react_to, phases, ids):
         slows = {e.act for e in events}
         halts = "stop" if slows & {"stop", "brake_stop", "stationary"} else "brake" if "brake" in slows else None
         phases.append(Phase(action=halts) if halts else Phase(action="yield", target=react_to))  # type: ignore[arg-type]
@@ -274,9 +279,15 @@ def _from_behind(scene: Scene) -> bool:
 def _makes_way(scene: Scene, react_to: str | None, phases: list[Phase], ids: dict[Entity, str]) -> bool:
     """Whether ego lets one from behind pass after it moved aside."""
     aside = phases and phases[-1].action in ASIDE
-    return bool(aside) and any(
-        scene.where(a).rel == "behind" and ids.get(a) == react_to for a in scene.actors if a.mover
-    )
+    stops = any(e.act in ("stop", "brake_stop") for e in scene.events(scene.cast.ego))
+    urgent = any(a.type in URGENT and ids.get(a) == react_to for a in scene.actors)
+    stays = not any(p.action in ASIDE for p in phases)
+    return bool(aside or stops and urgent and stays) and _lets_by(scene, react_to, ids)
+
+
+def _lets_by(scene: Scene, react_to: str | None, ids: dict[Entity, str]) -> bool:
+    """Whether whom ego lets pass comes from behind."""
+    return any(scene.where(a).rel == "behind" and ids.get(a) == react_to for a in scene.actors if a.mover)
 
 
 def _tidy(phases: list[Phase], place: PlaceSpec, reaction: str) -> list[Phase]:

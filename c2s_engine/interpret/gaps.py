@@ -26,7 +26,11 @@ class Gaps:
             before = " ".join(w.norm for w in self.words[max(0, quantity["word"] - 5) : quantity["word"]])
             after = " ".join(w.norm for w in self.words[quantity["word"] + 1 : quantity["word"] + 8])
             if quantity["dimension"] == "distance":
-                if re.match(r"to spare|to go|of (it|the)", after) or not SHORTEST <= quantity["low"] <= 800:
+                if (
+                    re.match(r"to spare|to go|of (it|the)", after)
+                    or re.match(r"\s*(\S+ )?(away )?from the (\w+ )?(kerb|curb|edge|verge)", after)
+                    or not SHORTEST <= quantity["low"] <= 800
+                ):
                     continue  # a way travelled
                 if (
                     re.search(r"^(high|tall|wide|long|deep|thick)", after)

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret.clauses import Clauses
-from c2s_engine.interpret.entities import URGENT, Entity
+from c2s_engine.interpret.entities import MOTOR, URGENT, Entity
 from c2s_engine.interpret.event import Event
 from c2s_engine.interpret.mentions import Cast
 from c2s_engine.interpret.towards import side
@@ -87,9 +87,19 @@ def _beside_ego(event: Event, of: dict[Entity, Where]) -> bool:
 COMES = re.compile(r"(?:be )?com(?:e|ing)\b(?! (?:from|out|to|up|in|off|over|through|round|across|after|behind)\b)")
 
 
+FROM_OPPOSITE = re.compile(
+    r"\b(?:from the (?:opposite|other|opposing) (?:direction|way|side|end)|the other way)\b(?! of)"
+)
+
+
 def _comes(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Who comes while ego is in the lane of the other direction comes the other way."""
     over = any(e.agent.ego and e.act == "oncoming" and e.done for e in clauses.events)
+    if event.agent.ego and FROM_OPPOSITE.search(event.whole):
+        for other, where in of.items():
+            beside = where.rel is not None and (where.of is None or where.of.ego)
+            if other.type in MOTOR and where.lane is None and not beside and not other.roles & STANDING_OR_LED:
+                where.lane = "oncoming"
     if over and event.agent in of and event.agent.mover and of[event.agent].open and COMES.match(event.text):
         of[event.agent].lane = "oncoming"
 

@@ -42,6 +42,8 @@ def wrong_way(scene: Scene, entity: Entity) -> bool:
         return False
     divided = scene.road.kind == "motorway" or scene.road.oncoming is False
     own = [t for _, t in where.phrases] + [e.whole for e in scene.events(entity)]
+    if where.lane == "oncoming" and any(OWN_LANE.search(t) for t in _met_there(scene, entity)):
+        return True
     comes = where.lane == "oncoming" and divided and any(OWN_LANE.search(text) for text in own)
     if comes:
         return True
@@ -50,3 +52,15 @@ def wrong_way(scene: Scene, entity: Entity) -> bool:
     if scene.road.kind == "motorway" or scene.road.ramp or where.lane in ("same", "left", "right"):
         return True
     return any(OWN_LANE.search(text) for text in own)
+
+
+COMES_TO_BE = frozenset(("overtake", "oncoming", "lane_change", "drift", "swerve", "cut_in", "lose_control"))
+"""What brings one into ego's lane that was not there before."""
+
+
+def _met_there(scene: Scene, entity: Entity) -> list[str]:
+    """What tells in which lane ego meets one, or one comes towards it, who did not get there before ego's eyes."""
+    if any(e.act in COMES_TO_BE for e in scene.events(entity)):
+        return []
+    met = [e.whole for e in scene.events(scene.cast.ego) if e.patient is entity and e.act in ("approach", "yield")]
+    return [*met, *(e.whole for e in scene.events(entity) if e.act in ("approach", "travel", "stationary"))]

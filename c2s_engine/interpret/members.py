@@ -59,6 +59,8 @@ class Members(Parts):
             return ""
         ahead = "ahead" in self._hints(group)  # the first of those ahead is the nearest
         after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5] if w.sentence == word.sentence)
+        if group.count == 2 and (side := re.match(r"(?:on|to) (?:the|its|@ego 's) (left|right)\b", after)):
+            return "first" if side[1] == "left" else "last"
         for number, ends in ENDS.items():
             if before[-1] in ends["before"] or re.match(ends["after"], after):
                 return number if not ahead else "last" if number == "first" else "first"
@@ -169,6 +171,15 @@ class Members(Parts):
             spoken = [
                 self.of[w.i] for w in self.words[: word.i] if w.i in self.of and w.norm not in ("former", "latter")
             ]
+            others = [
+                self.of[w.i]
+                for w in self.words[: word.i]
+                if w.i in self.of
+                and (w.span is not None or w.norm == "another")
+                and w.sentence >= word.sentence - 3
+                and not self.of[w.i].ego
+            ]
+            spoken = others if len(set(others)) > 1 else spoken
             pair = list(dict.fromkeys(reversed(spoken)))[:2]
             return pair[0 if norm == "latter" or len(pair) == 1 else 1] if pair else None
         counted = norm == "one" and word.i > 1 and self.words[word.i - 1].norm in COUNTED

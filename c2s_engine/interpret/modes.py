@@ -14,6 +14,10 @@ CHANCES = language.words("chances")
 SEEKS = language.words("seeks")
 
 
+NOBODY = ("nobody", "noone", "none")
+DUTIES = ("have", "need", "require", "oblige", "oblige", "suppose", "force")
+
+
 class Modes(Agents):
     """The part of Clauses that tells facts from what is denied, meant or only imagined."""
 
@@ -26,6 +30,10 @@ class Modes(Agents):
             if other.dep == "neg" or other.norm in ("never", "neither", "nor", "hardly", "cannot", "not"):
                 if other.norm == "not" and child > word.i and other.dep != "neg":
                     continue
+                mode = "negated"
+            if other.norm in ("for", "to") and any(self.words[c].norm in NOBODY for c in other.children):
+                mode = "negated"  # "yields to nobody"
+            if other.dep == "dobj" and other.norm in NOBODY:
                 mode = "negated"
             if other.dep == "aux" and other.norm in ("would", "could", "might") and not self._ended(child, word.i):
                 mode = "hypothetical"
@@ -47,6 +55,15 @@ class Modes(Agents):
             and (head.norm == "without" or self.words[head.head].norm in ("instead", "rather"))
         ):
             return "negated"
+        if (
+            word.dep == "pcomp"
+            and head.norm == "before"
+            and self._lemma(word) in (*CONTACT, "touch", "reach", "contact")
+        ):
+            main = self.words[head.head]
+            must = any(self.words[c].norm in ("shall", "must", "should") for c in main.children)
+            if must or self._lemma(main) in ("stop", "halt"):
+                return "negated"
         if word.dep in ("xcomp", "ccomp", "advcl", "acl", "conj", "pcomp", "relcl") and head.i != word.i:
             lemma = head.lemma
             if word.dep in ("pcomp", "prep"):
@@ -114,6 +131,8 @@ class Modes(Agents):
                     mode = above
             elif word.dep == "pcomp" and self.words[head.head].lemma in ("instead", "rather"):
                 mode = "negated"
+        if mode == "negated" and self._no_duty(word):
+            mode = "hypothetical"
         if word.dep in ("acl", "relcl") and head.lemma in CHANCES and self._sought(head):
             mode = "hypothetical"
         if word.dep in ("advcl",) and self.words[word.i - 1].norm in ("than",):
@@ -142,6 +161,12 @@ class Modes(Agents):
         ):
             mode = "negated"
         return mode
+
+    def _no_duty(self, word: Word) -> bool:
+        """Whether one only need not do it: "does not have to stop", "is not required to stop"."""
+        head = self.words[word.head]
+        need = any(self.words[c].norm in ("need", "needn't") for c in word.children if self.words[c].dep == "aux")
+        return need or word.dep in ("xcomp", "ccomp") and head.lemma in DUTIES and self._mode(head) == "negated"
 
     def _sought(self, noun: Word) -> bool:
         """Whether somebody only waits or looks for something: "waiting for a chance to pass"."""

@@ -7,6 +7,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.attached import Attached
 from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PERSONS, VEHICLES, ZONES, Entity, fits
+from c2s_engine.interpret.not_there import NotThere
 from c2s_engine.interpret.persons import DRIVERS
 from c2s_engine.interpret.syntax import Word
 
@@ -17,16 +18,11 @@ COUNTED = re.compile(
     r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units"
     r"|animals|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
 )
-CARRIES = language.words("carries")
-LOST = language.words("lost")
 TOWED = language.words("towed")
 MASS = language.words("mass")
 
 
-FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
-
-
-class Nouns(Attached):
+class Nouns(Attached, NotThere):
     """The part of Cast that reads nouns."""
 
     def _apposed(self, word: Word) -> Entity | None:
@@ -63,7 +59,7 @@ class Nouns(Attached):
         previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
         if previous in ("other",) and "no" in self._near(word):
             return None
-        if "no" in before or previous in ("no", "without", "any"):
+        if "no" in before or previous in ("no", "without", "any") or self._denied_list(word):
             return None
         if previous in ("my", "our") and word.i - 1 in self.asking:
             return None  # "I was walking my dog when I saw ..."
@@ -78,9 +74,9 @@ class Nouns(Attached):
             return self.me  # "School patrol, 8.25. I walked out ..."
         if word.i in self.wheels:
             return self._retyped(self.wheels[word.i], kind, roles, noun)
-        if self._is_modifier(word) or self._proper(word):
+        if self._is_modifier(word) or self._proper(word) or self._towed(word):
             return None
-        if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word)):
+        if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word) or self._faced(word)):
             return None
         if self._gone(word, before):
             return None
@@ -187,7 +183,7 @@ class Nouns(Attached):
             found = self._definite(word, kind, noun, roles, other, ordinal, definite, count, bare)
             if found is None and bare and data.get("person") and not roles:
                 found = next((e for e in reversed(self.entities) if fits(e, kind) and e.count == 1), None)
-            if found is not None:
+            if found is not None and found is not self._placed(word):
                 if not found.ego and found.type == "vehicle" and kind != "vehicle" and kind in MOTOR:
                     found.type, found.typed = kind, True
                 found.roles |= set() if data.get("person") and found.noun == noun else roles
@@ -212,19 +208,6 @@ class Nouns(Attached):
         verb = self.words[above.head] if above.dep == "prep" else above
         return word.dep in ("pobj", "dobj") and verb.lemma in ("look", "watch", "check", "monitor", "scan", "glance")
 
-    def _gone(self, word: Word, before: list[str]) -> bool:
-        """Whether it is only who lost something on the road before: "a ladder, shed by an unknown vehicle"."""
-        by = self.words[word.head]
-        verb = self.words[by.head]
-        if word.dep == "dobj" and (
-            by.lemma in CARRIES or by.lemma == "drop" and "off" in [w.norm for w in self.words[by.i : word.i + 2]]
-        ):
-            return word.span is not None and word.span.data["type"] in ("box", "trash", "container")
-        lost = by.norm in ("by", "from", "off") and verb.tag in ("VBN", "VBD") and verb.norm in LOST
-        return lost and (
-            verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))
-        )
-
     def _alternative(self, word: Word) -> Entity | None:
         """The first of two nouns of which either may be meant: "a tractor or a coach"."""
         back = [w for w in self.words[max(0, word.i - 5) : word.i] if w.sentence == word.sentence]
@@ -243,13 +226,6 @@ class Nouns(Attached):
             if not other.tag.startswith(("JJ", "NN", "CD")) or other.norm in language.table("actors")["never"]:
                 return None
         return None
-
-    def _halts(self, word: Word) -> bool:
-        """Whether traffic is said to come to a stand or to slow down, or how it moves where it is told to be."""
-        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 16] if w.sentence == word.sentence)
-        acts = re.match(language.table("actors")["traffic_acts"], after) is not None
-        fills = FILLS.search(" ".join(self._near(word))) is not None
-        return fills or acts and word.dep in ("nsubj", "nsubjpass", "ROOT")
 
     def _parties(self, word: Word, before: list[str], data: dict, roles: set[str]) -> Entity | None:
         """The other of the two parties that "the vehicles" means ("both vehicles", "the two cars"), once two single

@@ -55,6 +55,12 @@ def pace_of(
         if standing and first in (None, "stationary"):
             return 0.0
         return round(low, 2) if high - low < 0.05 else (round(low, 2), round(high, 2))
+    held = (
+        ego.phases and ego.phases[0].action == "stationary" and placement.position == "ahead" and placement.of == "ego"
+    )
+    if held and not scene.events(entity) and entity.mover and not entity.person and said is None:
+        assumed.append(Assumption(field="speed", value="0 km/h", reason="ego stands behind it"))
+        return 0.0
     if first == "reverse":
         assumed.append(Assumption(field="speed", value="9 km/h", reason="a usual speed backwards"))
         return 2.5
@@ -121,6 +127,7 @@ def pace_of(
         factor = "fast"
     elif (
         placement.position == "ahead"
+        and placement.facing != "against"
         and not any(p.action in ("brake", "stop", "follow") for p in phases)
         and any(
             e.act in ("approach", "overtake", "held_up", "collide") and (e.patient is entity)

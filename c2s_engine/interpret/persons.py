@@ -80,7 +80,9 @@ class Persons(Salience):
         alive = lambda e: e.type != "animal" and (e.person or e.manned or e.type in RIDDEN)  # noqa: E731
         me = lambda e: mine and e.ego and not e.manned  # noqa: E731
         fits = lambda e: alive(e) and not (wanted and e.sex and e.sex != wanted) and not me(e)  # noqa: E731
-        found = self._reacting(word, fits) or self._salient(word, fits)
+        told = lambda e: fits(e) and bool(wanted) and e.sex == wanted  # noqa: E731
+        sexed = self._salient(word, told) if any(e.person and told(e) for e in self.entities) else None
+        found = self._reacting(word, fits) or sexed or self._salient(word, fits)
         if found is None and mine:
             found = self._salient(word, lambda e: e.mover and not e.ego)
         if found is None or not found.manned and found.type not in RIDDEN and self._rests(found):

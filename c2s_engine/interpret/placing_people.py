@@ -48,7 +48,8 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             return {"position": "opposite_approach" if place.kind == "intersection" else "oncoming_lane", "said": True}
         if where.rel == "behind" and where.side and at_edge(scene, entity) and place.kind == "intersection":
             return {"position": "roadside", "side": where.side, "along": "behind", "said": True}
-        if where.lane in ("left", "right") and where.rel:
+        own = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
+        if where.lane in ("left", "right") and (where.rel or place.ego_lane and where.lane != own):
             return {"position": f"{where.lane}_lane", "along": along_of(where.rel), "said": True}
         if "oncoming" in acts and where.rel is None and not crosses:
             return {"position": "oncoming_lane", "said": True}
@@ -87,13 +88,17 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         and (where.lane in ("same", None) and where.rel != "beside")
         and where.lane not in ("sidewalk", "roadside")
     ):
-        if where.lane is None and edge and entity.person:  # "a pedestrian waiting on the right"
+        waits_at = entity.person or "crossing" in text or scene.road.crosswalk
+        if where.lane is None and edge and waits_at:  # "a pedestrian waiting on the right"
             walk = scene.road.crosswalk or scene.road.setting == "urban"
             return {"position": "sidewalk" if walk else "roadside", "side": edge, "said": True}
-        return {"position": "ahead", "said": True}
+        back = where.rel == "behind" and where.of is not None and where.of.ego
+        return {"position": "behind" if back else "ahead", "said": True}
     side = where.side or ("right" if where.rel == "beside" else None)
     if entity.type == "bicycle" and side and place.manoeuvre == side and where.rel in (None, "ahead", "beside"):
         return {"position": "partly_in_lane", "side": side, "said": True}
+    if entity.type == "bicycle" and where.lane == "sidewalk":
+        return {"position": "sidewalk", "side": edge or "right", "said": True}
     if along or entity.type == "bicycle":
         if where.rel == "behind" and where.lane != "same":
             return {"position": "behind", "said": True}
@@ -130,6 +135,9 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             "side": edge or "right",
             "said": True,
         }
+    if entity.person and where.side and where.rel is None and where.lane is None:  # "another is on the right"
+        walk = place.sidewalk or scene.road.crosswalk or scene.road.setting == "urban"
+        return {"position": "sidewalk" if walk else "roadside", "side": where.side, "said": True}
     return {"position": "ahead", "said": where.rel == "ahead" or where.lane == "same"}
 
 

@@ -21,6 +21,9 @@ ON_SIDE = re.compile(
     r"(?<!lane )\b(?:on|to) (?:(?:the )?@ego 's (?:left|right)(?! lane|-hand lane)"
     r"|the (?:left|right)(?: side)? of (?:the )?@ego)"
 )
+BY_ITS_SIDE = re.compile(
+    r"\bto (?:the )?@ego 's (?:immediate )?(?:left|right)\b|\bto the (?:left|right) of (?:the )?@ego\b"
+)
 OPPOSITE = {"left": "right", "right": "left"}
 
 
@@ -43,7 +46,10 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         rel, lane = "ahead", "same"  # beside another, but ego comes up behind it
     if lane == "oncoming" and rel == "behind" and "oncoming" not in entity.roles:
         lane = None  # the side on which it passes
-    if junction and lane in ("left", "right") and rel is None and "lane" not in " ".join(t for _, t in where.phrases):
+    told = " ".join(t for _, t in where.phrases)
+    if junction and rel is None and BY_ITS_SIDE.search(told) and set(acts) <= {"travel", "stationary", "go_straight"}:
+        rel = "beside"
+    if junction and lane in ("left", "right") and rel is None and "lane" not in told:
         lane, edge = "crossing", lane
     direction = compass(scene, entity) if lane in (None, "same", "crossing") else None
     if direction in ("left", "right") and junction:
@@ -130,7 +136,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     if passing is not None and passing.patient is entity and re.search(on_right, passing.whole):
         return {"position": "right_lane", "along": "ahead", "said": True}
     if lane == "adjacent" or "adjacent" in roles:
-        edge = edge or _cut_side(scene, entity) or "left"
+        edge = edge or _cut_side(scene, entity) or _kerbside(scene, entity) or "left"
         return {
             "position": f"{edge}_lane",
             "along": along_of(rel or ("behind" if "overtake" in acts else None)),
@@ -138,7 +144,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         }
     towards = next((side(e) for e in scene.events(scene.cast.ego) if e.act == "lane_change" and side(e)), None)
     if rel == "beside":
-        return {"position": "beside", "side": edge or towards or "left", "said": True}
+        return {"position": "beside", "side": edge or towards or _kerbside(scene, entity) or "left", "said": True}
     wipes = scene.does(entity, "collide")
     shift = scene.does(entity, "lane_change", "cut_in", "drift")
     if (
@@ -156,7 +162,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         start = _cut_side(scene, entity) or "left"
         if place.ego_lane == "leftmost":
             start = "right"
-        if rel == "behind" and any(e.mode == PART and e.agent is entity for e in scene.clauses.events):
+        parted = rel == "behind" and any(e.mode == PART and e.agent is entity for e in scene.clauses.events)
+        if parted or lane in (None, "same") and acts[:1] == ["follow"] and {"lane_change", "overtake"} & set(acts):
             return {"position": "behind", "said": True}
         if event is not None and "overtake" in acts or rel == "behind":
             return {"position": f"{start}_lane", "along": "behind", "said": True}
@@ -184,12 +191,20 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     return _implied(scene, entity, acts, place, first)
 
 
+def _kerbside(scene: Scene, entity: Entity) -> str | None:
+    """The side of a bus lane: it lies along the kerb."""
+    near = " ".join(
+        scene.words[i].norm for m in entity.mentions[:1] for i in range(m.word, min(m.word + 9, len(scene.words)))
+    )
+    return "right" if re.search(r"\b(?:bus|taxi|cycle|hov) lane\b", near) else None
+
+
 def _enters_before_ego(scene: Scene, entity: Entity) -> bool:
     """Whether one enters the roundabout in which ego drives, or before it without giving way."""
     enters = [e for e in scene.events(entity) if re.match(r"(enter|drive into|pull (out )?into|join)\b", e.text)]
     inside = any(CIRCULATES.search(e.whole) for e in scene.events(scene.cast.ego))
     denied = any(e.agent is entity and re.match(r"(yield|give way)\b", e.text) for e in scene.clauses.events)
-    return bool(enters) and (inside or denied)
+    return bool(enters) and (inside or denied or any(e.act == "cut_in" for e in enters))
 
 
 def facing_ego(where: Where, place: PlaceSpec) -> dict:

@@ -45,6 +45,12 @@ class Pronouns(Persons):
         if norm in ("it", "its", "itself"):
             if word.dep == "expl" or self._weather_it(word):
                 return None
+            if (
+                word.dep == "dobj"
+                and self.words[word.head].lemma in ("enter", "exit", "join", "leave")
+                and word.norm == "it"
+            ):
+                return None  # the roundabout
             if self._obliged(word):
                 return self.ego
             return self._thing(word)
@@ -80,11 +86,20 @@ class Pronouns(Persons):
         def fits(e: Entity) -> bool:
             return (not e.person and e.sex != "i" and e.mover or e.type in things) and not (i and e.ego)
 
+        if word.dep == "nsubj" and (animal := self._animal_before(word)) is not None:
+            return animal
         apart = self._not_he(word, fits)
         found = apart or self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
         if found is None and bumped:
             found = self._salient(word, lambda e: e.type == "animal")
         return found
+
+    def _animal_before(self, word: Word) -> Entity | None:
+        """The animal that alone was the subject of the sentence before: "a deer stands on the verge. It leaps"."""
+        if any(w.sentence == word.sentence and w.i in self.of for w in self.words[: word.i]):
+            return None
+        told = {e for i, e in self.subjects if self.words[i].sentence == word.sentence - 1}
+        return next(iter(told)) if len(told) == 1 and next(iter(told)).type == "animal" else None
 
     def _not_he(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
         """Whom "it" means beside a "he" of the same sentence: "while he came up on the bus, its driver moved out"."""

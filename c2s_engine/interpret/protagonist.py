@@ -58,7 +58,7 @@ IN_MODE = re.compile(
 FROM_ASIDE = re.compile(
     r"^(?!.*\b(?:turn|chang|merg|mov|swerv|veer)\w*\b.* from ).*\bfrom (?:the |its )?"
     r"(?:left|right|rear|behind|front|opposite (?:side|direction|carriageway|lane))\b"
-    r"(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb))"
+    r"(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb)\b)"
     r"|\b(?:from|out of|leav\w+) (?:the |a |an )?(?:\w+ )?(?:street|road|driveway) (?:on|to)"
     r" (?:the |its )(?:left|right)\b"
     r"|\b(?:comes?|came|coming|approach\w*) (?:along |up )?(?:the wrong way|against the traffic)\b"
@@ -68,7 +68,9 @@ FROM_ASIDE = re.compile(
 
 
 BESIDE = re.compile(
-    r"^\S+( \S+)?( \d[\d.]*\s*[a-z]+)? (ahead|in front|in the (left|right|adjacent|next|oncoming)"
+    r"^\S+( \S+)?( \d[\d.]*\s*[a-z]+)? (ahead|in front|(right |close |directly |just )?"
+    r"behind(?= it\b| [a-z]+(?:s|ed)\b)"
+    r"|in the (left|right|adjacent|next|oncoming|neighbou?ring|adjoining|other)"
     r"|coming|on (the|its) (left|right)(?=$| (?!lane|side|hand|turn))|approaching|oncoming|from (the|its|behind))"
 )
 AHEAD = re.compile(r"(?:be|drive|travel|ride|stand|wait) (?:\w+ly )?(?:ahead|in front) ?[.,;]?$")
@@ -86,7 +88,10 @@ HELD = re.compile(
 """What one stops for that drives."""
 
 
-EMERGES = re.compile(r"@\w+ (?:suddenly )?(?:appear|emerge|come) (?:out )?from behind\b")
+EMERGES = re.compile(
+    r"@\w+ (?:suddenly )?(?:come|pull|drive|emerge|turn|shoot) out of (?:it|there)\b"
+    r"|@\w+ (?:suddenly )?(?:appear|emerge|come) (?:out )?from behind\b"
+)
 HALTED = frozenset(("stop", "stationary", "brake_stop"))
 OPPOSITE = re.compile(r"\b(?:in|on) the (?:opposite|oncoming|opposing|other) (?:lane|side|carriageway)\b")
 FROM_WHERE = re.compile(r"\b(?:from|out of) (?:where|which) .*\b(?:emerg|appear|com|approach|turn)\w*")
@@ -99,7 +104,10 @@ def _comes_into_view(entity: Entity, cast: Cast, events: list[Event]) -> bool:
         before = [w.norm for w in cast.words[max(0, word.i - 5) : word.i + 5] if w.sentence == word.sentence]
         if FROM_WHERE.search(" ".join(before)):
             return True
-    return any(EMERGES.search(e.whole) or e.act in HALTED and OPPOSITE.search(e.whole) for e in events)
+    first = cast.words[entity.mentions[0].word]
+    new = {"a", "an"} & {w.norm for w in cast.words[max(0, first.i - 2) : first.i]}
+    there = HALTED | {"travel", "approach"} if new else HALTED
+    return any(EMERGES.search(e.whole) or e.act in there and OPPOSITE.search(e.whole) for e in events)
 
 
 TOWARDS = frozenset(("collide", "overtake", "follow", "yield", "cut_in", "evade"))
@@ -224,6 +232,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         before = cast.words[head.i - 1].norm if head.i else ""
         told_apart = {before, *(cast.words[c].norm for c in head.children)} & {"another", "other"}
         if told_apart and not all(_rests(e, acting[e]) for e in vehicles[: vehicles.index(entity)]):
+            continue
+        if "other" in told_apart and len(vehicles) == 1 and not told_by:
             continue
         if not told_by and _comes_into_view(entity, cast, acting[entity]):
             continue

@@ -127,6 +127,9 @@ class Reference(Pronouns):
         alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
         if second and alone and not self._distinguished(word) and self.words[word.i - 1].norm == "the":
             return self.ego  # a driver is told what to do: "you will feel the car"
+        asks = any(self.words[c].norm in ("shall", "must") for c in self.words[word.head].children)
+        if alone and asks and self.ego_named and word.dep == "nsubj" and not self._distinguished(word):
+            return self.ego  # "the VUT backs up. The car shall stop"
         if kind == "vehicle" and noun == "vehicle" and not self.ego_named and not bare and not other:
             generic = [e for e in candidates if e.noun == "vehicle"]
             plain = [e for e in candidates if e.noun != "vehicle" and not e.roles]
@@ -151,6 +154,9 @@ class Reference(Pronouns):
             return single[-1] if single else None
         if ordinal is not None and len(candidates) > 1 and ordinal < len(candidates):
             return candidates[ordinal]
+        led = self._told_ahead(word, candidates) if noun == "vehicle" and count == 1 else None
+        if led is not None:
+            return led  # "a van is ahead of ego. The vehicle ahead brakes"
         if self._distinguished(word) and not any(e.noun == noun or e.type == kind for e in candidates):
             return None
         if self._distinguished(word) and kind in ("vehicle", "car") and not self._matching_relation(word, candidates):
@@ -210,7 +216,21 @@ class Reference(Pronouns):
                 continue
             if child > word.i and other.dep in ("prep", "acl", "relcl", "advmod") and other.norm not in ("of",):
                 return True
-        return False
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 4] if w.sentence == word.sentence)
+        return re.match(r"(?:in front|ahead|behind)\b(?! of\b)", after) is not None
+
+    def _told_ahead(self, word: Word, candidates: list[Entity]) -> Entity | None:
+        """Who was told to be ahead, where "the vehicle ahead" is spoken of."""
+
+        def after(i: int) -> str:
+            return " ".join(w.norm for w in self.words[i + 1 : i + 6] if w.sentence == self.words[i].sentence)
+
+        if not re.match(r"(?:in front|ahead)\b(?! of\b)", after(word.i)):
+            return None
+        told = re.compile(r"(?:\S+ ){0,3}?(?:in front|ahead)\b(?! of (?!it|ego|the ego|us|me|the (?:sv|vut|host)))")
+        return next(
+            (e for e in reversed(candidates) if not e.ego and any(told.match(after(m.word)) for m in e.mentions)), None
+        )
 
     def _relative_to_ego(self, word: Word) -> bool:
         return True

@@ -28,6 +28,11 @@ FILLED = re.compile(
     r"(?: the| an?)?(?: \w+)?$"
 )
 
+PART_FILLED = re.compile(
+    r"\b(?:half|part|most|a third|some) of (?:the |its |(?:the )?@ego 's )(?:\w+ )?lane (?:be|is|was) "
+    r"(?:\w+ ){1,2}(?:by|with)(?: the| an?)?(?: \w+)?$"
+)
+
 ASIDE = re.compile(
     r"\b(?:on|in|via|by|over|using|through|into|across) (?:the |its )?(?:on-?coming|opposite|opposing|other|wrong"
     r"|left|right|next"
@@ -205,6 +210,9 @@ class Places(Inferred):
         if fronted and word.span is not None:
             read(fronted[1], where, entity, self.cast, "noun")
         self._fronted_far(word, front, where, entity)
+        far = self.clauses.render([w.i for w in self.words[max(0, i - 14) : i] if w.sentence == word.sentence])
+        if PART_FILLED.search(far) and word.span is not None and where.lane is None:
+            where.lane = "partly"
         filled = FILLED.search(front)
         if filled and word.span is not None:
             read(f"in the {filled[1]}", where, entity, self.cast, "noun")
@@ -222,7 +230,7 @@ class Places(Inferred):
         ):
             following = self._following(i)
             read(" ".join([*lead, self.clauses.render(following)]), where, entity, self.cast, "noun")
-        text = self._unpassed(self._unhit(text, entity), i, entity)
+        text = self._unfollowed(self._unpassed(self._unhit(text, entity), i, entity), entity)
         if self.cast.of and text.strip():
             read(text, where, entity, self.cast, "noun")
             self._gap(indices, where)
@@ -260,7 +268,9 @@ class Places(Inferred):
                 after
                 and word.dep == "dobj"
                 and re.match(
-                    r"(in|on) the (rear|side|back|front|left|right)(?!(-hand|most)? lane)", self.clauses.render(after)
+                    r"(in|on) the (rear|side|back|front|left|right)"
+                    r"(?!(-hand|most)? (lane|pavement|sidewalk|footpath|kerb|curb|verge|shoulder))",
+                    self.clauses.render(after),
                 )
             ):
                 after = []
@@ -271,7 +281,9 @@ class Places(Inferred):
                 or self.words[after[0]].norm in PLACING
             ):
                 read(
-                    self._unpassed(self._unhit(self.clauses.render(after), entity), i, entity),
+                    self._unfollowed(
+                        self._unpassed(self._unhit(self.clauses.render(after), entity), i, entity), entity
+                    ),
                     where,
                     entity,
                     self.cast,
@@ -319,6 +331,11 @@ class Places(Inferred):
         after = max(phrase) + 1
         verb = after < len(self.words) and self.words[after].tag in ("VBZ", "VBP", "VBD", "MD")
         return self.words[min(phrase)].norm == "before" and verb
+
+    def _unfollowed(self, text: str, entity: Entity) -> str:
+        """The words about one whom ego follows without those that say that ego is behind: "follows it 10 m behind"."""
+        follows = any(e.act == "follow" and e.agent.ego and e.patient is entity and e.done for e in self.clauses.events)
+        return re.sub(r"\bbehind\b(?! (?:the |an? )?@)", "away", text) if follows else text
 
     def _of_another(self, child: int, i: int, entity: Entity) -> bool:
         """Whether a phrase before a noun belongs to another's part of the list: "ego in the left lane, bus drifts"."""

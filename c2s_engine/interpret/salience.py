@@ -11,9 +11,12 @@ from c2s_engine.interpret.members import Members
 from c2s_engine.interpret.motions import irregular
 from c2s_engine.interpret.syntax import Word
 
+MINE = frozenset(language.table("actors")["pronouns"]["ego"])
 STRIKES = language.words("strikes")
 BOWS = language.words("bows")
 WAITS = language.words("waits")
+STANDS = ("be", "stand", "sit", "wait", "appear")
+GOES = ("drive", "run", "travel", "ride", "cruise", "keep", "stay", "hang", "move", "go", "come")
 BESIDE = re.compile(r"(to|on|in|at) (left|right|front|rear)\b")
 
 
@@ -51,10 +54,13 @@ class Salience(Members):
         holder = self._placed(word)
         if holder is not None and holder is not clash:
             inner, accept_all = holder, accept
-            clash = None if above.norm == "of" else clash
+            clash = None if above.head not in self.of else clash
             accept = lambda e: accept_all(e) and e is not inner  # noqa: E731
         same = [(i, e) for i, e in self.subjects if i < word.i and accept(e) and e is not clash]
         last = [i for i in sorted(self.of) if i < word.i and accept(self.of[i]) and self.of[i] is not clash]
+        if word.norm in ("it", "its"):  # "a car in the lane to our left. Its driver": not ours
+            told = [i for i in last if self.words[i].norm not in MINE]
+            last = told or last
         if not last:
             beside = holder is not None and holder is not clash and clash is not None
             return clash if beside and accept(clash) else None  # "the lorry hides a motorcycle behind it"
@@ -66,13 +72,16 @@ class Salience(Members):
             own = self._subject_of(verb)
             if self._whose_driver(word, verb):
                 own = None  # "the coach was in the right lane when its driver saw": not the driver's own
-            beside = BESIDE.match(self._around(word.i)) and verb.lemma in ("be", "stand", "sit", "wait", "appear")
+            beside = self._on_its_side(word, verb)
             if beside or self._into_lane(word, verb):
                 clash, own = own, None  # nobody is on its own left, or comes into its own lane
                 last = [i for i in last if self.of[i] is not clash]
                 if not last:
                     return None
                 sentence = [p for p in sentence if p[1] is not clash]
+                spoken = {self.of[i] for i in last if self.words[i].sentence == word.sentence}
+                if beside and self.ego in spoken and accept(self.ego):
+                    return self.ego  # "ego follows a truck, with a car keeping pace on its left"
             its = [
                 self.of[w.i]
                 for w in self.words[: word.i]
@@ -83,6 +92,7 @@ class Salience(Members):
             if own is not None and accept(own) and own is not clash:
                 return own
         told = [p for p in sentence if self._finite(self._governor(self.words[p[0]]))]
+        told = [p for p in told if self._governor(self.words[p[0]]).dep != "pcomp"] or told
         sentence = told or sentence
         if word.dep in ("dobj", "pobj", "poss"):
             near = [i for i in last if self.words[i].sentence == word.sentence]
@@ -112,10 +122,14 @@ class Salience(Members):
         above = self.words[word.head]
         if word.dep != "pobj":
             return None
-        while above.norm == "of" and above.head != above.i and self.words[above.head].tag in ("RB", "IN", "NN"):
-            if above.head in self.of:
+        between = ("lane", "side", "space", "row", "bay")
+        while above.head != above.i and above.head not in self.of:
+            over = self.words[above.head]
+            if not (
+                above.norm == "of" and over.tag in ("RB", "IN", "NN") or over.norm in between or above.norm in between
+            ):
                 break
-            above = self.words[above.head]
+            above = over
         return self.of.get(above.head) if above.head < word.i and above.head != above.i else None
 
     def _finite(self, verb: Word) -> bool:
@@ -132,6 +146,13 @@ class Salience(Members):
             if earlier.norm == word.norm and BESIDE.match(self._around(earlier.i)):
                 return self.of.get(earlier.i)
         return None
+
+    def _on_its_side(self, word: Word, verb: Word) -> bool:
+        """Whether somebody stands or goes along on the side that a possessive names: it is not its own side."""
+        if not BESIDE.match(self._around(word.i)):
+            return False
+        lane = [w.norm for w in self.words[max(0, word.i - 4) : word.i]][-3:-1] == ["the", "lane"]
+        return verb.lemma in STANDS or verb.lemma in GOES and (lane or verb.lemma == "keep")
 
     def _whose_driver(self, word: Word, verb: Word) -> bool:
         """Whether a possessive belongs to the driver who is the subject of its clause."""

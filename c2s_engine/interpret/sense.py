@@ -90,6 +90,8 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and re.search(r"\bboth\b|\bthem all\b|\ball of them\b", event.text)
         ):
             event.patient = cast.ego
+        if event.act == "keep_away" and not event.agent.ego and event.patient is cast.ego and event.mode == "fact":
+            event.act = "follow"
         if event.act == "yield" and event.mode == "negated" and not event.agent.ego:
             event.act, event.mode = "cross_path", "fact"
         if event.act == "turn_or_change":
@@ -117,8 +119,19 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and let_past(clauses, event, road)
         ):
             event.act = "travel"
-        if event.act == "cut_in" and road.kind == "intersection" and FROM_MINOR.match(event.text):
-            event.act = "cross_path" if "lane" not in event.whole and not event.agent.ego else event.act
+        minor = event.act == "cut_in" or event.act == "lane_change" and not event.agent.ego
+        overtakes = re.search(r"\b(?:overtak|pass)\w*|behind|kerb|curb|park", event.whole)
+        if (
+            minor
+            and (event.act == "cut_in" or not overtakes)
+            and road.kind == "intersection"
+            and FROM_MINOR.match(event.text)
+        ):
+            out = "go_straight" if event.agent.ego else "cross_path"
+            event.act = out if "lane" not in event.whole and (not event.agent.ego or road.stop_sign) else event.act
+        leaves_sign = event.agent.ego and road.stop_sign and FROM_MINOR.match(event.text) is not None
+        if leaves_sign and event.act in ("lane_change", "cut_in", "travel") and "lane" not in event.whole:
+            event.act = "go_straight"
         if event.act == "travel" and road.kind not in ("intersection", "roundabout") and PULLS_OUT.match(event.text):
             event.act = "enter_road"
         passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")

@@ -3,7 +3,8 @@
 from c2s_engine.interpret.mentions import Entity
 from c2s_engine.interpret.objects import Draft
 from c2s_engine.interpret.scene import Scene
-from c2s_engine.structure.specs import EgoSpec, PlaceSpec
+from c2s_engine.interpret.steps import rate_of, trigger_of
+from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec
 
 
 def settle(scene: Scene, ego: EgoSpec, place: PlaceSpec, drafts: list[Draft], ids: dict[Entity, str]) -> EgoSpec:
@@ -50,5 +51,20 @@ def settle(scene: Scene, ego: EgoSpec, place: PlaceSpec, drafts: list[Draft], id
         if draft.spec.placement.position == "behind" and draft.spec.placement.of == "ego":
             kept = tuple(p for p in draft.spec.phases if not (p.action == "overtake" and p.target == "ego"))
             draft.spec = draft.spec.model_copy(update={"phases": kept})
+    ego = _brakes_for_nobody(scene, ego, drafts)
     react = ego.react_to if ego.react_to in known else None
     return ego.model_copy(update={"react_to": react})
+
+
+def _brakes_for_nobody(scene: Scene, ego: EgoSpec, drafts: list[Draft]) -> EgoSpec:
+    """Ego's spec with a braking of its own where everybody else is behind it: there is nobody to react to."""
+    if ego.reaction != "brake" or not drafts or any(p.action in ("brake", "stop") for p in ego.phases):
+        return ego
+    if any(d.spec.placement.position != "behind" or d.spec.placement.of != "ego" for d in drafts):
+        return ego
+    told = scene.does(scene.cast.ego, "brake", "brake_stop", "stop")
+    if told is None:
+        return ego
+    action = "brake" if told.act == "brake" else "stop"
+    phase = Phase(action=action, rate=rate_of(told), trigger=trigger_of(told))  # type: ignore[arg-type]
+    return ego.model_copy(update={"phases": (*ego.phases, phase), "reaction": "none", "hard": False})

@@ -164,7 +164,8 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
             scene.plain[word.end : span.start],
         ):
             compared = COMPARED_WITH.search(scene.plain[max(0, word.start - 12) : word.start])
-            if compared and "," not in scene.plain[word.end : span.start]:
+            slow = not entity.ego and "slow" in entity.roles and entity.mover and not entity.person
+            if compared and "," not in scene.plain[word.end : span.start] or slow:
                 return entity
             verb = scene.clauses._governor(word)
             event = scene.clauses.by_word.get(verb.i) if verb is not None else None

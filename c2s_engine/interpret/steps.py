@@ -24,9 +24,29 @@ def rate_of(event: Event) -> float | None:
     for quantity in event.quantities:
         if quantity["dimension"] == "acceleration":
             return round(max(0.5, abs(quantity["low"]), abs(quantity["high"])), 2)
+    if (timed := _by_time(event)) is not None:
+        return timed
     if event.act in ("brake", "brake_stop", "stop") and (event.hard or re.search(HARD, event.whole)):
         return float(language.table("defaults")["rates"]["hard"]["value"])
     return None
+
+
+WITHIN = re.compile(r"\b(?:in|within|over|during)(?: about| only| just| around)? #time\b")
+
+
+def _by_time(event: Event) -> float | None:
+    """The rate of a change between two speeds that takes so long: "slows from 50 to 20 km/h within 3 s"."""
+    took = next((q["low"] for q in event.quantities if q["dimension"] == "time" and q["low"] > 0), None)
+    if took is None or event.act not in ("brake", "brake_stop", "stop", "accelerate") or not WITHIN.search(event.whole):
+        return None
+    both = next((q for q in event.quantities if "second" in q), None)
+    start = both["first"] if both is not None else None
+    if start is None and (told := re.search(r"\bfrom #speed\b", event.whole)) is not None:
+        start = next((q["low"] for q in event.quantities if q["dimension"] == "speed" and told), None)
+    end = both["second"] if both is not None else target_speed(event) if event.act == "brake" else 0.0
+    if start is None or end is None or start == end:
+        return None
+    return round(min(10.0, max(0.5, abs(start - end) / took)), 2)
 
 
 def target_speed(event: Event) -> float | None:

@@ -42,6 +42,9 @@ class Titles(Named):
             return False
         if any(w.norm in ("a", "an", "the", "is", "are") or w.span and w.span.kind != "actor" for w in title):
             return False
+        acts = any(w.tag == "VBG" and w.i > first.i for w in title)
+        if acts and any(w.span is not None and w.span.kind == "ego" for w in self.words[title[-1].i : word.i]):
+            return False  # "Vehicle changing lanes. The host moves over although a car ..."
         return sum(w.i in self.of for w in title) == 1
 
     def _heading(self, sentence: int) -> bool:

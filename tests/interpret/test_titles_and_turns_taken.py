@@ -74,3 +74,61 @@ def test_a_fare_is_picked_up(read) -> None:
 def test_zips_over_the_crossing(read) -> None:
     s = read("A person on an e-scooter zips over the zebra crossing from right to left.")
     assert [p.action for p in s.objects[0].spec.phases] == ["cross_road"]
+
+
+@pytest.mark.parametrize(
+    ("text", "types"),
+    [
+        (
+            "Cut-in by a slower vehicle. With ALKS active at 60 km/h on a motorway of two lanes, a passenger car doing "
+            "40 km/h in the lane on the right begins a lane change in front of the ALKS vehicle.",
+            ["car"],
+        ),
+        (
+            "Vehicle changing lanes, same direction. The host, driving at 55 mph in the right lane, moves over to the "
+            "left lane although a car is coming up from behind there.",
+            ["car"],
+        ),
+        ("Bicyclist, longitudinal: straight road, bicycle at 15 km/h ahead in the lane of the VUT.", ["bicycle"]),
+        ("Slow truck ahead. A car overtakes ego.", ["truck", "car"]),
+        ("Parked vehicle on the right. A car pulls out in front of ego.", ["car", "car"]),
+    ],
+)
+def test_who_is_only_in_the_title(read, text: str, types: list[str]) -> None:
+    assert [o.spec.type for o in read(text).objects] == types
+
+
+def test_let_by_before_the_lane_change(read) -> None:
+    s = read(
+        "On a motorway ego is in the right lane. An SUV is coming up from behind in the lane to the left, so the ego "
+        "slows down, lets the SUV go by and changes to that lane behind it."
+    )
+    assert [p.action for p in s["E"].spec.phases] == ["yield", "lane_change"]
+
+
+def test_stops_until_the_ambulance_is_past(read) -> None:
+    s = read(
+        "An ambulance comes up from the rear in the same lane. The automated vehicle shall keep to the right, come to "
+        "a stop and remain there until the ambulance has gone by."
+    )
+    assert [p.action for p in s["E"].spec.phases] == ["stop"]
+
+
+@pytest.mark.parametrize(
+    ("text", "phases"),
+    [
+        ("Ego brakes. A car behind it runs into its rear end.", [("brake", None)]),
+        ("Ego brakes hard; the car behind hits it.", [("brake", 6.0)]),
+    ],
+)
+def test_brakes_with_nobody_ahead(read, text: str, phases: list) -> None:
+    assert [(p.action, p.rate) for p in read(text)["E"].spec.phases] == phases
+
+
+def test_stops_before_contact(read) -> None:
+    s = read(
+        "The VUT backs up at 6 km/h. An adult stands 8 m behind it. The car shall stop before touching the person."
+    )
+    assert [o.spec.placement.position for o in s.objects] == ["behind"]
+    assert "collide" not in [p.action for p in s["E"].spec.phases]
+    assert [o.spec.type for o in read("The VUT stops before hitting the pedestrian.").objects] == ["pedestrian"]

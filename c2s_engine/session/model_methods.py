@@ -87,12 +87,14 @@ class ModelMethod:
         return cost if structure is None else {**cost, "share": round(share(structure), 3)}
 
     def described(self, before: Structure, after: Structure) -> list[Edit]:
-        """The sentences of what an edit of fields changed, for methods that are told sentences and not fields."""
+        """The sentences of what an edit of fields changed, for methods that are told sentences and not fields; who got
+        a sentence of the user's keeps it."""
         if not self.reads_sentences:
             return []
         from c2s_engine.interpret.refine import described
 
-        return described(before, after)
+        kept = {c.id for c in after.components if c.id in before and before[c.id].description != c.description}
+        return [edit for edit in described(before, after) if getattr(edit, "component", None) not in kept]
 
     def _counting(self, emit: Emit) -> Emit:
         def on_event(event: Any) -> None:

@@ -65,7 +65,7 @@ def _match(structure: Structure, actors: list[dict[str, Any]]) -> list[tuple[dic
         objects = objects[: 9 if len(actors) <= 4 else 8]
         actors = actors[:5]
     best: tuple[float, tuple[Component | None, ...]] = (-1.0, ())
-    for chosen in set(permutations(objects, len(actors))) if actors else {()}:
+    for chosen in dict.fromkeys(permutations(objects, len(actors))) if actors else ((),):
         names = {"ego": "ego"} | {a["as"]: c.id for a, c in zip(actors, chosen, strict=True) if c is not None}
         score = sum(v.holds for a, c in zip(actors, chosen, strict=True) for v in _actor(structure, a, c, names))
         if score > best[0]:

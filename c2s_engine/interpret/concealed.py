@@ -17,7 +17,10 @@ LONG = 2_000
 
 
 _A = r"(?:the |a |an )?(?:\w+ )?"
-_HIDE = r"(?:hidden|hide|concealed|conceal|obscured|obscure|occluded|occlude|masked|mask|screened|screen|blocked|block)"
+_HIDE = (
+    r"(?:obstructed|obstruct|hidden|hide|concealed|conceal|obscured|obscure|occluded|occlude|masked|mask|screened"
+    r"|screen|blocked|block)"
+)
 HIDDEN = (
     rf"{_HIDE} by {_A}@(?P<by>a\d+)[^.;]{{0,40}}, {_A}@KEY\b",
     rf"(?:not|unable to|n't|cannot|hardly) (?:\w+ )?(?:see|notice|spot|detect)[^.;]*@KEY\b[^.;]*"

@@ -14,6 +14,7 @@ from c2s_engine.interpret.sense import rules_of_sense
 from c2s_engine.interpret.settings import SettingsDetector
 from c2s_engine.interpret.speeds import speeds
 from c2s_engine.interpret.struck import pushed, twice
+from c2s_engine.interpret.unsaid import unsaid
 
 
 def understand(text: str) -> Scene:
@@ -38,6 +39,7 @@ def understand(text: str) -> Scene:
     unnamed_doers(cast, clauses)
     pushed(clauses)
     choose_ego(cast, clauses)
+    unsaid(cast, clauses)
     places = Places(cast, clauses)
     rules_of_sense(cast, clauses, road)
     twice(clauses)

@@ -25,7 +25,7 @@ run: $(STAMP)
 	@if [ -t 0 ] && [ -t 1 ]; then $(BIN)/c2s app; else $(BIN)/c2s generate $(SAMPLE); fi
 
 test: $(VENV)/.dev
-	$(BIN)/pytest -q -m "not full and not nightly"
+	$(BIN)/pytest -q -m "not full and not nightly" -n 2 --dist loadfile
 
 test-full: $(VENV)/.dev
 	$(BIN)/pytest -q -m "not nightly" -n 2 --dist loadfile

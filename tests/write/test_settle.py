@@ -4,7 +4,7 @@ import pytest
 
 from c2s_engine.session.settle import settle
 from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Placement, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec
 
 
 def asks(place: PlaceSpec, position: str = "ahead") -> Structure:
@@ -37,3 +37,17 @@ async def test_what_resolves_is_left_alone(engine):
     settled, found = await settle(structure, engine.library, engine.check_client, given=None, default=None)
     assert settled == structure
     assert found.count > 0
+
+
+async def test_who_is_in_a_lane_that_is_nowhere_comes_into_egos(engine):
+    left = Phase(action="turn_left")
+    truck = ObjectSpec(name="truck", placement=Placement(position="left_lane"), phases=(left, Phase(action="collide")))
+    structure = Structure(
+        place=Component(id="R", spec=PlaceSpec(kind="intersection", manoeuvre="left", lanes=2, ego_lane="rightmost")),
+        ego=Component(id="E", spec=EgoSpec(speed=8.0, phases=(left,))),
+        objects=(Component(id="O1", spec=truck),),
+    )
+    settled, found = await settle(structure, engine.library, engine.check_client, given=None, default=None)
+    assert found.writer is not None
+    assert settled["O1"].spec.placement.position == "ahead"
+    assert [u.text for u in settled["O1"].unmet] == ["truck: left lane"]

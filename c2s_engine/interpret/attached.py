@@ -24,16 +24,16 @@ class Attached(Titles):
         others = [e for e in self.entities if fits(e, "rider")]
         return self.ego if the and not others and self.ego.type == "motorcycle" and self.ego.typed else None
 
-    def _towing(self, word: Word) -> Entity | None:
-        """Who pulls a trailer: "a tractor with a trailer", "a car towing a caravan"."""
+    def _puller(self, word: Word) -> int | None:
+        """The noun whose trailer it is: "a tractor with a trailer", "a car towing a caravan"; the verb where nobody is
+        named that pulls."""
         above = self.words[word.head]
         if above.norm == "with" and word.dep == "pobj":
-            return self.of.get(above.head)
+            return above.head if self.words[above.head].span is not None else None
         if above.lemma not in TOWS or word.dep != "dobj":
             return None
-        noun = self.words[above.head] if above.dep == "acl" else None
-        subjects = [c for c in above.children if self.words[c].dep == "nsubj"]
-        return self.of.get(noun.i) if noun is not None else self.of.get(subjects[0]) if subjects else None
+        subject = next((c for c in above.children if self.words[c].dep == "nsubj"), above.i)
+        return above.head if above.dep == "acl" else subject
 
     def _behind(self, word: Word) -> list[str]:
         """The adjective right behind a noun that tells its state: "a van double-parked in ego's lane"."""

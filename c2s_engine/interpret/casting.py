@@ -145,9 +145,7 @@ def _only_spoken_of(scene: Scene, entity: Entity) -> bool:
     for mention, verb in zip(entity.mentions, verbs, strict=True):
         clause = " ".join(w.norm for w in scene.words[mention.word : mention.word + 8] if w.sentence == verb.sentence)
         before = [w.norm for w in scene.words[max(0, mention.word - 2) : mention.word]]
-        off = any(LET_OFF.match(word) for word in before) and re.search(
-            r"\b(?:off|out|up|down|on|alight|board)\b", clause
-        )
+        off = any(LET_OFF.match(word) for word in before) and OFF.search(clause)
         says = entity.count > 1 and verb.lemma in SAYS
         if not (HURT.search(clause) and verb.lemma == "be" or off or says):
             return False

@@ -6,6 +6,7 @@ from typing import Any
 from c2s_engine.interpret import language, scan
 from c2s_engine.interpret.change_forms import VEHICLES, Found, name_of, quantity_of, value_of, without_unit
 from c2s_engine.interpret.refer import names_a_stranger, refer, spec_of
+from c2s_engine.interpret.towards import OPPOSITE
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import SetField, SetSpec
 from c2s_engine.structure.quantity import middle
@@ -23,16 +24,10 @@ def distance(clause: str, structure: Structure) -> Found | None:
     quantity = quantity_of(told, "distance") or without_unit(clause, _table()["bare_distances"], 1.0)
     if quantity is None and (found := _in_time(told, structure)):
         return found
-    relative = re.search(
-        (
-            r"\b(further|farther|more distant|closer|nearer|less|more|twice as far|double the (?:gap"
-            r"|distance)|half the (?:gap|distance))\b"
-        ),
-        clause,
-    )
+    relative, wider = _factor(clause, "further"), _factor(clause, "wider")
     if (
         quantity is None
-        and not (_wider(clause) and re.search(r"\b(?:gap|distance|headway|spac)", clause))
+        and not (wider and re.search(r"\b(?:gap|distance|headway|spac)", clause))
         and (relative is None or not re.search(r"away|closer|nearer|gap|distance|far|ahead|behind", clause))
     ):
         return None
@@ -45,37 +40,26 @@ def distance(clause: str, structure: Structure) -> Found | None:
         return None
     spec = spec_of(component)
     between = re.search(r"\bbetween (?:the |each |them\b|one )|\bapart\b", clause)
-    if between and spec.count > 1 and quantity is None and (word := _wider(clause)):
+    if between and spec.count > 1 and quantity is None and wider:
         usual = middle(spec.spacing) if spec.spacing is not None else 3.0
-        apart = round(usual * (1.6 if word == "more" else 0.6), 1)
+        apart = round(usual * wider, 1)
         edit = SetField(component=component.id, path="spacing", value=apart)
         return [edit], f"{name_of(component)}: {apart:g} m between them"
     if between and spec.count > 1 and quantity is not None:
         edit = SetField(component=component.id, path="spacing", value=value_of(quantity))
         return [edit], f"{name_of(component)}: {quantity['low']:g} m between them"
-    word = relative[1] if relative else ""
     if quantity is not None and not re.search(_table()["so_much_further"], clause):
-        word = ""  # a distance to have, not one more or less
-    word = word or _moved(clause, spec.placement) or _wider(clause)
+        relative = None  # a distance to have, not one more or less
+    factor = relative or _moved(clause, spec.placement) or wider
     now = spec.placement.gap
     base = middle(now) if now is not None else 25.0
-    if not word and quantity is not None:
-        value: Any = value_of(quantity)
+    value: Any
+    if quantity is None:
+        value = round(max(2.0, base * (factor or 1.0)), 1)
+    elif factor is None:
+        value = value_of(quantity)
     else:
-        nearer = word in ("closer", "nearer", "less") or word.startswith("half")
-        if quantity is not None:
-            value = base - quantity["low"] if nearer else base + quantity["low"]
-        else:
-            value = base * (
-                2
-                if word.startswith(("twice", "double"))
-                else 0.5
-                if word.startswith("half")
-                else 0.6
-                if nearer
-                else 1.6
-            )
-        value = round(max(2.0, value), 1)
+        value = round(max(2.0, base + quantity["low"] * (1 if factor > 1 else -1)), 1)
     return [
         SetField(component=component.id, path="placement.gap", value=value)
     ], f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
@@ -106,23 +90,25 @@ def _followed(structure: Structure) -> Component | None:
     """Whom ego follows, or who is ahead of it."""
     assert isinstance(structure.ego.spec, EgoSpec)
     followed = {p.target for p in structure.ego.spec.phases if p.action == "follow"}
-    ahead = [c for c in structure.objects if spec_of(c).placement.position == "ahead"]
-    return next((c for c in (*structure.objects, *ahead) if c.id in followed or not followed and c in ahead), None)
+    for other in structure.objects:
+        if other.id in followed or not followed and spec_of(other).placement.position == "ahead":
+            return other
+    return None
 
 
-def _moved(clause: str, place: Placement) -> str:
-    """ "Move it 10 m back": further from ego or closer to it, by where it is."""
+def _moved(clause: str, place: Placement) -> float | None:
+    """ "Move it 10 m back": further from ego or closer to it, by where it is; as a factor."""
     match = re.search(r"^(?:move|shift|push|pull|set|put)\b.*\b(back|forward)(?:s|wards?)?$", clause)
     if not match:
-        return ""
+        return None
     behind = place.position == "behind" or place.along == "behind"
-    return "further" if (match[1] == "back") == behind else "closer"
+    return _factor("further" if (match[1] == "back") == behind else "closer", "further")
 
 
-def _wider(clause: str) -> str:
-    """ "Make the gap bigger"."""
-    more, less = (re.search(_table()[name], clause) for name in ("bigger", "smaller"))
-    return "more" if more else "less" if less else ""
+def _factor(clause: str, rows: str) -> float | None:
+    """What a distance is multiplied by where it is to be another one: "make the gap bigger", "twice as far"."""
+    found = [(m.start(), factor) for pattern, factor in _table()[rows] if (m := re.search(pattern, clause))]
+    return min(found)[1] if found else None
 
 
 def _only_one(structure: Structure) -> Component | None:
@@ -175,9 +161,8 @@ def sides(clause: str, structure: Structure) -> Found | None:
             if spec.type in VEHICLES
             else {"position": "roadside", "side": side}
         )
-    swapped = {"left": "right", "right": "left"}
     turned = side != now
-    phases = tuple(p.model_copy(update={"side": swapped[p.side]}) if p.side and turned else p for p in spec.phases)
+    phases = tuple(p.model_copy(update={"side": OPPOSITE[p.side]}) if p.side and turned else p for p in spec.phases)
     changed = spec.model_copy(
         update={"placement": Placement.model_validate(place.model_dump() | update), "phases": phases}
     )

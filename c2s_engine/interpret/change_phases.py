@@ -26,7 +26,7 @@ def awaited(told: str, structure: Structure) -> Trigger | None:
 
 def afterwards(clause: str, edits: Sequence[Edit], structure: Structure) -> list[Edit]:
     """ "The lead changes lanes before the pedestrian crosses": who is told of behind "before" waits for that."""
-    match = re.match(r"(?P<first>.+?) before (?P<then>(?:the |o\d).+)$", clause)
+    match = re.match(r".+? before (?P<then>(?:the |o\d).+)$", clause)
     waits = refer(match["then"], structure, alone=False) if match else None
     if match is None or waits is None or waits.id == "E" or not (phases := spec_of(waits).phases):
         return []
@@ -52,11 +52,10 @@ def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple
     """What it does from now on: the new phases; behind the old ones where the clause says so; where they only say more
     of an old phase, that one with what is new."""
     if re.search(table()["besides"], clause) and (len(new) == 1 or re.match(table()["afterwards"], clause)):
-        ways = ("go_straight", "turn_left", "turn_right", "u_turn")
-        turns = any(p.action in ways for p in new)
+        turns = any(p.action in WAYS for p in new)
         if old and new and old[-1].action == new[0].action:
             new = new[1:]
-        return (*(p for p in old if not (turns and p.action in ways)), *new)
+        return (*(p for p in old if not (turns and p.action in WAYS)), *new)
     if re.search(r"\bfirst\b", clause) and len(new) == 1 and new[0].action not in WAYS:
         return (*new, *(p for p in old if p.action in WAYS))
     if old and [p.action for p in new] == ["move_along"] and not re.search(r"\balong\b", clause):

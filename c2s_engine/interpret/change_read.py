@@ -218,7 +218,7 @@ def _changes(
         if path == "speed":
             same = _near(value, old[path]) or _near(value, getattr(there.spec, "speed", None))
         if path == "speed" and not re.search(table()["paces"], clause):
-            moves = getattr(there.spec, "speed", None) == 0.0 and bool(now.spec.model_dump()["phases"])
+            moves = getattr(there.spec, "speed", None) == 0.0 and bool(new["phases"])
             same = not moves or not value
         same = same and not (path == "phases" and value and re.search(table()["besides"], clause))
         if same or path in ("name", "component", "model") or (there.id == "R" and path not in PLACE):

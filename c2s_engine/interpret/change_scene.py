@@ -127,16 +127,10 @@ def own_lane(clause: str, structure: Structure) -> Found | None:
     place = structure.place.spec
     if match is None or not isinstance(place, PlaceSpec):
         return None
-    lane = LANES.get(match["lane"], match["lane"])
+    lane = language.table("refine")["ego_lanes"].get(match["lane"], match["lane"])
     update: dict[str, Any] = {"ego_lane": lane, "lanes": max(place.lanes or 0, 3 if lane == "middle" else 2)}
     spec = PlaceSpec.model_validate(place.model_dump() | update)
     return [SetSpec(component="R", spec=spec)], f"ego in the {lane} lane"
-
-
-LANES = {
-    "left": "leftmost", "fast": "leftmost", "inner": "leftmost", "overtaking": "leftmost", "passing": "leftmost",
-    "right": "rightmost", "slow": "rightmost", "outer": "rightmost", "center": "middle", "centre": "middle",
-}  # fmt: skip
 
 
 def ending(clause: str, structure: Structure) -> Found | None:

@@ -7,7 +7,7 @@ import re
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.entities import ZONES, Entity
 from c2s_engine.interpret.mentions import Cast
-from c2s_engine.interpret.towards import side
+from c2s_engine.interpret.towards import OPPOSITE, side
 from c2s_engine.interpret.whereabouts import Where
 
 CLOSERS = ZONES | {"cone", "barrier", "warning_sign"}
@@ -41,7 +41,7 @@ def closed_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str |
 
 def _leaves(closed: str, clauses: Clauses) -> bool:
     """Whether ego changes away from that side, and is not said to be in another lane than the closed one."""
-    away = {"left": "right", "right": "left"}[closed]
+    away = OPPOSITE[closed]
     events = [e for e in clauses.events if e.agent.ego and e.done]
     lanes = re.compile(rf"\b(?:in|on|along) (?:the |its )?(?:{away}|middle|cent(?:er|re))(?:-hand|most)? lane")
     told = any(lanes.search(e.whole) for e in events if e.act not in ("lane_change", "cut_in"))

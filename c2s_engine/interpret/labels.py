@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import PERSONS, Entity
 from c2s_engine.interpret.nouns import Nouns
+from c2s_engine.interpret.scan import Span
 from c2s_engine.interpret.syntax import Word
 
 
@@ -19,27 +21,24 @@ class Labels(Nouns):
         """Whether number 1 is ego although ego has another name: "V1, the subject vehicle"."""
         if not self.strong_ego:
             return not self._one_walks()
-        text = " ".join(
-            "@one"
-            if w.span and w.span.kind == "label" and w.span.data["label"] == "1"
-            else "@ego"
-            if w.span and w.span.kind == "ego"
-            else w.norm
-            for w in self.words
-        )
+        text = self._about_one("@ego", lambda span: span.kind == "ego")
         return bool(re.search(r"@one (,|\(|is|was|being|, which is) (the )?@ego|@ego (,|\(|is|was) ?\(? ?@one", text))
 
     def _one_walks(self) -> bool:
         """Whether number 1 is somebody on foot or on a bicycle: "Unit 1 was a pedestrian"."""
-        text = " ".join(
-            "@one"
-            if w.span and w.span.kind == "label" and w.span.data["label"] == "1"
-            else "@walker"
-            if w.span and w.span.kind == "actor" and w.span.data["type"] in PERSONS | {"bicycle"}
-            else w.norm
-            for w in self.words
-        )
+        slow = PERSONS | {"bicycle"}
+        text = self._about_one("@walker", lambda span: span.kind == "actor" and span.data["type"] in slow)
         return bool(re.search(r"@one (?:,|\(|is|was|:|-) ?(?:an? |the )?(?:[\w-]+ ){0,2}@walker", text))
+
+    def _about_one(self, mark: str, marked: Callable[[Span], bool]) -> str:
+        """The text with number 1 as "@one" and what else is looked for as a mark."""
+
+        def shown(word: Word) -> str:
+            if word.span and word.span.kind == "label" and word.span.data["label"] == "1":
+                return "@one"
+            return mark if word.span and marked(word.span) else word.norm
+
+        return " ".join(shown(w) for w in self.words)
 
     def _labelled(self, word: Word) -> Entity | None:
         data = word.span.data  # type: ignore[union-attr]

@@ -15,7 +15,7 @@ SEEKS = language.words("seeks")
 
 
 NOBODY = ("nobody", "noone", "none")
-DUTIES = ("have", "need", "require", "oblige", "oblige", "suppose", "force")
+DUTIES = ("have", "need", "require", "oblige", "suppose", "force")
 
 
 class Modes(Agents):

@@ -55,15 +55,6 @@ class NotThere:
         own = any(self.words[c].norm in ("a", "an", "the") for c in word.children)
         return no and (bool(joins & {"nor", "or"}) or bool(joins & {"and"}) and not own)
 
-    def _towed(self, word: Word) -> bool:
-        """Whether it is what another pulls: "a tractor pulls a trailer", "a car with a caravan"."""
-        if not re.search(r"(?:trailer|caravan)s?$", word.norm) or word.span is None or word.span.data.get("words"):
-            return False
-        above = self.words[word.head]
-        pulled = word.dep == "dobj" and above.lemma in ("pull", "tow", "haul", "draw", "carry")
-        held = word.dep == "pobj" and above.norm == "with" and self.words[above.head].span is not None
-        return pulled or held
-
     def _halts(self, word: Word) -> bool:
         """Whether traffic is said to come to a stand or to slow down, or how it moves where it is told to be."""
         after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 16] if w.sentence == word.sentence)

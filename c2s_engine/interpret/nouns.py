@@ -18,7 +18,7 @@ COUNTED = re.compile(
     r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units"
     r"|animals|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
 )
-TOWED = language.words("towed")
+TOWED = frozenset(form for word in language.words("towed") for form in (word, *language.plurals(word)))
 MASS = language.words("mass")
 
 
@@ -53,8 +53,8 @@ class Nouns(Attached, NotThere):
             kind = "bicycle"  # "a kid on a scooter"
         if noun in language.table("actors")["riders"] and (mount := self._mount(word)) is not None:
             return mount
-        if noun in TOWED and (tows := self._towing(word)) is not None:
-            return tows
+        if noun in TOWED and (puller := self._puller(word)) is not None:
+            return self.of.get(puller)
         before = self._modifiers(word)
         previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
         if previous in ("other",) and "no" in self._near(word):
@@ -74,7 +74,7 @@ class Nouns(Attached, NotThere):
             return self.me  # "School patrol, 8.25. I walked out ..."
         if word.i in self.wheels:
             return self._retyped(self.wheels[word.i], kind, roles, noun)
-        if self._is_modifier(word) or self._proper(word) or self._towed(word):
+        if self._is_modifier(word) or self._proper(word):
             return None
         if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word) or self._faced(word)):
             return None

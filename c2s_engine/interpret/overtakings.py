@@ -4,11 +4,10 @@ import re
 
 from c2s_engine.interpret.clauses import Clauses
 from c2s_engine.interpret.event import Event
-from c2s_engine.interpret.towards import side
+from c2s_engine.interpret.towards import OPPOSITE, side
 
 BACK = re.compile(r"\b(?:back|again|return\w*|in|re-?join\w*|re-?enter\w*)\b")
 HOME = re.compile(r"\bback\b|\bagain\b|return")
-OPPOSITE = {"left": "right", "right": "left"}
 PART = "part"
 """The mode of what another event tells, too."""
 

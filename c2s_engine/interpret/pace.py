@@ -160,15 +160,19 @@ def _hurries(scene: Scene, entity: Entity, kind: str, placement: Placement) -> b
     return any(e.agent is entity and FAST.search(e.whole) for e in scene.events(entity))
 
 
+def _passed(scene: Scene, entity: Entity) -> list[Entity | None]:
+    return [e.patient for e in scene.clauses.events if e.act == "overtake" and e.agent is entity and e.done]
+
+
 def _passes_what_stands(scene: Scene, entity: Entity) -> bool:
     """Whether all whom it overtakes stand or are things: it need not be faster for that."""
-    passed = [e.patient for e in scene.clauses.events if e.act == "overtake" and e.agent is entity and e.done]
+    passed = _passed(scene, entity)
     return all(p is not None and (not p.mover or bool(p.roles & {"parked", "stationary"})) for p in passed)
 
 
 def _passes_others(scene: Scene, entity: Entity) -> bool:
     """Whether it only overtakes others than ego."""
-    passed = [e.patient for e in scene.clauses.events if e.act == "overtake" and e.agent is entity and e.done]
+    passed = _passed(scene, entity)
     return bool(passed) and all(p is not None and not p.ego for p in passed)
 
 

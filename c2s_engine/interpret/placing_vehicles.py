@@ -9,6 +9,7 @@ from c2s_engine.interpret.mentions import Entity
 from c2s_engine.interpret.overtakings import PART
 from c2s_engine.interpret.relations import Where, side_of_text
 from c2s_engine.interpret.scene import Scene, side
+from c2s_engine.interpret.towards import OPPOSITE
 from c2s_engine.structure.specs import PlaceSpec
 
 PARTLY = re.compile(r"\b(partly|partially|half|part) [^;]*\b(lane|road|carriageway)\b")
@@ -24,7 +25,6 @@ ON_SIDE = re.compile(
 BY_ITS_SIDE = re.compile(
     r"\bto (?:the )?@ego 's (?:immediate )?(?:left|right)\b|\bto the (?:left|right) of (?:the )?@ego\b"
 )
-OPPOSITE = {"left": "right", "right": "left"}
 
 
 def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:

@@ -114,8 +114,6 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         return "they"
     if text in ALONE and verb and _finite(verb[1]) and OPENS.search(plain[max(0, start - 12) : start]):
         return "he"
-    if text in STRUCK and regex.search(r"\b(?:and|then|but|\w+ly)\s+$", plain[max(0, start - 16) : start]):
-        return "struck"  # "failed to stop and rear-ended V1"
     lets = before is not None and text in language.word_list("motion") | language.word_list("base")
     if lets and LETS.search(plain[max(0, start - 48) : start]):
         return "go"
@@ -125,7 +123,7 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         return "walking" if person else "passing"
     if text == "merging" and mover and MERGES.match(plain[start + 7 : start + 20]):
         return "passing"
-    if text in ("rear-ended", "sideswiped", "side-swiped", "t-boned", "broadsided"):
+    if text in STRUCK:
         return "struck"
     if text in ("changes", "switches", "swaps") and before is not None and LANES.match(plain[start + len(text) :]):
         return "takes"

@@ -41,8 +41,8 @@ def _by_time(event: Event) -> float | None:
         return None
     both = next((q for q in event.quantities if "second" in q), None)
     start = both["first"] if both is not None else None
-    if start is None and (told := re.search(r"\bfrom #speed\b", event.whole)) is not None:
-        start = next((q["low"] for q in event.quantities if q["dimension"] == "speed" and told), None)
+    if start is None and re.search(r"\bfrom #speed\b", event.whole):
+        start = next((q["low"] for q in event.quantities if q["dimension"] == "speed"), None)
     end = both["second"] if both is not None else target_speed(event) if event.act == "brake" else 0.0
     if start is None or end is None or start == end:
         return None

@@ -4,6 +4,10 @@ import re
 
 from c2s_engine.interpret.event import Event
 
+OPPOSITE = {"left": "right", "right": "left"}
+"""The other side."""
+
+
 ORIGIN = re.compile(
     r"\b(?:from|out of) (?:the |its |a |an )?(?:[\w-]+ ){0,2}(?:lane|path|track|bay|shoulder|space|strip)"
     r" (?:on|to|at) (?:the |its )(?P<side>left|right)\b(?! lane)"
@@ -37,4 +41,4 @@ def side(event: Event) -> str | None:
             if re.search(r"from (the |its |@\w+ 's )?$", before):
                 continue
             return match[1]
-    return event.side or ({"left": "right", "right": "left"}[origin["side"]] if origin else None)
+    return event.side or (OPPOSITE[origin["side"]] if origin else None)

@@ -25,9 +25,9 @@ def unsaid(cast: Cast, clauses: Clauses) -> None:
 def _by_the_other(cast: Cast, event: Event) -> None:
     """ "V1 was struck": not by itself."""
     word = cast.words[event.word]
-    struck = [cast.of.get(c) for c in word.children if cast.words[c].dep == "nsubjpass"]
     if word.lemma not in STRIKES:
         return
+    struck = [cast.of.get(c) for c in word.children if cast.words[c].dep == "nsubjpass"]
     told = any(cast.words[c].dep == "agent" or cast.words[c].norm == "by" for c in word.children)
     if struck and struck[0] is event.agent and event.patient is not None and event.patient.mover and not told:
         event.agent, event.patient = event.patient, event.agent

@@ -44,6 +44,15 @@ def value_of(structure: Structure, path: str) -> Any:
     return found
 
 
+def becomes(before: Structure, text: str, expected: dict[str, Any]) -> None:
+    """A demand changes these fields, and nobody comes or goes."""
+    now = after(before, text)
+    for path, wanted in expected.items():
+        found = value_of(now, path)
+        assert found == pytest.approx(wanted, abs=0.06) if isinstance(wanted, float) else found == wanted
+    assert now.ids == before.ids
+
+
 @pytest.mark.parametrize(
     ("scene", "text", "expected"),
     [
@@ -132,12 +141,7 @@ def value_of(structure: Structure, path: str) -> Any:
     ],
 )
 def test_what_it_becomes(read, scene: str, text: str, expected: dict[str, Any]) -> None:
-    before = read(scene)
-    now = after(before, text)
-    for path, wanted in expected.items():
-        found = value_of(now, path)
-        assert found == pytest.approx(wanted, abs=0.06) if isinstance(wanted, float) else found == wanted
-    assert now.ids == before.ids
+    becomes(read(scene), text, expected)
 
 
 @pytest.mark.parametrize(
@@ -271,9 +275,4 @@ def test_ego_waits_at_its_own_red_light(read) -> None:
     ],
 )
 def test_notes_of_several_demands(read, scene: str, text: str, expected: dict[str, Any]) -> None:
-    before = read(scene)
-    now = after(before, text)
-    for path, wanted in expected.items():
-        found = value_of(now, path)
-        assert found == pytest.approx(wanted, abs=0.06) if isinstance(wanted, float) else found == wanted
-    assert now.ids == before.ids
+    becomes(read(scene), text, expected)

@@ -4,10 +4,11 @@ import re
 from dataclasses import dataclass, field
 from typing import Any
 
-from c2s_engine.interpret import compose, typologies, unmet
+from c2s_engine.interpret import typologies
+from c2s_engine.interpret.composing import compose, unmet
 from c2s_engine.interpret.entities import VEHICLES
+from c2s_engine.interpret.reading.spelling import Mended
 from c2s_engine.interpret.scene import Scene
-from c2s_engine.interpret.spelling import Mended
 from c2s_engine.structure.components import Structure, Unmet
 
 OF_THE_ROAD = re.compile(

@@ -2,14 +2,15 @@
 
 from dataclasses import dataclass, field
 
-from c2s_engine.interpret import environment, scan, syntax
-from c2s_engine.interpret.clauses import Clauses
-from c2s_engine.interpret.event import Event
-from c2s_engine.interpret.mentions import Cast, Entity
-from c2s_engine.interpret.place import Road
-from c2s_engine.interpret.relations import Places, Where
-from c2s_engine.interpret.settings import Settings
-from c2s_engine.interpret.towards import side
+from c2s_engine.interpret.reading import scan, syntax
+from c2s_engine.interpret.surroundings import environment
+from c2s_engine.interpret.surroundings.place import Road
+from c2s_engine.interpret.surroundings.settings import Settings
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.what.towards import side
+from c2s_engine.interpret.where.relations import Places, Where
+from c2s_engine.interpret.who.mentions import Cast, Entity
 
 __all__ = ["ACTIVE", "Scene", "side"]
 

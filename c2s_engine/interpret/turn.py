@@ -4,9 +4,11 @@ import re
 from dataclasses import dataclass, field
 from typing import Literal
 
-from c2s_engine.interpret import language, refine, retold, scan
-from c2s_engine.interpret.refer import refer
-from c2s_engine.interpret.spelling import Mended
+from c2s_engine.interpret import language
+from c2s_engine.interpret.changes import refine, retold
+from c2s_engine.interpret.changes.refer import refer
+from c2s_engine.interpret.reading import scan
+from c2s_engine.interpret.reading.spelling import Mended
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit
 

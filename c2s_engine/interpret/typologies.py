@@ -2,8 +2,9 @@
 
 import re
 
-from c2s_engine.interpret import language, scan, understanding
+from c2s_engine.interpret import language, understanding
 from c2s_engine.interpret.entities import PERSONS, VEHICLES, Entity
+from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.scene import Scene
 
 SAYS_MORE = re.compile(

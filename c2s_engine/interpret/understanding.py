@@ -1,20 +1,21 @@
 """All stages up to the scene, in their order."""
 
-from c2s_engine.interpret import amounts, division, environment, letters, place, scan, syntax
-from c2s_engine.interpret.casting import actors
-from c2s_engine.interpret.clauses import Clauses
-from c2s_engine.interpret.foretold import foretold
-from c2s_engine.interpret.headlines import headline
-from c2s_engine.interpret.mentions import Cast
-from c2s_engine.interpret.passives import unnamed_doers
-from c2s_engine.interpret.protagonist import choose_ego
-from c2s_engine.interpret.relations import Places
+from c2s_engine.interpret.reading import amounts, division, letters, scan, syntax
+from c2s_engine.interpret.roles.casting import actors
+from c2s_engine.interpret.roles.protagonist import choose_ego
 from c2s_engine.interpret.scene import Scene
-from c2s_engine.interpret.sense import rules_of_sense
-from c2s_engine.interpret.settings import SettingsDetector
-from c2s_engine.interpret.speeds import speeds
-from c2s_engine.interpret.struck import pushed, twice
-from c2s_engine.interpret.unsaid import unsaid
+from c2s_engine.interpret.speed.speeds import speeds
+from c2s_engine.interpret.surroundings import environment, place
+from c2s_engine.interpret.surroundings.settings import SettingsDetector
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.headlines import headline
+from c2s_engine.interpret.what.passives import unnamed_doers
+from c2s_engine.interpret.what.sense import rules_of_sense
+from c2s_engine.interpret.what.unsaid import unsaid
+from c2s_engine.interpret.where.relations import Places
+from c2s_engine.interpret.where.struck import pushed, twice
+from c2s_engine.interpret.who.foretold import foretold
+from c2s_engine.interpret.who.mentions import Cast
 
 
 def understand(text: str) -> Scene:

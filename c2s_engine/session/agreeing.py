@@ -32,7 +32,7 @@ def agreeing(structure: Structure) -> Structure:
 
 def _simpler(structure: Structure, problem: ResolveError) -> Structure | None:
     """With one thing less, so that the contradiction is gone; else so that it is another one."""
-    from c2s_engine.interpret.refine import described
+    from c2s_engine.interpret.changes.refine import described
 
     other = None
     for cid, what, edit in _edits(structure, problem):

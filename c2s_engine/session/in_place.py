@@ -234,7 +234,7 @@ class _Work:
 
 def _told_anew(structure: Structure, component: Component, spec: Any) -> str:
     """The sentence of an object whose spec is another; one that was not made from the spec stays."""
-    from c2s_engine.interpret import describe
+    from c2s_engine.interpret.composing import describe
 
     names = {c.id: c.spec.name for c in structure.objects}  # type: ignore[union-attr]
     made = describe.obj(component.spec, names)  # type: ignore[arg-type]

@@ -91,7 +91,7 @@ class ModelMethod:
         a sentence of the user's keeps it."""
         if not self.reads_sentences:
             return []
-        from c2s_engine.interpret.refine import described
+        from c2s_engine.interpret.changes.refine import described
 
         kept = {c.id for c in after.components if c.id in before and before[c.id].description != c.description}
         return [edit for edit in described(before, after) if getattr(edit, "component", None) not in kept]

@@ -2,7 +2,7 @@
 
 import pytest
 
-from c2s_engine.interpret.demands import demands, whole
+from c2s_engine.interpret.changes.demands import demands, whole
 from c2s_engine.interpret.turn import route
 from c2s_engine.structure.edits import apply
 

@@ -4,8 +4,8 @@ from typing import Any
 
 import pytest
 
-from c2s_engine.interpret import notation
-from c2s_engine.interpret.rewritten import Rewritten
+from c2s_engine.interpret.reading import notation
+from c2s_engine.interpret.reading.rewritten import Rewritten
 from c2s_engine.structure.components import Structure
 
 

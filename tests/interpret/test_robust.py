@@ -5,7 +5,7 @@ from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 from c2s_engine.interpret import EmbeddedInterpreter, InterpretError
-from c2s_engine.interpret.spelling import Mended
+from c2s_engine.interpret.reading.spelling import Mended
 from c2s_engine.structure.components import Structure
 
 STRANGE = [

@@ -4,7 +4,7 @@ from typing import get_args
 
 import pytest
 
-from c2s_engine.interpret import describe
+from c2s_engine.interpret.composing import describe
 from c2s_engine.interpret.language import table
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec, SettingsSpec

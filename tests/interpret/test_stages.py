@@ -3,8 +3,9 @@
 
 import pytest
 
-from c2s_engine.interpret import amounts, division, scan, understanding
-from c2s_engine.interpret.spelling import Mended
+from c2s_engine.interpret import understanding
+from c2s_engine.interpret.reading import amounts, division, scan
+from c2s_engine.interpret.reading.spelling import Mended
 
 
 def quantity(text: str) -> tuple[str, float, float]:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from c2s_engine.interpret.spelling import Mended
+from c2s_engine.interpret.reading.spelling import Mended
 
 
 @pytest.mark.parametrize(

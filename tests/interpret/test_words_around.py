@@ -2,7 +2,8 @@
 
 import pytest
 
-from c2s_engine.interpret import environment, scan
+from c2s_engine.interpret.reading import scan
+from c2s_engine.interpret.surroundings import environment
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ import re
 from collections.abc import Awaitable, Callable, Sequence
 from typing import Literal
 
-from c2s_engine.interpret import refer
+from c2s_engine.interpret.changes import refer
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.messages import question
 from c2s_engine.structure.components import Component, Structure

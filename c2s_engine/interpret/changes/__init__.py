@@ -1,0 +1,1 @@
+"""What is typed to change a scene: demands become edits of S."""

@@ -1,0 +1,145 @@
+"""The single demands of what somebody types to change a scene, each made whole.
+
+"I'd like the lead to be a truck, because ..., and it drives 60 km/h" has two: what only gives a reason is left out, and
+"it" is whom the one before was about.
+"""
+
+import re
+from functools import cache
+from typing import Any
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.changes.refer import refer
+from c2s_engine.interpret.reading import scan
+from c2s_engine.structure.components import ComponentId, Structure
+
+
+@cache
+def _table() -> dict[str, Any]:
+    return {**language.table("refine")["demands"]}
+
+
+def demands(text: str) -> list[str]:
+    """The demands of a text, in order, as plain text."""
+    plain = " ".join(scan.normalised(text).replace("?", " ").replace("!", " ").split())
+    plain = re.sub(_table()["moment"], "when ", plain)
+    found: list[str] = []
+    for sentence in re.split(r"(?:[.;:]\s+|\.$)", plain):
+        found += [d for part in _folded(_parts(sentence)) if (d := _bare(part))]
+    return found
+
+
+def whole(demand: str, before: str, topic: ComponentId | None) -> str:
+    """A demand with what it leaves out: "it" and a bare verb are about whom the one before was (`topic`), "the child
+    too" has what was said there, "and the van a truck" its verb, and a bare number its unit.
+    """
+    table = _table()
+    who = "ego" if topic == "E" else (topic or "").lower()
+    if who:
+        demand = re.sub(table["objects"], rf"\g<1>{who}", demand)
+    for pattern, said in table["told_as"]:
+        demand = re.sub(pattern, said, demand)
+    if who:
+        demand = re.sub(r"^to (?=down to )", f"{who} brakes ", re.sub(r"^to (?=up to )", f"{who} accelerates ", demand))
+        if re.match(r"(?:about |around )?\d[\d.]* ?[a-z]+ (?:between|apart|of space)", demand):
+            demand = f"{who} with {demand}"
+        demand = re.sub(r"^(then )?(?:it|he|she|they)\b", rf"\g<1>{who}", demand)
+        if not re.search(table["owned"], demand) or not scan.names(demand):
+            demand = re.sub(table["owned"], f"{who}'s", demand)
+        demand = re.sub(r"\b(for|of|with|by|to) (?:it|them|him|her)$", rf"\g<1> {who}", demand)
+        demand = re.sub(table["made"], f"{who} will ", demand)
+        demand = re.sub(table["moved"], rf"\g<1>{who}", demand)
+        if who == "ego":
+            demand = re.sub(table["lets"], "ego lets ", demand)
+        demand = re.sub(table["subjectless"], rf"\g<1>{who} ", demand)
+        demand = re.sub(table["infinitive"], rf"\g<1>{who} will ", demand)
+    if (side := re.search(r"\b(?:from|on) the (left|right)\b", before)) and not re.search(
+        r"\b(?:left|right)\b", demand
+    ):
+        demand = re.sub(r"\b(from|on) (?:there|the same side|that side)\b", rf"\g<1> the {side[1]}", demand)
+    named = scan.names(before)
+    if (too := re.match(table["as_well"], demand)) and named and scan.names(demand):
+        head = re.sub(r"\b(?:the|an?|my|our)\s*$", "", before[: named[0].start])
+        return f"{head}{too['who']}{before[named[0].end :]}"
+    if (way := re.match(table["other_way"], demand)) and re.search(r"\bturns?\b", before):
+        return f"{way['who']} {'goes' if way['way'] == 'straight' else 'turns'} {way['way']}"
+    if (elided := re.match(table["elided"], demand)) and re.search(table["becomes"], before):
+        return f"make {elided['who']} {elided['what']}"
+    bare = any(re.search(p, before) for p in language.table("refine")["pace"]["bare"])
+    if bare and re.match(r"(?:the |ego\b|o\d).*[a-z] \d{2,3}$", demand):
+        return f"{demand} km/h"
+    unit = None if re.search(r"\b(?:distance|gap|headway)\b", demand) else re.search(table["unit"], before)
+    return f"{demand} {unit[1]}" if unit and re.search(r"[a-z] \d+$", demand) else demand
+
+
+def topic_of(demand: str, structure: Structure) -> ComponentId | None:
+    """Whom a demand is about."""
+    found = refer(demand, structure, alone=False)
+    return found.id if found is not None else None
+
+
+def _parts(sentence: str) -> list[str]:
+    table = _table()
+    starts, contrast, there = table["starts"], table["contrast"], table["there"]
+    sentence = re.sub(table["reasoned"], "", sentence)
+    if joint := re.match(table["jointly"], sentence):
+        return [f"{joint[name]} {joint['rest']}" for name in ("one", "other")]
+    bounds = (
+        r"\s+with (?=ego (?:in|on|at)\b)",
+        table["apart"],
+        r"\s*,\s+(?:and |but )?",
+        rf"\s+(?:and|but)\s+(?=(?:then )?{starts})",
+        rf"\s+but\s+(?={contrast})",
+        rf"(?<!only)\s+(?=then {starts})",
+        rf"\s+{there}",
+    )
+    sentence = re.sub(r"\b(both|between) ((?:the )?[\w-]+) and ", r"\1 \2 & ", sentence)
+    return [part.replace(" & ", " and ") for part in re.split("|".join(bounds), sentence)]
+
+
+def _folded(parts: list[str]) -> list[str]:
+    """Parts without reasons; a clause of time stays with what it is about, a participle with what stands before it."""
+    table = _table()
+    found: list[str] = []
+    ahead = ""
+    for part in (p.strip() for p in parts):
+        if re.match(table["so"], part) and not re.match(table["reason"], part):
+            adds = language.table("refine")["told"]["adds"]
+            found, ahead = [d for d in found if re.search(table["demanding"], d) or re.match(adds, found[0])], ""
+        if (
+            not part
+            or re.match(table["reason"], part)
+            or re.match(table["given_up"], part)
+            or re.match(table["kept"], part)
+        ):
+            continue
+        if re.match(table["subordinate"], part) and not found or re.match(table["in_place"], part):
+            ahead = f"{ahead}{part}, "
+        elif found and (enough := re.match(table["enough"], part)):
+            found[-1] = f"{found[-1]}, {enough['what']}"
+        elif found and (
+            re.match(table["continues"], part)
+            or re.match(table["infinitive"], part)
+            and not part.startswith("then")
+            and re.search(table["does"], found[-1])
+        ):
+            found[-1] = f"{found[-1]}, {part}"
+        else:
+            found.append(ahead + part)
+            ahead = ""
+    demanded = [d for d in found if re.search(table["demanding"], d)]
+    if demanded:
+        found = [d for d in found if d in demanded or not re.search(table["judges"], d)]
+    return found or ([ahead.strip(", ")] if ahead else [])
+
+
+def _bare(part: str) -> str:
+    """A demand without how it is put."""
+    table = _table()
+    part = part.strip(" .,;")
+    asked = re.sub(table["openers"], "", part)
+    if asked != part:
+        asked = re.sub(table["wants"], r"\g<who> will ", asked)
+    part = asked
+    part = re.sub(table["same_but"], r"\g<what> instead", part)
+    return re.sub(table["closers"], "", part).strip(" .,;")

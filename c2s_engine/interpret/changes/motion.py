@@ -1,0 +1,233 @@
+"""Changes of where somebody is and how ego reacts: distance, side, reaction."""
+
+import re
+from typing import Any
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of, quantity_of, value_of, without_unit
+from c2s_engine.interpret.changes.refer import names_a_stranger, refer, spec_of
+from c2s_engine.interpret.reading import scan
+from c2s_engine.interpret.what.towards import OPPOSITE
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.edits import SetField, SetSpec
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement
+
+
+def _table() -> dict[str, Any]:
+    found: dict[str, Any] = language.table("refine")
+    return found
+
+
+def distance(clause: str, structure: Structure) -> Found | None:
+    """ "20 m further away", "10 m closer", "at 30 m", "set the gap to 40 m", "twice as far"."""
+    told = re.sub(_table()["told"]["meanwhile"], " ", clause)
+    quantity = quantity_of(told, "distance") or without_unit(clause, _table()["bare_distances"], 1.0)
+    if quantity is None and (found := _in_time(told, structure)):
+        return found
+    relative, wider = _factor(clause, "further"), _factor(clause, "wider")
+    if (
+        quantity is None
+        and not (wider and re.search(r"\b(?:gap|distance|headway|spac)", clause))
+        and (relative is None or not re.search(r"away|closer|nearer|gap|distance|far|ahead|behind", clause))
+    ):
+        return None
+    if names_a_stranger(clause, structure) or re.search(_table()["no_gap"], clause):
+        return None
+    component = refer(clause, structure)
+    if component is None or component.id == "E":
+        component = _only_one(structure)
+    if component is None or re.search(_table()["of_the_road"], clause):
+        return None
+    spec = spec_of(component)
+    between = re.search(r"\bbetween (?:the |each |them\b|one )|\bapart\b", clause)
+    if between and spec.count > 1 and quantity is None and wider:
+        usual = middle(spec.spacing) if spec.spacing is not None else 3.0
+        apart = round(usual * wider, 1)
+        edit = SetField(component=component.id, path="spacing", value=apart)
+        return [edit], f"{name_of(component)}: {apart:g} m between them"
+    if between and spec.count > 1 and quantity is not None:
+        edit = SetField(component=component.id, path="spacing", value=value_of(quantity))
+        return [edit], f"{name_of(component)}: {quantity['low']:g} m between them"
+    if quantity is not None and not re.search(_table()["so_much_further"], clause):
+        relative = None  # a distance to have, not one more or less
+    factor = relative or _moved(clause, spec.placement) or wider
+    now = spec.placement.gap
+    base = middle(now) if now is not None else 25.0
+    value: Any
+    if quantity is None:
+        value = round(max(2.0, base * (factor or 1.0)), 1)
+    elif factor is None:
+        value = value_of(quantity)
+    else:
+        value = round(max(2.0, base + quantity["low"] * (1 if factor > 1 else -1)), 1)
+    return [
+        SetField(component=component.id, path="placement.gap", value=value)
+    ], f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
+
+
+def _in_time(clause: str, structure: Structure) -> Found | None:
+    """ "A following distance of 1.5 s", "reduce the gap to the van to about 1 second": so far at the speed of whom
+    follows."""
+    seconds = quantity_of(clause, "time")
+    if seconds is None or not re.search(_table()["time_gap"], clause) or names_a_stranger(clause, structure):
+        return None
+    named = refer(re.sub(r"\bego\b", " ", clause), structure)
+    component = named if named is not None and named.id != "E" else _followed(structure)
+    if component is None:
+        return None
+    spec = spec_of(component)
+    behind = spec if spec.placement.position == "behind" else structure.ego.spec
+    now = getattr(behind, "speed", None)
+    if not now or re.search(r"\b(?:by|more|less|longer|shorter)\b.*\d", clause):
+        return None
+    metres = [round(seconds[end] * middle(now), 1) for end in ("low", "high")]
+    value: Any = metres[0] if metres[0] == metres[1] else metres
+    edit = SetField(component=component.id, path="placement.gap", value=value)
+    return [edit], f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
+
+
+def _followed(structure: Structure) -> Component | None:
+    """Whom ego follows, or who is ahead of it."""
+    assert isinstance(structure.ego.spec, EgoSpec)
+    followed = {p.target for p in structure.ego.spec.phases if p.action == "follow"}
+    for other in structure.objects:
+        if other.id in followed or not followed and spec_of(other).placement.position == "ahead":
+            return other
+    return None
+
+
+def _moved(clause: str, place: Placement) -> float | None:
+    """ "Move it 10 m back": further from ego or closer to it, by where it is; as a factor."""
+    match = re.search(r"^(?:move|shift|push|pull|set|put)\b.*\b(back|forward)(?:s|wards?)?$", clause)
+    if not match:
+        return None
+    behind = place.position == "behind" or place.along == "behind"
+    return _factor("further" if (match[1] == "back") == behind else "closer", "further")
+
+
+def _factor(clause: str, rows: str) -> float | None:
+    """What a distance is multiplied by where it is to be another one: "make the gap bigger", "twice as far"."""
+    found = [(m.start(), factor) for pattern, factor in _table()[rows] if (m := re.search(pattern, clause))]
+    return min(found)[1] if found else None
+
+
+def _only_one(structure: Structure) -> Component | None:
+    return structure.objects[0] if structure.objects else None
+
+
+MIRROR = {
+    "left": {"right_lane": "left_lane", "crossing_right": "crossing_left"},
+    "right": {"left_lane": "right_lane", "crossing_left": "crossing_right"},
+}
+
+
+def sides(clause: str, structure: Structure) -> Found | None:
+    """ "Start from the left", "the pedestrian comes from the right", "on the other side"."""
+    match = re.search(
+        r"\b(?:from|on|to|at|in)(?: the| its)? (left|right|other|opposite)(?:-hand)?(?: side| lane| hand)?\b", clause
+    )
+    if not match or re.search(r"\bturn|\bchange|\bsteer|\bswerv|\bavoid|\bevad", clause):
+        return None
+    component = refer(clause, structure)
+    own = component is not None and component.id == "E" and re.match(r"(?:put |move )?ego\b", clause)
+    if own or names_a_stranger(clause, structure):
+        return None
+    if component is None or component.id == "E":
+        sided = [
+            c
+            for c in structure.objects
+            if spec_of(c).placement.side or spec_of(c).placement.position in (*MIRROR["left"], *MIRROR["right"])
+        ]
+        component = sided[0] if sided else _only_one(structure)
+    if component is None:
+        return None
+    spec = spec_of(component)
+    place = spec.placement
+    now = place.side or ("left" if "left" in place.position else "right" if "right" in place.position else "right")
+    side = match[1] if match[1] in ("left", "right") else ("left" if now == "right" else "right")
+    update: dict[str, Any] = {"position": MIRROR[side].get(place.position, place.position)}
+    if place.side is not None or place.position in (
+        "roadside",
+        "sidewalk",
+        "parked",
+        "partly_in_lane",
+        "beside",
+        "intersection_exit",
+    ):
+        update["side"] = side
+    if update["position"] in ("ahead", "behind"):
+        update |= (
+            {"position": f"{side}_lane", "along": place.position}
+            if spec.type in VEHICLES
+            else {"position": "roadside", "side": side}
+        )
+    turned = side != now
+    phases = tuple(p.model_copy(update={"side": OPPOSITE[p.side]}) if p.side and turned else p for p in spec.phases)
+    changed = spec.model_copy(
+        update={"placement": Placement.model_validate(place.model_dump() | update), "phases": phases}
+    )
+    return [SetSpec(component=component.id, spec=changed)], f"{name_of(component)} on the {side}"
+
+
+def reaction(clause: str, structure: Structure) -> Found | None:
+    """ "Ego does not brake", "ego swerves": how ego reacts."""
+    body = re.sub(r"^(?:let|have|make)\s+", "", clause)
+    body = re.sub(r"\b(should|shall|must|has to|is to|will|now|instead)\b ?", "", body).strip()
+    component = refer(body, structure)
+    if component is None:
+        return None
+    if component.id == "E":
+        if re.search(r"(not|n't|never|without) (brak|react|stop)|no reaction|ignores", clause):
+            return [
+                SetField(component="E", path="reaction", value="none"),
+                SetField(component="E", path="hard", value=False),
+            ], "ego does not react"
+        if re.search(r"evade|swerve|steer|avoid|change lane|lane change", body):
+            return [SetField(component="E", path="reaction", value="evade")], "ego evades"
+        if re.search(r"\bbrak|\bstop", body):
+            hard = bool(re.search(r"hard|emergency|sharply|suddenly|full", body))
+            return [
+                SetField(component="E", path="reaction", value="brake"),
+                SetField(component="E", path="hard", value=hard),
+            ], f"ego brakes{' hard' if hard else ''}"
+        if re.search(r"\bfollow", body):
+            return [SetField(component="E", path="reaction", value="follow")], "ego follows"
+        if re.search(r"yield|give way|wait", body):
+            return [SetField(component="E", path="reaction", value="yield")], "ego yields"
+    return None
+
+
+def rate(clause: str, structure: Structure) -> Found | None:
+    """ "Brake rate 8 m/s2", "make the car brake harder": how hard somebody does what he does."""
+    table = _table()["rates"]
+    wanted = quantity_of(clause, "acceleration")
+    change = next((f for pattern, f in table["factors"] if re.search(pattern, clause)), None)
+    actions = next((a for pattern, a in table["actions"] if re.search(pattern, clause)), ())
+    if not actions and not scan.names(clause):
+        actions = table["actions"][0][1]
+    if not actions or wanted is None and change is None:
+        return None
+    doing = [c for c in (structure.ego, *structure.objects) if any(p.action in actions for p in _phases(c))]
+    named = refer(clause, structure, alone=False)
+    component = named if named in doing else doing[0] if doing and named is None else None
+    if component is None:
+        return None
+    phases = tuple(
+        p.model_copy(update={"rate": value_of(wanted) if wanted else _times(p, change or 1.0)})
+        if p.action in actions
+        else p
+        for p in _phases(component)
+    )
+    shown = next(p.rate for p in phases if p.action in actions)
+    edit = SetField(component=component.id, path="phases", value=phases)
+    return [edit], f"{name_of(component)}: {middle(shown or 0.0):.1f} m/s2"
+
+
+def _phases(component: Component) -> tuple[Phase, ...]:
+    return component.spec.phases if isinstance(component.spec, EgoSpec | ObjectSpec) else ()
+
+
+def _times(phase: Phase, factor: float) -> float:
+    usual = float(language.table("defaults")["rates"]["soft"]["value"])
+    return round(min(9.0, max(0.5, (middle(phase.rate) if phase.rate else usual) * factor)), 2)

@@ -1,0 +1,222 @@
+"""Changes of who is there: removed, replaced, added."""
+
+import re
+from typing import Any
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of
+from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
+from c2s_engine.interpret.reading import scan
+from c2s_engine.interpret.surroundings import environment
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.edits import Edit, RemoveObject, SetField, SetSpec, apply
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+
+
+def remove(clause: str, structure: Structure) -> Found | None:
+    """ "Remove the rain", "without the cyclist", "delete O2", "remove everything but the pedestrian"."""
+    if alone := _all_but(clause, structure):
+        return alone
+    match = next((m for p in language.table("refine")["removes"] if (m := re.match(p, clause))), None)
+    if not match:
+        return None
+    rest = match["what"]
+    sky = environment.weather(rest, [(0, len(rest))])
+    if sky and not scan.names(rest):
+        return _without_weather([f.value for f in sky], structure)
+    if re.match(r"(traffic )?lights?|signals?$", rest):
+        return [SetField(component="R", path="control", value="none")], "no traffic lights"
+    if re.match(r"weather", rest):
+        return [SetField(component="G", path="weather", value=[])], "clear weather"
+    component = refer(rest, structure)
+    if component is None or component.id == "E" or re.search(r"\bother (traffic|vehicles|cars|road users)\b", rest):
+        return None
+    return [*_release(component, structure), RemoveObject(component=component.id)], f"{name_of(component)} removed"
+
+
+def _all_but(clause: str, structure: Structure) -> Found | None:
+    match = next((m for p in language.table("refine")["all_but"] if (m := re.match(p, clause))), None)
+    names = re.split(r",? and | , |, ", match["kept"]) if match else []
+    kept = [refer(name, structure, alone=False) for name in names]
+    if not kept or None in kept:
+        return None
+    stay = {c.id for c in kept if c is not None}
+    edits: list[Edit] = []
+    for component in structure.objects:
+        if component.id not in stay:
+            gone = [*_release(component, structure), RemoveObject(component=component.id)]
+            for edit in gone:
+                structure = apply(structure, edit)
+            edits += gone
+    said = ", ".join(name_of(c) for c in kept if c is not None and c.id != "E")
+    return (edits, f"only {said} stays" if said else "only ego stays") if edits else None
+
+
+def _without_weather(values: list[str], structure: Structure) -> Found:
+    wet = {"rain": {"rain", "heavy_rain", "wet"}, "heavy_rain": {"rain", "heavy_rain", "wet"}}
+    gone = set().union(*(wet.get(v, {v}) for v in values))
+    left = [w for w in structure.settings.spec.weather if w not in gone]  # type: ignore[union-attr]
+    edits: list[Edit] = [SetField(component="G", path="weather", value=left)]
+    if structure.settings.spec.preset:  # type: ignore[union-attr]
+        edits.append(SetField(component="G", path="preset", value=None))
+    return edits, f"no {' or '.join(v.replace('_', ' ') for v in values)}"
+
+
+def _release(component: Component, structure: Structure) -> list[Edit]:
+    """Edits that make the others refer to ego instead of a component that goes."""
+    edits: list[Edit] = []
+    for other in structure.components:
+        if other.id == component.id or not isinstance(other.spec, ObjectSpec | EgoSpec):
+            continue
+        spec = other.spec
+        phases = tuple(
+            p.model_copy(
+                update={
+                    "target": None if p.target == component.id else p.target,
+                    "trigger": None if p.trigger and p.trigger.of == component.id else p.trigger,
+                }
+            )
+            for p in spec.phases
+            if not (p.target == component.id and p.action in ("follow", "overtake", "collide", "yield"))
+        )
+        update: dict[str, Any] = {"phases": phases}
+        if isinstance(spec, EgoSpec):
+            if spec.react_to == component.id:
+                update |= {"react_to": None}
+        else:
+            place = spec.placement
+            update["placement"] = place.model_copy(
+                update={
+                    "of": "ego" if place.of == component.id else place.of,
+                    "hidden_by": None if place.hidden_by == component.id else place.hidden_by,
+                }
+            )
+        changed = spec.model_copy(update=update)
+        if changed != spec:
+            edits.append(SetSpec(component=other.id, spec=changed))
+    return edits
+
+
+def retype(clause: str, structure: Structure) -> Found | None:
+    """ "Make the lead a truck", "a bus instead of the van", "two cyclists instead", "replace O1 with a deer"."""
+    known = [s for s in scan.names(clause) if s.kind == "actor" and (s.data["type"] not in ("vehicle", "rider"))]
+    table = language.table("refine")
+    for pattern in table["retypes"]:
+        match = re.match(pattern, clause)
+        if not match:
+            continue
+        named = [s for s in known if match.start("what") <= s.start < match.end("what")]
+        if not named:
+            continue
+        kind, plural = named[0].data["type"], named[0].data["plural"]
+        if pattern == table["how_many"] and (not objects_of(structure, kind) or re.search(r"\bmore\b", match["what"])):
+            continue
+        who = match.groupdict().get("who")
+        if who and re.search(table["unfinished"], who):
+            continue
+        alike = not who or who in ("it", "that", "this", "one", "just one", "only one", "a single one")
+        component = _akin(kind, structure) if alike else refer(who, structure)
+        if component is None:
+            return None
+        if component.id == "E":
+            if kind not in VEHICLES:
+                return None
+            typed: list[Edit] = [
+                SetField(component="E", path="type", value=kind),
+                SetField(component="E", path="model", value=None),
+            ]
+            more, said = _rest(match.groupdict().get("rest"), "ego", typed, structure)
+            return [*typed, *more], "; ".join([f"ego is a {kind.replace('_', ' ')}", *said])
+        edits: list[Edit] = [SetSpec(component=component.id, spec=_typed(spec_of(component), kind))]
+        count = _count_of(match["what"], spec_of(component).count) if plural else 1
+        if count != spec_of(component).count:
+            edits.append(SetField(component=component.id, path="count", value=count))
+        noun = kind.replace("_", " ")
+        what = f"{count} {language.plurals(noun)[0]}" if count > 1 else f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
+        other = _besides(who or "", component, structure)
+        if other is not None:
+            now = structure
+            for one in edits:
+                now = apply(now, one)
+            edits += [*_release(other, now), RemoveObject(component=other.id)]
+        more, said = _rest(match.groupdict().get("rest"), component.id.lower(), edits, structure)
+        return [*edits, *more], "; ".join([f"{component.id} is now {what}", *said])
+    return None
+
+
+def _besides(who: str, component: Component, structure: Structure) -> Component | None:
+    """The second one of "the tractor and the car", both of whom become one."""
+    joined = re.match(r"(?P<one>.+?) and (?P<other>.+)$", who)
+    other = refer(joined["other"], structure, alone=False) if joined else None
+    return other if other is not None and other.id not in ("E", component.id) else None
+
+
+def _rest(rest: str | None, who: str, edits: list[Edit], structure: Structure) -> tuple[list[Edit], list[str]]:
+    """What is said of the new one besides its type: "a police car with 60 km/h", "a child running"."""
+    from c2s_engine.interpret.changes.refine import edits_of
+
+    if not rest:
+        return [], []
+    for edit in edits:
+        structure = apply(structure, edit)
+    table = language.table("refine")
+    rest = re.sub(table["with_it"], "", rest.strip())
+    verb = "is " if re.match(r"\w+ing\b", rest) else "comes " if rest.startswith("from") else ""
+    return edits_of(f"{who} {verb}{re.sub(r'^(?:that|which|who) ', '', rest)}", structure) if rest else ([], [])
+
+
+def _count_of(what: str, now: int) -> int:
+    """How many a noun phrase in the plural asks for; as many as now where it gives no number."""
+    if not re.match(r"\d|an?\b|one|two|three|four|five|six", what):
+        return now
+    first = what.split()[0]
+    return min(8, int(first) if first.isdigit() else int(language.table("actors")["counts"].get(first, 2)))
+
+
+def _akin(kind: str, structure: Structure) -> Component | None:
+    """The object that most likely is replaced: of the same type, else of the same sort, else the only one."""
+    same = objects_of(structure, kind)
+    if same:
+        return same[0]
+    persons = ("pedestrian", "child", "animal", "bicycle")
+    sort = [c for c in structure.objects if (spec_of(c).type in persons) == (kind in persons)]
+    pick = sort or list(structure.objects)
+    return pick[0] if pick else None
+
+
+def _typed(spec: ObjectSpec, kind: str) -> ObjectSpec:
+    """The spec with another type; actions and places that the new type cannot do become their like."""
+    walks = kind in ("pedestrian", "child", "animal")
+    walked = spec.type in ("pedestrian", "child", "animal")
+    update: dict[str, Any] = {"type": kind, "model": None}
+    if (
+        spec.name == spec.type
+        or spec.name in language.actor_nouns()
+        or spec.name.replace("_", " ") in language.actor_nouns()
+    ):
+        update["name"] = kind
+    if kind not in (*VEHICLES, "pedestrian", "child", "animal"):
+        update |= {"phases": (), "speed": None}
+    elif walks != walked:
+        turned = (
+            {"cross_road": "enter_road", "move_along": "keep_lane"}
+            if walked
+            else {
+                "enter_road": "cross_road",
+                "keep_lane": "move_along",
+                "cut_in": "cross_road",
+                "go_straight": "cross_road",
+            }
+        )
+        keep = {"stationary", "wait", "stop", "start", "collide"}
+        phases = tuple(
+            p.model_copy(update={"action": turned.get(p.action, p.action)})
+            for p in spec.phases
+            if p.action in turned or p.action in keep
+        )
+        if kind == "bicycle":
+            phases = spec.phases
+        update["phases"] = phases
+        speeds = language.table("defaults")["types"]
+        update["speed"] = float(speeds.get(kind, {"value": 8.0})["value"]) if spec.speed is not None else None
+    return spec.model_copy(update=update)

@@ -1,0 +1,30 @@
+"""The forms of change that a turn may have, in the order in which they are tried."""
+
+from c2s_engine.interpret.changes.forms import Form
+from c2s_engine.interpret.changes.looks import blueprint, uncovered
+from c2s_engine.interpret.changes.motion import distance, rate, reaction, sides
+from c2s_engine.interpret.changes.objects import remove, retype
+from c2s_engine.interpret.changes.scene import ending, length, own_lane, road, setting
+from c2s_engine.interpret.changes.speed import speed, speed_difference, walked
+from c2s_engine.interpret.changes.told import acting, standing
+
+FORMS: tuple[Form, ...] = (
+    ending,
+    length,
+    blueprint,
+    uncovered,
+    own_lane,
+    retype,
+    remove,
+    speed_difference,
+    rate,
+    acting,
+    speed,
+    distance,
+    setting,
+    road,
+    standing,
+    walked,
+    sides,
+    reaction,
+)

@@ -1,0 +1,72 @@
+"""What the phases of somebody become by a demand: joined to what he does already, and who waits for whom."""
+
+import re
+from collections.abc import Sequence
+
+from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.interpret.changes.retold import table
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import Edit, SetField
+from c2s_engine.structure.specs import Phase, Trigger
+
+WAYS = {"go_straight": "straight", "turn_left": "left", "turn_right": "right", "u_turn": "u_turn"}
+"""Ways through an intersection, as actions and as ego's manoeuvre."""
+
+
+def awaited(told: str, structure: Structure) -> Trigger | None:
+    """ "As soon as the child starts to cross, the bus stops": what another does, for which it is waited."""
+    match = re.match(table()["awaits"], told)
+    if match is None or re.search(r"\d", condition := match["before"] or match["after"]):
+        return None
+    other = refer(condition, structure, alone=False)
+    if other is None or other.id == "E" or not (phases := spec_of(other).phases):
+        return None
+    return Trigger(kind="action", of=other.id, action=phases[0].action)
+
+
+def afterwards(clause: str, edits: Sequence[Edit], structure: Structure) -> list[Edit]:
+    """ "The lead changes lanes before the pedestrian crosses": who is told of behind "before" waits for that."""
+    match = re.match(r".+? before (?P<then>(?:the |o\d).+)$", clause)
+    waits = refer(match["then"], structure, alone=False) if match else None
+    if match is None or waits is None or waits.id == "E" or not (phases := spec_of(waits).phases):
+        return []
+    acts = [e for e in edits if isinstance(e, SetField) and e.path == "phases" and e.component != waits.id]
+    said = re.match(r"(?:the )?(?:[\w-]+ ){1,3}?(?!has\b|is\b)\w+s\b", match["then"])
+    if phases[0].trigger is not None or phases[0].action in WAYS or not acts or not acts[0].value or said is None:
+        return []
+    of = "ego" if acts[0].component == "E" else acts[0].component
+    trigger = Trigger(kind="action", of=of, action=acts[0].value[-1].action)
+    value = (phases[0].model_copy(update={"trigger": trigger}), *phases[1:])
+    return [SetField(component=waits.id, path="phases", value=value)]
+
+
+def mapped(phase: Phase, ids: dict[str, str]) -> Phase:
+    trigger = phase.trigger
+    if trigger is not None and trigger.of:
+        trigger = trigger.model_copy(update={"of": ids.get(trigger.of, trigger.of)})
+    target = ids.get(phase.target, phase.target) if phase.target else None
+    return phase.model_copy(update={"trigger": trigger, "target": target})
+
+
+def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
+    """What it does from now on: the new phases; behind the old ones where the clause says so; where they only say more
+    of an old phase, that one with what is new."""
+    if re.search(table()["besides"], clause) and (len(new) == 1 or re.match(table()["afterwards"], clause)):
+        turns = any(p.action in WAYS for p in new)
+        if old and new and old[-1].action == new[0].action:
+            new = new[1:]
+        return (*(p for p in old if not (turns and p.action in WAYS)), *new)
+    if re.search(r"\bfirst\b", clause) and len(new) == 1 and new[0].action not in WAYS:
+        return (*new, *(p for p in old if p.action in WAYS))
+    if old and [p.action for p in new] == ["move_along"] and not re.search(r"\balong\b", clause):
+        return old  # how fast it goes, not what it does
+    passed = [p for p in old if p.action in ("run_red", "run_stop")]
+    if passed and {p.action for p in new} - WAYS.keys() <= {"stop", "wait", "yield"}:  # it obeys what it passed
+        return (*(p for p in new if p.action not in WAYS), *(p for p in old if p.action in WAYS))
+    same = [i for i, p in enumerate(old) if len(new) == 1 and p.action == new[0].action]
+    if not same:
+        return new
+    said = {k: v for k, v in new[0].model_dump().items() if v is not None}
+    said |= {} if len(said) > 1 else {"rate": None}
+    merged = Phase.model_validate(old[same[0]].model_dump() | said)
+    return (*old[: same[0]], merged, *old[same[0] + 1 :])

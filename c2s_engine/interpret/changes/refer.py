@@ -1,0 +1,124 @@
+"""Which component of S a phrase means: "the lead", "O2", "the second car", "the pedestrian's", "it"."""
+
+import re
+from typing import get_args
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.reading import scan
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.vocabulary import ObjectType
+
+ORDINALS = {"first": 0, "1st": 0, "second": 1, "2nd": 1, "third": 2, "3rd": 2, "last": -1}
+FAMILY = {
+    "vehicle": ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle"),
+    "rider": ("bicycle", "motorcycle"),
+    "pedestrian": ("pedestrian", "child"),
+    "obstacle": ("obstacle", "box", "debris", "container", "barrel"),
+    "car": ("car", "police_car"),
+    "child": ("child", "pedestrian"),
+    "truck": ("truck", "fire_truck"),
+}
+
+
+def objects_of(structure: Structure, kind: str) -> list[Component]:
+    """The objects that a noun of that type can mean."""
+    family = FAMILY.get(kind, (kind,))
+    exact = [c for c in structure.objects if spec_of(c).type == kind]
+    return exact or [c for c in structure.objects if spec_of(c).type in family]
+
+
+def spec_of(component: Component) -> ObjectSpec:
+    """The component's spec as an object's."""
+    assert isinstance(component.spec, ObjectSpec)
+    return component.spec
+
+
+def refer(text: str, structure: Structure, *, alone: bool = True) -> Component | None:
+    """The component that the first noun of a phrase means, or None. `alone`: "it" means the only object."""
+    plain = scan.normalised(text)
+    if ones := re.search(r"\b(parked|oncoming|crossing) ones?\b", plain):
+        placed = [c for c in structure.objects if ones[1] in spec_of(c).placement.position]
+        if placed:
+            return placed[0]
+    if (doer := _doer(plain, structure)) is not None:
+        return doer
+    match = re.search(r"\bo([1-9][0-9]?)\b", plain)
+    if match and f"O{match[1]}" in structure:
+        return structure[f"O{match[1]}"]
+    if (short := _alias(plain, structure)) is not None:
+        return short
+    names = [s for s in scan.names(plain) if s.kind in ("actor", "ego", "label") and s.data.get("noun") != "traffic"]
+    for component in structure.objects:
+        name = spec_of(component).name.replace("_", " ")
+        if re.search(rf"\b{re.escape(name)}\b", plain) and (len(name) > 2):
+            first = plain.find(name)
+            if not names or first <= names[0].end:
+                return _ordinal(plain, component, structure)
+    for span in names:
+        if span.kind == "ego" or span.kind == "label" and span.data["label"] == "1":
+            return structure.ego
+        if span.kind == "label":
+            found = [c for c in structure.objects if spec_of(c).name == f"v{span.data['label']}"]
+            return found[0] if found else None
+        found = objects_of(structure, span.data["type"])
+        if "lead" in span.data["roles"] and len(found) != 1:
+            ahead = [c for c in structure.objects if spec_of(c).placement.position == "ahead"]
+            return ahead[0] if ahead else None
+        if found:
+            return _ordinal(plain[: span.end], found[0], structure, found)
+        if language.actor_nouns().get(span.data.get("noun", "")):
+            return None
+    if (
+        alone
+        and re.search(r"\b(it|its|that one|he|she|they|them|their|his|her|that)\b|^\s*$", plain)
+        and structure.objects
+    ):
+        movers = list(structure.objects)
+        return movers[0] if len(movers) == 1 else movers[-1]
+    return None
+
+
+def _ordinal(
+    plain: str, first: Component, structure: Structure, found: list[Component] | None = None
+) -> Component | None:
+    """The one that a "second" or "other" means, None where there are not so many; else the first."""
+    found = found or objects_of(structure, spec_of(first).type)
+    for word, index in ORDINALS.items():
+        if re.search(rf"\b{word}\b", plain):
+            return found[index] if -len(found) <= index < len(found) else None
+    if re.search(r"\bother\b", plain) and len(found) > 1:
+        return found[1]
+    return first
+
+
+def type_said(sentence: str) -> ObjectType:
+    """The type of the first road user or thing that a sentence names; a car where it names none."""
+    types = (s.data["type"] for s in scan.names(scan.normalised(sentence)) if s.kind == "actor")
+    return next((t for t in types if t in get_args(ObjectType)), "car")
+
+
+def names_a_stranger(clause: str, structure: Structure) -> bool:
+    """Whether somebody is named who is not there."""
+    plain = scan.normalised(clause)
+    named = [s for s in scan.names(plain) if s.kind == "actor" and s.data["type"] not in ("vehicle", "rider")]
+    return any(refer(f"the {plain[s.start : s.end]}", structure, alone=False) is None for s in named)
+
+
+def _alias(plain: str, structure: Structure) -> Component | None:
+    """Whom a short name at the head of a phrase means: "police", "bike" of a motorcycle."""
+    for name, kind in language.table("refine")["aliases"].items():
+        if re.match(rf"(?:the )?{name}\b(?! (?:car|officer|van|man|lane))", plain):
+            found = [c for c in structure.objects if spec_of(c).type == kind]
+            own = [c for c in structure.objects if spec_of(c).type == "bicycle"] if kind == "motorcycle" else []
+            return found[0] if found and not own else None
+    return None
+
+
+def _doer(plain: str, structure: Structure) -> Component | None:
+    """Whom a noun or participle of doing means: "the overtaker", "the overtaking one"."""
+    for doing, actions in language.table("refine")["doers"].items():
+        if re.search(rf"\b(?:{doing})(?:e?rs?\b|ing (?:one|vehicle|road user)s?\b)", plain):
+            found = [c for c in structure.objects if any(p.action in actions for p in spec_of(c).phases)]
+            return found[0] if found else None
+    return None

@@ -1,0 +1,112 @@
+"""Refinements without a model: the common forms of change become edits that touch only what was meant."""
+
+import re
+from typing import Any
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.changes import order
+from c2s_engine.interpret.changes.demands import demands, topic_of, whole
+from c2s_engine.interpret.changes.speed import walked
+from c2s_engine.interpret.changes.told import introduced
+from c2s_engine.interpret.composing import describe
+from c2s_engine.interpret.reading import scan
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import Edit, EditError, SetField, apply
+
+Found = tuple[list[Edit], str]
+
+
+def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
+    """The edits that a text asks for and what each does, in order; empty where nothing was understood."""
+    edits: list[Edit] = []
+    said: list[str] = []
+    current = structure
+    before, topic = "", topic_of(text, structure)
+    parts = demands(text)
+    if len(parts) > 1 and not order.retype(parts[0], structure) and (new := introduced(parts, structure)):
+        return _all(new, structure)
+    while parts:
+        part = parts.pop(0)
+        demand = whole(part, before, topic)
+        if parts and (both := _in_a_row(demand, parts[0], current)):
+            demand = both
+            parts.pop(0)
+        before, topic = demand, topic_of(demand, current) or topic
+        found = _found(demand, current)
+        if found is None:
+            continue
+        try:
+            current = _applied(found, current)
+        except EditError as error:
+            said.append(str(error))
+            continue
+        edits += found[0]
+        said.append(found[1])
+        topic = next((c for e in reversed(found[0]) if (c := _object(e))), topic)
+    return [*edits, *described(structure, current)], said
+
+
+def _all(found: Found, structure: Structure) -> tuple[list[Edit], list[str]]:
+    return [*found[0], *described(structure, _applied(found, structure))], [found[1]]
+
+
+def _applied(found: Found, structure: Structure) -> Structure:
+    for edit in found[0]:
+        structure = apply(structure, edit)
+    return structure
+
+
+def _in_a_row(first: str, then: str, structure: Structure) -> str | None:
+    """Two demands as one where the second only tells what the same one does then: "waits 2 s" and "then crosses"."""
+    if not re.match(language.table("refine")["demands"]["goes_on"], then):
+        return None
+    both = f"{first}, {then}"
+    return both if order.acting(first, structure) and order.acting(both, structure) else None
+
+
+def _found(demand: str, structure: Structure) -> Found | None:
+    """What the first form that fits asks for; where somebody does that already, how fast he is to do it."""
+    for form in order.FORMS:
+        found = form(demand, structure)
+        if found is None:
+            continue
+        if form is order.setting and not scan.names(demand) and (where := order.road(demand, structure)):
+            return [*found[0], *where[0]], f"{found[1]}; {where[1]}"
+        denied = re.search(language.table("refine")["told"]["denies"], demand)
+        if form is order.acting and not denied and all(_already(e, structure) for e in found[0]):
+            return walked(demand, structure) or found
+        return found
+    return None
+
+
+def _already(edit: Edit, structure: Structure) -> bool:
+    if not isinstance(edit, SetField) or edit.component not in structure:
+        return False
+    spec: Any = structure[edit.component].spec
+    for name in str(edit.path).split("."):
+        spec = getattr(spec, name, None)
+    return bool(spec == edit.value)
+
+
+def _object(edit: Edit) -> str | None:
+    cid = str(getattr(edit, "component", None) or "")
+    return cid if cid.startswith("O") else None
+
+
+def described(before: Structure, after: Structure) -> list[Edit]:
+    """The sentences of the components whose specs changed."""
+    names = {c.id: c.spec.name for c in after.objects}  # type: ignore[union-attr]
+    edits: list[Edit] = []
+    for component in after.components:
+        if component.id in before and before[component.id].spec == component.spec or component.id == "T":
+            continue
+        spec: Any = component.spec
+        if component.id == "E":
+            words = describe.ego(spec, after.place.spec, names)  # type: ignore[arg-type]
+        elif component.id.startswith("O"):
+            words = describe.obj(spec, names)
+        else:
+            words = describe.place(spec) if component.id == "R" else describe.settings(spec)
+        if words != component.description:
+            edits.append(SetField(component=component.id, path="description", value=words))
+    return edits

@@ -1,0 +1,116 @@
+"""A demand told as a sentence, and the scene amid which it is read."""
+
+import re
+from functools import lru_cache
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
+from c2s_engine.interpret.composing import describe
+from c2s_engine.interpret.entities import PERSONS
+from c2s_engine.interpret.reading import amounts, scan
+from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.specs import EgoSpec, PlaceSpec, SettingsSpec
+
+
+def table() -> dict[str, str]:
+    """The patterns of demands that are told like a scene."""
+    found: dict[str, str] = language.table("refine")["told"]
+    return found
+
+
+def indicative(clause: str, structure: Structure) -> str | None:
+    """The demand as a sentence that tells it, or None where it names nobody."""
+    forms = table()
+    said = re.sub(forms["beside_the_point"], " ", clause).strip(" ,")
+    said = re.sub(r"\bo(\d+)\b", lambda m: _called(f"O{m[1]}", structure), said)
+    said = re.sub(r"\bi\b", "I", said)
+    if (begins := re.match(forms["begins"], said)) and (who := refer(begins["who"], structure, alone=False)):
+        first = next(iter(getattr(who.spec, "phases", ())), None)
+        if first is not None:
+            if first.action == "stationary":
+                doing = "cross the road" if getattr(who.spec, "type", "") in PERSONS else "start"
+                return f"{begins['who']} will {doing} {begins['when']}"
+            target = _called(first.target or "ego", structure)
+            action = language.table("sentences")["actions"][first.action].format(target=target)
+            return f"{begins['who']} will {action} {begins['when']}"
+    if match := re.match(forms["adds"], said):
+        rest = re.sub(forms["more"], "a", said[match.end() :])
+        if re.match(forms["part_of"], rest):
+            return None
+        first = next(iter(s.data["type"] for s in scan.names(rest) if s.kind == "actor"), "")
+        rest = re.sub(r"^an?\b", "another", rest) if objects_of(structure, first) else rest
+        return rest if re.search(forms["finite"], rest) else f"there {'is' if rest[0] == 'a' else 'are'} {rest}"
+    named = [s for s in scan.names(said) if s.kind in ("actor", "ego", "label")]
+    if not named:
+        return None
+    first = named[0]
+    bare = first.kind == "actor" and first.start == 0 and not first.data["plural"] and " " in said[first.end - 1 :]
+    if bare and refer(said[: first.end], structure, alone=False) is not None:
+        said = f"the {said}"
+    if match := re.match(forms["causes"], said):
+        subject = next((s for s in named if s.start >= match.end()), None)
+        if subject is None:
+            return None
+        return f"{said[match.end() : subject.end]} will{said[subject.end :]}"
+    said = re.sub(forms["demands"], "will", said)
+    return re.sub(forms["beside_on"], r"the \g<who>\g<where> on the \g<side>", said)
+
+
+def _called(cid: ComponentId, structure: Structure) -> str:
+    return f"the {_noun(structure[cid])}" if cid in structure else cid
+
+
+def _noun(component: Component) -> str:
+    return spec_of(component).type.replace("_", " ")
+
+
+def scene(structure: Structure, told: str) -> str:
+    """Where everything stands, without what it does and without what the sentence tells anew: where somebody is, or
+    where ego goes.
+    """
+    place = structure.place.spec
+    assert isinstance(place, PlaceSpec)
+    if re.match(r"(?:the )?ego\b", told):
+        place = place.model_copy(update={"manoeuvre": None, "ego_lane": None})
+    told_speed = any(q.data["dimension"] == "speed" for q in amounts.quantities(told))
+    mover = refer(told, structure, alone=False) if told_speed else None
+    placed = re.match(table()["located"], told) and not re.match(table()["adds"], told)
+    located = refer(told, structure, alone=False) if placed else None
+    names = {c.id: spec_of(c).name for c in structure.objects}
+    ego = structure.ego.spec
+    assert isinstance(ego, EgoSpec)
+    own = {"speed": None} if mover is not None and mover.id == "E" else {}
+    still = ego.model_copy(update={"phases": (), "reaction": "none", **own})
+    sentences = [describe.place(place), describe.ego(still, place, names)]
+    for component in structure.objects:
+        if located is not None and component.id == located.id:
+            sentences.append(f"There is a {_noun(component)}.")
+            continue
+        untold = component is mover or any(a.field == "speed" for a in component.assumed)
+        assumed = {"speed": None} if untold else {}
+        sentences.append(describe.obj(spec_of(component).model_copy(update={"phases": (), **assumed}), names))
+    return " ".join(sentences)
+
+
+@lru_cache(64)
+def read(text: str) -> Structure | None:
+    from c2s_engine.interpret.embedded import EmbeddedInterpreter, InterpretError
+
+    try:
+        return EmbeddedInterpreter().interpret(text).structure
+    except InterpretError:
+        return None
+
+
+def tells_ego(text: str) -> bool:
+    """Whether a text says where ego is, how fast it goes or what it does: then it is a scene, no addition to one."""
+    found = read(text)
+    if found is None or not found.objects:
+        return True
+    ego, place, settings = found.ego.spec, found.place.spec, found.settings.spec
+    assert isinstance(ego, EgoSpec) and isinstance(place, PlaceSpec) and isinstance(settings, SettingsSpec)
+    assumed = {(c.id, a.field) for c in found.components for a in c.assumed}
+    named = any(s.kind == "ego" for s in scan.names(scan.normalised(text)))
+    drives = named and (bool(ego.phases) or ego.speed is not None and ("E", "speed") not in assumed)
+    elsewhere = place.kind != "road" and ("R", "kind") not in assumed
+    return drives or elsewhere or bool(settings.weather or settings.time)

@@ -1,0 +1,168 @@
+"""Changes of the scene itself: settings, road, length."""
+
+import re
+from typing import Any
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.changes.forms import Found, quantity_of
+from c2s_engine.interpret.changes.refer import refer
+from c2s_engine.interpret.reading import amounts, scan
+from c2s_engine.interpret.surroundings import environment
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import Edit, SetField, SetSpec
+from c2s_engine.structure.specs import Condition, PlaceSpec, RestrictionsSpec
+
+
+def setting(clause: str, structure: Structure) -> Found | None:
+    """ "At night", "in heavy rain", "add fog", "in Town03", "the light is red"."""
+    edits: list[Edit] = []
+    said = []
+    clause = _instead(clause)
+    whole = [(0, len(clause))]
+    named = environment.named(clause)
+    if "map" in named:
+        edits.append(SetField(component="G", path="map", value=named["map"].value))
+        said.append(named["map"].value)
+    if "preset" in named:
+        edits.append(SetField(component="G", path="preset", value=named["preset"].value))
+        said.append(named["preset"].value)
+    sky, time, light = (
+        environment.weather(clause, whole),
+        environment.time_of_day(clause, whole),
+        environment.light(clause, whole),
+    )
+    colour = re.search(language.table("refine")["light_shows"], clause)
+    if colour and not light:
+        state = "yellow" if colour[1] == "amber" else colour[1]
+        light = [environment.Found(state, 0.9, colour.span())]
+    if re.search(r"\b(clear|sunny|dry|fine|nice)\b", clause) and not sky:
+        sky = [environment.Found("clear", 0.9, (0, 1))]
+    if len(scan.names(clause)) > 1 or (
+        scan.names(clause) and not light and not re.search(r"weather|rain|fog|night|day|snow", clause)
+    ):
+        sky, time = [], None
+    if sky and "preset" not in named:
+        values = [f.value for f in sky]
+        old = [w for w in structure.settings.spec.weather if w != "clear"]  # type: ignore[union-attr]
+        also = re.search(r"\b(add|also|and|plus|as well|too)\b", clause)
+        if re.search(language.table("refine")["weaker"], clause):
+            values = list(dict.fromkeys("rain" if v == "heavy_rain" else v for v in values))
+        rains = language.table("refine")["rains"]
+        old = [w for w in old if not (w in rains and set(values) & set(rains))]
+        new = ["clear"] if values == ["clear"] else list(dict.fromkeys([*(old if also else []), *values]))
+        if "heavy_rain" in new and "rain" in new:
+            new.remove("rain")
+        edits.append(SetField(component="G", path="weather", value=new))
+        said.append(", ".join(w.replace("_", " ") for w in new))
+    if time is not None and "preset" not in named:
+        edits.append(SetField(component="G", path="time", value=time.value))
+        said.append(time.value)
+    if (sky or time is not None) and structure.settings.spec.preset and "preset" not in named:  # type: ignore[union-attr]
+        edits.append(SetField(component="G", path="preset", value=None))
+    if light and re.search(r"light|signal|red|green", clause) and structure.place.spec.kind == "intersection":  # type: ignore[union-attr]
+        edits.append(SetField(component="G", path="light", value=light[0].value))
+        if structure.place.spec.control != "signal":  # type: ignore[union-attr]
+            edits.append(SetField(component="R", path="control", value="signal"))
+        said.append(f"ego's light {light[0].value}")
+    return (edits, "; ".join(said)) if edits else None
+
+
+def _instead(clause: str) -> str:
+    """The clause without what is given up: the rain of "replace the rain by fog", "fog instead of rain"."""
+    for pattern in language.table("refine")["given_up"]:
+        if match := re.match(pattern, clause):
+            return match["new"]
+    return clause
+
+
+def road(clause: str, structure: Structure) -> Found | None:
+    """ "On a motorway", "at a T-junction with traffic lights", "three lanes", "in a left bend", "limit 50 km/h"."""
+    from c2s_engine.interpret.surroundings import place
+
+    if len(scan.names(clause)) > 0 and not re.search(r"^(on|at|in|put it|move it|make it|let it|it )", clause):
+        return None
+    numbers = amounts.quantities(clause) or amounts.bare_speeds(clause)
+    found = place.read(clause, [(0, len(clause))], numbers)
+    old = structure.place.spec
+    assert isinstance(old, PlaceSpec)
+    update: dict[str, Any] = {}
+    kind = found.kind or ("crosswalk" if found.crosswalk else None)
+    if kind and not (kind == "intersection" and old.kind == "intersection"):
+        update["kind"] = kind
+        if kind != "intersection":
+            update |= {"arms": None, "control": None, "manoeuvre": None}
+        else:
+            update["manoeuvre"] = old.manoeuvre or "straight"
+        if kind == "motorway":
+            update |= {"lanes": max(2, old.lanes or 2), "oncoming": None, "crosswalk": None, "sidewalk": None}
+        update["curve"] = found.curve if kind == "curve" else None
+    if found.arms:
+        update["arms"] = found.arms
+    if found.control and (kind or old.kind) == "intersection":
+        update["control"] = found.control
+    lanes = re.search(r"\b(one|two|three|four|[1-4]) lanes?\b", clause)
+    if found.lanes or lanes:
+        words = {"one": 1, "two": 2, "three": 3, "four": 4}
+        update["lanes"] = (words.get(lanes[1]) or int(lanes[1])) if lanes else found.lanes
+    if (update.get("lanes") or 3) < 3 and old.ego_lane == "middle":
+        update["ego_lane"] = "rightmost"
+    if found.speed_limit:
+        update["speed_limit"] = round(found.speed_limit, 2)
+    if found.oncoming is not None:
+        update["oncoming"] = found.oncoming
+    if found.crosswalk and kind != "crosswalk":
+        update["crosswalk"] = True
+    turn = re.search(r"\bego (?:should |must |shall )?(?:turns?|goes|go) (left|right|straight)", clause)
+    if turn and old.kind == "intersection":
+        update["manoeuvre"] = turn[1]
+    update = {k: v for k, v in update.items() if getattr(old, k) != v}
+    if not update:
+        return None
+    return [
+        SetSpec(component="R", spec=PlaceSpec.model_validate(old.model_dump() | update))
+    ], "the place: " + ", ".join(f"{k} {v}" for k, v in update.items() if v is not None)
+
+
+def own_lane(clause: str, structure: Structure) -> Found | None:
+    """ "Put ego in the left lane", "ego should start in the rightmost lane"."""
+    match = re.match(language.table("refine")["ego_lane"], clause)
+    place = structure.place.spec
+    if match is None or not isinstance(place, PlaceSpec):
+        return None
+    lane = language.table("refine")["ego_lanes"].get(match["lane"], match["lane"])
+    update: dict[str, Any] = {"ego_lane": lane, "lanes": max(place.lanes or 0, 3 if lane == "middle" else 2)}
+    spec = PlaceSpec.model_validate(place.model_dump() | update)
+    return [SetSpec(component="R", spec=spec)], f"ego in the {lane} lane"
+
+
+def ending(clause: str, structure: Structure) -> Found | None:
+    """ "End the run as soon as ego has stopped", "stop the simulation when they collide"."""
+    table = language.table("refine")["ends"]
+    match = re.match(table["said"], clause)
+    if match is None:
+        return None
+    said = re.match(table["stopped"], match["when"])
+    who = refer(said["who"], structure, alone=False) if said else None
+    subject = "ego" if who is None or who.id == "E" else who.id
+    if said is None and not re.search(table["collision"], match["when"]):
+        return None
+    kind = "stopped" if said else "collision"
+    old = structure.restrictions.spec
+    assert isinstance(old, RestrictionsSpec)
+    kept = tuple(c for c in old.terminate_when if c.kind != kind)
+    value = (*kept, Condition(kind=kind, subject=subject))  # type: ignore[arg-type]
+    words = f"the run ends when {subject} stands" if said else "the run ends with a collision"
+    return [SetField(component="T", path="terminate_when", value=value)], words
+
+
+def length(clause: str, structure: Structure) -> Found | None:
+    """ "Run for 30 s", "stop after 20 seconds"."""
+    quantity = quantity_of(clause, "time")
+    if (
+        quantity is None
+        or not re.search(r"\b(run|last|simulate|duration|end|terminate|stop|length|scenario)\b|^[\d.]+ ?\w+$", clause)
+        or scan.names(clause)
+    ):
+        return None
+    value = min(120.0, max(1.0, quantity["high"]))
+    return [SetField(component="T", path="duration", value=value)], f"the run lasts {value:g} s"

@@ -1,0 +1,123 @@
+"""Changes of how fast somebody is: a speed to have, a difference, another's, or a pace."""
+
+import re
+from typing import Any
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.changes.forms import Found, name_of, quantity_of, value_of, without_unit
+from c2s_engine.interpret.changes.refer import names_a_stranger, refer, spec_of
+from c2s_engine.interpret.entities import PERSONS
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.edits import Edit, SetField
+from c2s_engine.structure.quantity import high, middle
+
+
+def _table() -> dict[str, Any]:
+    found: dict[str, Any] = language.table("refine")["pace"]
+    return found
+
+
+def speed_difference(clause: str, structure: Structure) -> Found | None:
+    """ "10 km/h slower", "speed up ego by 15 km/h", "20 percent faster", "as fast as ego": no act of driving."""
+    table = _table()
+    told = re.search(table["meanwhile"], clause)
+    if told or not (re.search(table["by_so_much"], clause) or _like(clause)):
+        return None
+    return speed(clause, structure)
+
+
+def speed(clause: str, structure: Structure) -> Found | None:
+    """ "Ego at 50 km/h", "the lead drives 20 km/h", "faster", "10 km/h slower", "twice as fast"."""
+    table = _table()
+    if re.search(table["denied"], clause) and quantity_of(clause, "speed") is None:
+        return None
+    if re.search(r"\blimit\b", clause) or re.search(table["of_distance"], clause) and "speed" not in clause:
+        return None
+    quantity = quantity_of(clause, "speed") or without_unit(clause, table["bare"], 1 / 3.6)
+    change = _factor(clause)
+    other = _like(clause)
+    base = refer(other["other"], structure, alone=False) if other else None
+    said = clause[: other.start()] if base is not None and other is not None else clause
+    if quantity is not None and not re.search(table["by_so_much"], clause):
+        change = None  # a speed to have, not one more or less
+    who = _who(said, structure)
+    if not who or quantity is None and change is None and base is None:
+        return None
+    each = [_at_speed(c, quantity, change, base) for c in who]
+    return [edit for edit, _ in each], "; ".join(words for _, words in each)
+
+
+def _like(clause: str) -> re.Match[str] | None:
+    return next((m for pattern in _table()["like"] if (m := re.search(pattern, clause))), None)
+
+
+def _factor(clause: str) -> float | None:
+    """By what the speed now is multiplied; below 1: it becomes less. None where no change is said."""
+    table = _table()
+    for pattern, factor in table["factors"]:
+        if re.search(pattern, clause):
+            return float(factor)
+    less, more = re.search(table["less"], clause), re.search(table["more"], clause)
+    if not less and not more or not re.search(table["of_speed"], clause):
+        return None
+    share = None
+    if percent := re.search(r"(\d+(?:\.\d+)?) ?(?:%|per ?cent)", clause):
+        share = float(percent[1]) / 100
+    else:
+        share = next((s for pattern, s in table["shares"] if re.search(pattern, clause)), 0.25 if less else 0.3)
+    return 1 - share if less else 1 + share
+
+
+def _who(clause: str, structure: Structure) -> list[Component]:
+    """Whose speed it is."""
+    table = language.table("refine")
+    if re.search(table["all"], clause):
+        return [structure.ego, *(c for c in _moving(structure) if spec_of(c).type not in PERSONS)]
+    vehicles = [c for c in structure.objects if spec_of(c).type not in PERSONS and spec_of(c).speed]
+    if re.search(r"\bboth (?:vehicles|cars|of them|speeds|at|with)\b", clause) and vehicles:
+        return [structure.ego, vehicles[0]] if len(vehicles) == 1 else vehicles[:2]
+    joint = re.match(table["joint"], clause)
+    both = [refer(joint[name], structure, alone=False) for name in ("one", "other")] if joint else []
+    found = [c for c in both if c is not None]
+    if len(found) == 2:
+        return found
+    one = refer(clause, structure, alone=True)
+    unclear = structure.objects and re.search(r"\b(it|its)\b", clause) or names_a_stranger(clause, structure)
+    if one is None and not unclear:
+        one = structure.ego
+    return [one] if one is not None else []
+
+
+def _moving(structure: Structure) -> list[Component]:
+    return [c for c in structure.objects if (now := spec_of(c).speed) is not None and high(now) > 0.1]
+
+
+def _at_speed(
+    component: Component, quantity: dict[str, Any] | None, change: float | None, base: Component | None
+) -> tuple[Edit, str]:
+    """One component at a speed, or changed from its own or another's (`base`)."""
+    spec: Any = component.spec if base is None else base.spec
+    now = middle(spec.speed) if spec.speed is not None else 10.0
+    value: Any
+    if quantity is None:
+        value = round(max(0.5, now * (change or 1.0)), 2)
+    elif change is None:
+        value = value_of(quantity)
+    else:
+        value = round(max(0.5, now - quantity["low"] if change < 1 else now + quantity["low"]), 2)
+    shown = value if isinstance(value, float | int) else sum(value) / 2
+    edit = SetField(component=component.id, path="speed", value=value)
+    return edit, f"{name_of(component)} at {shown * 3.6:.0f} km/h"
+
+
+def walked(clause: str, structure: Structure) -> Found | None:
+    """ "The boy runs", "let the car roll at walking pace"."""
+    component = refer(clause, structure, alone=False)
+    if component is None:
+        return None
+    walks = component.id != "E" and spec_of(component).type in PERSONS
+    for pattern, value, anybody in _table()["paces"]:
+        if re.search(pattern, clause) and (walks or anybody):
+            edit = SetField(component=component.id, path="speed", value=float(value))
+            return [edit], f"{name_of(component)} at {value * 3.6:.0f} km/h"
+    return None

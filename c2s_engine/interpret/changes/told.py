@@ -1,0 +1,298 @@
+"""Changes that are told like a scene: the clause is read amid what is there, and what that adds is what it asks for.
+
+Two texts are read: one that says where everything stands, and the same with the clause behind it. The fields in which
+they differ are set, of the components that the clause names and of those that are new.
+"""
+
+import re
+from typing import Any
+
+from c2s_engine.interpret.changes.forms import Found, name_of
+from c2s_engine.interpret.changes.phases import WAYS, afterwards, awaited, joined, mapped
+from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.interpret.changes.retold import indicative, read, scene, table
+from c2s_engine.interpret.reading import scan
+from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField
+from c2s_engine.structure.quantity import high, low
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec, SettingsSpec, Trigger
+
+PLACE = ("kind", "manoeuvre", "arms", "control", "ego_lane", "crosswalk")
+"""Fields of R that a clause about road users can say."""
+PARTS = {"R": "the place", "G": "the scene"}
+SIGNS = frozenset(("stop_sign", "yield_sign", "speed_sign"))
+
+
+def acting(clause: str, structure: Structure) -> Found | None:
+    """ "Let the car brake when the pedestrian is 10 m away", "add a parked van that hides the child": who does what."""
+    return _told(clause, structure, lambda path: path.split(".")[0] in ("phases", "reaction", "manoeuvre", "+"))
+
+
+def introduced(parts: list[str], structure: Structure) -> Found | None:
+    """ "One more pedestrian, an adult, crosses from the left, hidden by the bus": who is new, with all that is said of
+    him, over several parts of a text; None where a part asks for something else."""
+    if not parts or not re.match(table()["adds"], parts[0]) or any(re.match(table()["anew"], p) for p in parts[1:]):
+        return None
+    said = "".join((". " if re.match(table()["apart"], p) else ", ") + p for p in parts)[2:]
+    return _told(said, structure, lambda path: path == "+")
+
+
+def standing(clause: str, structure: Structure) -> Found | None:
+    """ "Ego in the left lane", "the van is parked on the left", "the pedestrian comes from the other side"."""
+    return _told(clause, structure, lambda path: path not in ("speed", "type"))
+
+
+def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
+    if (denied := _denied(clause, structure)) is not None:
+        return denied
+    told = indicative(clause, structure)
+    new = re.match(table()["adds"], clause)
+    stranger = re.search(r"\b(?:second|third)\b(?! of (?:the|them|these|those)\b)", clause)
+    if not new and stranger and refer(clause, structure) is None:
+        return None
+    if (
+        told is None
+        or not new
+        and re.search(table()["relative"], clause)
+        or re.search(r"(?<!to the )(?<!across to )\b(?:other|opposite) side\b", clause)
+    ):
+        return None
+    there_is = scene(structure, told)
+    was, now = read(there_is), read(f"{there_is} {told[0].upper()}{told[1:]}.")
+    if was is None or now is None or len(was.objects) != len(structure.objects) or len(now.objects) < len(was.objects):
+        return None
+    before = _counterparts(was, now)
+    if before is None:
+        return None
+    there = {a.id: b.id for a, b in zip(was.objects, structure.objects, strict=True)}
+    both = bool(re.search(r"\bboth sides\b", told))
+    added = [c.id for c in now.objects if c.id not in before and not _there_already(c, was, both)]
+    if added and not re.search(table()["new"], told):
+        return None
+    ids = {c.id: there[before[c.id].id] for c in now.objects if c.id in before}
+    number = int(structure.next_object_id()[1:])
+    ids |= {cid: f"O{number + i}" for i, cid in enumerate(added)}
+    waited = awaited(told, structure)
+    main = re.sub(table()["meanwhile"], " ", told)
+    main = main if scan.names(main) else told
+    edits: list[Edit] = []
+    paths: list[str] = []
+    for component in now.components:
+        cid = ids.get(component.id, component.id)
+        if component.id in ("G", "T") or waited is not None and cid == waited.of:
+            continue
+        if component.id.startswith("O") and component.id not in ids:
+            continue  # a sign, or one like it is there
+        if component.id in added:
+            edits.append(_added(component, cid, ids, structure))
+            paths.append("+")
+        elif cid == "R" or _names(main, structure[cid], structure):
+            old = before.get(component.id) or was[component.id]
+            changed = _changes(old, component, structure[cid], ids, clause, waited)
+            if cid not in ("R", "E") and _only_beside(main, structure[cid], structure):
+                changed = [c for c in changed if c[0] in ("placement.hidden_by", "count")]
+            if cid == "R" and not (_names(told, structure.ego, structure) and re.search(table()["of_lanes"], told)):
+                changed = [c for c in changed if c[0] != "ego_lane"]
+            if added and new and cid.startswith("O"):
+                changed = [c for c in changed if c[0] == "placement.hidden_by"]
+            edits += [SetField(component=cid, path=path, value=value) for path, value in changed]
+            paths += [path for path, _ in changed]
+    if not any(wanted(path) for path in paths):
+        return None
+    edits += [*_light(clause, now, structure), *afterwards(clause, edits, structure)]
+    edits = _one_way(edits, structure)
+    said = _in_words(edits, structure)
+    return [*sorted(edits, key=lambda e: not isinstance(e, AddObject)), *_moves(now, ids, structure)], said
+
+
+def _there_already(component: Component, was: Structure, both: bool) -> bool:
+    """Whether it is a sign that the place has, or of those on both sides (`both`) the ones who stand there."""
+    spec = spec_of(component)
+    alike = (spec_of(c) for c in was.objects if both and spec_of(c).type == spec.type)
+    here = (spec.placement.position, spec.placement.side)
+    return spec.type in SIGNS or any((o.placement.position, o.placement.side) == here for o in alike)
+
+
+def _light(clause: str, now: Structure, structure: Structure) -> list[Edit]:
+    """The light that ego faces, where the clause says it besides."""
+    new, old = now.settings.spec, structure.settings.spec
+    assert isinstance(new, SettingsSpec) and isinstance(old, SettingsSpec)
+    told = new.light is not None and new.light != old.light and new.light in clause
+    return [SetField(component="G", path="light", value=new.light)] if told else []
+
+
+def _one_way(edits: list[Edit], structure: Structure) -> list[Edit]:
+    """Ego's way through the intersection is what its phases say now."""
+    place = structure.place.spec
+    assert isinstance(place, PlaceSpec)
+    phases = next((e.value for e in edits if isinstance(e, SetField) and (e.component, e.path) == ("E", "phases")), ())
+    way = next((WAYS[p.action] for p in phases if p.action in WAYS), None)
+    if way is None or place.kind != "intersection":
+        return edits
+    others = [e for e in edits if not (isinstance(e, SetField) and e.path == "manoeuvre")]
+    return [*others, *([] if place.manoeuvre == way else [SetField(component="R", path="manoeuvre", value=way)])]
+
+
+def _moves(now: Structure, ids: dict[str, str], structure: Structure) -> list[Edit]:
+    """New ones by which old ones are placed come before these."""
+    edits: list[Edit] = []
+    for component in now.objects:
+        place = spec_of(component).placement
+        for other in sorted({ids.get(place.of, ""), ids.get(place.hidden_by or "", "")} - {""}):
+            if component.id in ids and ids[component.id] in structure and other not in structure:
+                index = structure.ids.index(ids[component.id]) - structure.ids.index(structure.objects[0].id)
+                edits.append(MoveObject(component=other, index=index))
+    return edits
+
+
+def _denied(clause: str, structure: Structure) -> Found | None:
+    """ "The truck should not stop": it does everything else."""
+    positive, number = re.subn(table()["not"], "will", clause)
+    found = _told(positive, structure, lambda path: path == "phases") if number == 1 else None
+    edits: list[Edit] = []
+    doer = refer(clause, structure, alone=False)
+    for edit in found[0] if found else ():
+        if not isinstance(edit, SetField) or edit.path != "phases" or not edit.component.startswith("O"):
+            continue
+        if doer is not None and doer.id != edit.component:
+            continue
+        denied = {p.action for p in edit.value} - {"go_straight"}
+        phases = spec_of(structure[edit.component]).phases
+        kept = tuple(p for p in phases if p.action not in denied)
+        if kept != phases:
+            edits.append(SetField(component=edit.component, path="phases", value=kept))
+    return (edits, _in_words(edits, structure)) if edits else None
+
+
+def _names(told: str, component: Component, structure: Structure) -> bool:
+    """Whether the sentence speaks of a component."""
+    for span in scan.names(told):
+        if span.kind == "ego" and component.id == "E":
+            return True
+        if span.kind != "ego" and component.id != "E":
+            meant = refer(f"the {told[span.start : span.end]}", structure, alone=False)
+            if meant is not None and meant.id == component.id:
+                return True
+    return component.id != "E" and bool(re.search(r"\b(?:they|them|it|he|she)\b", told)) and len(structure.objects) == 1
+
+
+def _only_beside(told: str, component: Component, structure: Structure) -> bool:
+    """Whether a sentence names a component only as the one for, behind or from whom something is done."""
+    found = False
+    for span in scan.names(told):
+        if span.kind in ("actor", "label"):
+            meant = refer(f"the {told[span.start : span.end]}", structure, alone=False)
+            if meant is not None and meant.id == component.id:
+                if not re.search(table()["beside"], told[: span.start]):
+                    return False
+                found = True
+    return found
+
+
+def _counterparts(was: Structure, now: Structure) -> dict[str, Component] | None:
+    """By id, of the objects of the later reading those of the earlier one: of the same name ("the lead" may give a car
+    another one), else of the same type; None where one is lost.
+    """
+    left, found = list(was.objects), {}
+    for same in (lambda s: s.name, lambda s: s.type):
+        for component in now.objects:
+            old = next((c for c in left if same(spec_of(c)) == same(spec_of(component))), None)
+            if old is not None and component.id not in found:
+                found[component.id] = old
+                left.remove(old)
+    return None if left else found
+
+
+def _changes(
+    was: Component, now: Component, there: Component, ids: dict[str, str], clause: str, waited: Trigger | None
+) -> list[tuple[str, Any]]:
+    """Paths and new values of the fields of a component that the clause says."""
+    old, new = was.spec.model_dump(), now.spec.model_dump()
+    if any(a.field == "reaction" for a in was.assumed) and not any(a.field == "reaction" for a in now.assumed):
+        old["reaction"] = getattr(there.spec, "reaction", None)
+    found: list[tuple[str, Any]] = []
+    for path, value in new.items():
+        same = value == old[path] and path != "placement"
+        if path == "ego_lane" and re.match(table()["located"], clause):
+            same = value == getattr(there.spec, path)
+        if path == "speed":
+            same = _near(value, old[path]) or _near(value, getattr(there.spec, "speed", None))
+        if path == "speed" and not re.search(table()["paces"], clause):
+            moves = getattr(there.spec, "speed", None) == 0.0 and bool(new["phases"])
+            same = not moves or not value
+        same = same and not (path == "phases" and value and re.search(table()["besides"], clause))
+        if same or path in ("name", "component", "model") or (there.id == "R" and path not in PLACE):
+            continue
+        if path == "phases":
+            assert isinstance(there.spec, EgoSpec | ObjectSpec) and isinstance(now.spec, EgoSpec | ObjectSpec)
+            turns = any(p.action in ("turn_left", "turn_right", "u_turn") for p in now.spec.phases)
+            phases = tuple(mapped(p, ids) for p in now.spec.phases if not (turns and p.action == "go_straight"))
+            phases = tuple(sorted(phases, key=lambda p: p.action not in ("run_red", "run_stop")))
+            if waited is not None and phases and phases[0].trigger is None:
+                phases = (phases[0].model_copy(update={"trigger": waited}), *phases[1:])
+            found.append((path, joined(there.spec.phases, phases, clause)))
+        elif path == "placement":
+            place = _placed_before(was, now, there, clause)
+            found += [
+                (f"placement.{key}", ids.get(part, part) if key in ("of", "hidden_by") else part)
+                for key, part in value.items()
+                if part != place[key] and not (key in ("gap", "along") and _cuts_in(now, there))
+            ]
+        elif value == "none" and not re.search(table()["denies"], clause):
+            continue  # how it reacts goes on, unless that is denied
+        elif value is not None:
+            found.append((path, ids.get(value, value) if path == "react_to" else value))
+    return found
+
+
+def _placed_before(was: Component, now: Component, there: Component, clause: str) -> dict[str, Any]:
+    """Where it was: of one whose place the clause tells anew, where it really is, but for what is not told."""
+    old, new = spec_of(was).placement.model_dump(), spec_of(now).placement.model_dump()
+    assumed = any(a.field == "placement.position" for a in now.assumed)
+    if assumed or not re.match(table()["located"], clause):
+        return old
+    real = spec_of(there).placement.model_dump()
+    return real | {key: new[key] for key in ("gap", "hidden_by") if new[key] is None}
+
+
+def _cuts_in(now: Component, there: Component) -> bool:
+    """Whether where it is told to be is where one who starts behind cuts in."""
+    return spec_of(there).placement.along == "behind" and any(p.action == "cut_in" for p in spec_of(now).phases)
+
+
+def _near(a: Any, b: Any) -> bool:
+    """Whether speeds are the same but for their being told in whole km/h."""
+    return a is not None and b is not None and abs(low(a) - low(b)) < 0.15 and abs(high(a) - high(b)) < 0.15
+
+
+def _added(component: Component, cid: ComponentId, ids: dict[str, str], structure: Structure) -> AddObject:
+    spec = spec_of(component)
+    place = spec.placement
+    placement = place.model_copy(
+        update={"of": ids.get(place.of, place.of), "hidden_by": ids.get(place.hidden_by or "", place.hidden_by)}
+    )
+    taken = {spec_of(c).name for c in structure.objects}
+    name = spec.name if spec.name not in taken else f"{spec.name}_{cid[1:]}"
+    phases = tuple(mapped(p, ids) for p in spec.phases)
+    update = {"name": name, "placement": placement, "phases": phases}
+    return AddObject(spec=spec.model_copy(update=update), description=component.description, component=cid)
+
+
+def _in_words(edits: list[Edit], structure: Structure) -> str:
+    said = []
+    for edit in edits:
+        if isinstance(edit, AddObject):
+            said.append(f"{edit.component} added")
+        elif isinstance(edit, SetField):
+            who = PARTS.get(edit.component) or name_of(structure[edit.component])
+            said.append(f"{who}: {_value(str(edit.path), edit.value)}")
+    return "; ".join(said)
+
+
+def _value(path: str, value: Any) -> str:
+    field = path.split(".")[-1].replace("_", " ")
+    if field == "phases":
+        return ", then ".join(p.action.replace("_", " ") for p in value) or "keeps on"
+    if field == "speed" and isinstance(value, float | int):
+        return f"{value * 3.6:.0f} km/h"
+    return f"{field} {str(value).replace('_', ' ')}"

@@ -1,0 +1,80 @@
+"""What one waits for that another does: "when the lead brakes, the van behind it changes lanes"."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from c2s_engine.interpret.composing.objects import Draft
+from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.who.mentions import Entity
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
+
+MARKS = frozenset(("when", "once", "as", "after"))
+SEEN = {
+    "brake": ("brake", "stop"),
+    "brake_stop": ("stop", "brake"),
+    "stop": ("stop",),
+    "start": ("start", "accelerate"),
+    "turn": ("turn_left", "turn_right"),
+    "lane_change": ("lane_change", "cut_out", "cut_in"),
+    "cut_in": ("cut_in",),
+    "cut_out": ("cut_out", "lane_change"),
+    "cross_road": ("cross_road",),
+}
+"""What can be watched of an event, as actions of the specs."""
+
+DONE = SEEN | {"swerve": ("swerve",), "accelerate": ("accelerate",), "oncoming": ("oncoming",), "drift": ("drift",)}
+INTO = re.compile(
+    r"^(?:enter|reach|arrive at|drive into|be in|get to|come to) (?:the |an? )?(?:junction|intersection|crossroads?)"
+)
+ENTERS = frozenset(("travel", "go_straight", "cross_path", "turn"))
+
+
+def waited_for(scene: Scene, ego: EgoSpec, drafts: list[Draft], ids: Mapping[Entity, str]) -> None:
+    """Give the objects' phases the triggers that clauses about others state."""
+    others: dict[str, ObjectSpec | EgoSpec] = {"ego": ego}
+    others |= {ids[d.entity]: d.spec for d in drafts if d.entity is not None}
+    for draft in drafts:
+        if draft.entity is not None and draft.spec.phases:
+            phases = _waiting(scene, draft.entity, draft.spec.phases, ids, others)
+            draft.spec = draft.spec.model_copy(update={"phases": phases})
+
+
+def _waiting(
+    scene: Scene,
+    entity: Entity,
+    phases: tuple[Phase, ...],
+    ids: Mapping[Entity, str],
+    others: Mapping[str, ObjectSpec | EgoSpec],
+) -> tuple[Phase, ...]:
+    found = list(phases)
+    for event in scene.events(entity):
+        awaited = _awaited(scene, event)
+        if awaited is None or awaited.agent not in ids or event.trigger is not None:
+            continue
+        trigger = _trigger(scene, awaited, ids[awaited.agent], others)
+        at = next((i for i, p in enumerate(found) if p.action in DONE.get(event.act, ()) and p.trigger is None), None)
+        if trigger is not None and at is not None:
+            found[at] = found[at].model_copy(update={"trigger": trigger})
+    return tuple(found)
+
+
+def _awaited(scene: Scene, event: Event) -> Event | None:
+    """What a clause with "when" or "once" below an event tells of another."""
+    for other in scene.clauses.events:
+        if other.agent is event.agent or not other.done or scene.clauses.joined_to(other) is not event:
+            continue
+        if other.adverbial in MARKS and (other.act in SEEN or other.act in ENTERS):
+            return other
+    return None
+
+
+def _trigger(scene: Scene, awaited: Event, of: str, others: Mapping[str, ObjectSpec | EgoSpec]) -> Trigger | None:
+    """The trigger for what is awaited, where the other has a phase that shows it."""
+    own = [p.action for p in others[of].phases] if of in others else []
+    action = next((a for a in SEEN.get(awaited.act, ()) if a in own), None)
+    if action is None and awaited.agent.ego and awaited.act in ENTERS and INTO.search(awaited.text):
+        action = next((a for a in ("turn_left", "turn_right") if a in own), "go_straight")
+    return Trigger(kind="action", of=of, action=action) if action is not None else None  # type: ignore[arg-type]

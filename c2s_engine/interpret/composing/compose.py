@@ -1,0 +1,216 @@
+"""Sixth stage: the scene becomes S: places, positions, phases, reactions, with defaults named in `assumed`."""
+
+import re
+
+from c2s_engine.interpret.composing import describe, objects, unmet
+from c2s_engine.interpret.composing.awaited import waited_for
+from c2s_engine.interpret.composing.drivers import compose_ego
+from c2s_engine.interpret.composing.objects import Draft
+from c2s_engine.interpret.composing.roads import compose_place
+from c2s_engine.interpret.composing.settling import settle
+from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.surroundings.environment import PRESET_TIME, PRESET_WEATHER
+from c2s_engine.interpret.surroundings.settings import ACCEPTED, DEFAULTS, Settings
+from c2s_engine.interpret.who.mentions import ZONES, Entity
+from c2s_engine.structure.components import Assumption, Component, Link, Structure
+from c2s_engine.structure.specs import EgoSpec, RestrictionsSpec, SettingsSpec
+
+
+def compose(scene: Scene) -> Structure:
+    """S of a scene; every choice that the text does not make is an assumption of its component."""
+    ids: dict[Entity, str] = {scene.cast.ego: "ego"}
+    ordered = sorted(scene.actors, key=lambda e: e.mentions[0].word if e.mentions else 0)
+    ordered = _blockers_first(scene, ordered)
+    for number, entity in enumerate(ordered, 1):
+        ids[entity] = f"O{number}"
+    place = compose_place(scene)
+    ego, ego_assumed = compose_ego(scene, ids, place)
+    drafts: list[Draft] = [objects.compose_object(scene, entity, ids, place, ego) for entity in ordered]
+    waited_for(scene, ego, drafts, ids)
+    ego = settle(scene, ego, place, drafts, ids)
+    drafts += objects.signs(scene, place, len(drafts))
+    place_assumed = _place_assumed(scene, place)
+    untold = unmet.find(scene)
+    ego_assumed += [
+        Assumption(field="reaction", value=_doing(ego), reason=r) for r in unmet.alternatives(scene, scene.cast.ego)
+    ]
+    for draft in drafts:
+        if draft.entity is not None:
+            draft.unmet += [u.note for u in untold if u.owner is draft.entity]
+            draft.assumed += [
+                Assumption(field="phases", value=", ".join(p.action for p in draft.spec.phases) or "none", reason=r)
+                for r in unmet.alternatives(scene, draft.entity)
+            ]
+    mine = {d.entity for d in drafts}
+    left = {c: tuple(u.note for u in untold if u.owner == c) for c in ("G", "R", "T")}
+    left["E"] = tuple(u.note for u in untold if u.owner == "E" or isinstance(u.owner, Entity) and u.owner not in mine)
+    components = [
+        Component(
+            id=f"O{n}", spec=d.spec, assumed=tuple(d.assumed), unmet=tuple(d.unmet), links=_links(scene, d.entity)
+        )
+        for n, d in enumerate(drafts, 1)
+    ]
+    settings, settings_assumed = compose_settings(scene.settings, scene)
+    structure = Structure(
+        text=scene.text,
+        settings=Component(
+            id="G",
+            spec=settings,
+            assumed=tuple(settings_assumed),
+            description=describe.settings(settings),
+            links=_setting_links(scene),
+            unmet=left["G"],
+        ),
+        place=Component(
+            id="R",
+            spec=place,
+            assumed=tuple(place_assumed),
+            description=describe.place(place),
+            links=_road_links(scene),
+            unmet=left["R"],
+        ),
+        ego=Component(
+            id="E", spec=ego, assumed=tuple(ego_assumed), links=_links(scene, scene.cast.ego), unmet=left["E"]
+        ),
+        objects=tuple(components),
+        restrictions=Component(
+            id="T", spec=RestrictionsSpec(), description="No restriction beyond the scene itself.", unmet=left["T"]
+        ),
+    )
+    names = {c.id: c.spec.name for c in structure.objects}  # type: ignore[union-attr]
+    described = [c.model_copy(update={"description": describe.obj(c.spec, names)}) for c in structure.objects]  # type: ignore[arg-type]
+    return structure.model_copy(
+        update={
+            "ego": structure.ego.model_copy(update={"description": describe.ego(ego, place, names)}),
+            "objects": tuple(described),
+        }
+    )
+
+
+def _doing(ego: EgoSpec) -> str:
+    """What ego does, in a word or two: its reaction, else its phases."""
+    return ego.reaction if ego.reaction != "none" else ", ".join(p.action for p in ego.phases) or "none"
+
+
+def _blockers_first(scene: Scene, ordered: list[Entity]) -> list[Entity]:
+    """What others are seen from stands before them, so that it is written first."""
+    done: list[Entity] = []
+
+    def visit(entity: Entity, depth: int) -> None:
+        if entity in done or entity not in ordered:
+            return
+        where = scene.where(entity)
+        for other in (where.hidden_by, where.of):
+            if other is not None and depth < 6:
+                visit(other, depth + 1)
+        if entity not in done:
+            done.append(entity)
+
+    for entity in ordered:
+        visit(entity, 0)
+    return done
+
+
+def compose_settings(found: Settings, scene: Scene) -> tuple[SettingsSpec, list[Assumption]]:
+    """G, with the paper's defaults where the text names nothing with a confidence of 0.6 or more."""
+    assumed = []
+    sky = tuple(dict.fromkeys(f.value for f in found.weather if f.confidence >= ACCEPTED))
+    time = found.time.value if found.time and found.time.confidence >= ACCEPTED else None
+    preset = found.preset.value if found.preset and found.preset.confidence >= ACCEPTED else None
+    if preset and not sky:
+        base = re.sub(r"(Noon|Sunset|Night)$", "", preset)
+        sky = PRESET_WEATHER.get(base, ())
+    if preset and time is None:
+        time = next((t for ending, t in PRESET_TIME.items() if preset.endswith(ending)), None)
+    town = found.map.value if found.map and found.map.confidence >= ACCEPTED else None
+    if town is None:
+        assumed.append(Assumption(field="map", value=DEFAULTS["map"], reason="the text names no map"))
+    if not sky and time is None and preset is None:
+        assumed.append(
+            Assumption(field="weather", value=DEFAULTS["weather"], reason="the text says nothing of weather or light")
+        )
+    state = None
+    if scene.light and scene.road.signal:
+        state = _ego_light(scene)
+    return SettingsSpec(map=town, weather=sky, time=time, preset=preset, light=state), assumed  # type: ignore[arg-type]
+
+
+CHANGES = re.compile(
+    r"(?:turn|go|goes|gone|went|chang|switch|flip)\w*(?: to| from green to| over to| just)? (?:yellow|amber|red)$"
+)
+
+
+def _ego_light(scene: Scene) -> str | None:
+    """The state of the light that ego faces: of several, the first that is not the one another runs."""
+    ego = scene.cast.ego
+    runner = next((e for e in scene.clauses.events if e.act == "run_red" and e.done and not e.agent.ego), None)
+    if scene.does(ego, "run_red") is not None:
+        return "red"
+    ordered = sorted(scene.light, key=lambda f: f.span[0])
+    changed = ordered[-1] if ordered and ordered[0].value == "green" else None
+    if changed is not None and changed.value != "green" and CHANGES.search(scene.plain[: changed.span[1]]):
+        return changed.value
+    for found in scene.light:
+        if found.value == "red" and runner is not None:
+            start, end = _clause_span(scene, runner)
+            if start - 25 <= found.span[0] <= end + 25 and not _stood_at(scene, found.span[0]):
+                continue
+        if (
+            found.value in ("green", "red")
+            and len({f.value for f in scene.light}) > 1
+            and _of_another(scene, found.span[0])
+        ):
+            continue
+        return found.value
+    return "green" if runner is not None else None
+
+
+def _of_another(scene: Scene, at: int) -> bool:
+    """Whether a light is told right after another road user than ego ("the cyclist has the green")."""
+    words = [w for w in scene.words if w.start < at]
+    near = [i for i in scene.cast.of if words and i <= words[-1].i and scene.words[i].sentence == words[-1].sentence]
+    last = scene.cast.of[max(near)] if near else None
+    return last is not None and not last.ego and last.mover
+
+
+def _stood_at(scene: Scene, at: int) -> bool:
+    """Whether ego is told to stand at the light that is named there."""
+    halts = [e for e in scene.clauses.events if e.agent.ego and e.done and e.act in ("stationary", "stop", "wait")]
+    return any(start <= at < end for start, end in (_clause_span(scene, e) for e in halts))
+
+
+def _clause_span(scene: Scene, event) -> tuple[int, int]:  # noqa: ANN001
+    return event.start, event.end
+
+
+def _place_assumed(scene: Scene, place) -> list[Assumption]:  # noqa: ANN001
+    assumed = []
+    if scene.road.kind is None:
+        assumed.append(
+            Assumption(field="kind", value=place.kind, reason="the text does not say what kind of road it is")
+        )
+    if place.kind == "intersection" and place.arms is None:
+        assumed.append(Assumption(field="arms", value="3 or 4", reason="the text does not say how many roads meet"))
+    return assumed
+
+
+def _links(scene: Scene, entity: Entity | None) -> tuple[Link, ...]:
+    if entity is None:
+        return ()
+    found = [Link(kind="text", label=scene.text[m.start : m.end], span=(m.start, m.end)) for m in entity.mentions[:6]]
+    for event in scene.events(entity)[:8]:
+        word = scene.words[event.word]
+        found.append(Link(kind="text", label=word.text, span=(word.start, word.end)))
+    return tuple(found)
+
+
+def _setting_links(scene: Scene) -> tuple[Link, ...]:
+    found = [*scene.settings.weather, *filter(None, (scene.settings.time, scene.settings.map, scene.settings.preset))]
+    return tuple(Link(kind="text", label=scene.text[f.span[0] : f.span[1]], span=f.span) for f in found)
+
+
+def _road_links(scene: Scene) -> tuple[Link, ...]:
+    return tuple(Link(kind="text", label=scene.text[s:e], span=(s, e)) for s, e in scene.road.spans.values())
+
+
+__all__ = ["ZONES", "compose", "compose_settings"]

@@ -1,0 +1,337 @@
+"""E: what ego does of its own accord, and how it reacts."""
+
+import re
+
+from c2s_engine.interpret.composing.ego_pace import ego_pace
+from c2s_engine.interpret.composing.steps import duration_of, rate_of, target_speed, trigger_of
+from c2s_engine.interpret.entities import URGENT
+from c2s_engine.interpret.roles.ego_others import (
+    ahead,
+    faces_red,
+    for_sign,
+    free_side,
+    in_lane_conflict,
+    last_actor,
+    passed,
+    yielded,
+)
+from c2s_engine.interpret.scene import Scene, side
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.who.mentions import MOTOR, Entity
+from c2s_engine.structure.components import Assumption
+from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec
+
+RESPONSES = ("brake", "brake_stop", "stop")
+RETURNS = frozenset(("overtake", "oncoming", "swerve"))
+AROUND = frozenset(("overtake", "oncoming", "lane_change", "cut_out", "evade", "swerve", "u_turn"))
+"""What ego does to get past what it stopped for."""
+
+
+def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple[EgoSpec, list[Assumption]]:
+    """Ego's spec and what was assumed in it."""
+    ego = scene.cast.ego
+    assumed: list[Assumption] = []
+    events = scene.events(ego)
+    others = [e for e in scene.actors if e in ids]
+    phases: list[Phase] = []
+    reaction, react_to, hard = "none", None, False
+    said_reaction, waits_at = False, 0
+    for event in events:
+        who = ids.get(event.patient) if event.patient is not None and not event.patient.ego else None
+        act = event.act
+        towards = side(event)
+        trigger = trigger_of(event)
+        if act == "yield":
+            reaction, said_reaction, waits_at = "yield", True, len(phases)
+            react_to = react_to or who or yielded(scene, event, ids)
+        elif act in RESPONSES:
+            stop = act != "brake"
+            if (
+                stop
+                and for_sign(scene, event, place)
+                or not others
+                or "turn" in event.text
+                and not event.hard
+                and not others
+            ):
+                phases.append(
+                    Phase(
+                        action="stop" if stop else "brake",
+                        rate=rate_of(event),
+                        speed=target_speed(event),
+                        trigger=trigger,
+                    )
+                )
+                continue
+            said_reaction = True
+            if stop and phases and phases[-1].action in ASIDE and _from_behind(scene):
+                phases.append(Phase(action="stop", trigger=trigger))
+                continue
+            if reaction in ("none", "follow"):
+                reaction = "brake" if reaction == "none" or event.hard or stop and rate_of(event) else reaction
+            hard = hard or event.hard or bool(rate_of(event) and rate_of(event) >= 4)  # type: ignore[operator]
+            if stop and reaction == "brake" and not any(e.act in AROUND for e in events[events.index(event) :]):
+                phases.append(Phase(action="stop", target=who, trigger=trigger))
+        elif act == "follow":
+            phases.append(Phase(action="follow", target=who or ahead(scene, ids)))
+            if phases[-1].target is None:
+                phases.pop()
+        elif act in ("lane_change", "cut_out", "evade"):
+            if act == "evade" and reaction == "none" and who:
+                reaction, said_reaction = "evade", True
+            elif (
+                act == "lane_change"
+                and any(p.action == "swerve" for p in phases)
+                and re.search(r"return|back|own lane|its lane", event.whole)
+            ):
+                continue
+            elif act != "evade":
+                joined = scene.where(event.patient).lane if event.patient is not None and not towards else None
+                towards = towards or (joined if joined in ("left", "right") else None)
+                phases.append(Phase(action="lane_change", side=towards or free_side(place), trigger=trigger))
+        elif (
+            act == "overtake"
+            and event.patient is not None
+            and scene.where(event.patient).lane in ("parked", "roadside", "sidewalk")
+        ):
+            continue
+        elif act == "overtake":
+            if event.patient is not None and (
+                scene.where(event.patient).lane == "oncoming" or "oncoming" in event.patient.roles
+            ):
+                who = passed(scene, ids) or who
+            if towards == "right" and place.ego_lane == "leftmost":
+                towards = None  # the side where the passed one is
+            phases.append(Phase(action="overtake", target=who or passed(scene, ids), side=towards, trigger=trigger))
+            if phases[-1].target is None:
+                phases.pop()
+        elif act == "cut_in" and any(p.action.startswith("turn_") for p in phases):
+            continue  # its turn is what cuts the other off
+        elif act == "cut_in":
+            phases.append(Phase(action="cut_in" if who else "lane_change", target=who, side=towards, trigger=trigger))
+        elif act == "turn":
+            if towards is None and any(p.action.startswith("turn_") for p in phases):
+                continue
+            towards = (
+                towards
+                or next((s for e in events if e.act == "turn" and (s := side(e))), None)
+                or (place.manoeuvre if place.manoeuvre in ("left", "right") else "left")
+            )
+            phases.append(Phase(action=f"turn_{towards}", trigger=trigger))
+        elif act in ("u_turn", "run_red", "run_stop", "lose_control", "accelerate", "start"):
+            phases.append(
+                Phase(
+                    action=act,  # type: ignore[arg-type]
+                    side=towards if act == "lose_control" else None,
+                    speed=target_speed(event) if act in ("accelerate", "start") else None,
+                    trigger=trigger,
+                )
+            )
+        elif act == "go_straight" and place.kind == "intersection":
+            phases.append(Phase(action="go_straight", trigger=trigger))
+        elif act == "cross_path" and place.kind == "intersection":
+            phases.append(Phase(action="go_straight"))
+        elif act == "reverse" and re.match(r"\w+ back\b", event.text) and any(p.action in RETURNS for p in phases):
+            continue  # into its lane
+        elif act == "drift" and towards is None and phases and phases[-1].action == "lane_change":
+            continue  # it goes on towards the side to which it changes lanes
+        elif act in ("leave_road", "drift", "swerve", "reverse", "oncoming", "enter_road"):
+            sided = act in ("leave_road", "drift", "swerve", "oncoming")
+            phases.append(
+                Phase(
+                    action=act,
+                    side=(towards or ("right" if act in ("leave_road", "drift") else None)) if sided else None,
+                    trigger=trigger,
+                )
+            )  # type: ignore[arg-type]
+        elif act == "collide":
+            target = who or last_actor(scene, ids)
+            for actor in (event.agent, *event.also):
+                target = target if actor.ego else ids.get(actor, target)
+            if target:
+                phases.append(Phase(action="collide", target=target))
+                said_reaction = True
+        elif act == "stationary" and not phases and event.text.startswith("wait") and _halted_by(scene, event):
+            reaction, said_reaction = ("brake" if reaction == "none" else reaction), True
+        elif act == "stationary" and reaction in ("brake", "evade") and not phases:
+            continue  # it waits where it has stopped
+        elif act == "stationary":
+            phases.append(Phase(action="wait" if phases else "stationary", duration=duration_of(event)))
+        elif act == "keep_lane" and not phases:
+            phases.append(Phase(action="keep_lane"))
+    if any(p.action == "follow" for p in phases):
+        phases = [p for p in phases if p.action not in ("start", "accelerate")]
+    if place.manoeuvre in ("left", "right") and not any(p.action.startswith("turn_") for p in phases):
+        phases.append(Phase(action=f"turn_{place.manoeuvre}"))  # type: ignore[arg-type]
+    if place.kind == "on_ramp":
+        phases = [p.model_copy(update={"side": "left"}) if p.action == "lane_change" else p for p in phases]
+    struck = next(
+        (e for e in scene.clauses.events if e.act == "collide" and e.done and not e.agent.ego and e.patient is ego),
+        None,
+    )
+    shift = next((n for n, p in enumerate(phases[waits_at:], waits_at) if p.action == "lane_change"), None)
+    if reaction == "yield" and shift is not None and _lets_by(scene, react_to, ids):
+        phases = [p for p in phases[:shift] if p.action not in ("stop", "wait")] + phases[shift:]
+        phases.insert(min(shift, len(phases) - 1), Phase(action="yield", target=react_to))
+        reaction, react_to = "none", None
+    elif reaction == "yield" and _makes_way(scene, react_to, phases, ids):
+        slows = {e.act for e in events}
+        halts = "stop" if slows & {"stop", "brake_stop", "stationary"} else "brake" if "brake" in slows else None
+        phases.append(Phase(action=halts) if halts else Phase(action="yield", target=react_to))  # type: ignore[arg-type]
+        reaction, react_to = "none", None
+    if reaction == "yield":
+        phases = [p for p in phases if p.action != "wait"]
+    phases = _tidy(phases, place, reaction)
+    if (
+        scene.road.signal
+        and not any(p.action in ("run_red", "stop", "wait", "stationary") for p in phases)
+        and faces_red(scene)
+        and any(p.action in ("turn_right", "turn_left", "go_straight") for p in phases)
+        and not any(e.act in (*RESPONSES, "stationary", "yield") for e in events)
+    ):
+        phases.insert(0, Phase(action="run_red"))
+    speed = ego_pace(scene, ids, place, phases, assumed)
+    if (
+        reaction == "none"
+        and not said_reaction
+        and struck is None
+        and not any(
+            p.action
+            in (
+                "collide",
+                "oncoming",
+                "leave_road",
+                "lose_control",
+                "reverse",
+                "turn_left",
+                "turn_right",
+                "run_red",
+                "run_stop",
+                "overtake",
+                "lane_change",
+                "u_turn",
+            )
+            for p in phases
+        )
+        and in_lane_conflict(scene, place)
+        and not _remains_passive(scene)
+    ):
+        reaction = "brake"
+        assumed.append(
+            Assumption(
+                field="reaction",
+                value="brake",
+                reason="the text does not say how ego reacts: it brakes for what comes into its way",
+            )
+        )
+    kind = ego.type if ego.type in MOTOR and ego.type != "vehicle" else "car"
+    model = None
+    if scene.settings.ego_model is not None and scene.settings.ego_model.confidence >= 0.6:
+        model = scene.settings.ego_model.value
+    spec = EgoSpec(
+        type=kind, model=model, speed=speed, phases=tuple(phases[:8]), reaction=reaction, react_to=react_to, hard=hard
+    )  # type: ignore[arg-type]
+    return spec, assumed
+
+
+ASIDE = ("lane_change", "leave_road", "drift")
+
+
+NO_REACTION = re.compile(
+    r"\b(?:does not|doesn't|do not|don't|did not|didn't|fails? to|failed to|without|never|not) (?:even |at all )?"
+    r"(?:react|respond|brak|slow|reduc|decelerat|notic)\w*"
+)
+
+
+DRIVES_ON = re.compile(
+    r" (?:\w+ )?(?:keep|kept|maintain|hold|held|continue|drive|carr|go)\w*\b[^,;]*,?"
+    r" (?:(?:al|even )?though|despite|in spite of|regardless)\b"
+)
+
+
+def _remains_passive(scene: Scene) -> bool:
+    """Whether the text denies that ego reacts ("does not react at all", "ego doesn't brake")."""
+    ego = scene.cast.ego
+    denied = any(
+        e.agent is ego and e.mode == "negated" and e.act in (*RESPONSES, "yield", "evade") for e in scene.clauses.events
+    )
+    spoken = [e for e in scene.clauses.events if e.agent is ego and NO_REACTION.search(e.whole)]
+    after = [scene.plain[m.end : m.end + 60].split(".")[0] for m in ego.mentions]
+    passive = any(re.match(r"[^,;]*?" + NO_REACTION.pattern, text) and "react" in text for text in after)
+    passive = passive or any(DRIVES_ON.match(text) for text in after)
+    return denied or bool(spoken) or passive
+
+
+def _halted_by(scene: Scene, event: Event) -> bool:
+    """Whether another came to a stop ahead before ego waits: ego waits behind it."""
+    return any(
+        e.act in ("stop", "brake_stop", "stationary") and e.done and not e.agent.ego and e.order < event.order
+        for e in scene.clauses.events
+        if scene.where(e.agent).rel == "ahead" or scene.where(e.agent).lane == "same"
+    )
+
+
+def _from_behind(scene: Scene) -> bool:
+    """Whether somebody comes from behind for whom ego makes room."""
+    return any(scene.where(a).rel == "behind" and (a.type in URGENT or scene.does(a, "overtake")) for a in scene.actors)
+
+
+def _makes_way(scene: Scene, react_to: str | None, phases: list[Phase], ids: dict[Entity, str]) -> bool:
+    """Whether ego lets one from behind pass after it moved aside."""
+    aside = phases and phases[-1].action in ASIDE
+    stops = any(e.act in ("stop", "brake_stop") for e in scene.events(scene.cast.ego))
+    urgent = any(a.type in URGENT and ids.get(a) == react_to for a in scene.actors)
+    stays = not any(p.action in ASIDE for p in phases)
+    return bool(aside or stops and urgent and stays) and _lets_by(scene, react_to, ids)
+
+
+def _lets_by(scene: Scene, react_to: str | None, ids: dict[Entity, str]) -> bool:
+    """Whether whom ego lets pass comes from behind."""
+    return any(scene.where(a).rel == "behind" and ids.get(a) == react_to for a in scene.actors if a.mover)
+
+
+def _tidy(phases: list[Phase], place: PlaceSpec, reaction: str) -> list[Phase]:
+    found: list[Phase] = []
+    for phase in phases:
+        if found and found[-1].action == phase.action and found[-1].target == phase.target:
+            continue
+        if phase.action in ("turn_left", "turn_right", "go_straight", "u_turn", "follow", "overtake") and any(
+            p.action == phase.action and p.target == phase.target for p in found
+        ):
+            continue
+        if found and found[-1].action == "lose_control" and phase.action in ("leave_road", "oncoming", "drift"):
+            found[-1] = phase
+            continue
+        if found and found[-1].action == "lane_change" and phase.action == "drift" and phase.side == found[-1].side:
+            continue
+        if found and found[-1].action in ("brake", "stop") and phase.action == "stop":
+            found[-1] = phase
+            continue
+        if (
+            found
+            and found[-1].action == "start"
+            and phase.action in ("turn_left", "turn_right", "go_straight", "enter_road")
+        ) and found[0].action == "start":
+            found.pop()
+        if found and found[-1].action == "enter_road" and phase.action in ("start", "lane_change"):
+            continue
+        if (
+            found
+            and found[-1].action in ("oncoming", "drift", "leave_road")
+            and phase.action in ("lose_control", "lane_change")
+            and phase.action == "lose_control"
+        ):
+            continue
+        if phase.action == "stationary" and found:
+            continue
+        found.append(phase)
+    if len(found) > 1 and found[0].action == "stationary":
+        found = (
+            found[1:]
+            if found[1].action in ("enter_road", "start", "turn_left", "turn_right", "go_straight", "reverse")
+            else found
+        )
+    turns = [p for p in found if p.action in ("turn_left", "turn_right", "u_turn")]
+    if turns and place.kind == "intersection":
+        found = [p for p in found if p.action != "go_straight"]
+    return [p for p in found if p.action != "keep_lane" or len(found) == 1]

@@ -1,0 +1,85 @@
+"""O1..N: each actor's type, start, speed and phases."""
+
+from dataclasses import dataclass, field
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.composing.pace import pace_of
+from c2s_engine.interpret.composing.phases import phases_of
+from c2s_engine.interpret.placing.spacing import spacing_of, without_spacing
+from c2s_engine.interpret.placing.start import place_object
+from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.who.mentions import Entity
+from c2s_engine.structure.components import Assumption, Unmet
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Placement, PlaceSpec
+
+
+@dataclass
+class Draft:
+    """An object on its way to S."""
+
+    entity: Entity | None
+    spec: ObjectSpec
+    assumed: list[Assumption] = field(default_factory=list)
+    unmet: list[Unmet] = field(default_factory=list)
+
+
+def compose_object(scene: Scene, entity: Entity, ids: dict[Entity, str], place: PlaceSpec, ego: EgoSpec) -> Draft:
+    """The object of an entity."""
+    assumed: list[Assumption] = []
+    kind = "car" if entity.type in ("vehicle",) else "bicycle" if entity.type == "rider" else entity.type
+    if entity.type == "vehicle":
+        assumed.append(Assumption(field="type", value="car", reason="the text says only that it is a vehicle"))
+    if "guessed" in entity.roles:
+        assumed.append(
+            Assumption(
+                field="type",
+                value=kind,
+                reason=f"“{entity.noun}” is no known road user: its type is taken from what it does",
+            )
+        )
+    placement = place_object(scene, entity, ids, place, ego, assumed)
+    spacing = spacing_of(scene, entity)
+    placement = without_spacing(placement, spacing)
+    phases = phases_of(scene, entity, ids, placement, place)
+    speed = pace_of(scene, entity, kind, phases, ego, placement, place, assumed, ids[entity])
+    spec = ObjectSpec(
+        name=_name(entity, placement),
+        type=kind,
+        count=min(8, entity.count),
+        spacing=spacing,
+        placement=placement,
+        speed=speed,
+        phases=tuple(phases),  # type: ignore[arg-type]
+    )
+    return Draft(entity, spec, assumed)
+
+
+def _name(entity: Entity, placement: Placement) -> str:
+    if entity.label and entity.label.isdigit():
+        return f"v{entity.label}"
+    for role in ("lead", "oncoming"):
+        if role in entity.roles:
+            return role
+    noun = entity.noun or entity.type
+    known = language.actor_nouns().get(noun)
+    if entity.count == 1 and entity.mover and known is not None and known[1]:  # one of several
+        noun = noun[:-1] if noun.endswith("s") and noun[:-1] in language.actor_nouns() else entity.type
+    return noun.replace("-", " ")
+
+
+def signs(scene: Scene, place: PlaceSpec, number: int) -> list[Draft]:
+    """Signs that the text names and that are no road users: they stand as props where the map has none."""
+    found = []
+    if (
+        scene.road.stop_sign
+        and not any(e.type == "stop_sign" for e in scene.actors)
+        and place.kind == "intersection"
+        and place.control != "stop"
+    ):
+        found.append(
+            Draft(
+                None,
+                ObjectSpec(name="stop_sign", type="stop_sign", placement=Placement(position="roadside", side="right")),
+            )
+        )
+    return found

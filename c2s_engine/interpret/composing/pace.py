@@ -1,0 +1,181 @@
+"""How fast an object is at first: as said, else as what happens needs it."""
+
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.composing.ego_pace import FASTER, slows_to
+from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.who.mentions import PERSONS, Entity
+from c2s_engine.structure.components import Assumption
+from c2s_engine.structure.specs import EgoSpec, Placement, PlaceSpec
+
+
+def pace_of(
+    scene: Scene,
+    entity: Entity,
+    kind: str,
+    phases: list,
+    ego: EgoSpec,
+    placement: Placement,
+    place: PlaceSpec,
+    assumed: list[Assumption],
+    own_id: str,
+) -> float | tuple[float, float] | None:  # noqa: ANN001
+    said = scene.speeds.get(entity)
+    defaults = language.table("defaults")
+    first = phases[0].action if phases else None
+    begins = next((e for e in scene.events(entity) if e.act not in ("approach", "lead", "held_up")), None)
+    waited = (
+        begins is not None
+        and begins.act == "stationary"
+        and first in ("cut_in", "lane_change", "turn_left", "turn_right", "go_straight", "run_red", "run_stop")
+    )
+    standing = (
+        waited
+        or first in ("stationary", "wait", "start", "enter_road")
+        or "stationary" in entity.roles
+        and first in (None, "stationary")
+        or placement.position in ("parked",)
+        or kind
+        not in (
+            "car",
+            "truck",
+            "van",
+            "bus",
+            "police_car",
+            "ambulance",
+            "fire_truck",
+            "motorcycle",
+            "bicycle",
+            *PERSONS,
+        )
+    )
+    if said is not None and not (standing and said[1] == 0):
+        low, high = said[0], said[1]
+        if standing and first in (None, "stationary"):
+            return 0.0
+        return round(low, 2) if high - low < 0.05 else (round(low, 2), round(high, 2))
+    held = (
+        ego.phases and ego.phases[0].action == "stationary" and placement.position == "ahead" and placement.of == "ego"
+    )
+    if held and not scene.events(entity) and entity.mover and not entity.person and said is None:
+        assumed.append(Assumption(field="speed", value="0 km/h", reason="ego stands behind it"))
+        return 0.0
+    if first == "reverse":
+        assumed.append(Assumption(field="speed", value="9 km/h", reason="a usual speed backwards"))
+        return 2.5
+    if standing:
+        return (
+            None
+            if kind
+            not in (
+                "car",
+                "truck",
+                "van",
+                "bus",
+                "motorcycle",
+                "police_car",
+                "ambulance",
+                "fire_truck",
+                "bicycle",
+                "pedestrian",
+                "child",
+                "animal",
+            )
+            else 0.0
+            if first not in ("cross_road", "enter_road") or kind not in PERSONS
+            else None
+        )
+    own = ego.speed if isinstance(ego.speed, int | float) else (sum(ego.speed) / 2 if ego.speed else 12.0)
+    own = own or 8.0
+    if entity in scene.by_ego:
+        times, more = scene.by_ego[entity]
+        return round(max(0.5, own * times + more), 2)
+    if kind in PERSONS or kind == "bicycle":
+        text = " ".join(e.text for e in scene.events(entity))
+        key = "running" if kind == "pedestrian" and re.search(r"\b(run|dart|dash|rush|sprint|jog|bolt)", text) else kind
+        value = defaults["types"][key]
+        assumed.append(Assumption(field="speed", value=f"{value['value']} m/s", reason=value["reason"]))
+        return float(value["value"])
+    text = " ".join(e.text for e in scene.events(entity)) + " " + " ".join(t for _, t in scene.where(entity).phrases)
+    factor = "same"
+    if (
+        "slow" in entity.roles
+        or re.search(r"\b(crawl|creep|trundle|slow(ly|er)|dawdle|grind|inch|plod|chug)\b", text)
+        or any(p.action == "overtake" and p.target == own_id for p in ego.phases)
+        or _passed_by_another(scene, entity)
+    ):
+        factor = "slow"
+    elif (
+        placement.position == "beside"
+        and any(p.action == "cut_in" for p in phases)
+        or placement.along == "abreast"
+        and any(p.action == "cut_in" for p in phases)
+    ):
+        factor = "gaining"
+    elif (
+        placement.along == "behind"
+        and placement.position in ("left_lane", "right_lane")
+        or "fast" in entity.roles
+        or _hurries(scene, entity, kind, placement)
+        or any(p.action == "overtake" for p in phases)
+        and not _passes_what_stands(scene, entity)
+        and not (placement.along == "ahead" and _passes_others(scene, entity))
+        or placement.position == "behind"
+        and any(p.action == "collide" for p in phases)
+    ):
+        factor = "fast"
+    elif (
+        placement.position == "ahead"
+        and placement.facing != "against"
+        and not any(p.action in ("brake", "stop", "follow") for p in phases)
+        and any(
+            e.act in ("approach", "overtake", "held_up", "collide") and (e.patient is entity)
+            for e in scene.events(scene.cast.ego)
+        )
+    ):
+        factor = "slow"
+    value = defaults["factors"][factor]
+    speed = round(max(2.0, own * value["value"]), 2)
+    if placement.position.startswith("crossing") or placement.position == "opposite_approach":
+        return None
+    if (slowed := slows_to(scene, [entity])) is not None and slowed >= speed:
+        speed, value = round(slowed * FASTER, 2), {"reason": "faster than the speed that it brakes to"}
+    assumed.append(Assumption(field="speed", value=f"{speed * 3.6:.0f} km/h", reason=value["reason"]))
+    return speed
+
+
+FAST = re.compile(
+    r"\b((at|with) (a )?(very )?(high|great|excessive) speed|(too )?fast|speeding|at speed|rapidly|quickly|tailgat\w+"
+    r"|clos(es|ing) (in|up)|catch(es|ing) up|rac(es|ing)|blue lights|sirens?)\b"
+)
+
+
+def _hurries(scene: Scene, entity: Entity, kind: str, placement: Placement) -> bool:
+    """Whether it is said to be fast, or is an emergency vehicle that comes from behind."""
+    if placement.position == "behind" and kind in ("police_car", "ambulance", "fire_truck"):
+        return True
+    if any(e.act == "follow" for e in scene.events(entity)):
+        return False
+    return any(e.agent is entity and FAST.search(e.whole) for e in scene.events(entity))
+
+
+def _passed(scene: Scene, entity: Entity) -> list[Entity | None]:
+    return [e.patient for e in scene.clauses.events if e.act == "overtake" and e.agent is entity and e.done]
+
+
+def _passes_what_stands(scene: Scene, entity: Entity) -> bool:
+    """Whether all whom it overtakes stand or are things: it need not be faster for that."""
+    passed = _passed(scene, entity)
+    return all(p is not None and (not p.mover or bool(p.roles & {"parked", "stationary"})) for p in passed)
+
+
+def _passes_others(scene: Scene, entity: Entity) -> bool:
+    """Whether it only overtakes others than ego."""
+    passed = _passed(scene, entity)
+    return bool(passed) and all(p is not None and not p.ego for p in passed)
+
+
+def _passed_by_another(scene: Scene, entity: Entity) -> bool:
+    """Whether another road user (not ego) overtakes this one: it is slower."""
+    return any(e.act == "overtake" and e.patient is entity and e.done and not e.agent.ego for e in scene.clauses.events)

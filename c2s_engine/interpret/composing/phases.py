@@ -1,0 +1,195 @@
+"""An object's events become its phases: the steps of a behaviour, without repetitions."""
+
+import re
+
+from c2s_engine.interpret.composing.steps import steps_of
+from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.who.mentions import Entity
+from c2s_engine.structure.specs import Phase, Placement, PlaceSpec, Trigger
+
+
+def phases_of(
+    scene: Scene, entity: Entity, ids: dict[Entity, str], placement: Placement, place: PlaceSpec
+) -> list[Phase]:
+    """The phases of an object."""
+    events = scene.events(entity)
+    if not entity.mover:
+        return []
+    found: list[Phase] = []
+    ego_key = ids[scene.cast.ego]
+    crossing = placement.position.startswith("crossing") or placement.position == "opposite_approach"
+    for event in events:
+        who = ids.get(event.patient) if event.patient is not None else None
+        halted = bool(found) and found[-1].action in ("stop", "brake")
+        if halted and event.act == "stationary" and scene.words[event.word].tag == "VB":
+            continue  # it stops "to pick up passengers"
+        if event.act == "go_straight" and found and found[-1].action in ("stop", "wait", "yield"):
+            found = [p for p in found if p.action != "go_straight"]  # it goes on only then
+        if event.agent is not entity and event.act != "collide":
+            who = ids.get(event.patient) if event.patient is not None else None
+        found += steps_of(scene, event, entity, who, ego_key, placement, place, crossing, found)
+    if "stationary" in entity.roles and not any(p.action not in ("stationary", "wait") for p in found):
+        found = [Phase(action="stationary")]
+    if entity.person and not found and not entity.roles and placement.position in ("sidewalk", "roadside"):
+        near = " ".join(w.norm for w in scene.words[entity.mentions[0].word : entity.mentions[0].word + 7])
+        on_it = place.crosswalk and re.search(r"cross|zebra", near) is not None
+        comes = re.search(r"\bfrom (?:the |its )?(?:left|right|far|near)\b", near) is not None
+        found = [Phase(action="cross_road" if on_it or comes else "stationary")]
+    if entity.person and not found and (scene.where(entity).rel == "beside" or _stands(scene, entity)):
+        found = [Phase(action="stationary")]
+    if entity.person and not found and "crossing" in entity.roles:
+        found = [Phase(action="cross_road")]
+    if entity.person and not found and not entity.roles and placement.position in ("intersection_exit",):
+        found = [Phase(action="cross_road")]
+    if "parked" in entity.roles and not found:
+        found = [Phase(action="stationary")]
+    found = _merged(found)
+    if crossing and [p.action for p in found[:2]] == ["go_straight", "stop"] and _at_the_line(events):
+        onwards = [] if found[-1].action == "start" else [found[0]]
+        found = [*found[1:], *onwards]
+    if entity.person and [p.action for p in found[:2]] == ["wait", "cross_road"] and found[1].trigger is None:
+        waited = Trigger(kind="time", value=found[0].duration) if found[0].duration else None
+        found = [found[1].model_copy(update={"trigger": waited}), *found[2:]]
+    if "stationary" in entity.roles and [p.action for p in found] == ["stop"]:
+        found = [Phase(action="stationary")]
+    if crossing and not any(
+        p.action in ("turn_left", "turn_right", "go_straight", "u_turn", "stationary", "collide", "stop", "wait")
+        for p in found
+    ):
+        at = next((i for i, p in enumerate(found) if p.action in ("brake", "stop")), len(found))
+        found.insert(at, Phase(action="go_straight"))
+    if (
+        "turning" in entity.roles
+        and not any(p.action.startswith("turn") for p in found)
+        and place.kind == "intersection"
+    ):
+        words = " ".join(scene.words[m.word].norm for m in entity.mentions)
+        turn = Phase(action="turn_right" if "right" in words else "turn_left")
+        hits = [p for p in found if p.action == "collide"]
+        found = [p for p in found if p.action not in ("go_straight", "collide")] + [turn, *hits]
+    if (
+        "cut_in" in entity.roles
+        and not any(p.action == "cut_in" for p in found)
+        and placement.position in ("left_lane", "right_lane", "on_ramp")
+    ):
+        found.insert(
+            0,
+            Phase(
+                action="cut_in",
+                target="ego",
+                side="right"
+                if placement.position == "left_lane"
+                else "left"
+                if placement.position == "right_lane"
+                else None,
+            ),
+        )
+    if any(p.action in ("turn_left", "turn_right", "u_turn") for p in found) and place.kind == "intersection":
+        found = [p for p in found if p.action != "go_straight"]
+    return found[:8]
+
+
+def _at_the_line(events: list[Event]) -> bool:
+    """Whether one who crosses stops before the junction."""
+    line = re.compile(r"\b(?:sign|line|light|signal|before)\b")
+    return any(e.act in ("stop", "brake_stop") and line.search(e.text) for e in events)
+
+
+def _stands(scene: Scene, entity: Entity) -> bool:
+    """Whether a person of whom nothing is told is "standing" or "waiting" in a note."""
+    first = scene.words[entity.mentions[0].word]
+    after = [w.norm for w in scene.words[first.i + 1 : first.i + 9] if w.sentence == first.sentence]
+    return bool({"standing", "waiting", "sitting", "kneeling"} & set(after))
+
+
+def _merged(phases: list[Phase]) -> list[Phase]:
+    """Without repetitions; a brake that ends in a stop is one phase."""
+    found: list[Phase] = []
+    for phase in phases:
+        last = found[-1] if found else None
+        if last is not None and last.action == phase.action:
+            found[-1] = last.model_copy(
+                update={k: v for k, v in phase.model_dump().items() if v is not None and getattr(last, k) is None}
+            )
+            continue
+        if last is not None and last.action == "brake" and phase.action == "stop" and phase.trigger is None:
+            found[-1] = phase.model_copy(update={"rate": phase.rate or last.rate, "trigger": last.trigger})
+            continue
+        if last is not None and last.action == "brake" and phase.action in ("wait", "start") and last.speed is None:
+            found[-1] = last.model_copy(update={"action": "stop"})
+        if (
+            last is not None
+            and last.action == "stop"
+            and phase.action == "brake"
+            and phase.trigger is None
+            and (last.rate is None or phase.rate == last.rate)
+        ):
+            found[-1] = last.model_copy(update={"rate": phase.rate})
+            continue
+        if (
+            last is not None
+            and last.action == "stationary"
+            and phase.action in ("brake", "go_straight", "lane_change", "stop")
+        ):
+            found[-1] = phase
+            continue
+        if (
+            last is not None
+            and last.action == "start"
+            and phase.action
+            in (
+                "enter_road",
+                "cut_in",
+                "go_straight",
+                "turn_left",
+                "turn_right",
+                "accelerate",
+                "cross_road",
+                "move_along",
+            )
+        ):
+            found[-1] = phase if phase.action != "accelerate" else last
+            continue
+        if (
+            last is not None
+            and last.action == "enter_road"
+            and phase.action in ("start", "lane_change", "cut_in", "stationary")
+        ):
+            continue
+        if last is not None and last.action == "reverse" and phase.action == "enter_road":
+            continue
+        if last is not None and last.action == "lose_control" and phase.action in ("oncoming", "leave_road", "drift"):
+            found[-1] = phase
+            continue
+        if (
+            last is not None
+            and last.action == "drift"
+            and phase.action in ("leave_road",)
+            or last is not None
+            and last.action == "cut_out"
+            and phase.action == "cut_out"
+        ):
+            found.append(phase)
+            continue
+        found.append(phase)
+    if len(found) > 1 and found[0].action == "stationary":
+        found = (
+            found[1:]
+            if found[1].action
+            in (
+                "enter_road",
+                "cut_in",
+                "cross_road",
+                "reverse",
+                "start",
+                "turn_left",
+                "turn_right",
+                "overtake",
+                "collide",
+            )
+            else found
+        )
+    if any(p.action in ("cross_road",) for p in found):
+        found = [p for p in found if p.action != "stationary" or found.index(p) > 0]
+    return found

@@ -1,0 +1,282 @@
+"""R: the place, from what is said of the road and from what happens there."""
+
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.placing.lengthwise import at_edge, wrong_way
+from c2s_engine.interpret.scene import Scene, side
+from c2s_engine.interpret.surroundings import place as places
+from c2s_engine.interpret.what.overtakings import PART
+from c2s_engine.interpret.who.mentions import MOTOR
+from c2s_engine.structure.specs import PlaceSpec
+
+CROSSING_ACTS = ("turn", "run_red", "run_stop")
+
+
+def compose_place(scene: Scene) -> PlaceSpec:
+    """The place spec of a scene."""
+    road, ego = scene.road, scene.cast.ego
+    turn = next((e for e in scene.events(ego) if e.act in ("turn", "u_turn")), None)
+    straight = scene.does(ego, "go_straight")
+    kind = road.kind
+    at_junction = _at_junction(scene)
+    if kind in (None, "straight", "curve") and at_junction:
+        kind = "intersection"
+    if kind == "intersection" and road.no_intersection and not at_junction and road.control is None:
+        kind = None
+    exits = [e for e in scene.clauses.events if e.act == "exit_road" and e.done]
+    if kind == "off_ramp" and exits and not any(e.agent.ego for e in exits):
+        kind = "motorway"
+    manoeuvre = None
+    if kind is None and road.signal:
+        kind = "intersection"
+    if kind == "intersection":
+        if turn is not None:
+            sides = [side(e) for e in scene.events(ego) if e.act == "turn"]
+            manoeuvre = "u_turn" if turn.act == "u_turn" else next((s for s in sides if s), "left")
+        named = re.search(
+            (
+                r"(?:un)?protected (left|right)|\b(left|right) turn\b(?! lane)"
+                r"|\bego,?( [^.;]{0,25})?, (left|right)\b(?! lane)"
+            ),
+            scene.plain,
+        )
+        others_turn = any(e.act == "turn" and not e.agent.ego and e.done for e in scene.clauses.events)
+        if manoeuvre is None and named and straight is None and not (named[2] and others_turn):
+            manoeuvre = next(g for g in (named[1], named[2], named[4]) if g)
+        if manoeuvre is None and _ends_before(scene):
+            manoeuvre = "straight"
+        manoeuvre = manoeuvre or "straight"
+    needs_left, needs_right, oncoming = _neighbours(scene)
+    ego_lane = _ego_lane(scene)
+    lanes = road.lanes
+    if (needs_left or needs_right) and (lanes or 0) < 2:
+        lanes = 2
+    if needs_left and needs_right:
+        lanes = max(lanes or 0, 3)
+    if lanes == 2 and ego_lane == "middle":
+        lanes = 3
+    if ego_lane is None and lanes and lanes >= 2:
+        if needs_left and needs_right:
+            ego_lane = "middle"
+        elif needs_left:
+            ego_lane = "rightmost" if lanes == 2 else None
+        elif needs_right:
+            ego_lane = "leftmost" if lanes == 2 else None
+    if kind is None:
+        kind = "curve" if road.bend else "motorway" if road.ramp else None
+    on_ramp = road.ramp and _ego_on_ramp(scene)
+    if on_ramp:
+        kind = "on_ramp"
+    if kind is None:
+        kind = "straight" if road.straight or road.no_intersection else "road"
+    if kind == "road" and road.crosswalk and not at_junction:
+        kind = "crosswalk"
+    if kind == "curve" and road.kind == "curve" and road.straight and not road.bend:
+        kind = "straight"
+    if kind == "motorway" and road.bend:
+        kind = "curve"
+    if kind == "motorway" and oncoming:
+        kind = "straight"
+    has_oncoming = road.oncoming if road.oncoming is not None else (True if oncoming else None)
+    if kind == "motorway":
+        has_oncoming = None
+    shoulder = True if _needs_shoulder(scene) else None
+    sidewalk = True if any(scene.where(e).lane == "sidewalk" for e in scene.actors) else None
+    control = road.control if kind == "intersection" else None
+    if kind == "intersection" and control is None and any(e.act == "run_red" for e in scene.clauses.events if e.done):
+        control = "signal"
+    if kind == "on_ramp":
+        ego_lane = None
+    return PlaceSpec(
+        kind=kind,  # type: ignore[arg-type]
+        arms=road.arms if kind == "intersection" else None,  # type: ignore[arg-type]
+        control=control,  # type: ignore[arg-type]
+        manoeuvre=manoeuvre,  # type: ignore[arg-type]
+        lanes=min(4, lanes) if lanes else None,
+        ego_lane=ego_lane,  # type: ignore[arg-type]
+        oncoming=has_oncoming,
+        curve=road.curve if kind == "curve" else None,  # type: ignore[arg-type]
+        shoulder=shoulder,
+        sidewalk=sidewalk,
+        crosswalk=True if road.crosswalk else None,
+        speed_limit=round(road.speed_limit, 2) if road.speed_limit and road.speed_limit <= 40 else None,
+    )
+
+
+def _at_junction(scene: Scene) -> bool:
+    """Whether what happens needs a junction: turns, runs red, crosses paths."""
+    if any(e.act in ("run_red", "run_stop") and e.done for e in scene.clauses.events):
+        return True
+    for event in scene.clauses.events:
+        if event.act == "turn" and event.done and (event.agent.ego or event.agent in scene.actors):
+            if re.search(r"driveway|parking|lane", event.text) and not re.search(
+                r"intersection|junction|street|road", event.whole
+            ):
+                continue
+            if side(event) is not None or re.search(r"across|path of|in front of", event.text):
+                return not scene.road.no_intersection
+    if re.search(r"unprotected (left|right)|protected left", scene.plain):
+        return True
+    crossing = [e for e in scene.actors if scene.where(e).lane == "crossing" and not e.person and e.type != "bicycle"]
+    meets = [
+        e
+        for e in scene.clauses.events
+        if e.act == "cross_path" and e.done and e.patient is scene.cast.ego and e.agent in scene.actors
+    ]
+    if any(e.agent.type in MOTOR and scene.where(e.agent).lane is None for e in meets):
+        return not scene.road.no_intersection
+    return (
+        bool(crossing)
+        and not scene.road.no_intersection
+        and any(e.act in ("cross_path", "go_straight", "collide", "yield", "run_stop") for e in scene.clauses.events)
+    )
+
+
+def _ends_before(scene: Scene) -> bool:
+    return scene.does(scene.cast.ego, "stop", "stationary", "brake_stop") is not None
+
+
+ON_RAMP = re.compile(
+    r"on-?ramp|acceleration lane|slip road|entrance ramp|entry ramp|ramp"
+    r"|merg\w+ (on)?to the (motorway|highway|freeway|interstate)|join\w* (the |a )?(motorway"
+    r"|highway|freeway|interstate)"
+)
+
+
+def _ego_on_ramp(scene: Scene) -> bool:
+    for event in scene.events(scene.cast.ego):
+        whole = re.sub(r"(off|exit)[- ]?ramp", "", event.whole)
+        match = ON_RAMP.search(whole)
+        if match and not re.search(r"@a\d", whole[max(0, match.start() - 25) : match.start()]):
+            return True
+        if (
+            event.act == "lane_change"
+            and re.search(r"\bmerg\w+|join", event.text)
+            and not any(
+                scene.where(e).lane == "ramp" and re.search("from", " ".join(t for _, t in scene.where(e).phrases))
+                for e in scene.actors
+            )
+        ):
+            return True
+    return False
+
+
+def _neighbours(scene: Scene) -> tuple[bool, bool, bool]:
+    """Whether a lane to the left, to the right, and one of the other direction are needed."""
+    left = right = oncoming = False
+    for event in scene.clauses.events:
+        if not event.done and not (event.mode == PART and "lane" in event.text):
+            continue
+        if event.act in ("lane_change", "cut_out") and (
+            event.agent.ego or scene.where(event.agent).lane in (None, "same")
+        ):
+            towards = side(event)
+            left, right = left or towards == "left", right or towards == "right"
+        if event.act == "oncoming" and not wrong_way(scene, event.agent):
+            oncoming = True
+    for entity in scene.actors:
+        where = scene.where(entity)
+        if where.of is not None and not where.of.ego:
+            continue
+        if not at_edge(scene, entity):
+            left, right = left or where.lane == "left", right or where.lane == "right"
+        if (where.lane == "oncoming" or "oncoming" in entity.roles) and not wrong_way(scene, entity):
+            oncoming = True
+    lane = _ego_lane(scene)
+    if lane == "leftmost":
+        left = False
+    if lane == "rightmost":
+        right = False
+    return left, right, oncoming
+
+
+def _ego_lane(scene: Scene) -> str | None:
+    """The lane that ego starts in, where a clause about ego names it."""
+    if scene.places.ego_lane is not None:
+        return scene.places.ego_lane
+    patterns = language.table("places")["ego_lane"]
+    ego = scene.cast.ego
+    texts = [
+        e.whole
+        for e in scene.events(ego)
+        if e.act in ("travel", "keep_lane", "follow", "approach", "stationary", "go_straight", "brake")
+        and e.agent is ego
+    ]
+    for mention in ego.mentions:
+        sentence = [w for w in scene.words if w.sentence == scene.words[mention.word].sentence and w.i > mention.word]
+        match = re.match(r"\s?\(([^)]*)\)", " ".join(w.norm for w in sentence))
+        if match:
+            texts.append(match[1])
+        if _beside_it(scene, mention.word):
+            continue
+        word = scene.words[mention.word]
+        linear: list[str] = []
+        for other in scene.words[mention.word + 1 : mention.word + 14]:
+            if other.sentence != word.sentence or other.verb or other.norm == "and" or other.i in scene.cast.of:
+                break
+            if other.norm == "from" and scene.words[word.head].verb and word.dep != "nsubj":
+                break  # "approaches ego from behind in the left lane"
+            linear.append(other.norm)
+        texts.append(" ".join(linear))
+        below = scene.clauses._below(mention.word)
+        texts.append(" ".join(scene.words[i].norm for i in below if i > mention.word))
+    texts += _lanes_where(scene)
+    if same := next((m for t in texts if (m := SAME_LANE.search(t))), None):
+        begins = min((m.start for m in ego.mentions if f"{same[0]}" in scene.plain[m.start : m.start + 90]), default=0)
+        if named := scene.places._last_lane(begins):
+            return f"{named}most"
+    for text in texts:
+        if re.search(r"(into|to|onto) the (\w+ )?(left|right)", text) and "keep" not in text:
+            text = re.sub(r"(into|onto|to) the .*", "", text) if "keep" not in text else text
+        if re.search(r"@a\d+ (in|on|from) the", text):
+            text = re.split(r"@a\d+", text)[0]
+        told = [(match.start(), entry["is"]) for entry in patterns if (match := re.search(entry["find"], text))]
+        if told:
+            return min(told, key=lambda found: found[0])[1]
+    for entity in scene.actors:
+        for event in scene.events(entity):
+            match = re.search(r"which be also the @ego|also the @ego ''?s", event.whole)
+            if match:
+                return (
+                    "leftmost" if "left lane" in event.whole else "rightmost" if "right lane" in event.whole else None
+                )
+    text = scene.plain
+    match = re.search(r"in the (left|right)(-hand)? lane, which is also (the )?ego", text)
+    if match:
+        return "leftmost" if match[1] == "left" else "rightmost"
+    return None
+
+
+def _lanes_where(scene: Scene) -> list[str]:
+    """The lanes in which ego is said to drive by a relative clause: "the right lane, where ego drives"."""
+    found = []
+    for event in scene.events(scene.cast.ego):
+        word = scene.words[event.word]
+        lane = scene.words[word.head]
+        if scene.words[lane.head].norm == "of":  # "the left lane of the freeway, where ego drives"
+            lane = scene.words[scene.words[lane.head].head]
+        if word.dep in ("relcl", "advcl", "acl") and lane.norm in ("lane", "one") and lane.i < word.i:
+            found.append("in " + " ".join(scene.words[i].norm for i in scene.clauses._below(lane.i) if i <= lane.i))
+    return found
+
+
+SAME_LANE = re.compile(r"\bin (?:that|the) (?:very |same )+lane\b(?! as)")
+BESIDE = re.compile(r"\b(?:level with|alongside|beside|next to|abreast of|side by side with|past)(?: the)?$")
+
+
+def _beside_it(scene: Scene, i: int) -> bool:
+    """Whether a lane named right after ego is another's: that of one beside it, or of one who passes it."""
+    word = scene.words[i]
+    before = " ".join(w.norm for w in scene.words[max(0, i - 5) : i] if w.sentence == word.sentence)
+    if BESIDE.search(before):
+        return True
+    event = scene.clauses.by_word.get(word.head) if word.dep == "dobj" else None
+    return event is not None and event.act == "overtake" and not event.agent.ego
+
+
+def _needs_shoulder(scene: Scene) -> bool:
+    return any(scene.where(e).lane in ("parked",) for e in scene.actors)
+
+
+__all__ = ["compose_place", "places"]

@@ -1,0 +1,1 @@
+"""From relations to positions of the vocabulary: where vehicles, people and animals start."""

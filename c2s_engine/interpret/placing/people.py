@@ -1,0 +1,193 @@
+"""Where people, animals and cyclists start."""
+
+import re
+
+from c2s_engine.interpret.placing.compass import compass
+from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, at_edge, passes_ego, told_of, wrong_way
+from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.where.relations import Where, side_of_text
+from c2s_engine.interpret.who.mentions import Entity
+from c2s_engine.structure.specs import PlaceSpec
+
+
+def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:
+    if entity.type == "bicycle" and place.kind == "roundabout" and CIRCULATES.search(told_of(scene, entity)):
+        return {"position": "crossing_left", "said": True}
+    passing = scene.does(entity, "overtake")
+    by = where.side or side_of_text(passing.whole) if passing is not None else None
+    if passing is not None and by is None and re.search(r"\b(?:inside|nearside)\b", passing.whole):
+        by = "right"
+    if passing is not None and by is None and re.search(r"\b(?:cycle|bike|bicycle) (?:lane|path|track)", scene.plain):
+        by = "right" if place.manoeuvre == "right" else None
+    if entity.type == "bicycle" and by and place.manoeuvre == by and place.kind == "intersection":
+        return {"position": "roadside", "side": by, "along": "behind", "said": True}  # between ego and the kerb
+    if "overtake" in acts and (where.lane is None and not where.rel or passes_ego(scene, entity)):
+        return {"position": "behind", "said": True}
+    crosses = "cross_road" in acts or "enter_road" in acts or "cut_in" in acts and entity.person
+    crosses = crosses or _on_crosswalk(scene, entity, acts) or entity.person and "crossing" in entity.roles
+    along = "move_along" in acts and not crosses
+    text = " ".join(e.whole for e in scene.events(entity)) + " " + " ".join(t for _, t in where.phrases)
+    edge = (
+        where.side
+        or side_of_text(re.sub(r"@\w+ (turn|travel)\w* (left|right)", "", " ".join(t for _, t in where.phrases)))
+        or _sentence_side(scene, entity)
+    )
+    if wrong_way(scene, entity):
+        return {"position": "ahead", "facing": "against", "said": True}
+    if where.hidden_by is not None and where.open and not crosses and set(acts) <= {"travel", "stationary"}:
+        return {"position": "roadside", "side": edge or _behind_whom(scene, where) or "right", "said": True}
+    if entity.type == "bicycle":
+        over = place.kind in ("intersection", "roundabout") or "cross_road" not in acts
+        if (
+            where.lane == "crossing"
+            and over
+            and not re.search(r"\b(cross|crosses) (the|a) (road|street|crosswalk|zebra)|crosswalk|sidewalk", text)
+        ):
+            return {"position": f"crossing_{where.side or 'right'}", "said": True}
+        if (where.lane == "oncoming" or "oncoming" in entity.roles) and not crosses:
+            return {"position": "opposite_approach" if place.kind == "intersection" else "oncoming_lane", "said": True}
+        if where.rel == "behind" and where.side and at_edge(scene, entity) and place.kind == "intersection":
+            return {"position": "roadside", "side": where.side, "along": "behind", "said": True}
+        own = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
+        if where.lane in ("left", "right") and (where.rel or place.ego_lane and where.lane != own):
+            return {"position": f"{where.lane}_lane", "along": along_of(where.rel), "said": True}
+        if "oncoming" in acts and where.rel is None and not crosses:
+            return {"position": "oncoming_lane", "said": True}
+        if where.lane == "oncoming" and place.kind == "intersection":
+            return {"position": "opposite_approach", "said": True}
+    if (
+        crosses
+        and entity.type == "bicycle"
+        and place.kind == "intersection"
+        and (where.lane == "oncoming" or "oncoming" in entity.roles)
+    ):
+        return {"position": "opposite_approach", "said": True}
+    if crosses:
+        if place.kind == "intersection" and place.manoeuvre in ("left", "right") and where.lane not in ("parked",):
+            return {"position": "intersection_exit", "side": edge or "right", "said": True}
+        position = (
+            "sidewalk"
+            if where.lane == "sidewalk"
+            or place.sidewalk
+            or where.lane is None
+            and (scene.road.setting == "urban" or scene.road.crosswalk)
+            and entity.type != "animal"
+            else "roadside"
+        )
+        return {
+            "position": position,
+            "side": _from_side(text)
+            or edge
+            or _by_compass(scene, entity)
+            or _behind_whom(scene, where, text)
+            or "right",
+            "said": where.lane is not None or where.side is not None,
+        }
+    if (
+        "stationary" in acts
+        and (where.lane in ("same", None) and where.rel != "beside")
+        and where.lane not in ("sidewalk", "roadside")
+    ):
+        waits_at = entity.person or "crossing" in text or scene.road.crosswalk
+        if where.lane is None and edge and waits_at:  # "a pedestrian waiting on the right"
+            walk = scene.road.crosswalk or scene.road.setting == "urban"
+            return {"position": "sidewalk" if walk else "roadside", "side": edge, "said": True}
+        back = where.rel == "behind" and where.of is not None and where.of.ego
+        return {"position": "behind" if back else "ahead", "said": True}
+    side = where.side or ("right" if where.rel == "beside" else None)
+    if entity.type == "bicycle" and side and place.manoeuvre == side and where.rel in (None, "ahead", "beside"):
+        return {"position": "partly_in_lane", "side": side, "said": True}
+    if entity.type == "bicycle" and where.lane == "sidewalk":
+        return {"position": "sidewalk", "side": edge or "right", "said": True}
+    if along or entity.type == "bicycle":
+        if where.rel == "behind" and where.lane != "same":
+            return {"position": "behind", "said": True}
+        if where.rel == "behind":
+            return {"position": "behind", "said": True}
+        if entity.person and where.lane in ("sidewalk", "roadside"):
+            inside = re.search(r"inside the|in the lane|on the road|edge of the lane", text)
+            return {
+                "position": "partly_in_lane" if inside else "sidewalk" if where.lane == "sidewalk" else "roadside",
+                "side": edge or "right",
+                "facing": _facing(text),
+                "said": True,
+            }
+        if entity.type == "bicycle" and (
+            where.lane in ("roadside", "partly")
+            or re.search(r"(right|left)(-hand)? (edge|side)|edge of|near the (curb|kerb)", text)
+        ):
+            return {"position": "partly_in_lane", "side": edge or "right", "said": True}
+        if where.rel == "beside":
+            return {"position": "beside", "side": edge or "right", "said": True}
+        if where.lane == "same" and re.search(r"edge", text) or entity.person and along:
+            return {
+                "position": "partly_in_lane",
+                "side": edge or "right",
+                "facing": _facing(text),
+                "said": where.lane is not None,
+            }
+        if entity.type == "bicycle" and where.side and where.lane is None:
+            return {"position": "partly_in_lane", "side": where.side, "said": True}
+        return {"position": "ahead", "said": where.rel is not None or where.lane is not None}
+    if where.lane in ("sidewalk", "roadside", "parked"):
+        return {
+            "position": "sidewalk" if where.lane == "sidewalk" else "roadside",
+            "side": edge or "right",
+            "said": True,
+        }
+    if entity.person and where.side and where.rel is None and where.lane is None:  # "another is on the right"
+        walk = place.sidewalk or scene.road.crosswalk or scene.road.setting == "urban"
+        return {"position": "sidewalk" if walk else "roadside", "side": where.side, "said": True}
+    return {"position": "ahead", "said": where.rel == "ahead" or where.lane == "same"}
+
+
+def _on_crosswalk(scene: Scene, entity: Entity, acts: list[str]) -> bool:
+    """Whether a person of whom no act is told is on a crosswalk: then it crosses."""
+    if acts or not entity.person or not scene.road.crosswalk or entity.roles:
+        return False
+    words = scene.words[entity.mentions[0].word : entity.mentions[0].word + 7]
+    return bool(re.search(r"cross|zebra", " ".join(w.norm for w in words)))
+
+
+def _sentence_side(scene: Scene, entity: Entity) -> str | None:
+    """The side that the sentence of a person's first mention names for it."""
+    first = entity.mentions[0]
+    sentence = " ".join(w.norm for w in scene.words if w.sentence == scene.words[first.word].sentence)
+    match = re.search(r"(left|right) side|(?:from|on) (?:the |its )?(left|right)\b(?! lane|-hand lane)", sentence)
+    return (match[1] or match[2]) if match else None
+
+
+def _facing(text: str) -> str | None:
+    return (
+        "against"
+        if re.search(r"facing (the )?(traffic|oncoming)|against (the )?traffic|towards (the )?@ego", text)
+        else None
+    )
+
+
+def _from_side(text: str) -> str | None:
+    match = re.search(r"from (the |its |@\w+ 's )?(far |opposite )?(left|right)", text)
+    return match[3] if match else None
+
+
+def _by_compass(scene: Scene, entity: Entity) -> str | None:
+    """The side that a person comes from, where it walks "from west to east" and ego's heading is told."""
+    found = compass(scene, entity)
+    return found if found in ("left", "right") else None
+
+
+LEFT = re.compile(r"\b(?:from|out of|off|leave|exit) (?:the |a |an )?(?:\w+ )?@KEY\b")
+
+
+def _keyed(text: str, entity: Entity) -> str:
+    """A text in which one road user is called KEY."""
+    return re.sub(rf"@{entity.key}\b", "@KEY", text)
+
+
+def _behind_whom(scene: Scene, where: Where, told: str = "") -> str | None:
+    """The side of one who hides somebody or whom it leaves, where that stands on one side or comes the other way."""
+    blocker = where.hidden_by or next((e for e in scene.actors if LEFT.search(_keyed(told, e))), None)
+    theirs = scene.where(blocker) if blocker is not None else None
+    if theirs is None:
+        return None
+    return "left" if theirs.lane == "oncoming" else theirs.side

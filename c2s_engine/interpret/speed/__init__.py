@@ -1,0 +1,1 @@
+"""How fast: speeds, and whose each is."""

@@ -1,0 +1,111 @@
+"""Speeds told as a part or multiple of another: "80 % of the limit", "half as fast as ego", "20 % faster than V2"."""
+
+import re
+from functools import cache
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.reading import amounts
+from c2s_engine.interpret.reading.scan import Span
+from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.speed.comparisons import owner_of
+
+LIMIT = (
+    r"(?:the |its |their |this |that )?(?:local |current |posted |legal |permitted |allowed |maximum |speed )*limit\b"
+)
+SPEED = r"(?:speed|velocity|pace)"
+ENDS = r"(?=\s*(?:[.,;)]|$|of\b|while\b|when\b|and\b))"
+BASE = (
+    rf"{LIMIT}|#?\d+(?:\.\d+)? ?(?:km/h|kph|mph|m/s)|(?:that|this|its|their|his|the|our|my) (?:\S+ ){{0,4}}?{SPEED}\b"
+    rf"|(?:that|it){ENDS}|{SPEED}\b|\S+(?: \S+)? ?'s (?:\w+ )?{SPEED}\b|(?:ego|host|sv|vut) {SPEED}\b"
+)
+MORE = r"(?P<more>faster|quicker|higher|greater|more|above|over|in excess of)"
+
+
+@cache
+def _ratio() -> re.Pattern[str]:
+    fractions = language.alternatives(list(language.table("units")["fractions"]))
+    words = language.alternatives([w for w, v in language.table("units")["numbers"].items() if 1 < float(v) <= 10])
+    number = r"\d+(?:\.\d+)?"
+    return re.compile(
+        rf"(?:(?P<percent>{number}) ?(?:%|per ?cent\b)|(?<![\w.])(?P<times>{number}|{words}) ?(?:times|x|×)(?!\w)"
+        rf"|\b(?P<part>{fractions})\b)"
+        rf"(?P<by> (?:{MORE}|slower|lower|less|below|under)(?: than)?(?P<than> [^.;]{{0,60}})?"
+        rf"| as (?:fast|quick(?:ly)?)(?: as(?P<like> [^.;]{{0,60}}))?|(?: of)? (?P<base>(?:{BASE})[^.;]{{0,60}}))"
+    )
+
+
+TOLD_AFTER = re.compile(rf"{SPEED}(?: of [^,.;()\d]{{1,30}})?(?:,? which (?:is|was)| ?\(| ?=| of)? $|{SPEED} ?[(=]$")
+"""What stands between another's speed and its number: "of ego's speed, which is 90 km/h"."""
+
+
+def speeds_by_ratio(scene: Scene, quantities: list[Span]) -> None:
+    """The speeds that are told as a part, a multiple or a percentage of another speed or of the limit."""
+    for match in _ratio().finditer(scene.plain):
+        owner = owner_of(scene, match.start())
+        told = match["than"] or match["like"] or match["base"] or ""
+        if owner is None or match["by"].strip() in ("over", "under", "more", "less", "above", "below") and not told:
+            continue
+        factor = _factor(match)
+        base = _base(scene, quantities, match, told, owner)
+        if base is None:
+            continue
+        if isinstance(base, Entity):
+            scene.by_ego.setdefault(owner, (factor, 0.0))
+            continue
+        low, high, start, end = base
+        scene.speeds[owner] = (low * factor, high * factor, min(match.start(), start), max(match.end("by"), end))
+
+
+def _factor(match: re.Match[str]) -> float:
+    compared = match["base"] is None and match["like"] is None and " as " not in match["by"]
+    if match["percent"]:
+        part = float(match["percent"]) / 100
+        return max(0.02, 1 + part if match["more"] else 1 - part) if compared else part
+    part = amounts.value_of(match["times"]) if match["times"] else language.table("units")["fractions"][match["part"]]
+    return 1 / part if compared and not match["more"] else part
+
+
+def _base(
+    scene: Scene, quantities: list[Span], match: re.Match[str], told: str, owner: Entity
+) -> tuple[float, float, int, int] | Entity | None:
+    """The speed that another is told by, or ego where ego's is not told."""
+    at = match.end() - len(told) if told else match.end()
+    limit = scene.road.speed_limit
+    by_limit = re.match(rf" ?{LIMIT}(?: of)?", told)
+    if limit is not None and (by_limit or _limit_before(scene, match, told)):
+        return limit, limit, match.start(), match.end("by")
+    at += by_limit.end() if by_limit else 0
+    number = next((q for q in quantities if q.data["dimension"] == "speed" and 0 <= q.start - at <= 4), None)
+    if number is not None:
+        return number.data["low"], number.data["high"], number.start, number.end
+    if re.match(rf" ?(?:that|this)(?: {SPEED})?\b(?! of)", told):
+        before = [q for q in quantities if q.data["dimension"] == "speed" and q.end <= match.start()]
+        return (before[-1].data["low"], before[-1].data["high"], match.start(), match.end("by")) if before else None
+    inside = [scene.cast.of[i] for i in sorted(scene.cast.of) if at <= scene.words[i].start < match.end()]
+    other = next((e for e in inside if e is not owner and (e.mover or e.ego)), None)
+    if other is None and inside[:1] == [owner] and owner in scene.speeds:
+        return scene.speeds[owner]  # "half its usual speed"
+    if other is None:
+        others = [e for e in scene.actors if e in scene.speeds and e is not owner]
+        other = scene.cast.ego if not owner.ego else others[0] if len(others) == 1 else None
+    if other is None:
+        return None
+    told_there = next((q for q in quantities if q.data["dimension"] == "speed" and _is_told(scene, match, q)), None)
+    if told_there is not None:
+        scene.speeds[other] = (told_there.data["low"], told_there.data["high"], told_there.start, told_there.end)
+    return scene.speeds.get(other) or (other if other.ego else None)
+
+
+def _is_told(scene: Scene, match: re.Match[str], span: Span) -> bool:
+    """Whether a speed is that of the other, told right after it: "of ego's speed, which is 90 km/h", "(90 km/h)"."""
+    near = match.start() < span.start < match.end() + 30
+    return near and TOLD_AFTER.search(scene.plain[match.start() : span.start]) is not None
+
+
+def _limit_before(scene: Scene, match: re.Match[str], told: str) -> bool:
+    """Whether "15 % above it" means the limit that the sentence spoke of."""
+    if not re.match(r" ?(?:it|this|that)\b(?! (?:of|\w*speed))", told) or match["by"] is None:
+        return False
+    start = max((s for s, _ in scene.sentences if s <= match.start()), default=0)
+    return re.search(r"\blimit\b", scene.plain[max(0, start - 60) : match.start()]) is not None

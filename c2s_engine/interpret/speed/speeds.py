@@ -1,0 +1,252 @@
+"""Whose each speed is."""
+
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.reading import scan, syntax
+from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.speed.comparisons import compared_speeds, is_difference
+from c2s_engine.interpret.speed.ratios import speeds_by_ratio
+from c2s_engine.interpret.speed.shared_out import shared_out
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.who.mentions import VEHICLES, Entity
+
+SIDEWAYS = re.compile(r"\b(?:lateral|sideways|sideward|wind|yaw)\s+(?:\w+\s+){0,2}(?:\w+\s+)?$")
+AT_LIMIT = re.compile(
+    r"\bat (?:the |a |its )?(?:posted|legal|permitted|signed|speed limit|limit)( speed)?( limit)?( of)?\s*$"
+)
+NAMED = re.compile(
+    r"\bv_?(?:(?P<ego>e|ego|vut|sv|host|e0|0)|(?P<other>o|obj|o0|t|tv|target|lead|lv|1|gvt))\s*(?:=|:|in|of)\s*$"
+)
+COMPARED_WITH = re.compile(r"\b(?:than|as) (?:the |an? )?$")
+AT_REST = frozenset(("stationary", "stop", "brake", "brake_stop", "held_up", "yield"))
+GOES_ON = re.compile(r"(continue|proceed|carry|go|drive|travel|roll|move)( on)?( \w+ing)?( on)? at #speed")
+
+
+def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
+    """Whose each speed is: the agent of the clause it stands in, the noun that it describes, or both parties."""
+    clauses, cast = scene.clauses, scene.cast
+    shared_out(scene)
+    by_span = {id(w.span): w for w in scene.words if w.span is not None and w.span.kind == "quantity"}
+    for span in quantities:
+        if span.data["dimension"] != "speed" or SIDEWAYS.search(scene.plain[max(0, span.start - 40) : span.start]):
+            continue
+        if span.data.get("role") == "limit" and not AT_LIMIT.search(scene.plain[max(0, span.start - 40) : span.start]):
+            continue
+        if is_difference(scene.plain, span):
+            continue
+        word = by_span.get(id(span))
+        if word is None:
+            continue
+        unit = word
+        owner = _before(scene, span) or _beside(scene, span) or _speed_owner(scene, unit.i)
+        value = (span.data["low"], span.data["high"], span.start, span.end)
+        if owner is not None and owner.noun in language.table("actors")["queues"]:
+            owner = None
+        near = scene.plain[max(0, span.start - 60) : span.start]
+        both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(
+            re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20])
+        )
+        if re.search(r"\bspeeds(?: (?:of|are|were|at|around|about|is|being|each))*[: ]*$", near):
+            for other in (cast.ego, *(e for e in scene.actors if e.type in VEHICLES and e.type != "bicycle")):
+                scene.speeds.setdefault(other, value)
+            continue
+        like = re.search(r"like (it|the \w+|ego)[^.;,]*$", near)
+        if re.search(
+            (
+                r"(both lanes|all lanes|traffic|jam|queue)\b[^.;,]*(creep|crawl|mov|flow|travel|driv|runs?"
+                r"|progress)[^.;,]*$"
+            ),
+            near,
+        ) and (owner is None or not re.search(rf"\b{re.escape(owner.noun or '@@')}\b", near)):
+            for other in (cast.ego, *scene.actors):
+                if other.ego or other.type in VEHICLES and other.type not in ("motorcycle", "bicycle"):
+                    scene.speeds.setdefault(other, value)
+            continue
+        if owner is None:
+            continue
+        event = _event_of(scene, unit.i)
+        changing = [
+            e
+            for e in clauses.events
+            if e.agent is owner
+            and e.act in ("brake", "brake_stop", "accelerate")
+            and e.word < unit.i
+            and scene.words[e.word].sentence == word.sentence
+        ]
+        if "second" in span.data and changing:
+            changing[-1].quantities = [
+                *changing[-1].quantities,
+                {
+                    "dimension": "speed",
+                    "low": span.data["second"],
+                    "high": span.data["second"],
+                    "role": "target",
+                    "start": span.start,
+                },
+            ]
+            scene.speeds.setdefault(owner, (span.data["first"], span.data["first"], span.start, span.end))
+            continue
+        if changing and event is not None and event.act == "travel" and GOES_ON.match(event.text):
+            changing[-1].quantities = [*changing[-1].quantities, {**span.data, "start": span.start, "role": "target"}]
+            continue
+        if changing and (
+            event is None or event.act not in ("brake", "brake_stop", "accelerate") or changing[-1].word > event.word
+        ):
+            event = changing[-1]
+            if re.search(r"(to|down to)\s*(about |around |roughly )?$", near[-16:]) and not any(
+                q["start"] == span.start for q in event.quantities
+            ):
+                event.quantities = [*event.quantities, {**span.data, "start": span.start, "role": "target"}]
+        if (
+            event is not None
+            and event.agent is owner
+            and event.act in ("brake", "brake_stop", "accelerate")
+            and re.search(r"(to|down to|from)\s*(about |around |roughly )?$", near[-16:]) is not None
+            and "from" not in near[-16:]
+        ):
+            event.quantities = [{**q, "role": "target"} if q["start"] == span.start else q for q in event.quantities]
+            continue
+        if owner in scene.speeds:
+            between = [
+                j
+                for j in sorted(cast.of)
+                if scene.speeds[owner][3] <= scene.words[j].start < span.start
+                and cast.of[j] is not owner
+                and (cast.of[j].mover or cast.of[j].ego)
+            ]
+            if between and scene.words[between[-1]].sentence == word.sentence:
+                scene.speeds.setdefault(cast.of[between[-1]], value)
+                continue
+        scene.speeds.setdefault(owner, value)
+        subject_also = event.also if event is not None else []
+        for other in subject_also:
+            scene.speeds.setdefault(other, value)
+        if both or like:
+            scene.speeds.setdefault(cast.ego, value)
+            others = [e for e in scene.actors if e.type in VEHICLES]
+            told = [scene.words[m.word].sentence for e in others for m in e.mentions[:1]]
+            many = 2 if told[:2] == [word.sentence, word.sentence] else 1
+            for other in others[:many]:
+                scene.speeds.setdefault(other, value)
+    compared_speeds(scene, quantities)
+    speeds_by_ratio(scene, quantities)
+
+
+def _before(scene: Scene, span: scan.Span) -> Entity | None:
+    """The owner that stands before a speed in the same stretch between commas, where the verb's subject comes later."""
+    near = scene.plain[max(0, span.start - 60) : span.start]
+    named = NAMED.search(near)
+    if named is not None:
+        others = [e for e in scene.actors if e.type in VEHICLES]
+        spoken = [scene.cast.of[w] for w in sorted(scene.cast.of) if scene.words[w].start < span.start]
+        told = [e for e in spoken if e in others]
+        return scene.cast.ego if named["ego"] else told[-1] if told else others[0] if others else None
+    if re.search(
+        r"\b(?:own|test) speed[^.;,]{0,20}$"
+        r"|set[- ]speed[^.;]*$|\b(system|alks|dcas|aebs|acc|cruise control)\b(?! (vehicle|car))[^,.;]*$",
+        near,
+    ) and not re.search(r"whose", near[-20:]):
+        return scene.cast.ego
+    return None
+
+
+def _beside(scene: Scene, span: scan.Span) -> Entity | None:
+    """The road user right before a speed: "in front of the ego at 100 km/h"."""
+    for i, entity in scene.cast.of.items():
+        word = scene.words[i]
+        if word.span is None or word.end > span.start or span.start - word.end > 24:
+            continue
+        if re.fullmatch(
+            (
+                r"\s*,?\s*(at|doing|going|travell?ing at|driving at|moving at)\s*(about |around |roughly "
+                r"|approximately |only |just )?"
+            ),
+            scene.plain[word.end : span.start],
+        ):
+            compared = COMPARED_WITH.search(scene.plain[max(0, word.start - 12) : word.start])
+            slow = not entity.ego and "slow" in entity.roles and entity.mover and not entity.person
+            if compared and "," not in scene.plain[word.end : span.start] or slow:
+                return entity
+            verb = scene.clauses._governor(word)
+            event = scene.clauses.by_word.get(verb.i) if verb is not None else None
+            if event is not None and event.agent is not entity and _heads_part(scene, word):
+                return entity
+            if event is None or event.agent is entity or not _fast_enough(scene, event, span):
+                return entity
+            return None
+    return None
+
+
+def _heads_part(scene: Scene, word: syntax.Word) -> bool:
+    """Whether a road user heads a part of a list without a verb: "ego at 60 km/h in the left lane, truck drifts"."""
+    before = scene.words[word.i - 1] if word.i else None
+    if before is not None and before.norm == "the" and word.i > 1:
+        before = scene.words[word.i - 2]
+    if before is not None and before.sentence == word.sentence and before.norm not in (",", ";", ":", "the"):
+        return False
+    for other in scene.words[word.i + 1 :]:
+        if other.sentence != word.sentence or other.norm in (",", ";"):
+            return other.norm in (",", ";")
+        if other.verb:
+            return False
+    return False
+
+
+def _fast_enough(scene: Scene, event: Event, span: scan.Span) -> bool:
+    """Whether a speed after the one whom a verb is about is its doer's: "crosses the path of the ego at 15 km/h", but
+    not "stands in front of the ego at 60 km/h" nor "a child runs in front of the ego at 60 km/h"."""
+    if event.act in AT_REST or event.agent in scene.speeds:
+        return False
+    slow = event.agent.type in ("bicycle", "animal")
+    fastest = 13.0 if slow else 4.5 if event.agent.person else None
+    return fastest is None or span.data["low"] <= fastest
+
+
+def _event_of(scene: Scene, i: int) -> Event | None:
+    return next((e for e in scene.clauses.events if i in e.words), None)
+
+
+def _speed_owner(scene: Scene, i: int) -> Entity | None:
+    words, cast = scene.words, scene.cast
+    current = words[i]
+    for _ in range(8):
+        if current.i in scene.clauses.by_word:
+            event = scene.clauses.by_word[current.i]
+            agent, _, passive = scene.clauses._subject(current) if current.verb else (event.agent, None, False)
+            moved = event.patient if event.passive and event.act == "travel" else None  # "V2 is driven at .. by"
+            first = moved is not None and any(m.word < current.i for m in moved.mentions)
+            return moved if first else event.agent
+        if current.verb or scene.clauses._is_verb(current):
+            agent, _, passive = scene.clauses._subject(current)
+            if agent is not None:
+                return agent
+        owner = cast.referent(current.i) if current.i != i else None
+        if owner is not None and (owner.mover or owner.ego):
+            return owner
+        if current.norm in ("speed", "pace", "velocity"):
+            for child in current.children:
+                if words[child].dep in ("poss",) or words[child].tag in ("PRP$", "WP$"):
+                    found = cast.referent(child)
+                    if found is not None:
+                        return found
+            if any(words[c].norm == "set" for c in current.children) or "set speed" in " ".join(
+                w.norm for w in words[max(0, current.i - 2) : current.i + 1]
+            ):
+                return cast.ego
+        if current.head == current.i:
+            break
+        current = words[current.head]
+    before = [
+        j
+        for j in sorted(cast.of)
+        if j < i and words[j].sentence == words[i].sentence and (cast.of[j].mover or cast.of[j].ego)
+    ]
+    if before:
+        return cast.of[before[-1]]
+    after = [
+        j
+        for j in sorted(cast.of)
+        if j > i and words[j].sentence == words[i].sentence and (cast.of[j].mover or cast.of[j].ego)
+    ]
+    return cast.of[after[0]] if after else cast.ego

@@ -1,0 +1,320 @@
+"""Who does it: agents by the grammatical relations, with passives, relatives and inversions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.what.subjectless import Subjectless
+from c2s_engine.interpret.who.mentions import Cast, Entity
+
+if TYPE_CHECKING:
+    from c2s_engine.interpret.what.event import Event
+CAUSES = language.words("causes")
+ALONG = frozenset(("past", "across", "along", "through", "around", "round"))
+UNCHANGED = frozenset(("hit", "cut", "put", "let", "shut"))
+"""Verbs whose past is like their base form."""
+
+
+class Agents(Subjectless):
+    """The part of Clauses that finds the parties of a verb or noun."""
+
+    words: list[Word]
+    cast: Cast
+    events: list[Event]
+    by_word: dict[int, Event]
+
+    def _subject(self, word: Word, depth: int = 0) -> tuple[Entity | None, int | None, bool]:
+        """(agent, its word, whether the verb is passive)."""
+        passive = any(self.words[c].dep in ("auxpass",) for c in word.children) or any(
+            self.words[c].dep == "nsubjpass" for c in word.children
+        )
+        passive = passive or word.tag == "VBN" and any(self.words[c].dep == "agent" for c in word.children)
+        subjects = [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass", "csubj")]
+        subjects = [c for c in subjects if not self.words[c].norm.endswith("self")] or subjects  # "its driver himself"
+        if word.tag == "VBG" and word.dep == "pobj" and word.i - 1 in word.children and word.i - 1 in self.cast.of:
+            return self.cast.of[word.i - 1], word.i - 1, False  # "hit by a van changing lanes"
+        subjects.sort(key=lambda c: (c > word.i, -c))
+        if passive:
+            late = self._late_subject(word)
+            if late is not None:
+                return self.cast.of[late], late, False
+            for child in word.children:
+                if (
+                    self.words[child].dep == "agent"
+                    or self.words[child].norm == "by"
+                    and self.words[child].dep == "prep"
+                ):
+                    for target in self.words[child].children:
+                        found = self.cast.referent(target)
+                        if found:
+                            return found, target, True
+                    near = [t for t in self._everything(child) if t in self.cast.of and t - child <= 4]
+                    if near:
+                        return self.cast.of[near[0]], near[0], True
+            by = self._late_by(word)
+            if by is not None:
+                return self.cast.of[by], by, True
+            whom = next((self.cast.referent(c) for c in subjects), None)
+            if whom is None:
+                whom = self._inherited(word, depth)[0]
+            return (None, None, True) if whom is None else (whom, subjects[0] if subjects else None, True)
+        for child in subjects:
+            other = self.words[child]
+            found = self.cast.referent(child) or self._reduced(other)
+            if found:
+                return found, child, False
+            if other.lemma in ("there",) or other.dep == "expl":
+                continue
+            if child < word.i and self._lemma(word) in (
+                "come",
+                "run",
+                "drive",
+                "stand",
+                "go",
+                "lie",
+                "ride",
+                "travel",
+                "sit",
+                "wait",
+                "walk",
+                "be",
+            ):
+                late = [
+                    c
+                    for c in word.children
+                    if c > word.i and self.words[c].dep in ("dobj", "attr", "nsubj") and c in self.cast.of
+                ]
+                if late:
+                    return self.cast.of[late[0]], late[0], False
+            return None, child, False
+        if any(self.words[c].dep == "expl" for c in word.children):
+            for child in word.children:
+                if self.words[child].dep in ("attr", "dobj"):
+                    return self.cast.referent(child), child, False
+        told = self._after_bracket(word)
+        if told is not None:
+            return self.cast.of[told], told, False
+        beside = self._joined_subject(word)
+        if beside is not None:
+            return self.cast.of[beside], beside, False
+        return self._inherited(word, depth)
+
+    def _reduced(self, word: Word) -> Entity | None:
+        """The noun of "vehicle approaching from the left does not yield", which is parsed as a clause for a subject."""
+        if word.dep != "csubj" or word.tag not in ("VBG", "VBN"):
+            return None
+        nouns = [c for c in word.children if c < word.i and self.words[c].dep in ("nsubj", "nsubjpass")]
+        return self.cast.referent(nouns[0]) if nouns else None
+
+    def _inherited(self, word: Word, depth: int) -> tuple[Entity | None, int | None, bool]:
+        head = self.words[word.head]
+        if head.i == word.i and depth <= 6:
+            inverted = self._inverted(word)
+            if inverted[0] is not None:
+                return inverted
+            for child in word.children:
+                if (
+                    child < word.i
+                    and self.words[child].dep == "ccomp"
+                    and self._is_verb(self.words[child])
+                    and (nearer := self._nearer_subject(child, word.i)) is not None
+                ):
+                    return nearer, word.i, False
+                if (
+                    child < word.i
+                    and self.words[child].dep == "ccomp"
+                    and self._is_verb(self.words[child])
+                    and any(self.words[c].dep == "nsubj" for c in self.words[child].children)
+                ):
+                    return self._subject(self.words[child], depth + 1)
+            return None, None, False
+        if depth > 6:
+            return self._inverted(word)
+        if word.dep in ("acl", "relcl"):
+            found = self._placed_by(head, word) or self.cast.referent(head.i)
+            if found is not None:
+                if word.tag == "VBN" and word.dep == "acl":
+                    for child in word.children:
+                        if self.words[child].dep == "agent":
+                            for target in self.words[child].children:
+                                actor = self.cast.referent(target)
+                                if actor:
+                                    return actor, target, True
+                return found, head.i, word.dep == "acl" and word.tag == "VBN" and not self._went(word, head)
+            if word.dep == "acl" and head.tag.startswith("NN"):
+                above = self._governor(head)
+                bound = word.tag == "VB" or word.tag == "VBG" and head.dep != "pobj"  # "over a tyre lying there"
+                if above is not None and above.i != word.i and bound:
+                    return self._subject(above, depth + 1)
+            return None, head.i, False
+        if (
+            word.dep == "xcomp"
+            and head.tag == "JJ"
+            and head.dep in ("amod", "acl", "appos")
+            and head.head in self.cast.of
+        ):
+            return self.cast.of[head.head], head.head, False  # "a truck unable to stop"
+        if word.dep == "xcomp" and head.dep == "acomp" and self.words[head.head].verb:  # "is able to go by"
+            return self._subject(self.words[head.head], depth + 1)
+        if word.dep == "xcomp" or word.dep == "ccomp":
+            for child in head.children:
+                other = self.words[child]
+                if other.dep in ("dobj",) and child < word.i:
+                    found = self.cast.referent(child)
+                    if found:
+                        return found, child, False
+            if head.verb:
+                agent, at, passive = self._subject(head, depth + 1)
+                if passive and head.verb:
+                    subjects = [c for c in head.children if self.words[c].dep == "nsubjpass"]
+                    if subjects and self.cast.referent(subjects[0]):
+                        return self.cast.referent(subjects[0]), subjects[0], False
+                return agent, at, False
+        if word.dep in ("pcomp", "advcl", "conj", "parataxis", "dep", "csubj", "prep", "amod", "appos", "punct"):
+            above = head if head.verb or self._is_verb(head) else self._governor(head)
+            kept = self._kept_from(word, above)
+            if kept is not None:
+                return self.cast.referent(kept), kept, False
+            if word.dep == "pcomp" and above is not None and above.dep == "ccomp" and head.norm == "before":
+                letting = self.words[above.head]
+                above = letting if letting.lemma in ("let", "allow") else above  # "let it pass before turning"
+            finite = word.tag in ("VBZ", "VBD", "VBP") and not (word.norm in UNCHANGED and self._made_to(above))
+            if word.dep == "conj" and above is not None and finite:
+                comma = self.words[word.i - 1].norm == ","
+                if (
+                    (
+                        above.tag == "VB"
+                        and above.dep in ("ccomp", "xcomp")
+                        or above.dep == "advcl"
+                        and comma
+                        and not any(self.words[c].dep == "cc" and above.i < c < word.i for c in above.children)
+                    )
+                    or above.dep == "advcl"
+                    and self.words[word.i - 1].norm == "then"
+                ):
+                    above = self._governor(above) or above
+            if word.dep == "conj" and above is not None:
+                nearer = [
+                    c
+                    for c in above.children
+                    if above.i < c < word.i and self.words[c].dep == "conj" and self._is_verb(self.words[c])
+                ]
+                if nearer and any(self.words[c].dep in ("nsubj", "nsubjpass") for c in self.words[nearer[-1]].children):
+                    above = self.words[nearer[-1]]
+            if above is not None and above.i != word.i:
+                if word.dep == "csubj":
+                    found = next(
+                        (
+                            self.cast.referent(c)
+                            for c in above.children
+                            if self.words[c].dep in ("attr", "nsubj") and c > word.i
+                        ),
+                        None,
+                    )
+                    if found is not None:
+                        return found, above.i, False
+                if word.dep == "csubj" and not any(self.words[c].dep in ("nsubj", "attr") for c in above.children):
+                    return self._inverted(word)
+                inverted = (
+                    self._inverted(word)
+                    if word.dep in ("conj",) and word.tag in ("VBZ", "VBD") and word.i > above.i
+                    else (None, None, False)
+                )
+                if inverted[0] is not None:
+                    return inverted
+                agent, at, passive = self._subject(above, depth + 1)
+                if passive:
+                    passed = [c for c in above.children if self.words[c].dep == "nsubjpass"]
+                    if passed and self.cast.referent(passed[0]):
+                        return self.cast.referent(passed[0]), passed[0], False
+                    if above.dep == "ROOT" and not passed and self._headless(above):
+                        return None, None, False
+                return agent, at, False
+        return self._inverted(word)
+
+    def _went(self, word: Word, head: Word) -> bool:
+        """Whether a past tense was taken for a participle: "a scooter squeezed past ego"."""
+        alone = head.dep == "ROOT" and word.i == head.i + 1 and word.norm.endswith("ed")
+        return alone and any(self.words[c].norm in ALONG for c in word.children)
+
+    def _made_to(self, verb: Word | None) -> bool:
+        """Whether somebody is made to do it ("causing it to swerve and hit the rail")."""
+        return verb is not None and verb.tag == "VB" and self._lemma(self.words[verb.head]) in CAUSES
+
+    def _inverted(self, word: Word) -> tuple[Entity | None, int | None, bool]:
+        """ "Up from behind comes a motorcyclist"; "standing in the lane is a car"."""
+        for child in word.children:
+            other = self.words[child]
+            if (
+                child > word.i
+                and other.dep in ("attr", "nsubj", "dobj")
+                and self._lemma(word)
+                in (
+                    "come",
+                    "be",
+                    "stand",
+                    "lie",
+                    "sit",
+                    "follow",
+                    "appear",
+                    "emerge",
+                    "approach",
+                    "drive",
+                    "ride",
+                    "run",
+                    "walk",
+                    "go",
+                    "shoot",
+                    "dart",
+                    "roll",
+                    "step",
+                )
+            ):
+                found = self.cast.referent(child)
+                if found and (
+                    self._lemma(word) not in ("approach", "follow", "drive", "ride")
+                    or any(c < word.i for c in word.children)
+                ):
+                    return found, child, False
+        head = self.words[word.head]
+        if word.dep in ("csubj", "advcl") and head.i != word.i:
+            for child in head.children:
+                if self.words[child].dep in ("attr", "nsubj") and child > word.i:
+                    found = self.cast.referent(child)
+                    if found:
+                        return found, child, False
+        return None, None, False
+
+    def _beside_preposition(self, word: Word) -> Entity | None:
+        """The noun between a preposition and its participle: "due to a child running into the road"."""
+        nouns = [c for c in self.words[word.head].children if self.words[c].dep == "pobj" and c < word.i]
+        near = [c for c in nouns if word.i - c <= 2 and self.words[c].span is not None]
+        return self.cast.of.get(near[-1]) if near else None
+
+    def _nearest(self, word: Word, at: int | None) -> Entity | None:
+        """The nearest noun before the verb that no preposition governs, where the tree gives no agent."""
+        if (
+            any(
+                self.words[c].dep in ("nsubj", "nsubjpass")
+                and not self.words[c].span
+                and self.words[c].norm not in ("traffic", "one", "which", "that", "who")
+                for c in word.children
+            )
+            and at is not None
+        ):
+            return None
+        if word.tag not in ("VBZ", "VBD", "VBP"):
+            return None
+        for i in range(word.i - 1, max(-1, word.i - 16), -1):
+            other = self.words[i]
+            if other.sentence != word.sentence or other.norm in (";", ":"):
+                return None
+            if (
+                i in self.cast.of
+                and (other.dep not in ("pobj", "poss", "dobj") or i == word.i - 1 and other.dep == "dobj")
+                and other.tag != "PRP$"
+            ):
+                return self.cast.of[i]
+        return None

@@ -1,0 +1,347 @@
+"""Fourth stage: what happens. Each verb (and noun) of motion becomes an event with agent, patient and circumstances."""
+
+import re
+from dataclasses import replace
+from typing import Any
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.reading.motions import rules
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.what.deverbal import Deverbal
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.who.mentions import Cast, Entity
+
+OUT_OF = re.compile(
+    r"\b(out|from|off)\b.*\b(drive|driveway|parking|space|bay|garage|yard|gate|alley|lot|property)\b"
+    r"|\b(on|in)to (the |a )?(\w+ )?(road|street|carriageway|highway|roadway)\b|out in front of"
+)
+BEGINS = frozenset(("start", "begin", "attempt", "try"))
+HALTED = frozenset(("stop", "brake", "brake_stop", "lose_control"))
+FORCEFUL = language.words("forceful")
+
+
+PUSHES = language.words("pushes")
+PUTS = language.words("puts")
+STEERED = frozenset(("driven", "operated", "steered", "ridden", "piloted"))
+LETS, PASSES = frozenset(("let", "allow", "permit")), frozenset(("pass", "go", "by"))
+FASTER = re.compile(r"\b(?:behind|rear|overtak\w*|tailgat\w*|catch\w*|caught|faster|closing)\b")
+NEARLY = language.words("nearly")
+CAUSES = language.words("causes")
+BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
+
+
+class Clauses(Deverbal):
+    """The events of a text."""
+
+    def __init__(self, words: list[Word], cast: Cast) -> None:
+        self.words, self.cast = words, cast
+        self.events: list[Event] = []
+        self.by_word: dict[int, Event] = {}
+        self.light: set[int] = set()
+        self.deeds: set[int] = set()  # who does what a noun tells
+        self.dangling: set[int] = set()
+        for word in words:
+            if not self._deed(word) and self._is_verb(word):
+                self._verb(word)
+        for word in words:
+            if word.tag.startswith("NN") or word.tag == "VBG":
+                self._noun(word)
+        for word in words:
+            self._attributive(word)
+            self._striking(word)
+            self._named_by_deed(word)
+            self._standing(word)
+        self._order()
+        self._triggers()
+        self._ended_waits()
+        self.events.sort(key=lambda e: e.order)
+
+    def _verb(self, word: Word) -> None:
+        lemma = self._lemma(word)
+        own = self.own(word)
+        after = [i for i in own if i >= word.i]
+        text, whole = self.render(after, word.i), self.render(own, word.i)
+        shades = language.table("motions")["modality"]
+        complements = [
+            c
+            for c in word.children
+            if c > word.i and self.words[c].dep in ("xcomp", "ccomp") and self._is_verb(self.words[c])
+        ]
+        if lemma in ("let", "allow", "wait", "permit") and complements:
+            text = f"{text} {self.render(self.own(self.words[complements[0]]))}"
+        awaited: Entity | None = None
+        if lemma == "wait" and (
+            later := [
+                c
+                for c in word.children
+                if self.words[c].dep == "advcl" and self._mark(self.words[c]) in ("until", "till")
+            ]
+        ):
+            text = f"wait until {self.render(self.own(self.words[later[0]]))}"
+            awaited = self._subject(self.words[later[0]])[0]
+        if lemma == "follow" and word.tag == "VBN" and word.head != word.i:  # "a ball rolls onto the road, followed by"
+            whole = f"{whole} {self.render(self.own(self.words[word.head]))}"
+        if lemma == "be":
+            complements = [c for c in complements if self.words[c].dep == "xcomp"]
+        if (
+            complements
+            and lemma in (*shades["light"], *shades["intended"], *shades["failed"])
+            and not re.search(r"^(stop|start|be|see|observe|detect|ensure|decide|remain) .*@", text)
+            and not (lemma == "stop" and any(self.words[c].tag == "VB" for c in complements))
+        ) and lemma not in ("let", "allow", "permit", "wait"):
+            self.light.add(word.i)
+            return
+        infinitive = word.i + 2 < len(self.words) and self.words[word.i + 1].norm == "to"
+        if infinitive and lemma in BEGINS and self._lemma(self.words[word.i + 2]) in ("overtake", "pass"):
+            self.light.add(word.i)  # "starts to overtake ego, gives up": the tree takes the infinitive for a purpose
+            return
+        if lemma == "follow" and any(self.words[c].dep == "expl" for c in word.children):
+            return  # "there follows a braking"
+        if lemma == "follow" and self._by_a_deed(word):
+            return  # "a braking, followed by a lane change of ego"
+        agent, at, passive = self._subject(word)
+        if word.norm in STEERED and word.tag == "VBN" and self.words[min(word.i, len(self.words) - 2) + 1].norm == "by":
+            return  # "a van driven by Mr Tan"
+        if self._let_by(word, agent):
+            return
+        agent = self._causer(word) or self._qualified(word) or agent
+        if (before := self._joined_subject(word)) is not None:
+            agent, at = self.cast.of[before], before
+        if agent is not None and agent.ego and (hitter := self._hitter(word)) is not None:
+            agent = hitter
+        if agent is None and word.tag.startswith("NN"):
+            agent = next((self.cast.of[c] for c in word.children if c < word.i and c in self.cast.of), None)
+        if (
+            agent is None
+            and word.dep == "conj"
+            and word.head in self.by_word
+            and not any(self.words[c].dep in ("nsubj", "nsubjpass") for c in word.children)
+        ):
+            head = self.words[word.head]
+            above = (
+                self._governor(head)
+                if head.tag == "VB" and head.dep in ("ccomp", "xcomp") and word.tag in ("VBZ", "VBD")
+                else None
+            )
+            agent = (
+                self.by_word[above.i].agent
+                if above is not None and above.i in self.by_word
+                else self.by_word[word.head].agent
+            )
+        if (
+            agent is None
+            and word.tag == "VBG"
+            and word.dep in ("advcl", "pcomp", "xcomp")
+            and word.head in self.by_word
+            and word.head < word.i
+        ):
+            agent = self.by_word[word.head].agent
+        if agent is None and word.tag == "VBG" and word.dep == "pcomp":
+            agent = self._beside_preposition(word)
+        if agent is None:
+            agent = self.topic(word)
+        if agent is None:
+            agent = self._nearest(word, at) or (self._continued(word) if at is None else None)
+        if agent is None and self._of_its_writer(word):
+            agent = self.cast.ego
+        having = word.tag == "VBN" and any(self.words[c].norm == "having" for c in word.children)
+        if agent is not None and (word.tag == "VBG" or having) and not passive and self._dangles(word, agent):
+            self.dangling.add(word.i)
+        if word.i in self.dangling or word.dep == "xcomp" and word.head in self.dangling:
+            agent = self.cast.ego
+        patient = awaited if awaited is not None and not awaited.ego else self._patient(word, own, agent, passive)
+        if patient is None and word.dep == "amod" and word.head == word.i + 1:  # "collided head-on with V2"
+            later = [i for i in range(word.i + 2, min(word.i + 6, len(self.words))) if i in self.cast.of]
+            patient = self.cast.of[later[0]] if later and self.words[word.i + 2].norm in ("with", "into") else None
+        if passive and lemma in PUSHES and (pushed := patient or agent) is not None:
+            text = re.sub(r"^(\w+)", rf"\1 @{pushed.key}", text)  # "was forced off the road": whom it is about
+            patient = patient or pushed
+        event = self._event(lemma, word, text, whole, agent, patient)
+        if event is None or event.act == "stationary" and lemma in PUTS and not passive and self._has_object(word):
+            return
+        if passive and lemma in PUSHES and event.patient is None and agent is not event.agent:
+            event.patient = agent
+        if event.act == "start_straight":
+            event.act = "start"
+            told = {"order": word.i + 0.1, "mode": self._mode(word), "words": [word.i]}
+            self.events.append(Event("go_straight", event.agent, word.i, text, whole, **told))
+        if event.act in ("brake", "brake_stop", "stop") and not event.hard:
+            following = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5] if w.sentence == word.sentence)
+            forceful = word.i > 0 and self.words[word.i - 1].norm in FORCEFUL  # "harsh braking by the VUT"
+            event.hard = forceful or bool(
+                re.match(
+                    (
+                        r"((very|quite|rather|so|pretty|really) )?(hard|harder|sharply|abruptly|heavily|strongly"
+                        r"|violently)\b"
+                    ),
+                    following,
+                )
+            )
+        if event.patient is not None and event.patient is event.agent:  # "the driver took the bus around a truck"
+            others = (self.cast.of[i] for i in own if i > word.i and i in self.cast.of)
+            event.patient = next((e for e in others if e is not event.agent), None)
+        if event.act == "follow" and event.patient is None and not passive and text.strip(" .,;") == "follow":
+            led = [e.agent for e in self.events if self.words[e.word].sentence == word.sentence and e.agent.mover]
+            event.patient = next((e for e in reversed(led) if e is not event.agent), None)
+        event.words, event.mode, event.passive = own, self._mode(word), passive
+        if event.act == "collide" and any(self.words[c].norm in NEARLY for c in word.children):
+            event.act = "approach"
+        if event.act == "stop" and passive and lemma != "bring" and event.agent is agent and not BY.search(whole):
+            event.act = "stationary"
+        struck = event.act == "collide" and passive and event.agent is agent and event.patient in (None, agent)
+        if struck and not event.agent.ego and not re.search(r"\bby (the |a |an )?@", whole):
+            event.agent, event.patient = self.cast.ego, agent  # "the deer was hit"
+        if event.act == "follow" and passive and event.agent is agent and not event.agent.ego and not BY.search(whole):
+            event.agent, event.patient = self.cast.ego, agent
+        if passive and event.act in HALTED and event.agent is agent and event.patient not in (None, agent):
+            event.agent, event.patient = event.patient, None  # "was brought to a standstill by a tree"
+        late: Event | None = None
+        into = (
+            re.search(
+                (
+                    r"into (the |a |an )?(side|rear|back|front|rear end|path)? ?(of )?(the |a "
+                    r"|an )?@(\w+)(?! 's (lane|path|way|view))\b"
+                ),
+                text,
+            )
+            if event.act in ("run_red", "run_stop", "lose_control", "oncoming", "swerve", "drift", "leave_road")
+            else None
+        )
+        once = {"words": [word.i], "start": word.start, "end": word.end, "mode": event.mode}
+        if into and into[2] != "path":
+            struck = next((e for e in (self.cast.ego, *self.cast.entities) if e.key == into[5]), None)
+            if (
+                struck is not None
+                and struck is not event.agent
+                and not re.search(rf"into (the )?(lane|path) of (the )?@{into[5]}|@{into[5]} 's", text)
+            ):
+                late = Event.echo(event, act="collide", patient=struck, order=word.i + 0.2, **once)
+        if event.act == "collide" and lemma in ("reverse", "back"):
+            back = Event.echo(event, act="reverse", order=word.i - 0.1, **once)
+            self.events.append(replace(back, adverbial=self._mark(word)))
+        if event.act == "reverse" and not event.agent.ego and OUT_OF.search(text):
+            late = replace(event, act="enter_road", order=word.i + 0.2)
+        event.start, event.end = self.words[own[0]].start, self.words[own[-1]].end
+        event.quantities = self._quantities(own)
+        if word.dep in ("advcl", "relcl", "pcomp", "ccomp") or word.dep == "conj":
+            event.adverbial = self._mark(word)
+        event.also = self._also(at, word.i)
+        self.events.append(event)
+        if late is not None:
+            late.adverbial, late.start, late.end = event.adverbial, event.start, event.end
+            self.events.append(late)
+        self.by_word[word.i] = event
+
+    def _has_object(self, word: Word) -> bool:
+        return any(self.words[c].dep == "dobj" for c in word.children)
+
+    def _causer(self, word: Word) -> Entity | None:
+        """Who makes another do something by what it does: "a van forced ego to brake by pulling out"."""
+        above = self.words[word.head]
+        verb = self.words[above.head]
+        if word.dep != "pcomp" or above.norm != "by" or verb.dep not in ("xcomp", "ccomp", "advcl"):
+            return None
+        return self._subject(self.words[verb.head])[0] if self._lemma(self.words[verb.head]) in CAUSES else None
+
+    def _let_by(self, word: Word, agent: Entity | None) -> bool:
+        """Whether somebody only gets by because another waits ("we let him pass"), and was not behind."""
+        letting = self.words[word.head]
+        if word.dep not in ("ccomp", "xcomp") or self._lemma(letting) not in LETS or agent is None or agent.ego:
+            return False
+        own = (" ".join(w.norm for w in self.words[m.word : m.word + 9]) for m in agent.mentions)
+        behind = "following" in agent.roles or any(FASTER.search(text) for text in own)
+        return self._lemma(word) in PASSES and not behind and not self._has_object(word)
+
+    def _event(
+        self, lemma: str, word: Word, text: str, whole: str, agent: Entity | None, patient: Entity | None
+    ) -> Event | None:
+        said, said_whole = text, whole
+        if agent is not None:
+            text, whole = (re.sub(rf"@{agent.key} 's\b", "its", t) for t in (text, whole))
+        for rule, lemmas, patterns in rules("verbs"):
+            if lemma not in lemmas:
+                continue
+            if "after" in patterns and not patterns["after"].search(text):
+                continue
+            if "any" in patterns and not patterns["any"].search(whole):
+                continue
+            if "not" in patterns and patterns["not"].search(whole if rule["act"] != "reverse" else text):
+                continue
+            if rule.get("whom") == "person" and (patient is None or not patient.person):
+                continue
+            actor = patient if rule.get("swap") else agent
+            if rule["act"] in ("none", "stop_none"):
+                if agent is not None and not self._agrees(rule, agent):
+                    continue
+                return None
+            if rule.get("swap_passive"):
+                if patient is None and agent is not None and not agent.ego:
+                    patient, agent = agent, None
+                if patient is None or not re.search(r"past|pass|through|by|go", whole + text):
+                    continue
+                actor = agent if agent is not None and agent is not patient else self.cast.ego
+            if actor is None:
+                actor = self._default_agent(word, rule["act"])
+                if actor is None:
+                    return None
+                if rule["act"] == "collide":
+                    others = [
+                        self.cast.of[i]
+                        for i in sorted(self.cast.of)
+                        if i < word.i and not self.cast.of[i].ego and self.cast.of[i].mover
+                    ]
+                    patient = patient or (others[-1] if others else None)
+            if not self._agrees(rule, actor):
+                continue
+            if (
+                rule["act"] == "cross_road"
+                and actor.type == "bicycle"
+                and re.search(
+                    (
+                        r"straight|(over|through|across) (the|an) (\w+ )?(junction|intersection|crossroads)"
+                        r"|(?<!pedestrian )(?<!zebra )crossing(?! the)"
+                    ),
+                    text,
+                )
+            ):
+                continue
+            if (
+                rule.get("target") == "ego"
+                and actor.ego
+                or rule.get("of") == "ego_lane"
+                and (actor.ego and not re.search(r"@a\d", text))
+            ):
+                continue
+            if rule.get("moving") and self._at_rest(actor):
+                continue
+            if rule.get("of") == "parked" and not self._was_off_road(actor):
+                continue
+            return Event(
+                rule["act"],
+                actor,
+                word.i,
+                said,
+                said_whole,
+                patient if not rule.get("swap") else None,
+                hard=bool(rule.get("hard")),
+                order=float(word.i),
+                side=rule.get("side"),
+            )
+        return None
+
+    @staticmethod
+    def _agrees(rule: dict[str, Any], actor: Entity) -> bool:
+        who = rule.get("who")
+        if who == "person":
+            return (
+                actor.person
+                or actor.type == "bicycle"
+                and rule["act"] == "cross_road"
+                or actor.type in ("bicycle",)
+                and rule["act"] == "move_along"
+            )
+        if who == "rider":
+            return actor.type in ("bicycle", "motorcycle")
+        if who == "vehicle":
+            return not actor.person and (actor.mover or actor.ego)
+        return True

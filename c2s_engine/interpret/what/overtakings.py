@@ -1,0 +1,50 @@
+"""The course of an overtaking: who pulls out, passes and comes back in does all that in one."""
+
+import re
+
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.what.towards import OPPOSITE, side
+
+BACK = re.compile(r"\b(?:back|again|return\w*|in|re-?join\w*|re-?enter\w*)\b")
+HOME = re.compile(r"\bback\b|\bagain\b|return")
+PART = "part"
+"""The mode of what another event tells, too."""
+
+
+def overtakings(clauses: Clauses) -> None:
+    """What belongs to an overtaking is told once: pulling out is part of it, coming back in cuts in on ego."""
+    for event in [e for e in clauses.events if e.act == "overtake" and e.done]:
+        own = [e for e in clauses.events if e.agent is event.agent and e.done and e is not event]
+        if event.agent.person or not event.agent.mover and not event.agent.ego:
+            continue
+        out = [e for e in own if e.order < event.order and e.act in ("lane_change", "cut_in", "cut_out")]
+        back = [e for e in own if e.order > event.order and e.act in ("lane_change", "cut_in")]
+        if event.agent.ego:
+            _by_ego(event, out, back)
+        elif event.patient is None or event.patient.ego:
+            _past_ego(event, out, back)
+
+
+def _past_ego(event: Event, out: list[Event], back: list[Event]) -> None:
+    """One that comes from behind: it passes ego by the lane that it pulled out to, and cuts in from there."""
+    towards = next((s for e in out if (s := side(e)) is not None), None)
+    for change in out if back else ():
+        if change.patient is None and (side(change) != "right" or event.side == "right"):
+            change.mode = PART
+            event.trigger, event.side = event.trigger or change.trigger, event.side or towards
+    for change in back:
+        home = side(change)
+        if BACK.search(change.text) and home in (None, OPPOSITE.get(event.side or towards or "left")):
+            change.act, change.patient = "cut_in", event.patient
+            change.side = change.side or OPPOSITE.get(event.side or towards or "")
+
+
+def _by_ego(event: Event, out: list[Event], back: list[Event]) -> None:
+    """Ego pulls out, passes and comes back: the overtaking is all of it, where it comes back."""
+    home = [e for e in back if e.act == "lane_change" and HOME.search(e.text) and "behind" not in e.text]
+    if not home or not out or event.patient is None:
+        return
+    for change in [*out, *home]:
+        if change.act == "lane_change" and change.patient in (None, event.patient):
+            change.mode = PART

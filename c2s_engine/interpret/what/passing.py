@@ -1,0 +1,90 @@
+"""Passing by the lane of oncoming traffic, passing because ego waits, and titles that only name the subject."""
+
+import re
+
+from c2s_engine.interpret.entities import URGENT
+from c2s_engine.interpret.surroundings.place import Road
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.who.mentions import Cast
+
+
+def headings(cast: Cast, clauses: Clauses) -> None:
+    """A title about merging ("Cooperative merging with three agents") does not say that ego does it."""
+    told = {cast.words[m.word].sentence for m in cast.ego.mentions}
+    for event in clauses.events:
+        number = cast.words[event.word].sentence
+        title = number == 0 and number not in cast.told and number not in told and bool(told)
+        if title and event.agent.ego and event.act == "lane_change" and "merg" in cast.words[event.word].norm:
+            event.mode = "hypothetical"
+        if event.agent.ego and number == 0 and _retold(cast, clauses, event):
+            event.mode = "hypothetical"
+
+
+def _retold(cast: Cast, clauses: Clauses, event: Event) -> bool:
+    """Whether a heading names what the text then tells of another: "Backing category: ... the truck backs up"."""
+    opening = [w for w in cast.words if w.sentence == 0]
+    colon = next((w.i for w in opening if w.norm == ":"), opening[-1].i)
+    head = [w for w in opening if w.i <= colon]
+    if event.word > colon or any(w.tag in ("VBZ", "VBD", "VBP", "MD") for w in head):
+        return False
+    if any(cast.of.get(w.i) is cast.ego for w in head):
+        return False
+    later = [e for e in clauses.events if e.word > colon and e.done and e.act == event.act]
+    return bool(later) and (event.patient is not None or not any(e.agent.ego for e in later))
+
+
+OTHER_LANE = re.compile(
+    r"\b(?:on|in|via|by|over|using|through|into) (?:the )?(?P<lane>on-?coming|opposite|opposing|other|wrong) "
+    r"(?:traffic )?(?:lane|side)\b(?! of (?:the )?@)"
+)
+
+
+def by_the_other_lane(clauses: Clauses, road: Road) -> None:
+    """Ego that gets past by the lane of oncoming traffic gets into it."""
+    if any(e.act == "oncoming" and e.agent.ego for e in clauses.events) or road.kind == "motorway":
+        return
+    for event in list(clauses.events):
+        where = OTHER_LANE.search(event.text)
+        over = where is not None and (where["lane"] != "other" or (road.lanes or 1) == 1)
+        changes = event.done and event.agent.ego and event.act == "lane_change"
+        if over and changes and _looks_ahead(clauses):
+            event.act, event.side = "oncoming", "left"  # "as nothing was coming I went out into the other lane"
+            return
+        if not (event.done and event.agent.ego and event.act in ("overtake", "evade") and where):
+            continue
+        if where["lane"] == "other" and (road.lanes or 1) > 1:
+            continue
+        clauses.events.append(Event.echo(event, act="oncoming", order=event.order - 0.1, side="left"))
+        return
+
+
+COMING = re.compile(
+    r"\b(?:nothing|nobody|no one|no (?:car|traffic|vehicle)s?) (?:\w+ ){0,2}(?:coming|came|comes)\b"
+    r"|\bon-?coming\b|\bopposite direction\b|\bthe other way\b"
+)
+
+
+def _looks_ahead(clauses: Clauses) -> bool:
+    """Whether the text speaks of who comes the other way, or that nobody does."""
+    return COMING.search(" ".join(w.norm for w in clauses.words)) is not None
+
+
+MEETS = re.compile(r"\b(?:other|opposite) (?:way|direction)|oncom|towards|head-on|from (?:the |its )?(?:left|right)\b")
+
+
+def let_past(clauses: Clauses, event: Event, road: Road) -> bool:
+    """Whether one only goes past because ego waits for it ("let him go past", "until it has gone by"): it need not come
+    from behind."""
+    who = event.agent
+    if who.ego or clauses._lemma(clauses.words[event.word]) == "overtake":
+        return False
+    own = [e for e in clauses.events if e.agent is who and e.done]
+    across = road.kind in ("intersection", "roundabout") or any(e.agent.ego and e.act == "turn" for e in clauses.events)
+    meets = "oncoming" in who.roles or any(e.act == "oncoming" or MEETS.search(e.whole) for e in own)
+    waited = any(
+        e.act == "yield" and e.agent.ego and e.patient is who and e.done and abs(e.word - event.word) <= 4
+        for e in clauses.events
+    )
+    behind = who.type in URGENT or any(re.search(r"\bbehind\b|\brear\b|faster", e.whole) for e in own)
+    return waited and (across or meets or not behind) or event.adverbial in ("until", "till") and (across or meets)

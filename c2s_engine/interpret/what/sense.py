@@ -1,0 +1,341 @@
+"""What single clauses cannot tell: denied stops before signs, waiting for another, echoes of other clauses."""
+
+import re
+
+from c2s_engine.interpret.surroundings.place import Road
+from c2s_engine.interpret.what.avoiding import abandoned, avoided, by_means
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.echoes import echoes
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.what.halfway import go_after, set_out
+from c2s_engine.interpret.what.heeded import hindered, merged_back, unheeded
+from c2s_engine.interpret.what.overtakings import PART, overtakings
+from c2s_engine.interpret.what.passing import by_the_other_lane, headings, let_past
+from c2s_engine.interpret.what.resumed import own_turns
+from c2s_engine.interpret.what.towards import side
+from c2s_engine.interpret.what.turn_lanes import turns_from_lane
+from c2s_engine.interpret.who.mentions import Cast
+
+LEAVES = re.compile(
+    r"\b(?:down|onto|up|into|for|to take) (?:the|its|his|her|an?) (?:\w+ )?(?:off-?ramp|exit|slip road)\b"
+)
+
+
+def _was_over(cast: Cast, event: Event, clauses: Clauses) -> bool:
+    """Whether it was done before the story begins: "had stopped", or "a taxi has stopped" as the first that is said of
+    the taxi."""
+    word = cast.words[event.word]
+    has = next((c for c in word.children if cast.words[c].norm in ("had", "has", "have") and c < event.word), None)
+    if has is None or cast.words[has].norm == "had":
+        return has is not None
+    first = not event.agent.ego and not event.adverbial and word.dep in ("ROOT", "relcl")
+    return first and not any(e.agent is event.agent and e.word < event.word for e in clauses.events)
+
+
+FROM_MINOR = re.compile(r"(?:pull|come|edge|nose|creep|inch|roll|shoot) (?:straight |right |slowly )?out\b(?! of)")
+PULLS_OUT = re.compile(
+    r"(?:pull|drive|move|edge) (?:out|off|away) (?:suddenly )?from (?:the |its )?(?:left|right)\b(?! (?:\w+ )?lane)"
+)
+JERKS = ("swerve", "veer", "jink")
+INTO = re.compile(r"\b(?:in|on)to (?:the |an? |its )?(?:\w+ )?(?:road|street|drive\w*|lot|lane|avenue|entrance)\b")
+FIRST = re.compile(r"(?:pass|go|drive|proceed|cross|move|turn|enter|get|come|travel|clear)\b[^.;]*?\bfirst\b")
+
+
+def _at_junction(event: Event, clauses: Clauses, road: Road) -> bool:
+    """Whether who goes first there goes over a junction before ego."""
+    turns = any(e.act == "turn" and e.agent.ego for e in clauses.events)
+    return turns or road.kind in ("intersection", "roundabout") or bool(event.agent.roles & {"oncoming", "crossing"})
+
+
+def _at_a_light(told: str) -> bool:
+    return bool(re.search(r"\bred\b|traffic (light|signal)|\b(at|for) (the|a|its) (light|signal)", told))
+
+
+def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
+    """What single clauses cannot tell: a stop that is denied before a stop sign, a pass that is waited for."""
+    avoided(cast, clauses)
+    by_means(cast, clauses)
+    unheeded(clauses)
+    hindered(cast, clauses)
+    merged_back(clauses)
+    set_out(clauses)
+    go_after(clauses)
+    for event in list(clauses.events):
+        if event.act in ("stop", "brake_stop") and event.mode == "fact" and _was_over(cast, event, clauses):
+            event.act = "stationary"
+        if event.act == "collide" and event.patient is None and event.agent.count > 1 and not event.agent.ego:
+            event.act = "stop"  # with each other
+        if event.act == "stop" and event.mode == "negated":
+            sentence = " ".join(w.norm for w in cast.words if abs(w.sentence - cast.words[event.word].sentence) <= 1)
+            if re.search(r"stop sign", sentence) and road.stop_sign:
+                event.act, event.mode = "run_stop", "fact"
+            elif _at_a_light(event.whole + " " + sentence) and re.search(
+                r"(fail|not|never|without|instead of).{0,30}stop.{0,30}(red|light|signal)", sentence
+            ):
+                event.act, event.mode = "run_red", "fact"
+        late = event.act in ("stop", "brake", "brake_stop") and event.mode == "negated"
+        if late and re.search(
+            r"in time|soon enough|fast enough|early enough|before (hit|the (car|vehicle))", event.whole
+        ):
+            event.act, event.mode, event.patient = "collide", "fact", event.patient
+        if (
+            event.mode == "negated"
+            and cast.words[event.word].norm in ("move", "moving")
+            and event.act in ("travel", "start", "move_along")
+        ):
+            event.act, event.mode = "stationary", "fact"
+        if (
+            event.act == "overtake"
+            and not event.agent.ego
+            and re.search(r"\bboth\b|\bthem all\b|\ball of them\b", event.text)
+        ):
+            event.patient = cast.ego
+        if event.act == "keep_away" and not event.agent.ego and event.patient is cast.ego and event.mode == "fact":
+            event.act = "follow"
+        if event.act == "yield" and event.mode == "negated" and not event.agent.ego:
+            event.act, event.mode = "cross_path", "fact"
+        if event.act == "turn_or_change":
+            verb = clauses._lemma(cast.words[event.word])
+            turns = road.kind in ("intersection", "roundabout") and (verb not in JERKS or INTO.search(event.text))
+            event.act = "turn" if turns else "swerve" if verb in JERKS else "lane_change"
+        steers = event.act == "turn" and clauses._lemma(cast.words[event.word]) == "steer"
+        if steers and road.kind not in ("intersection", "roundabout") and not INTO.search(event.text):
+            event.act = "swerve"
+        if event.act == "pass_by":
+            junction = road.kind == "intersection" and not re.search(r"lane|left|right|behind", event.whole)
+            event.act = (
+                "travel"
+                if junction or event.agent.ego and event.patient is None and event.adverbial in ("as", "when", "while")
+                else "overtake"
+            )
+        if (
+            (
+                event.act == "overtake"
+                and event.patient is None
+                and road.kind == "intersection"
+                and event.text.startswith("pass")
+            )
+            or event.act == "overtake"
+            and let_past(clauses, event, road)
+        ):
+            event.act = "travel"
+        minor = event.act == "cut_in" or event.act == "lane_change" and not event.agent.ego
+        overtakes = re.search(r"\b(?:overtak|pass)\w*|behind|kerb|curb|park", event.whole)
+        if (
+            minor
+            and (event.act == "cut_in" or not overtakes)
+            and road.kind == "intersection"
+            and FROM_MINOR.match(event.text)
+        ):
+            out = "go_straight" if event.agent.ego else "cross_path"
+            event.act = out if "lane" not in event.whole and (not event.agent.ego or road.stop_sign) else event.act
+        leaves_sign = event.agent.ego and road.stop_sign and FROM_MINOR.match(event.text) is not None
+        if leaves_sign and event.act in ("lane_change", "cut_in", "travel") and "lane" not in event.whole:
+            event.act = "go_straight"
+        if event.act == "travel" and road.kind not in ("intersection", "roundabout") and PULLS_OUT.match(event.text):
+            event.act = "enter_road"
+        passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")
+        if passes and not event.agent.ego and event.agent.mover and event.mode == "fact":
+            word = cast.words[event.word]
+            before = " ".join(
+                w.norm for w in cast.words[max(0, event.word - 9) : event.word] if w.sentence == word.sentence
+            )
+            waits = re.search(
+                (
+                    r"(only (after|once|when)|not (before|until|till)|wait(s|ing)? (for|until|till)|must wait"
+                    r"|have to wait|has to wait)\b"
+                ),
+                before,
+            )
+            gone = re.search(
+                r"pass|clear|gone|go(es)? (by|past)|cross|through",
+                event.text + " " + word.norm + " " + " ".join(w.norm for w in cast.words[event.word : event.word + 4]),
+            )
+            first = FIRST.match(event.text) and _at_junction(event, clauses, road)
+            if first and event.act == "overtake":
+                event.act = "travel"
+            if (waits and gone or first) and not any(e.act == "yield" and e.agent.ego for e in clauses.events):
+                given_way = {"patient": event.agent, "order": event.order - 0.1, "words": [event.word]}
+                clauses.events.append(Event.echo(event, act="yield", agent=cast.ego, **given_way))
+    for event in [e for e in clauses.events if e.act == "cut_in" and e.done and LEAVES.search(e.text)]:
+        clauses.events.append(Event.echo(event, act="exit_road", order=event.order + 0.1, words=[event.word]))
+    for event in clauses.events:
+        if event.agent.ego and event.mode == "intended" and event.act in ("lane_change", "overtake", "turn", "cut_in"):
+            later = " ".join(
+                w.norm for w in cast.words if w.i > event.word and w.sentence - cast.words[event.word].sentence <= 1
+            )
+            if re.search(
+                (
+                    r"\b(abort|abandon|cancel|gives? up|gave up|stays? in (its|the) (own )?lane"
+                    r"|remains? in (its|the) lane|refrain|not possible|impossible)"
+                ),
+                later,
+            ):
+                event.mode = "hypothetical"
+        if event.act == "collide" and event.patient is None and _follows(cast, clauses, event):
+            event.agent, event.patient = cast.ego, event.agent
+    for event in clauses.events:
+        if (
+            event.mode in ("intended", "purpose")
+            and not event.agent.ego
+            and event.act in ("turn", "u_turn", "go_straight")
+        ):
+            waits = clauses._lemma(cast.words[cast.words[event.word].head]) in (
+                "wait",
+                "signal",
+                "prepare",
+                "indicate",
+                "try",
+            )
+            stands = [
+                e for e in clauses.events if e.agent is event.agent and e.act in ("stationary", "stop") and e.done
+            ]
+            later = [e for e in clauses.events if e.agent is event.agent and e.act == event.act and e.word > event.word]
+            if waits and stands and not later:
+                event.mode = "hypothetical"
+    headings(cast, clauses)
+    by_the_other_lane(clauses, road)
+    abandoned(cast, clauses)
+    turns = [e for e in clauses.events if e.agent.ego and e.act == "turn" and e.done and side(e) is None]
+    for event in clauses.events:
+        if turns and event.agent.ego and event.act == "lane_change" and re.search(r"man(oeuvre|euver)", event.text):
+            event.act = "turn"  # "a manoeuvre to the right", into a street
+    own_turns(cast, clauses)
+    _waits(cast, clauses)
+    _waits_for_somebody(cast, clauses)
+    turns_from_lane(cast, clauses)
+    echoes(cast, clauses)
+    _meant_and_done(clauses)
+    overtakings(clauses)
+    contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
+    for event in clauses.events:
+        if (
+            event.mode == "purpose"
+            and event.act == "overtake"
+            and any(c.order > event.order and (c.agent is event.agent or event.agent in c.also) for c in contact)
+        ):
+            event.mode = "hypothetical"
+    clauses.events.sort(key=lambda e: e.order)
+
+
+def _meant_and_done(clauses: Clauses) -> None:
+    """ "Meant to turn right. ... Then it turned right": what is told again when it is done happens only then."""
+    for event in clauses.events:
+        if event.mode != "intended" or event.act not in ("turn", "lane_change"):
+            continue
+        later = [e for e in clauses.events if e.agent is event.agent and e.act == event.act and e.mode == "fact"]
+        done = next((e for e in later if e.word > event.word), None)
+        if done is not None and side(done) in (None, side(event)):
+            event.mode, done.side = PART, done.side or side(event)
+
+
+def _follows(cast: Cast, clauses: Clauses, event: Event) -> bool:
+    """Whether "the vehicles collide" where ego follows the other: then ego runs into it."""
+    parties = re.search(r"@a\d+ collide|(both|two|vehicles|cars) ", event.whole) and not event.agent.ego
+    return bool(parties) and any(
+        e.act in ("follow", "approach") and e.agent.ego and e.patient is event.agent and e.done and e.word < event.word
+        for e in clauses.events
+    )
+
+
+WAITS = re.compile(
+    r"(?:wait|stays? put|hold|remain|pause|stops?|(?:not|n't|never) (?:\w+ )?(?:move|start"
+    r"|turn|go|proceed|pull|enter|set|begin))[^.;]*?\b(?:until|till|for)\b"
+    r" (?:\S+ ){0,7}?@(?P<who>a\d+)[^.;]*?\b(?:pass\w*|clear|cross\w*|by|through|past|gone|go"
+    r"|goes|first|over|finish\w*)\b"
+)
+
+
+PRIORITY = re.compile(
+    r"@(?P<who>a\d+)[^.;]{0,60}?\b(?:have|has|had|with|enjoys?) (?:the )?(?:priority"
+    r"|right of way|right-of-way|precedence)"
+    r"|(?:priority|precedence|right of way) (?:belongs? to|is with|lies with|of) (?:the |an? )?@(?P<of>a\d+)"
+)
+
+
+def _waits(cast: Cast, clauses: Clauses) -> None:
+    """Ego waits until another has passed, or another has priority over it: ego gives way, in whatever words."""
+    own = [e for e in clauses.events if e.agent.ego and e.done]
+    if any(e.act in ("yield", "run_red", "run_stop", "collide") for e in own):
+        return
+    by_key = {e.key: e for e in cast.entities}
+    numbers = sorted({w.sentence for w in cast.words})
+    for number in numbers:
+        sentence = [w.i for w in cast.words if w.sentence == number]
+        text = clauses.render(sentence)
+        match = WAITS.search(text)
+        if (
+            match
+            and "@ego" not in text[: match.start() + 4]
+            and not any(cast.of.get(i) is cast.ego for i in sentence[:3])
+        ):
+            match = None
+        right = None if match else PRIORITY.search(text)
+        if right and (
+            re.search(r"in spite|despite|without|just (as|when)|fail|ignor", text)
+            or not any(e.act in ("turn", "go_straight", "stop", "brake", "travel") for e in own)
+        ):
+            right = None
+        found = match or right
+        if found is None:
+            continue
+        who = by_key.get(found.groupdict().get("who") or found.groupdict().get("of") or "")
+        if (
+            who is None
+            or not who.mover
+            or any(e.act in ("run_red", "run_stop") and e.agent is who for e in clauses.events)
+        ):
+            continue
+        for event in own:
+            if event.act == "stationary" and cast.words[event.word].sentence == number:
+                event.mode = "hypothetical"
+        first = cast.words[sentence[0]]
+        order = (
+            min(
+                (e.order for e in own if e.act in ("turn", "go_straight", "overtake", "lane_change", "start")),
+                default=float(first.i),
+            )
+            - 0.2
+        )
+        clauses.events.append(
+            Event(
+                "yield",
+                cast.ego,
+                first.i,
+                text,
+                text,
+                who,
+                order=order,
+                words=[first.i],
+                start=first.start,
+                end=first.end,
+            )
+        )
+        return
+
+
+def _waits_for_somebody(cast: Cast, clauses: Clauses) -> None:
+    """ "Ego must wait", where somebody crosses its way: ego gives way to that one."""
+    if any(e.agent.ego and e.done and e.act in ("yield", "collide", "run_red", "run_stop") for e in clauses.events):
+        return
+    for event in clauses.events:
+        if not (event.agent.ego and event.act == "stationary" and event.done and event.text.startswith("wait")):
+            continue
+        crossing = [
+            e.agent
+            for e in clauses.events
+            if e.done
+            and not e.agent.ego
+            and e.agent.mover
+            and (
+                e.act in ("cross_road", "cross_path", "go_straight", "approach", "oncoming")
+                and e.word < event.word
+                or e.act in ("go_straight", "cross_path", "travel", "overtake", "cross_road")
+                and e.adverbial in ("after", "once", "when", "until")
+                and event.word < e.word
+                and any(o.agent.ego and o.act in ("turn", "go_straight") and o.word > e.word for o in clauses.events)
+            )
+        ]
+        if crossing:
+            event.act, event.patient = "yield", crossing[-1]
+            return

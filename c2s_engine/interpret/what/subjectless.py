@@ -1,0 +1,199 @@
+"""Who does it where no subject stands before the verb: headings, notes, participles, subjects behind it."""
+
+from __future__ import annotations
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.what.patients import Patients
+from c2s_engine.interpret.who.mentions import Entity
+
+CONTACT = language.words("contact")
+DRIVES = language.words("drives")
+HINDERS = language.words("hinders")
+STANDS_STILL = language.words("stands_still")
+
+
+class Subjectless(Patients):
+    """The part of Clauses that finds the parties of verbs without a subject before them."""
+
+    def topic(self, word: Word) -> Entity | None:
+        """The one that a sentence is headed with: "Challenger: left lane, 90 km/h, cuts in"."""
+        sentence = [w for w in self.words[max(0, word.i - 60) : word.i] if w.sentence == word.sentence]
+        for first, second in zip(sentence, sentence[1:], strict=False):
+            if second.norm in (":", "-") and first.i in self.cast.of and first.span is not None:
+                return self.cast.of[first.i]
+        return None
+
+    def _continued(self, word: Word) -> Entity | None:
+        """The one spoken of in the sentence before, for a finite verb that opens a sentence: "Bus ahead. Brakes." """
+        if word.tag not in ("VBZ", "VBD", "NNS") or word.dep != "ROOT" or word.i == 0:
+            return None
+        opening = [w for w in self.words[: word.i] if w.sentence == word.sentence]
+        if any(w.noun or w.verb or w.span is not None for w in opening):
+            return None
+        subjects = {i for i, _ in self.cast.subjects}
+        for number in (word.sentence - 1, word.sentence - 2):
+            spoken = [
+                i for i in sorted(self.cast.of) if self.words[i].sentence == number and self.words[i].tag != "PRP$"
+            ]
+            first = next((i for i in reversed(spoken) if i in subjects), spoken[0] if spoken else None)
+            if first is not None:
+                return self.cast.of[first]
+        return None
+
+    def _of_its_writer(self, word: Word) -> bool:
+        """Whether a note tells without a subject what its writer did: "Lost control and hit a tree"."""
+        if word.tag not in ("VBD", "VBN", "VBG") or word.dep not in ("ROOT", "conj", "advcl", "ccomp", "dep", "xcomp"):
+            return False
+        opening = [w for w in self.words[: word.i] if w.sentence == word.sentence]
+        told = [w for w in opening if w.i in self.cast.of and w.dep not in ("pobj", "dobj", "poss") or w.tag == "VBZ"]
+        finite = word.tag == "VBD" or any(w.tag == "VBD" for w in self.words if w.sentence == word.sentence)
+        return finite and not told and self._headless(word) and not self._subjects_of(word)
+
+    def _subjects_of(self, word: Word) -> list[int]:
+        return [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass", "csubj", "expl")]
+
+    def _late_subject(self, word: Word) -> int | None:
+        """Who stands behind the verb: "parked on the left was a van"."""
+        be = next((c for c in word.children if self.words[c].dep == "auxpass" and c > word.i), None)
+        if be is None:
+            return None
+        behind = [c for c in (*word.children, *self.words[be].children) if c > be]
+        told = [c for c in behind if self.words[c].dep in ("attr", "nsubj", "nsubjpass")]
+        return told[0] if told and told[0] in self.cast.of else None
+
+    def _placed_by(self, noun: Word, verb: Word) -> Entity | None:
+        """Who is placed by ego right before a participle: it is meant, not ego ("a truck in front of ego braking")."""
+        beside = verb.norm.endswith("ing") and verb.i == noun.i + 1 and self.cast.of.get(noun.i) is self.cast.ego
+        place = noun if noun.dep == "pobj" else verb if noun.head == verb.i and verb.dep == "pobj" else None
+        if not beside or place is None:
+            return None
+        above = self.words[place.head]
+        for _ in range(3):
+            if above.i in self.cast.of and not self.cast.of[above.i].ego:
+                return self.cast.of[above.i]
+            if above.tag not in ("IN", "RB", "NN", "JJ", "RP") or above.head == above.i:
+                return None
+            above = self.words[above.head]
+        return self.cast.of.get(above.i)
+
+    def _qualified(self, word: Word) -> Entity | None:
+        """Who stands right behind a participle that heads a note: "Overtaking motorcyclist. The ego ..."."""
+        after = word.i + 1
+        if word.tag != "VBG" or word.dep != "ROOT" or after not in word.children or after not in self.cast.of:
+            return None
+        first = word.i == 0 or self.words[word.i - 1].sentence != word.sentence
+        one = self.words[after].tag == "NN" and self.words[after].dep == "dobj" and not self.cast.of[after].ego
+        return self.cast.of[after] if first and one else None
+
+    def _mark(self, word: Word) -> str:
+        raise NotImplementedError
+
+    def _nearer_subject(self, first: int, verb: int) -> Entity | None:
+        """Who is spoken of between two clauses: "a deer ran out, the driver swerved, went off the road"."""
+        for word in reversed(self.words[first + 1 : verb]):
+            if (
+                word.dep in ("nsubj", "nsubjpass")
+                and word.i < word.head < verb
+                and not self._mark(self.words[word.head])
+            ):
+                return self.cast.of.get(word.i) or (self.cast.ego if word.norm == "driver" else None)
+        return None
+
+    def _late_by(self, word: Word) -> int | None:
+        """Who did it, named by a "by" that the tree hangs lower: "is overtaken on the right by a van"."""
+        for at in self._below(word.i):
+            if at < word.i or self.words[at].norm != "by" or self.words[at].dep not in ("prep", "agent"):
+                continue
+            near = [c for c in self.words[at].children if c in self.cast.of and self.words[c].dep == "pobj"]
+            if near and self.cast.of[near[0]].mover:
+                return near[0]
+        return None
+
+    def _headless(self, verb: Word) -> bool:
+        """Whether a note tells without a subject what became of its writer: "Braked for a cat, was hit by a van"."""
+        opening = [w for w in self.words[: verb.i] if w.sentence == verb.sentence]
+        return not any(w.dep in ("nsubj", "nsubjpass", "csubj", "expl") for w in opening)
+
+    def _dangles(self, word: Word, agent: Entity) -> bool:
+        """Whether a participle's object is the one taken for its agent ("following a truck, it stops"), or its main
+        clause tells of somebody who cannot do it ("while reversing, a child was struck"): ego does it."""
+        if agent.ego or any(self.words[c].dep in ("nsubj", "nsubjpass", "expl") for c in word.children):
+            return False
+        if self._qualified(word) is agent:
+            return False
+        if self._fronted_drive(word, agent):
+            return True
+        return any(self.words[c].dep == "dobj" and self.cast.of.get(c) is agent for c in word.children)
+
+    def _fronted_drive(self, word: Word, agent: Entity) -> bool:
+        """Whether a participle that opens its sentence tells what ego did when the subject came or hit it."""
+        main = self._governor(word)
+        opens = not any(w.sentence == word.sentence and w.i in self.cast.of for w in self.words[: word.i])
+        if main is None or main.i < word.i or not opens:
+            return False
+        if agent.person:
+            return self._lemma(word) in DRIVES
+        if agent.type == "bicycle" or self._lemma(word) not in STANDS_STILL:
+            return self._lemma(word) in ("drive", "reverse") and agent.type == "bicycle"
+        objects = [c for i in main.children if i > main.i for c in self._below(i)]
+        return self._lemma(main) in CONTACT and any(self.cast.of.get(c) is self.cast.ego for c in objects)
+
+    def _hitter(self, word: Word) -> Entity | None:
+        """Who hits ego where the tree gives ego itself: "tried to pass while I was turning and crashed into me"."""
+        head = self.words[word.head]
+        if word.dep != "conj" or head.dep != "advcl" or self._lemma(word) not in CONTACT or self._subjects_of(word):
+            return None
+        if not any(self.cast.of.get(i) is self.cast.ego for i in self._below(word.i) if self.words[i].tag != "PRP$"):
+            return None
+        main = self._governor(head)
+        found = self._subject(main)[0] if main is not None else None
+        return found if found is not None and not found.ego else None
+
+    def _kept_from(self, word: Word, above: Word | None) -> int | None:
+        """Who is kept from doing something by another: "traffic prevents ego from turning"."""
+        if above is None or word.dep != "pcomp" or self.words[word.head].norm != "from":
+            return None
+        objects = [c for c in above.children if self.words[c].dep == "dobj" and self.cast.referent(c) is not None]
+        return objects[0] if objects and self._lemma(above) in HINDERS else None
+
+    def _governor(self, word: Word) -> Word | None:
+        current = word
+        while current.head != current.i:
+            current = self.words[current.head]
+            if current.verb or self._is_verb(current):
+                return current
+        return None
+
+    def _joined_subject(self, word: Word) -> int | None:
+        """The subject that was taken for the object before "and": "V2 struck V1 and V3 then struck V2"."""
+        if word.dep not in ("conj", "dep") or word.tag not in ("VBD", "VBZ", "VBP"):
+            return None
+        at = word.i - 1
+        while at > 0 and self.words[at].tag == "RB":
+            at -= 1
+        found = self.words[at]
+        first = at
+        while first > 0 and self.words[first - 1].tag in ("DT", "JJ", "PRP$"):
+            first -= 1
+        apart = first > 0 and self.words[first - 1].norm in ("and", "but")
+        joined = found.dep == "conj" and self.words[found.head].tag.startswith(("NN", "PRP")) and found.head < found.i
+        return at if apart and joined and at in self.cast.of and found.span is not None else None
+
+    def _after_bracket(self, word: Word) -> int | None:
+        """Who stands before the participle between commas, for it and for the verb behind it: "the van, having lost
+        control, crosses"."""
+        first = min(self._everything(word.i)) if word.tag in ("VBG", "VBN") and word.dep == "advcl" else None
+        if first is not None:
+            closing = next((w.i for w in self.words[word.i + 1 :] if w.norm == ","), None)
+            last = self.words[closing + 1] if closing is not None and closing + 1 < len(self.words) else None
+            if last is None or last.sentence != word.sentence or last.tag not in ("VBZ", "VBD"):
+                return None
+        elif word.tag in ("VBZ", "VBD") and word.i and self.words[word.i - 1].norm == ",":
+            opening = [w.i for w in self.words[max(0, word.i - 16) : word.i - 1] if w.norm == ","]
+            first = opening[-1] + 1 if opening else None
+            if first is None or self.words[first].tag not in ("VBG", "VBN"):
+                return None
+        if first is None or first < 2 or self.words[first - 1].norm != "," or self.words[first - 2].span is None:
+            return None
+        return first - 2 if first - 2 in self.cast.of and self.words[first - 2].sentence == word.sentence else None

@@ -1,0 +1,187 @@
+"""When it happens: the order of events and what triggers them."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.what.modes import Modes
+
+if TYPE_CHECKING:
+    from c2s_engine.interpret.what.event import Event
+
+
+AWAY = re.compile(
+    r"(only )?(at (a |the )?(distance|range|gap) of (about |around |roughly |some )?#dist\b"
+    r"|at (about |around )?#dist (distance|range|away|from)\b|with @ego #dist )"
+)
+CIRCUMSTANCES = frozenset(("advcl", "prep", "npadvmod", "advmod"))
+COMES_OUT = ("cross_road", "enter_road")
+BEFORE_THE_BLOW = frozenset(
+    ("run_red", "run_stop", "lose_control", "oncoming", "cross_path", "turn", "cut_in", "drift")
+)
+AT_A_DISTANCE = (
+    "brake",
+    "brake_stop",
+    "stop",
+    "swerve",
+    "cross_road",
+    "enter_road",
+    "cut_in",
+    "lane_change",
+    "turn",
+    "start",
+)
+
+
+class Timing(Modes):
+    """The part of Clauses that orders the events."""
+
+    light: set[int]
+
+    def _quantities(self, indices: list[int]) -> list[dict[str, Any]]:
+        found = []
+        seen: set[int] = set()
+        for i in indices:
+            span = self.words[i].span
+            if span is not None and span.kind == "quantity" and id(span) not in seen:
+                seen.add(id(span))
+                found.append({**span.data, "start": span.start, "end": span.end, "word": i})
+        return found
+
+    def _order(self) -> None:
+        for event in self.events:
+            word = self.words[event.word]
+            main = self._main(word)
+            if main is None:
+                continue
+            mark = event.adverbial
+            if word.dep in ("acl", "pobj") and word.tag == "VBG" and main.act == "collide" and event.word > main.word:
+                event.order = main.order - 0.4  # "was hit by a car turning left"
+            if (
+                word.dep == "relcl"
+                and main.act == "collide"
+                and event.act in BEFORE_THE_BLOW
+                and event.word > main.word
+            ):
+                event.order = main.order - 0.4 if "then" not in event.text.split() else event.order
+            if mark in ("after", "once", "when", "as", "having") and event.word > main.word:
+                event.order = main.order - 0.4
+            elif mark == "before" and event.word < main.word:
+                event.order = main.order + 0.4
+            elif mark in ("until", "till") and event.word > main.word:
+                event.order = main.order + 0.2
+            elif (
+                self.words[event.word].tag == "VBN"
+                and any(self.words[c].norm in ("had", "having") for c in word.children)
+                and event.word > main.word
+            ):
+                event.order = main.order - 0.4
+
+    def joined_to(self, event: Event) -> Event | None:
+        """What the clause tells to which an event's clause is joined."""
+        return self._main(self.words[event.word])
+
+    def _main(self, word: Word) -> Event | None:
+        current = word
+        for _ in range(4):
+            if current.head == current.i:
+                return None
+            current = self.words[current.head]
+            if current.i in self.by_word:
+                return self.by_word[current.i]
+        return None
+
+    def _triggers(self) -> None:
+        """ "when ego is 20 m away", "once the TTC falls to 2 s", "after 5 s": for the event they stand with."""
+        for event in self.events:
+            word = self.words[event.word]
+            for i in self._circumstances(word):
+                inside = self._deep(i)
+                text = self.render(inside)
+                told = [self.words[j].norm for j in inside if self.words[j].norm not in ("only", "just", "exactly")]
+                marks = told[0] if told else ""
+                quantities = self._quantities(inside)
+                for quantity in quantities:
+                    if quantity["dimension"] == "time" and re.search(
+                        r"\bttc\b|time[- ]to[- ](collision|contact)", text
+                    ):
+                        event.trigger = {"kind": "ttc", "value": quantity["low"]}
+                    elif (
+                        quantity["dimension"] == "distance"
+                        and self.words[i].dep in ("advcl", "advmod")
+                        and marks in ("when", "once", "as", "after", "until", "while")
+                        and re.search(
+                            r"when|once|as soon as|after|until|^as\b.*\b(?:away|closer|nearer|within|under)\b", text
+                        )
+                    ):
+                        place = (
+                            "intersection"
+                            if re.search(r"intersection|junction", text)
+                            else "crosswalk"
+                            if re.search(r"\b(?:crosswalk|crossing|zebra)", text)
+                            else None
+                        )
+                        event.trigger = (
+                            {"kind": "place", "value": quantity["low"], "place": place}
+                            if place and (not event.agent.person or event.agent.ego)
+                            else {"kind": "distance", "value": quantity["low"]}
+                        )
+                        if marks == "until" and event.mode == "negated":
+                            event.mode = "fact"  # "does not start running until ego is 15 m away"
+                    elif quantity["dimension"] == "distance" and event.act in AT_A_DISTANCE and AWAY.match(text):
+                        event.trigger = {"kind": "distance", "value": quantity["low"]}
+                    elif quantity["dimension"] == "time" and (
+                        re.match(r"(only )?(after|at) (about |around |roughly |t = )?#time$", text)
+                        or re.search(r"#time (into|later|after the start|in)", text)
+                    ):
+                        event.trigger = {"kind": "time", "value": quantity["low"]}
+            own = self.render(event.words)
+            if event.trigger is None and event.act in COMES_OUT and not event.agent.ego:
+                event.trigger = self._where_it_comes_out(event, own)
+            if event.trigger is None:
+                for quantity in event.quantities:
+                    if quantity["dimension"] == "time" and re.search(
+                        (
+                            r"#time (later|into|in\b|after the start|after start)|(^|, )(after|at) (about |around "
+                            r"|roughly |t ?= ?)?#time|\bat t ?= ?#time"
+                        ),
+                        own,
+                    ):
+                        event.trigger = {"kind": "time", "value": quantity["low"]}
+                    elif quantity["dimension"] == "time" and re.search(
+                        r"\bttc\b|time[- ]to[- ](collision|contact)", own
+                    ):
+                        event.trigger = {"kind": "ttc", "value": quantity["low"]}
+
+    def _circumstances(self, word: Word) -> list[int]:
+        """What stands with a verb, or with the verb that only begins it ("starts to cross when ...")."""
+        found = [c for c in word.children if self.words[c].dep in CIRCUMSTANCES]
+        above = self.words[word.head]
+        if word.dep == "xcomp" and above.i in self.light:
+            found += [c for c in above.children if self.words[c].dep == "advcl"]
+        return found
+
+    def _ended_waits(self) -> None:
+        """What ends a wait ("until ego is 20 m away, then crosses") begins what comes next."""
+        for event in self.events:
+            until = event.trigger is not None and re.search(r"\b(?:until|till)\b", self.render(self._deep(event.word)))
+            if event.act not in ("stationary", "stop") or not until:
+                continue
+            later = [e for e in self.events if e.agent is event.agent and e.order > event.order and e.trigger is None]
+            if later:
+                min(later, key=lambda e: e.order).trigger = event.trigger
+                event.trigger = None
+
+    def _where_it_comes_out(self, event: Event, own: str) -> dict[str, Any] | None:
+        """How far ego is when one comes out "20 m in front of it"."""
+        match = re.search(r"#dist (?:right |directly )?(?:ahead|in front)\b(?! of (?:the |an? )?(?:\w+ )?@a)", own)
+        told = [q for q in event.quantities if q["dimension"] == "distance"]
+        return {"kind": "distance", "value": told[0]["low"]} if match and len(told) == 1 else None
+
+    def _deep(self, i: int) -> list[int]:
+        found = [i]
+        for child in self.words[i].children:
+            found += self._deep(child)
+        return sorted(found)

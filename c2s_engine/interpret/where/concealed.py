@@ -1,0 +1,147 @@
+"""What hides whom: said of it, or following from who drives ahead."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.surroundings.whereabouts import Where
+from c2s_engine.interpret.where.gaps import Gaps
+from c2s_engine.interpret.who.mentions import Cast
+
+HIDES = re.compile(
+    r"hid|conceal|obscur|occlu|mask|block|screen|see|notic|spot|detect|behind|between|in front of|obstruct|shield"
+)
+LONG = 2_000
+"""Characters of a sentence beyond which nobody tells what hides whom."""
+
+
+_A = r"(?:the |a |an )?(?:\w+ )?"
+_HIDE = (
+    r"(?:obstructed|obstruct|hidden|hide|concealed|conceal|obscured|obscure|occluded|occlude|masked|mask|screened"
+    r"|screen|blocked|block)"
+)
+HIDDEN = (
+    rf"{_HIDE} by {_A}@(?P<by>a\d+)[^.;]{{0,40}}, {_A}@KEY\b",
+    rf"(?:not|unable to|n't|cannot|hardly) (?:\w+ )?(?:see|notice|spot|detect)[^.;]*@KEY\b[^.;]*"
+    rf"(?:because of|due to|behind|as|for) {_A}@(?P<by>a\d+)",
+    r"@(?P<by>a\d+) (?:conceal|hide|obscure|block|mask)\w* be (?:the |a |an )?@KEY\b",
+    rf"\b(?:view|sight) (?:of|to|on) {_A}@KEY be (?:\w+ )?(?:{_HIDE}|obstructed|obstruct|impeded|impede) by {_A}"
+    r"@(?P<by>a\d+)",
+    rf"@KEY\b.*?(?P<how>(?<!hit )(?<!struck )from behind(?! by)|from between|out from behind|from in front of"
+    rf"|{_HIDE} (?:by|behind)|behind|in front of|between) (?:the |a |an |two |some |row of |line of )*"
+    r"(?:\w+ ){0,2}@(?P<by>a\d+)",
+    rf"\bfrom (?:behind|in front of|between) {_A}@(?P<by>a\d+) ,?[^.;]{{0,30}}? ?(?:the |a |an )(?:\w+ )?@KEY\b",
+    r"@(?P<by>a\d+)[^.;]*?(?:hide|hides|hid|conceal\w*|obscure\w*|block\w*|occlude\w*|mask\w*|obstruct\w*|screen\w*"
+    r"|shield\w*)(?: (?:the|its|his|her|our|@ego ''?s) (?:view|sight|line of sight)(?: (?:of|to|on))?)?(?: @ego ''?s)?"
+    r"(?: view (?:of|to))? (?:the |a |an |any )?(?:\w+ )?@KEY\b",
+)
+"""How a sentence says that one (KEY) is hidden by another."""
+
+
+STANDS_OR_COMES = re.compile(r"parked|stand|stop|stationary|emerge|step|appear|run|dart")
+
+
+def _comes_onto_road(entity: Entity, text: str) -> bool:
+    """Whether one that is behind something walks or rides onto the road."""
+    moves = "walk|come|move|rush|hurr|jump|ride|cycle|wander|push|enter|go|cross"
+    return re.search(rf"@{entity.key} .*\b(?:{moves})\w* .*\b(?:road|lane|across)", text) is not None
+
+
+class Concealed(Gaps):
+    """The part of Places that finds what blocks ego's view."""
+
+    cast: Cast
+    of: dict[Entity, Where]
+
+    def _hidden(self) -> None:
+        for entity in self.cast.entities:
+            where = self.of[entity]
+            for mention in entity.mentions:
+                sentence = [w.i for w in self.words if w.sentence == self.words[mention.word].sentence]
+                text = self.clauses.render(sentence)
+                if len(text) > LONG or not HIDES.search(text):
+                    continue
+                key = self._blocker(entity, text)
+                blocker = next((e for e in self.cast.entities if e.key == key), None)
+                if blocker is not None and blocker is not entity and not (blocker.person):
+                    where.hidden_by = blocker
+                    if where.of is blocker and where.rel in ("behind", "ahead"):
+                        where.rel, where.of = None, None
+                    self._beyond(entity, blocker)
+
+    def _beyond(self, entity: Entity, blocker: Entity) -> None:
+        """A vehicle that one ahead hides, and of which nothing else is told, is ahead of that one."""
+        where, theirs = self.of[entity], self.of[blocker]
+        idle = all(e.act in ("travel", "collide") for e in self.clauses.events if e.agent is entity and e.done)
+        if idle and not entity.person and entity.type != "bicycle" and where.open and where.of is None:
+            if theirs.rel == "ahead" and theirs.lane in (None, "same"):
+                where.rel, where.of = "ahead", blocker
+            elif theirs.lane == "oncoming":
+                where.lane = "oncoming"
+
+    def _blocker(self, entity: Entity, text: str) -> str | None:
+        """Who hides one, by the words of a sentence."""
+        for pattern in HIDDEN:
+            match = re.search(pattern.replace("KEY", entity.key), text)
+            if match is None:
+                continue
+            how = match.groupdict().get("how")
+            if how is None or not self._only_beside(entity, how, text):
+                return match["by"]
+        return None
+
+    @staticmethod
+    def _only_beside(entity: Entity, words: str, text: str) -> bool:
+        """Whether "behind", "between" or "in front of" says where one is, not that it is hidden."""
+        if words not in ("behind", "in front of", "between"):
+            return False
+        if words == "behind" and not (STANDS_OR_COMES.search(text) or _comes_onto_road(entity, text)):
+            return True
+        if words == "in front of" and not re.search(r"(parked|stopped|stationary)", text):
+            return True
+        return not entity.person
+
+    def _revealed(self) -> None:
+        """What stands ahead of one who leaves the lane in front of ego is hidden by it until then."""
+        leavers = (
+            [
+                e.agent
+                for e in self.clauses.events
+                if e.done
+                and e.act in ("cut_out", "lane_change", "swerve")
+                and not e.agent.ego
+                and self.of[e.agent].lane in (None, "same")
+                and self.of[e.agent].rel in (None, "ahead")
+                and e.agent.mover
+            ]
+            if self.clauses.events
+            else []
+        )
+        plain = " ".join(w.norm for w in self.words)
+        if not leavers or not re.search(
+            (
+                r"only (then|now)|come into view|comes into view|into (its |@?\w+ 's )?view"
+                r"|becomes? visible|reveal|expos|suddenly confronted|cannot see|can not see|hidden|conceal"
+                r"|uncover|appears? (in front|ahead)|see past|unseen|until then|behind it|reveals"
+            ),
+            plain,
+        ):
+            return
+        for entity in self.cast.entities:
+            where = self.of[entity]
+            stands = (
+                any(e.agent is entity and e.act == "stationary" for e in self.clauses.events)
+                or "stationary" in entity.roles
+                or not entity.mover
+            )
+            if (
+                stands
+                and where.hidden_by is None
+                and entity is not leavers[0]
+                and where.lane in (None, "same")
+                and entity.type not in ("construction_zone", "lane_closure")
+            ):
+                where.hidden_by = leavers[0]
+                if where.of is None or where.of.ego:
+                    where.of, where.rel = leavers[0], "ahead"

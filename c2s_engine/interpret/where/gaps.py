@@ -1,0 +1,80 @@
+"""How far apart two are at the start: the distances and time gaps among some words."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.surroundings.whereabouts import Where
+from c2s_engine.interpret.what.clauses import Clauses
+
+SHORTEST = 0.5
+"""Nobody starts so close to another (m) lengthwise: what is smaller is sideways."""
+
+
+class Gaps:
+    """The part of Places that reads distances."""
+
+    clauses: Clauses
+    words: list[Word]
+
+    def _gap(self, indices: list[int], where: Where, only_ahead: bool = False) -> None:
+        if where.gap is not None:
+            return
+        text = self.clauses.render(indices)
+        for quantity in self.clauses._quantities(indices):
+            before = " ".join(w.norm for w in self.words[max(0, quantity["word"] - 5) : quantity["word"]])
+            after = " ".join(w.norm for w in self.words[quantity["word"] + 1 : quantity["word"] + 8])
+            if quantity["dimension"] == "distance":
+                if (
+                    re.match(r"to spare|to go|of (it|the)", after)
+                    or re.match(r"\s*(\S+ )?(away )?from the (\w+ )?(kerb|curb|edge|verge)", after)
+                    or not SHORTEST <= quantity["low"] <= 800
+                ):
+                    continue  # a way travelled
+                if (
+                    re.search(r"^(high|tall|wide|long|deep|thick)", after)
+                    or re.search(
+                        (
+                            r"visib|wide|radius|\br =|beyond|sideways|lateral|by (more|less)|long|off the|width|height"
+                            r"|past the (intersection|junction)|within (a|an)?"
+                        ),
+                        before + " " + after,
+                    )
+                    and not re.search(r"ahead|in front|behind|back|away", after)
+                ):
+                    continue
+                if re.search(
+                    (
+                        r"ahead|in front|behind|away|back|distance|apart|gap|headway|clearance|spacing|separation"
+                        r"|room|up the|from|at|further|beyond|short|before|#dist (to|of)|least|along|on\b|down"
+                    ),
+                    before + " " + after + " " + text,
+                ) and not (only_ahead and re.search(r"(drive|travel)s? (for )?#dist", text)):
+                    if re.search(r"(after|for|every) (about |around )?$", before + " ") or re.search(
+                        r"(turn|when|once|until)\b", before
+                    ):
+                        continue
+                    low, high = quantity["low"], quantity["high"]
+                    if re.search(r"(at least|more than|no less than|over|minimum|not less than)\s*$", before):
+                        high = max(high, low * 1.3)
+                    elif re.search(
+                        r"(less than|under|at most|within|no more than|not more than|up to|below)\s*$", before
+                    ):
+                        low, high = high * 0.6, high * 0.95
+                    where.gap = (low, high)
+                    return
+            elif quantity["dimension"] == "time" and where.gap_time is None and _apart(before, after, text):
+                where.gap_time = quantity["low"]
+
+
+APART = re.compile(r"(time[- ]?)?(gap|headway|ttc|collision|apart|interval|distance)")
+BEFORE_ONE = re.compile(
+    r"(?:[a-z]+ )?(directly |right |close )?(behind|ahead|in front|between (them|the two))\b"
+    r"(?! of the (line|junction|stop))"
+)
+
+
+def _apart(before: str, after: str, text: str) -> bool:
+    """Whether a time is how far apart two are: "a headway of 2 s", "2 s behind the truck"."""
+    return APART.search(f"{before} {after}{text}") is not None or BEFORE_ONE.match(after.strip()) is not None

@@ -1,0 +1,252 @@
+"""Places that follow from what happens: whom ego meets or hits over the centre line, who comes the other way, who
+crosses."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret.entities import MOTOR, URGENT, Entity
+from c2s_engine.interpret.surroundings.whereabouts import Where
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.where.implied_lanes import (
+    STANDING_OR_LED,
+    hit_beside,
+    in_from,
+    in_from_aside,
+    into_whose_lane,
+    sideswipes,
+    unseen,
+)
+from c2s_engine.interpret.who.mentions import Cast
+
+SWERVES = ("swerve", "veer", "steer", "dodge", "jink", "weave")
+ANSWERS = frozenset(("yield", "brake", "brake_stop", "stop", "evade", "swerve"))
+
+
+def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Fill the places that only what happens tells."""
+    for event in list(clauses.events):
+        if event.done and event.act == "approach":
+            _meets(event, of)
+        if event.done and event.act == "stationary" and event.text.startswith("block") and _beside_ego(event, of):
+            event.act = "travel"
+        if event.done and event.act in ("approach", "travel"):
+            _comes(event, clauses, of)
+        if event.done and event.act in ("lane_change", "cut_in", "cut_out") and event.agent in of:
+            _joins(event, of[event.agent])
+        if event.done and event.act in ("lane_change", "overtake") and event.agent in of:
+            _out_from_behind(event, of)
+        if (event.done or event.mode == "negated") and event.agent.ego and event.patient in of:
+            _crosses(event, clauses, of[event.patient])
+        if event.done and event.agent.ego and event.patient in of:
+            hit_beside(event, clauses, of[event.patient])
+        if event.done and event.act == "collide" and event.agent.ego and event.patient in of:
+            _behind_or_beside_road(event, clauses, of)
+        if event.done and event.act == "oncoming" and event.agent.ego:
+            _over_the_line(event, clauses, of)
+        elif event.done and event.act in ("lane_change", "drift") and event.agent.ego:
+            unseen(event, cast, clauses, of)
+        elif event.done and event.agent in of and (_comes_over(event, of) or _overtakes_oncoming(event, of)):
+            event.act, event.side = "oncoming", "left"
+        elif event.done and event.act == "overtake" and event.agent in of and event.patient is None:
+            _past_another(event, clauses, of[event.agent])
+        elif event.done and event.act == "yield" and event.agent.ego and event.patient in of:
+            _urgent(event.patient, clauses, of[event.patient])
+        elif event.mode == "negated" and event.act == "yield" and event.agent in of:
+            _on_the_side(event, of[event.agent])
+        elif event.done and event.act in ("cut_in", "lane_change") and in_from(event, of):
+            in_from_aside(event, clauses, of[event.agent])
+        elif event.done and event.act == "collide" and event.agent in of:
+            sideswipes(event, clauses, of)
+        elif event.done and event.act in ("lane_change", "drift", "swerve") and event.agent in of:
+            into_whose_lane(event, clauses, of)
+        elif event.done and event.act == "follow" and event.patient in of:
+            _behind_whom_it_follows(event, clauses, of)
+        elif (
+            event.done
+            and event.act in ("approach", "travel", "oncoming")
+            and (EACH_OTHER.search(event.text) or MEET_AT.match(event.text))
+        ):
+            _towards_each_other(event, of)
+
+
+def _beside_ego(event: Event, of: dict[Entity, Where]) -> bool:
+    """Whether one that blocks the way is beside ego: it drives there."""
+    where = of.get(event.agent)
+    return where is not None and where.rel == "beside" and where.of is not None and where.of.ego
+
+
+COMES = re.compile(r"(?:be )?com(?:e|ing)\b(?! (?:from|out|to|up|in|off|over|through|round|across|after|behind)\b)")
+
+
+FROM_OPPOSITE = re.compile(
+    r"\b(?:from the (?:opposite|other|opposing) (?:direction|way|side|end)|the other way)\b(?! of)"
+)
+
+
+def _comes(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Who comes while ego is in the lane of the other direction comes the other way."""
+    over = any(e.agent.ego and e.act == "oncoming" and e.done for e in clauses.events)
+    if event.agent.ego and FROM_OPPOSITE.search(event.whole):
+        for other, where in of.items():
+            beside = where.rel is not None and (where.of is None or where.of.ego)
+            if other.type in MOTOR and where.lane is None and not beside and not other.roles & STANDING_OR_LED:
+                where.lane = "oncoming"
+    if over and event.agent in of and event.agent.mover and of[event.agent].open and COMES.match(event.text):
+        of[event.agent].lane = "oncoming"
+
+
+def _meets(event: Event, of: dict[Entity, Where]) -> None:
+    """Whom ego meets on its way comes the other way, unless it stands."""
+    other = event.patient
+    if other not in of or not event.agent.ego or not event.text.startswith("meet "):
+        return
+    still = other.person or not other.mover or other.roles & {"stationary", "parked", "lead", "slow"}
+    if of[other].open and of[other].of is None and not still:
+        of[other].lane = "oncoming"
+
+
+def _out_from_behind(event: Event, of: dict[Entity, Where]) -> None:
+    """Who pulls out from behind one that comes the other way overtakes that one."""
+    where = of[event.agent]
+    if where.of in of and where.rel == "behind" and of[where.of].lane == "oncoming":
+        event.act = "overtake" if event.act == "lane_change" else event.act
+        event.patient = event.patient or where.of
+
+
+def _behind_whom_it_follows(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Who follows another that is in a lane of its own is behind that one, where nothing else is told of it."""
+    follower, leader = event.agent, event.patient
+    if (
+        follower is leader
+        or follower not in of
+        or any(e.agent is leader and e.patient is follower for e in clauses.events)
+    ):
+        return
+    where, ahead = of[follower], of[leader]
+    if where.rel is None and where.of is None and where.lane in (None, ahead.lane) and ahead.lane is not None:
+        where.rel, where.of, where.lane = "behind", leader, None
+
+
+MOTORWAY = re.compile(
+    r"(?:enter|join|merge)\w* (?:on|in)?(?:to )?(?:the |a )?(?:motorway|freeway|interstate|expressway|autobahn)\b"
+)
+
+
+def _joins(event: Event, where: Where) -> None:
+    """Who enters the motorway comes from the ramp."""
+    if not where.open or where.of is not None and not where.of.ego or where.rel is not None:
+        return
+    if MOTORWAY.match(event.text):
+        where.lane = "ramp"
+
+
+EACH_OTHER = re.compile(
+    r"^(?:approach|near|meet|face|(?:come|drive|travel|head|move|ride|go|run) (?:\w+ ){0,2}(?:towards?|at|to))"
+    r" (?:each other|one another)\b"
+)
+
+
+MEET_AT = re.compile(r"(?:meet|converge)\b.*\b(?:intersection|junction|crossroads?|crossing)\b|\w+ .*\bright angles\b")
+
+
+def _towards_each_other(event: Event, of: dict[Entity, Where]) -> None:
+    """Of two that approach each other, of which ego is one, the other comes the other way; from the side where they
+    meet at a junction."""
+    both = [event.agent, *event.also, *([event.patient] if event.patient is not None else [])]
+    if not any(e.ego for e in both):
+        return
+    for other in both:
+        if other in of and other.mover and not other.person and of[other].open:
+            of[other].lane = "crossing" if MEET_AT.match(event.text) else "oncoming"
+
+
+ACROSS = frozenset(("lane_change", "drift", "swerve", "lose_control", "cross_path"))
+OVER_LINE = re.compile(
+    r"\b(?:over|across|onto|into|cross\w*) (?:the |a |an |its )?"
+    r"(?:solid |white |yellow |double |middle |broken |centre |center |central |dividing )*"
+    r"(?:lines?|markings?|middle)\b"
+)
+
+
+def _comes_over(event: Event, of: dict[Entity, Where]) -> bool:
+    """Whether one who comes the other way gets over the line, and not little by little."""
+    slowly = event.act == "drift" and re.search(r"\b(?:slowly|gradually|little by little)\b", event.whole)
+    towards = event.act in ACROSS and of[event.agent].lane == "oncoming"
+    return towards and OVER_LINE.search(event.text) is not None and not slowly
+
+
+def _overtakes_oncoming(event: Event, of: dict[Entity, Where]) -> bool:
+    """Whether one who comes the other way overtakes somebody who is not told of: it does so in ego's lane."""
+    waited = event.adverbial in ("until", "till", "after", "once", "when", "before")
+    towards = event.act == "overtake" and of[event.agent].lane == "oncoming" and not waited
+    return towards and (event.patient is None or event.patient.ego)
+
+
+def _crosses(event: Event, clauses: Clauses, where: Where) -> None:
+    """A person for whom ego brakes or waits, and of whom nothing else is told, crosses the road."""
+    who = event.patient
+    assert who is not None
+    answers = ANSWERS if who.type not in ("pedestrian", "child") or not event.done else ANSWERS | {"collide"}
+    if event.act not in answers and not event.text.startswith(("react", "respond")):
+        return
+    told = any((e.agent is who or who in e.also) and e.act != "travel" for e in clauses.events)
+    if who.person and not told and not who.roles and where.rel is None and where.lane is None:
+        clauses.events.append(Event.echo(event, act="cross_road", agent=who, order=event.order - 0.3))
+
+
+def _urgent(who: Entity, clauses: Clauses, where: Where) -> None:
+    """An ambulance for which ego moves aside comes from behind."""
+    aside = any(e.agent.ego and e.done and e.act in ("lane_change", "leave_road") for e in clauses.events)
+    if aside and who.type in URGENT and where.open and where.lane is None:
+        where.rel, where.lane = "behind", "same"
+
+
+def _past_another(event: Event, clauses: Clauses, where: Where) -> None:
+    """Who is ahead of ego and gets past somebody unnamed moves out of its lane; it does not overtake ego."""
+    if where.rel == "ahead" and where.lane in (None, "same") and (where.of is None or where.of.ego):
+        around = clauses._lemma(clauses.words[event.word]) in SWERVES
+        event.act, event.side = ("swerve" if around else "lane_change"), event.side or "left"
+
+
+def _on_the_side(event: Event, where: Where) -> None:
+    """Who does not give way "on the right" comes from that side."""
+    told = " ".join(text for _, text in where.phrases)
+    if where.lane in ("left", "right") and where.rel is None and "lane" not in told + event.whole:
+        where.lane = "crossing"
+
+
+def _behind_or_beside_road(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """What ego hits while it reverses stands behind it; what it hits off the road stands beside the road."""
+    other = hit.patient
+    assert other is not None
+    before = [e for e in clauses.events if e.agent.ego and e.done and e.order < hit.order]
+    where, still = of[other], not other.mover
+    backs = (
+        before
+        and before[-1].act == "reverse"
+        or any(
+            e.act == "reverse" and e.agent.ego and e.done and e.adverbial in ("while", "when", "as", "in", "whilst")
+            for e in clauses.events
+        )
+    )
+    if backs and where.rel is None and (still or where.lane in (None, "same", "parked")):
+        where.rel, where.lane = "behind", "same"
+    elif still and any(e.act == "leave_road" for e in before) and where.lane in (None, "same"):
+        where.lane = "roadside"
+
+
+def _over_the_line(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Whom ego hits after it crossed the centre line comes towards it."""
+    for hit in clauses.events:
+        other = hit.patient if hit.agent.ego else hit.agent
+        if hit.act != "collide" or not hit.done or hit.order < event.order or other is None or other not in of:
+            continue
+        still = other.roles & {"lead", "stationary", "parked"} or any(
+            e.act == "stationary" and e.agent is other for e in clauses.events
+        )
+        passed = any(e.patient is other and e.act in ("overtake", "follow") for e in clauses.events)
+        behind = re.search(r"rear|behind|back of", hit.whole)
+        if other.mover and not other.person and of[other].open and not still and not passed and not behind:
+            of[other].lane = "oncoming"

@@ -1,0 +1,129 @@
+"""Lanes that follow from lane changes, sideswipes and hits: who was beside ego, and ego's own lane by whom it meets."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.surroundings.whereabouts import STATES, Where
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.what.towards import OPPOSITE, side
+from c2s_engine.interpret.who.mentions import Cast
+
+UNSEEN = re.compile(
+    r"(?:without (?:see|notic|spott|detect)\w*"
+    r"|(?:not|n't|never|fail\w* to|neglect\w* to) (?:see|notice|spot|detect|observe)"
+    r"|overlook\w*|unaware of|missed?|did not realise|did not check for)[^.;,]*?@(?P<who>a\d+)\b(?! 's)"
+)
+FROM_BEHIND = re.compile(r"\bfrom (?:behind|the rear)|\brear-?end")
+NEAR_JUNCTION = re.compile(
+    r"\b(?:intersections?|junctions?|crossroads|roundabout|side (?:road|street)|driveway|t-junction|traffic lights?)\b"
+)
+SIDEWAYS = re.compile(
+    r"^side-?swip|^(?:merge|drift|veer|swerve|steer|cut|move over|pull over|stray|wander|slide)\w* (?:\w+ )?into\b"
+)
+STANDING_OR_LED = frozenset(("stationary", "parked", "lead", "oncoming", "crossing"))
+
+
+def hit_beside(event: Event, clauses: Clauses, where: Where) -> None:
+    """Whom ego hits while it changes lanes is in the lane beside; into whose path it runs a sign crosses."""
+    who = event.patient
+    assert who is not None
+    if not who.mover or who.person or not where.open or where.lane is not None or who.roles & STANDING_OR_LED:
+        return
+    before = [e for e in clauses.events if e.agent.ego and e.done and e.order <= event.order]
+    over = [e for e in before if e.act in ("lane_change", "drift")]
+    slows = any(
+        e.agent is who and e.done and e.act in ("brake", "stop", "brake_stop", "stationary") for e in clauses.events
+    )
+    if event.act in ("run_stop", "run_red", "cross_path") and re.search(r"path of|in front of|way of", event.text):
+        where.lane = "crossing"
+    elif (
+        event.act in ("collide", "drift") and over and not FROM_BEHIND.search(event.whole) and "rear" not in event.whole
+    ):
+        towards = next((s for e in reversed(over) if (s := side(e))), None)
+        where.lane, where.side, where.rel = towards or "adjacent", towards, "ahead" if slows else "beside"
+
+
+def sideswipes(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Who sideswipes ego, or hits it while it changes lanes, was beside it."""
+    where = of[event.agent]
+    if event.patient is None or not event.patient.ego or not where.open:
+        return
+    over = [e for e in clauses.events if e.agent is event.agent and e.done and e.act in ("lane_change", "cut_out")]
+    if SIDEWAYS.search(event.text) or over and where.rel is None:
+        where.lane, where.rel = "adjacent", "beside"
+        for change in over:
+            change.act = "cut_in"
+
+
+def in_from(event: Event, of: dict[Entity, Where]) -> bool:
+    """Whether one comes in "from the right" or "from the left"."""
+    told = re.search(r"\bfrom (?:the |its )?(?:left|right)\b", event.whole)
+    return event.agent in of and bool(event.act == "cut_in" or told and event.text.startswith("merg"))
+
+
+def in_from_aside(event: Event, clauses: Clauses, where: Where) -> None:
+    """Who cuts in "from the right", no junction being near, comes out of the lane on that side."""
+    words = " ".join(w.norm for w in clauses.words)
+    if where.lane == "crossing" and where.side in ("left", "right") and not NEAR_JUNCTION.search(words):
+        where.lane, where.rel = where.side, where.rel or "beside"
+
+
+def unseen(event: Event, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Whom ego did not see when it changed lanes is beside it on that side."""
+    towards = side(event)
+    sentence = cast.words[event.word].sentence
+    text = clauses.render([w.i for w in cast.words if w.sentence in (sentence, sentence + 1)])
+    match = UNSEEN.search(text)
+    other = next((e for e in cast.entities if match and e.key == match["who"]), None)
+    if other is None or towards is None or not other.mover or other.person or other not in of or not of[other].open:
+        return
+    of[other].lane, of[other].side, of[other].rel = towards, towards, "beside"
+
+
+def into_whose_lane(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """One who comes into the lane "where ego is travelling" was in the lane beside and cuts in."""
+    words = clauses.words
+    lanes = [i for i in clauses.own(words[event.word]) if words[i].norm == "lane" and i > event.word]
+    for state in clauses.events:
+        clause = words[state.word]
+        if state.agent.ego and state.act in STATES and clause.dep == "relcl" and clause.head in lanes:
+            event.act = "cut_in"
+            where = of[event.agent]
+            if where.open:
+                where.lane, where.rel = "adjacent", where.rel
+            towards = side(event)
+            where.side = where.side or (OPPOSITE[towards] if towards else None)
+
+
+def evaded_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
+    """Ego's lane where it gets round one in the right lane by the left one, or the other way round: it is the same."""
+    for event in clauses.events:
+        other, towards = event.patient, side(event)
+        if not (event.done and event.agent.ego and other in of and event.act in ("lane_change", "evade", "overtake")):
+            continue
+        where = of[other]
+        halts = other.roles & {"stationary", "slow", "parked"} or any(
+            e.agent is other and e.act in ("stationary", "stop", "brake", "brake_stop", "reverse")
+            for e in clauses.events
+        )
+        across = OPPOSITE.get(towards or "")
+        if across and halts and where.lane == across and where.rel in (None, "ahead") and where.of is None:
+            where.lane, where.side, where.rel = "same", None, "ahead"
+            return f"{across}most"
+    return None
+
+
+def followed_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
+    """Ego's lane where it follows one "in the right lane": it is the same."""
+    for event in clauses.events:
+        where = of.get(event.patient) if event.patient is not None else None
+        behind = event.act == "follow" or event.act == "collide" and FROM_BEHIND.search(event.whole)
+        if not behind or not event.done or not event.agent.ego or where is None or where.of is not None:
+            continue
+        if where.lane in ("left", "right") and where.rel in (None, "ahead"):
+            lane, where.lane, where.side, where.rel = where.lane, "same", None, "ahead"
+            return f"{lane}most"
+    return None

@@ -1,0 +1,128 @@
+"""Lanes by number: "the number two lane", "lane 3", counted from the left unless what happens tells otherwise."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.surroundings.whereabouts import STATES, Where
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.who.mentions import Cast
+
+NUMBERS = {"one": 1, "two": 2, "three": 3, "four": 4, "first": 1, "second": 2, "third": 3, "fourth": 4}
+COUNTED = r"(?P<n>one|two|three|four|[1-4]|first|second|third)"
+ORDINAL = r"(?P<o>first|second|third|fourth) lane"
+NUMBERED = re.compile(rf"(?:number|lane number|(?<![\w-])lane|no\.?|#) {COUNTED}(?: lane)?\b(?!-)|\b{ORDINAL}\b")
+INTO = re.compile(rf"\b(?:in|on|over|across)?to (?:the )?(?:lane (?:number |no\.? )?{COUNTED}|{ORDINAL})\b")
+TOTAL = re.compile(
+    r"\blane \w+ (?:out )?of (?:the )?(?P<n>two|three|four|[2-4])\b|\b(?P<m>two|three|four|[2-4])[ -]lane"
+)
+NAMED = re.compile(
+    rf"\blane (?:number |no\.? )?{COUNTED}(?: of \w+)?(?: ,)?(?: \()?"
+    r"(?: that is| i\.?e\.?| which is| namely| being)?(?: ,)?"
+    r" (?:the |in the )?(?:lane (?:on|to) (?:the |its )?)?"
+    r"(?:(?P<left>left|far left|leftmost|fast|offside|overtaking|passing|inner)"
+    r"|(?P<right>right|far right|rightmost|slow|nearside|outer))\b"
+)
+FROM_SIDE = re.compile(
+    r"\blanes? (?:\w+ ){0,2}from (?:the )?(?P<side>left|right)\b(?! lane)"
+    r"|count\w* from (?:the )?(?P<side2>left|right)\b"
+)
+SHIFTS = frozenset(("drift", "lane_change", "cut_in", "swerve"))
+
+
+def number_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str | None:
+    """Place those whose lanes are numbered beside ego's numbered lane; the name of ego's own lane."""
+    numbers: dict[Entity, int] = {}
+    ordinal = False
+    for entity in (cast.ego, *cast.entities):
+        for text in _told(entity, cast, clauses, of):
+            match = NUMBERED.search(text)
+            if match and "lane" in match[0] and entity not in numbers:
+                numbers[entity] = _number(match["n"] or match["o"])
+                ordinal = ordinal or match["o"] is not None
+    own = numbers.get(cast.ego)
+    if own is None or ordinal and len(numbers) == 1 and not FROM_SIDE.search(_plain(cast)):
+        return None
+    rightwards = not _from_right(numbers, cast, clauses)
+    for entity, number in numbers.items():
+        if entity.ego:
+            continue
+        _into_own_lane(entity, own, cast, clauses)
+        where = of[entity]
+        where.lane = "same" if number == own else "right" if (number > own) is rightwards else "left"
+        where.side = where.lane if number != own else where.side
+        shifts = any(e.agent is entity and e.done and e.act in SHIFTS for e in clauses.events)
+        where.rel = where.rel or ("ahead" if number == own else None if shifts else "beside")
+    return _named(own, _total(cast), rightwards)
+
+
+def _told(entity: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> list[str]:
+    """What is said of where one is: its clauses, its phrases, and the words after it."""
+    acts = STATES | {"lane_change", "keep_lane"}
+    texts = [e.whole for e in clauses.events if e.agent is entity and e.act in acts]
+    texts = [INTO.sub("", text) for text in texts]
+    texts += [t for _, t in of[entity].phrases] if entity in of else []
+    for mention in entity.mentions:
+        first = cast.words[mention.word]
+        after = [w for w in cast.words[first.i + 1 : first.i + 11] if w.sentence == first.sentence]
+        texts.append(INTO.sub("", " ".join(w.norm for w in after)))
+    return texts
+
+
+def _plain(cast: Cast) -> str:
+    return " ".join(w.norm for w in cast.words)
+
+
+def _number(word: str) -> int:
+    return NUMBERS.get(word) or int(word)
+
+
+def _total(cast: Cast) -> int | None:
+    """How many lanes there are, where that is said."""
+    match = TOTAL.search(_plain(cast))
+    return _number(match["n"] or match["m"]) if match else None
+
+
+def _named(own: int, total: int | None, rightwards: bool) -> str:
+    first, last = ("leftmost", "rightmost") if rightwards else ("rightmost", "leftmost")
+    if own == 1:
+        return first
+    return last if own == total or own > 2 and total is None else "middle"
+
+
+def _into_own_lane(entity: Entity, own: int, cast: Cast, clauses: Clauses) -> None:
+    """Who changes into the lane of ego's number cuts in."""
+    for event in clauses.events:
+        match = INTO.search(event.text)
+        if (
+            event.agent is entity
+            and event.done
+            and event.act == "lane_change"
+            and match
+            and _number(match["n"] or match["o"]) == own
+        ):
+            event.act, event.patient = "cut_in", cast.ego
+
+
+def _from_right(numbers: dict[Entity, int], cast: Cast, clauses: Clauses) -> bool:
+    """Whether lanes are counted from the right: so a lane is called, or so one changes lanes or passes."""
+    ordered = FROM_SIDE.search(_plain(cast))
+    if ordered is not None:
+        return "right" in (ordered["side"], ordered["side2"])
+    for match in NAMED.finditer(_plain(cast)):
+        if _number(match["n"]) != 2:
+            return bool(match["right"]) == (match["n"] in ("1", "one", "first"))
+    own = numbers[cast.ego]
+    for event in clauses.events:
+        number = numbers.get(event.agent)
+        match = re.search(r"\b(left|right)\b", event.text)
+        if number is None or match is None or not event.done:
+            continue
+        into = INTO.search(event.text)
+        goal = _number(into["n"] or into["o"]) if into else own if "@ego" in event.text else number
+        if event.act in SHIFTS and goal != number:
+            return (match[1] == "left") == (number < goal)
+        if event.act == "overtake" and number != own and event.patient in (None, cast.ego):
+            return (match[1] == "left") == (number > own)
+    return False

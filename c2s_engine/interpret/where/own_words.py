@@ -1,0 +1,85 @@
+"""Which words around a noun tell of its place: without those of another, of a time, or of how it is hit or passed."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.who.mentions import Cast
+
+ASIDE = re.compile(
+    r"\b(?:on|in|via|by|over|using|through|into|across) (?:the |its )?(?:on-?coming|opposite|opposing|other|wrong"
+    r"|left|right|next"
+    r"|adjacent)(?:-hand)? (?:\w+ )?(?:lane|side)(?: of the (?:road|street))?"
+)
+DIRECTED = frozenset(("towards", "toward", "into", "onto"))
+JOINS = frozenset(("and", "but", "while", "when"))
+PLACING = language.words("placing")
+
+
+class OwnWords:
+    """The part of Places that keeps the words that are an entity's own."""
+
+    cast: Cast
+    clauses: Clauses
+    words: list[Word]
+
+    def _unhit(self, text: str, entity: Entity) -> str:
+        """The words about one without those that say how it is hit: who is hit from behind is not behind."""
+        if any(e.act == "collide" and e.patient is entity and e.done for e in self.clauses.events):
+            return re.sub(r"\b(from behind|(from|in|at) the (rear|back))\b", "", text)
+        return text
+
+    def _unpassed(self, text: str, i: int, entity: Entity) -> str:
+        """The words about one whom ego passes without those that say where ego goes then."""
+        passes = [e for e in self.clauses.events if e.agent.ego and e.act in ("overtake", "evade", "lane_change")]
+        if any(e.patient is entity or i in e.words for e in passes if e.word < i and i in e.words):
+            return ASIDE.sub("", text)
+        return text
+
+    def _of_time(self, phrase: list[int]) -> bool:
+        """Whether "before" begins a clause, not a place: "overtakes the cyclist before the car arrives"."""
+        after = max(phrase) + 1
+        verb = after < len(self.words) and self.words[after].tag in ("VBZ", "VBP", "VBD", "MD")
+        return self.words[min(phrase)].norm == "before" and verb
+
+    def _unfollowed(self, text: str, entity: Entity) -> str:
+        """The words about one whom ego follows without those that say that ego is behind: "follows it 10 m behind"."""
+        follows = any(e.act == "follow" and e.agent.ego and e.patient is entity and e.done for e in self.clauses.events)
+        return re.sub(r"\bbehind\b(?! (?:the |an? )?@)", "away", text) if follows else text
+
+    def _of_another(self, child: int, i: int, entity: Entity) -> bool:
+        """Whether a phrase before a noun belongs to another's part of the list: "ego in the left lane, bus drifts"."""
+        if child > i:
+            return False
+        if any(w.norm in JOINS for w in self.words[child:i]):
+            return self._said_of_another(child, entity)
+        if not any(w.norm in (",", ";") for w in self.words[child:i]):
+            return False
+        start = next((w.i for w in reversed(self.words[:child]) if w.norm in (",", ";", ".", ":")), -1)
+        heads = [self.cast.of.get(w.i) for w in self.words[start + 1 : child] if w.span is not None]
+        verb = any(w.verb for w in self.words[start + 1 : i] if w.sentence == self.words[i].sentence)
+        return bool(heads) and not verb and heads[0] is not None and heads[0] is not entity
+
+    def _said_of_another(self, child: int, entity: Entity) -> bool:
+        """Whether a phrase stands in a clause before, whose verb has another subject."""
+        before = [w for w in self.words[:child] if w.sentence == self.words[child].sentence]
+        verb = next((w for w in reversed(before) if w.i in self.clauses.by_word), None)
+        return verb is not None and self.clauses.by_word[verb.i].agent is not entity
+
+    def _following(self, i: int) -> list[int]:
+        """The words right after a noun that may say where it is, up to the end of the phrase."""
+        found: list[int] = []
+        for other in self.words[i + 1 : i + 14]:
+            if (
+                other.sentence != self.words[i].sentence
+                or other.norm in (",", ".", ";", "and", "(", ":", "-", "but", "while", "when", "that", "which", "who")
+                or (other.verb and other.tag != "VBN" and other.norm not in PLACING)
+                or (other.norm in DIRECTED and self.words[i].dep == "pobj")
+            ):
+                break
+            found.append(other.i)
+        return found

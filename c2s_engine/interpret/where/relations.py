@@ -1,0 +1,307 @@
+"""Where entities are at the start: relations read from noun phrases and from clauses."""
+
+import itertools
+import re
+
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.surroundings.whereabouts import FRONTED, FRONTED_FAR, STATES, Where, read, side_of_text
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.where.accompanied import WITH_ANOTHER, accompanied, within
+from c2s_engine.interpret.where.closures import closed_lanes
+from c2s_engine.interpret.where.groups import abreast, goes_on_abreast, split_groups
+from c2s_engine.interpret.where.implied import implied_places
+from c2s_engine.interpret.where.implied_lanes import evaded_lane, followed_lane
+from c2s_engine.interpret.where.inferred import Inferred
+from c2s_engine.interpret.where.lane_numbers import number_lanes
+from c2s_engine.interpret.where.own_words import DIRECTED, PLACING, OwnWords
+from c2s_engine.interpret.where.struck import struck_places
+from c2s_engine.interpret.who.mentions import Cast, Entity
+
+__all__ = ["STATES", "Places", "Where", "read", "side_of_text"]
+
+
+AGAINST = re.compile(r"wrong[- ](way|direction)|(against|contrary to) (the )?(traffic|direction|flow|stream|current)")
+
+FILLED = re.compile(
+    r"((?:oncoming|opposite|opposing|left|right|adjacent|neighbou?ring|other|next)(?:-hand)? lane"
+    r"|lane (?:to|on) (?:the|its|@ego 's) (?:left|right)) (?:be|is|was) "
+    r"(?:\w+ )?(?:full of|fill(?:ed)? with|occup(?:y|ied) by|pack(?:ed)? with|block(?:ed)? (?:by|with)|taken? by)"
+    r"(?: the| an?)?(?: \w+)?$"
+)
+
+PART_FILLED = re.compile(
+    r"\b(?:half|part|most|a third|some) of (?:the |its |(?:the )?@ego 's )(?:\w+ )?lane (?:be|is|was) "
+    r"(?:\w+ ){1,2}(?:by|with)(?: the| an?)?(?: \w+)?$"
+)
+
+
+WITHIN = re.compile(
+    r"(?:be|come|get|draw) (?:\w+ )?(?:closer|nearer|less|within|away|below|under)\b.*#dist"
+    r"|(?:be|come|get) (?:only |just |about |less than )*#dist (?:away|from|off|distant)\b"
+)
+HEADING = DIRECTED | {"to", "across", "over"}
+
+
+class Places(OwnWords, Inferred):
+    """The start relation of every entity."""
+
+    def __init__(self, cast: Cast, clauses: Clauses) -> None:
+        self.cast, self.clauses, self.words = cast, clauses, clauses.words
+        self.of: dict[Entity, Where] = {}
+        self.ego_lane: str | None = None
+        for entity in cast.entities:
+            self.of[entity] = self._where(entity)
+        for entity, where in self.of.items():
+            text = " ; ".join(t for _, t in where.phrases)
+            close = r"(?:directly|immediately|just|right) " if "lead" not in entity.roles else ""
+            match = re.search(rf"{close}(?:in front of|ahead of|behind) (?:the )?@ego in the (left|right)", text)
+            named = [self.words[m.word] for m in entity.mentions[:1]]
+            own = any("lane" in self._before(w) for w in named)  # "ego is in the middle lane with a van behind it"
+            if match and where.rel in ("ahead", "behind") and not own:
+                where.lane, where.side = "same", None
+                self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
+        accompanied(cast, clauses, self.of)
+        self.ego_lane = self.ego_lane or closed_lanes(cast, clauses, self.of)
+        goes_on_abreast(clauses)
+        split_groups(cast, clauses, self.of)
+        abreast(clauses, self.of)
+        implied_places(cast, clauses, self.of)
+        struck_places(cast, clauses, self.of)
+        self.ego_lane = evaded_lane(clauses, self.of) or self.ego_lane or followed_lane(clauses, self.of)
+        within(cast, clauses, self.of)
+        self._referred()
+        self._between()
+        self._joined()
+        self._encroached()
+        self._shared()
+        self.ego_lane = self.ego_lane or number_lanes(cast, clauses, self.of)
+        self._overtaken()
+        self._in_the_way()
+        self._mutual()
+        self._hidden()
+        self._revealed()
+
+    def _before(self, word: Word) -> list[str]:
+        """The words of a sentence before one of it."""
+        return [w.norm for w in self.words[: word.i] if w.sentence == word.sentence]
+
+    def _where(self, entity: Entity) -> Where:
+        where = Where()
+        for mention in entity.mentions:
+            self._from_phrase(mention.word, where, entity)
+        events = [e for e in self.clauses.events if e.agent is entity or entity in e.also]
+        for event in sorted(events, key=lambda e: e.word):
+            if event.mode in ("hypothetical", "negated") and event.act not in ("stationary", "travel"):
+                continue
+            if event.adverbial in ("when", "if", "once", "as", "until") and WITHIN.match(event.text):
+                continue  # "brakes when a cyclist is closer than 15 m": how near it comes, not where it starts
+            against = event.act == "oncoming" and AGAINST.search(event.whole)
+            if event.act in STATES or against or event.act == "follow" and event.patient is None:
+                read(WITH_ANOTHER.sub("", event.whole), where, entity, self.cast, event.act)
+                self._gap(event.words, where)
+            elif event.act not in ("collide",):
+                parts = [
+                    m[0]
+                    for m in re.finditer(
+                        r"\b(?:from|out of|off|leave|in|on|along|ahead of|behind) (?!to)[^,.;]*", event.whole
+                    )
+                    if re.match(r"from|out of|off|leave", m[0])
+                    or event.act
+                    in (
+                        "brake",
+                        "stop",
+                        "brake_stop",
+                        "accelerate",
+                        "run_red",
+                        "turn",
+                        "keep_lane",
+                        "lose_control",
+                        "cross_path",
+                        "overtake",
+                    )
+                ]
+                for part in parts:
+                    part = re.sub(
+                        r"\b(into|onto|to|towards) (the |its )?(@\w+ ''?s )?[\w -]*?(lane|road|street|path|way)\b",
+                        "",
+                        part,
+                    )
+                    if event.act in ("cross_path", "turn"):  # whose path is crossed is not behind whom one starts
+                        part = re.sub(r"\b(in front of|ahead of) (the )?@\w+", "", part)
+                    if not (event.act == "overtake" and re.match(r"in|on|ahead", part)):
+                        read(part, where, entity, self.cast, event.act)
+                comes_past = event.act == "cut_in" and any(e.act == "overtake" and e.done for e in events)
+                if event.act in ("cut_in", "brake", "follow", "run_red", "turn") and not comes_past:
+                    self._gap(event.words, where, only_ahead=event.act == "cut_in")
+            if self.words[event.word].dep == "relcl" and event.adverbial == "where":
+                head = self.words[event.word].head
+                if head not in self.cast.of and self.words[head].norm in (
+                    "lane",
+                    "approach",
+                    "arm",
+                    "street",
+                    "side",
+                    "shoulder",
+                ):
+                    read(
+                        "in " + self.clauses.render([i for i in self.clauses._below(head) if i <= head]),
+                        where,
+                        entity,
+                        self.cast,
+                        event.act,
+                    )
+        for (
+            event
+        ) in self.clauses.events:  # "the ego comes upon a van standing in its lane"; "ego has a van in front of it"
+            if (
+                event.patient is entity
+                and event.agent.ego
+                and event.act in ("approach", "travel", "follow", "held_up", "overtake", "keep_away")
+                and event.mode != "hypothetical"
+            ):
+                self._gap(event.words, where, only_ahead=event.act != "follow")
+        return where
+
+    def _from_phrase(self, i: int, where: Where, entity: Entity) -> None:
+        word = self.words[i]
+        indices: list[int] = []
+        for child in word.children:
+            other = self.words[child]
+            if other.dep in ("prep", "advmod", "appos", "npadvmod", "amod", "dep", "nmod", "acl") and child != i:
+                if other.dep == "amod" and child < i:
+                    continue
+                if other.dep == "acl" and (child in self.clauses.by_word or self.clauses._by_a_deed(other)):
+                    continue
+                if other.dep == "prep" and (
+                    self._of_another(child, i, entity) or self._of_time([child, *self.clauses._below(child)])
+                ):
+                    continue
+                if i in self.clauses.deeds and other.norm in HEADING:
+                    continue  # "a lane change by the truck to the left"
+                named = self.cast.of.get(child)
+                if other.dep in ("appos", "dep", "nmod") and named is not None and named is not entity:
+                    continue
+                indices += self.clauses._below(child)
+        apposed = [
+            c
+            for c in word.children
+            if self.words[c].dep == "appos" and (c in self.cast.of and self.cast.of[c] is entity)
+        ]
+        for child in apposed:
+            self._from_phrase(child, where, entity)
+        before = [w for w in self.words[max(0, i - 9) : i] if w.sentence == word.sentence]
+        front = self.clauses.render([w.i for w in before])
+        fronted = re.search(
+            (
+                r"(?:^|, |\band |: )((?:from|to|on|at|in) (?:the |its |@\w+ 's )+(?:left|right)(?:-?hand|most)?"
+                r"(?: side| lane| pavement| sidewalk| footpath| verge| shoulder| kerb| curb| edge)?)"
+                r"(?: (?!(?:and|but)\b)\w+){0,3}$"
+            ),
+            front,
+        )
+        fronted = fronted or FRONTED.search(front)
+        if fronted and word.span is not None:
+            read(fronted[1], where, entity, self.cast, "noun")
+        self._fronted_far(word, front, where, entity)
+        far = self.clauses.render([w.i for w in self.words[max(0, i - 14) : i] if w.sentence == word.sentence])
+        if PART_FILLED.search(far) and word.span is not None and where.lane is None:
+            where.lane = "partly"
+        filled = FILLED.search(front)
+        if filled and word.span is not None:
+            read(f"in the {filled[1]}", where, entity, self.cast, "noun")
+            stands = "block" in filled[0] or entity.roles & {"stationary", "parked"} or where.lane == "oncoming"
+            where.rel = where.rel or (None if stands else "beside")
+        lead = word.span.data.get("words", []) if word.span is not None and word.span.kind == "actor" else []
+        lead = [*lead, entity.noun] if re.match(r"wrong|ghost", entity.noun) else lead
+        text = " ".join(lead) + " "
+        indices = sorted(set(indices))
+        text += self.clauses.render(indices)
+        if word.span is not None and (
+            self.words[word.head].norm in ("with", "is", "are")
+            or i + 1 < len(self.words)
+            and self.words[i + 1].norm in PLACING
+        ):
+            following = self._following(i)
+            read(" ".join([*lead, self.clauses.render(following)]), where, entity, self.cast, "noun")
+        text = self._unfollowed(self._unpassed(self._unhit(text, entity), i, entity), entity)
+        if self.cast.of and text.strip():
+            read(text, where, entity, self.cast, "noun")
+            self._gap(indices, where)
+        if (
+            i + 1 < len(self.words)
+            and self.words[i + 1].norm in (":", "-")
+            and self.words[i + 1].sentence == word.sentence
+            and word.span is not None
+        ):
+            rest = []
+            for other in self.words[i + 2 :]:
+                if other.sentence != word.sentence or other.norm == ";":
+                    break
+                rest.append(other.i)
+            for clause in re.split(r" , ", self.clauses.render(rest)):
+                if not re.search(r"\b(turn|cut|change|merge|move|swerve|overtake)\w*\b", clause):
+                    read(clause, where, entity, self.cast, "noun")
+            self._gap(rest, where)
+        counted = (
+            i + 1 < len(self.words) and self.words[i + 1].tag == "CD" and self.words[i + 1].sentence == word.sentence
+        )
+        if (
+            word.span is not None
+            and (
+                (not indices or self.words[word.head].norm == "with")
+                and word.dep in ("pobj", "conj", "dobj", "attr", "ROOT", "dep", "appos", "nsubj")
+                or counted
+            )
+            or word.norm == "another"
+        ):
+            after = self._following(i)
+            if i in self.clauses.deeds:
+                after = list(itertools.takewhile(lambda at: self.words[at].norm not in HEADING, after))
+            if (
+                after
+                and word.dep == "dobj"
+                and re.match(
+                    r"(in|on) the (rear|side|back|front|left|right)"
+                    r"(?!(-hand|most)? (lane|pavement|sidewalk|footpath|kerb|curb|verge|shoulder))",
+                    self.clauses.render(after),
+                )
+            ):
+                after = []
+            if after and self._of_time(after):
+                after = []
+            if after and (
+                self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO")
+                or self.words[after[0]].norm in PLACING
+            ):
+                read(
+                    self._unfollowed(
+                        self._unpassed(self._unhit(self.clauses.render(after), entity), i, entity), entity
+                    ),
+                    where,
+                    entity,
+                    self.cast,
+                    "noun",
+                )
+                self._gap(after, where)
+        if self.clauses.fragment(i) and i not in self.clauses.deeds:
+            rest = self.clauses.about(i)
+            text = re.sub(
+                r"(?<!in )(?<!the )\b(left|right|same|own|ego|oncoming|opposite|adjacent|next)(-hand|most)? lane",
+                r"in the \1 lane",
+                self.clauses.render(rest),
+            )
+            read(text, where, entity, self.cast, "noun")
+            self._gap(rest, where)
+        # "V2 in front, 20 m" and following adverbs in headless sentences
+        if word.dep in ("ROOT",) and not word.verb:
+            rest = self.clauses.own(word)
+            read(self.clauses.render([r for r in rest if r > i]), where, entity, self.cast, "noun")
+            self._gap(rest, where)
+
+    def _fronted_far(self, word: Word, front: str, where: Where, entity: Entity) -> None:
+        """A place and distance before a vehicle: "20 m behind the truck a motorcycle follows"."""
+        match = FRONTED_FAR.search(front + " ") if entity.mover and not entity.person else None
+        if match is None or word.span is None or word.dep not in ("nsubj", "ROOT", "nsubjpass", "attr"):
+            return
+        read(match["place"], where, entity, self.cast, "noun")
+        self._gap([w.i for w in self.words[max(0, word.i - 9) : word.i] if w.sentence == word.sentence], where)

@@ -1,0 +1,121 @@
+"""Places and parties that a collision tells: who was behind whom, on which side of the road stands what was hit."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.surroundings.whereabouts import Where
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.what.towards import side
+from c2s_engine.interpret.who.mentions import Cast
+
+END = r"(?:rear(?:[- ]end)?|back|tail|boot|trunk|tailgate|rear bumper|back bumper)"
+HEAD_ON = re.compile(r"\bhead[- ]?on\b|\bfront to front\b|\bfrontally\b")
+PUSHES = language.words("pushes")
+IN_ORDER = re.compile(r"\bin (?:that|this|the same|numerical|the following) order\b")
+BACKS_INTO = (6.0, 12.0)
+"""How far (m) behind ego stands what it reverses into."""
+
+
+def pushed(clauses: Clauses) -> None:
+    """Who is pushed into another hits that one: "struck V2, which was pushed into V3"."""
+    by_key = {e.key: e for e in (clauses.cast.ego, *clauses.cast.entities)}
+    for event in clauses.events:
+        if event.act != "collide" or not event.passive or clauses._lemma(clauses.words[event.word]) not in PUSHES:
+            continue
+        into = re.search(r"\binto (?:the )?(?:\w+ of )?(?:the )?@(\w+)", event.text)
+        moved = clauses._subject(clauses.words[event.word])[0] or event.patient
+        other = by_key.get(into[1]) if into else None
+        if other is not None and moved is not None and moved is not other:
+            event.agent, event.patient, event.passive = moved, other, False
+
+
+def twice(clauses: Clauses) -> None:
+    """Who cannot stop in time and then hits somebody hits once: the blow without a party is left out."""
+    hits = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
+    for event in hits:
+        later = [e for e in hits if e is not event and e.agent is event.agent and e.patient is not None]
+        if event.patient is None and any(0 < e.word - event.word < 16 for e in later):
+            event.mode = "hypothetical"
+
+
+def struck_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Fill the places that collisions tell; what is said stays."""
+    _in_order(cast, clauses, of)
+    for hit in clauses.events:
+        if hit.act != "collide" or not hit.done or hit.patient is None:
+            continue
+        if hit.agent.ego and hit.patient in of and not hit.patient.mover:
+            _thing(hit, clauses, of[hit.patient])
+        if _from_behind(hit, clauses):
+            _one_behind(hit, of)
+        elif HEAD_ON.search(hit.text):
+            _head_on(hit, of)
+
+
+def _from_behind(hit: Event, clauses: Clauses) -> bool:
+    """Whether somebody is hit from behind by one who drives forwards."""
+    backs = any(e.agent is hit.agent and e.act == "reverse" and e.done for e in clauses.events)
+    assert hit.patient is not None
+    other = rf"@{hit.patient.key}"
+    return not backs and bool(
+        re.search(
+            rf"^rear(?:-?end)?\b(?! (?:of|bumper))|\b{END} of (?:the )?(?:\w+ )?{other}\b"
+            rf"|{other} (?:'s )(?:left |right )?{END}\b"
+            rf"|{other} (?:from behind|(?:from|in|at) the (?:rear|back))",
+            hit.text,
+        )
+    )
+
+
+def _open(where: Where) -> bool:
+    return where.open and where.facing is None
+
+
+def _one_behind(hit: Event, of: dict[Entity, Where]) -> None:
+    """Who hits another from behind starts behind it."""
+    agent, patient = hit.agent, hit.patient
+    assert patient is not None
+    if agent.ego:
+        if patient in of and patient.mover and not patient.person and _open(of[patient]):
+            of[patient].rel, of[patient].lane = "ahead", "same"
+    elif agent in of and _open(of[agent]) and not agent.roles & {"oncoming", "crossing"}:
+        of[agent].rel, of[agent].lane = "behind", "same"
+        of[agent].of = None if patient.ego else patient
+
+
+def _head_on(hit: Event, of: dict[Entity, Where]) -> None:
+    """Who meets ego head-on comes the other way."""
+    other = hit.patient if hit.agent.ego else hit.agent if hit.patient is not None and hit.patient.ego else None
+    if other in of and other.mover and not other.person and _open(of[other]) and not other.roles & {"lead", "parked"}:
+        of[other].rel, of[other].lane = None, "oncoming"
+
+
+def _thing(hit: Event, clauses: Clauses, where: Where) -> None:
+    """A thing that ego hits off the road stands on the side on which it left; what it backs into is near."""
+    before = [e for e in clauses.events if e.agent.ego and e.done and e.order <= hit.order]
+    leaves = [e for e in before if e.act in ("leave_road", "swerve", "drift", "lose_control")]
+    fixed = hit.patient is not None and hit.patient.noun in language.table("actors")["fixed"]
+    if where.rel == "behind":
+        where.gap = where.gap or BACKS_INTO
+    elif fixed and where.lane in ("left", "right"):
+        where.lane, where.side = "roadside", where.lane
+    elif where.lane in (None, "roadside", "sidewalk") and (leaves or fixed):
+        where.lane = where.lane or "roadside"
+        where.side = next((s for e in reversed(leaves) if (s := side(e))), None) or where.side
+
+
+def _in_order(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """ "Vehicles 1, 2 and 3 were in one lane, in that order": each is behind the one before it."""
+    if not IN_ORDER.search(" ".join(w.norm for w in cast.words)):
+        return
+    numbered = sorted((e for e in cast.entities if e.label.isdigit() and e in of), key=lambda e: int(e.label))
+    ahead: Entity | None = cast.ego if cast.one_is_ego else None
+    for entity in numbered:
+        if ahead is not None and _open(of[entity]):
+            of[entity].rel, of[entity].lane = "behind", "same"
+            of[entity].of = None if ahead.ego else ahead
+        ahead = entity

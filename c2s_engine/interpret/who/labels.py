@@ -1,0 +1,168 @@
+"""Labels of road users (V2, Unit 1), and who a name, label or noun stands beside: "V2, a car", "a car (V2)"."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import PERSONS, Entity
+from c2s_engine.interpret.reading.scan import Span
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.nouns import Nouns
+
+
+class Labels(Nouns):
+    """The part of Cast that resolves labels."""
+
+    one_is_ego: bool
+
+    def _label_is_ego(self) -> bool:
+        """Whether number 1 is ego although ego has another name: "V1, the subject vehicle"."""
+        if not self.strong_ego:
+            return not self._one_walks()
+        text = self._about_one("@ego", lambda span: span.kind == "ego")
+        return bool(re.search(r"@one (,|\(|is|was|being|, which is) (the )?@ego|@ego (,|\(|is|was) ?\(? ?@one", text))
+
+    def _one_walks(self) -> bool:
+        """Whether number 1 is somebody on foot or on a bicycle: "Unit 1 was a pedestrian"."""
+        slow = PERSONS | {"bicycle"}
+        text = self._about_one("@walker", lambda span: span.kind == "actor" and span.data["type"] in slow)
+        return bool(re.search(r"@one (?:,|\(|is|was|:|-) ?(?:an? |the )?(?:[\w-]+ ){0,2}@walker", text))
+
+    def _about_one(self, mark: str, marked: Callable[[Span], bool]) -> str:
+        """The text with number 1 as "@one" and what else is looked for as a mark."""
+
+        def shown(word: Word) -> str:
+            if word.span and word.span.kind == "label" and word.span.data["label"] == "1":
+                return "@one"
+            return mark if word.span and marked(word.span) else word.norm
+
+        return " ".join(shown(w) for w in self.words)
+
+    def _labelled(self, word: Word) -> Entity | None:
+        data = word.span.data  # type: ignore[union-attr]
+        label = data["label"]
+        if label == "1" and self.one_is_ego:
+            host = self._listed(word) or self._apposed(word) or self._known_as(word)
+            if host and host.count > 1:  # "three cars: A, B and C"
+                host.roles.add("group")
+            elif host and not host.ego and len(host.mentions) <= 2:
+                self.become_ego(host)
+            return self.ego
+        host = self._copula(word)
+        known = next((e for e in self.entities if e.label == label), None)
+        if host is not None and host.ego:  # "the ego is car C"
+            if known is not None:
+                self.become_ego(known)
+            return self.ego
+        if known is not None:
+            return known
+        host = self._listed(word) or self._apposed(word) or self._known_as(word)
+        if host is not None and host.count > 1:  # "three cars: A is in front"
+            host.roles.add("group")
+            return self._new(Entity("", host.type, noun=host.noun, label=label, typed=host.typed))
+        if host is None and word.i and self.words[word.i - 1].norm == "(":
+            near = [
+                i
+                for i in sorted(self.of)
+                if i < word.i
+                and self.words[i].sentence == word.sentence
+                and not self.of[i].ego
+                and not self.of[i].label
+            ]
+            host = self.of[near[-1]] if near else None
+        if host and not host.ego and not host.label:
+            host.label = label
+            return host
+        noun = data["word"] if data["word"] in language.actor_nouns() else label.rsplit(" ", 1)[0]  # "van a" by "a"
+        part = noun in language.table("ego")["labels"]["parts"]
+        known = " " in label and noun in language.actor_nouns() and not part
+        kind = language.actor_nouns()[noun][0] if known else "vehicle"
+        return self._new(Entity("", kind, noun=noun if known else "", label=label, typed=kind != "vehicle"))
+
+    def become_ego(self, entity: Entity) -> None:
+        """Take an entity for ego."""
+        if entity.type != "vehicle":
+            self.ego.type, self.ego.typed = entity.type, True
+        for mention in entity.mentions:
+            self.of[mention.word] = self.ego
+        self.ego.mentions += entity.mentions
+        self.entities.remove(entity)
+        self.subjects = [(i, self.ego if e is entity else e) for i, e in self.subjects]
+
+    def _apposed(self, word: Word) -> Entity | None:
+        """The entity that a label or noun stands beside: "a car (V2)", "V2, a car", "V2 was a truck"."""
+        before = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
+        gap: list[str] = []
+        for other in reversed(before):
+            if other.i in self.of:
+                text = re.sub(
+                    r"^(ahead|in front|behind|alongside|ahead of it|in front of it) ", "", " ".join(reversed(gap))
+                )
+                if re.fullmatch(
+                    (
+                        r"(\(|,|, which (is|was)|:|-+|, (driven|operated) by)?( ?(the|a|an|another|called"
+                        r"|designated|labelled|labeled|as|known as|i\.e\.|ie|namely))?( [\w-]+){0,2}"
+                    ),
+                    text,
+                ) and (gap and gap[-1] in ("(", ",", "-", "--", ":") or not gap):
+                    if (
+                        gap
+                        and gap[-1] == ","
+                        and not re.search(r"\b(a|an|the|called|as)\b", text)
+                        and word.dep != "appos"
+                    ):
+                        return None
+                    return self.of[other.i]
+                return None
+            gap.append(other.norm)
+        return None
+
+    def _copula(self, word: Word) -> Entity | None:
+        """The subject of "X is/was a truck"."""
+        head = self.words[word.head]
+        near = [w.norm for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
+        if {"behind", "beside", "near", "past", "between"} & set(near):
+            return None
+        if word.dep == "attr" and head.lemma == "be":
+            for child in head.children:
+                if (
+                    self.words[child].dep == "nsubj"
+                    and child in self.of
+                    and child < word.i
+                    and self.words[child].norm not in ("it", "they")
+                ):
+                    return self.of[child]
+                if self.words[child].dep == "nsubj" and child < word.i:
+                    return None
+        return None
+
+    def _bracketed(self, word: Word) -> Entity | None:
+        """The one after whom a bracket names ego: "one minivan (the ego here)", "the van (= our ego)"."""
+        back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
+        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
+        comma = word.i and "," in [w.norm for w in self.words[max(0, word.i - 3) : word.i]]
+        after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
+        if comma and after != ",":
+            return None
+        if re.search(
+            r"@ (\(|\[|,|--?) ?(=|i ?\. ?e ?\.? ?,?|that is ,?|here|namely|this is|call it|as|being)? ?"
+            r"(the |our |my )?$",
+            text + " ",
+        ):
+            return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
+        return None
+
+    def _which_is(self, word: Word, told: str = r"@ ?,? (which|that|who) (is|was) (our |the |my )?$") -> Entity | None:
+        """The one of whom it is said "which is our ego"."""
+        back = [w for w in self.words[max(0, word.i - 9) : word.i] if w.sentence == word.sentence]
+        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
+        if re.search(told, text + " "):
+            return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
+        return None
+
+    def _known_as(self, word: Word) -> Entity | None:
+        """The one that goes by a label: "the van, which the report lists as vehicle 2", "referred to as V2"."""
+        named = r"(which|whom|that|who|here\w*|referred|designated|recorded|listed|marked|identified|described|known)"
+        return self._which_is(word, rf"@ ?,? ?\(? ?{named}( [^\s,.;]+){{0,6}} as $")

@@ -1,0 +1,252 @@
+"""Members of groups and words that leave the noun out: "the second", "one ..., the other ...", "another"."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import ORDINALS, VEHICLES, Entity, Mention
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.parts import Parts
+
+COLOURS = language.words("colours")
+ENDS = {
+    "first": {"before": ("front", "leading", "foremost"), "after": r"(?:in|at the) front\b|ahead\b"},
+    "last": {"before": ("rear", "rearmost", "trailing", "back"), "after": r"behind\b|at the (?:back|rear|end)\b"},
+}
+"""What tells the first and the last of a group, before and after "one"."""
+COUNTED = frozenset(("second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"))
+
+
+class Members(Parts):
+    """The part of Cast that finds who is meant by a number or by "another"."""
+
+    words: list[Word]
+    entities: list[Entity]
+    of: dict[int, Entity]
+    both: dict[int, list[Entity]]
+    subjects: list[tuple[int, Entity]]
+
+    def _new(self, entity: Entity) -> Entity:
+        raise NotImplementedError
+
+    def _governor(self, word: Word) -> Word:
+        raise NotImplementedError
+
+    def _subject_of(self, verb: Word) -> Entity | None:
+        raise NotImplementedError
+
+    def _member_of(self, word: Word) -> Entity | None:
+        """ "The second", "the last one", "the first of them", after a group was spoken of: a member of it."""
+        before = [w.norm for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
+        groups = [e for e in self.entities if e.count > 1 and e.mover and "group" not in e.roles]
+        told = word.norm if word.norm in ORDINALS else before[-1] if before and word.norm == "one" else ""
+        if word.norm == "one" and groups and (end := self._end(word, before, groups[-1])):
+            return self.member(groups[-1], end)
+        if word.norm == "one" and (alike := self._of_colour(word)) is not None:
+            return alike
+        named = before[-1:] if told == word.norm else before[-2:-1]
+        single = self._one_of(word, before, groups[-1]) if groups else None
+        if single is not None:
+            return single
+        if told not in ORDINALS or named not in (["the"], ["its"]):
+            return None
+        return self.member(groups[-1], told) if groups else self._by_order(word, told)
+
+    def _end(self, word: Word, before: list[str], group: Entity) -> str:
+        """Which end of a group "the one in front", "the rear one" or "the one behind" is."""
+        if "the" not in before:
+            return ""
+        ahead = "ahead" in self._hints(group)  # the first of those ahead is the nearest
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5] if w.sentence == word.sentence)
+        if group.count == 2 and (side := re.match(r"(?:on|to) (?:the|its|@ego 's) (left|right)\b", after)):
+            return "first" if side[1] == "left" else "last"
+        for number, ends in ENDS.items():
+            if before[-1] in ends["before"] or re.match(ends["after"], after):
+                return number if not ahead else "last" if number == "first" else "first"
+        return ""
+
+    def _hints(self, entity: Entity) -> set[str]:
+        raise NotImplementedError
+
+    def _of_colour(self, word: Word) -> Entity | None:
+        """ "The black one": who was called so."""
+        colours = COLOURS & {self.words[c].norm for c in word.children}
+        return next((e for e in reversed(self.entities) if e.names & colours), None) if colours else None
+
+    def _members_to_come(self) -> None:
+        """ "The second of the three cars", where the group is named after its member."""
+        for word in self.words:
+            if word.norm not in ORDINALS or word.i in self.of:
+                continue
+            for by in (self.words[c] for c in word.children if self.words[c].norm == "of"):
+                groups = [self.of[c] for c in by.children if c in self.of and self.of[c].count > 1]
+                found = self.member(groups[0], word.norm) if groups else None
+                if found is not None:
+                    self.of[word.i] = found
+                    found.mentions.append(Mention(word.i, word.start, word.end, kind="pronoun"))
+
+    def _listed(self, word: Word) -> Entity | None:
+        """The group whose members are told right after it: "three cars: A, B and C"."""
+        for other in reversed(self.words[max(0, word.i - 8) : word.i]):
+            group = self.of.get(other.i)
+            if group is not None and group.count > 1:
+                opens = self.words[other.i + 1]
+                return group if opens.norm in (":", "(") or opens.sentence != other.sentence else None
+            if (
+                other.norm not in (":", "(", ",", "and", "&")
+                and len(other.norm) > 1
+                and not (other.span is not None and other.span.kind == "label")
+            ):
+                return None
+        return None
+
+    def _by_order(self, word: Word, told: str) -> Entity | None:
+        """ "The first one" where single ones of a kind were told one after the other."""
+        spoken = [self.of[i] for i in sorted(self.of) if i < word.i and self.of[i].mover]
+        alike = [e for e in dict.fromkeys(spoken) if not e.ego and e.type == spoken[-1].type and e.count == 1]
+        return alike[ORDINALS[told]] if 1 < len(alike) > ORDINALS[told] else None
+
+    def _one_of(self, word: Word, before: list[str], group: Entity) -> Entity | None:
+        """ "One bolts across, the other stays", after two were spoken of: one member and the other."""
+        acts = word.i + 1 < len(self.words) and (self.words[word.i + 1].verb or word.dep == "nsubj")
+        if not acts or group.mentions and group.mentions[0].word >= word.i:
+            return None
+        bare = not before or before[-1] not in ("the", "that", "this", "other", "every", "each", "no", "last", "first")
+        if word.norm == "one" and bare and not (before and before[-1] in ORDINALS):
+            return self.member(group, "first")
+        known = [e for e in self.entities if e.group is group]
+        if word.norm in ("other", "others") and known:
+            return self.member(group, "first" if len(known) == 1 and known[0].ordinal == -1 else "last")
+        return None
+
+    def member(self, group: Entity, told: str) -> Entity | None:
+        """The member of a group by its number; None where the group has fewer."""
+        number = ORDINALS[told] + 1 or -1
+        if number == 3 and group.count == 2:  # "several": more than two
+            group.count = 3
+        if number > group.count:
+            return None
+        number = -1 if number == group.count else number
+        known = next((e for e in self.entities if e.group is group and e.ordinal == number), None)
+        if known is not None:
+            return known
+        return self._new(
+            Entity("", group.type, noun=group.noun, typed=False, roles=set(group.roles), group=group, ordinal=number)
+        )
+
+    def _elliptic(self, word: Word) -> Entity | None:
+        """ "another", "the latter", "the other", "one", "the first", "a third", "both", "the two"."""
+        norm = word.norm
+        if word.children and any(self.words[c].span for c in word.children if self.words[c].dep == "compound"):
+            return None
+        argument = word.dep in (
+            "nsubj",
+            "nsubjpass",
+            "dobj",
+            "pobj",
+            "conj",
+            "ROOT",
+            "attr",
+            "appos",
+            "dep",
+            "npadvmod",
+        )
+        following = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
+        if (
+            following is not None
+            and (following.noun or following.tag.startswith("JJ"))
+            and following.sentence == word.sentence
+            and following.norm not in ("one",)
+            and not following.verb
+        ):
+            return None
+        movers = [e for e in self.entities if e.mover]
+        if not argument or not movers:
+            return None
+        member = self._member_of(word)
+        if member is not None:
+            return member
+        if norm in ("former", "latter"):
+            spoken = [
+                self.of[w.i] for w in self.words[: word.i] if w.i in self.of and w.norm not in ("former", "latter")
+            ]
+            others = [
+                self.of[w.i]
+                for w in self.words[: word.i]
+                if w.i in self.of
+                and (w.span is not None or w.norm == "another")
+                and w.sentence >= word.sentence - 3
+                and not self.of[w.i].ego
+            ]
+            spoken = others if len(set(others)) > 1 else spoken
+            pair = list(dict.fromkeys(reversed(spoken)))[:2]
+            return pair[0 if norm == "latter" or len(pair) == 1 else 1] if pair else None
+        counted = norm == "one" and word.i > 1 and self.words[word.i - 1].norm in COUNTED
+        if (
+            norm == "another"
+            or norm == "one"
+            and self.words[word.i - 1].norm == "another"
+            or norm in COUNTED
+            and self.words[word.i - 1].norm in ("a", "the")
+            or counted
+            and self.words[word.i - 2].norm == "a"
+        ):
+            model = movers[-1]
+            return self._new(
+                Entity(
+                    "",
+                    model.type,
+                    noun=model.noun,
+                    typed=model.typed,
+                    roles=set(model.roles & {"parked", "stationary"}),
+                )
+            )
+        if norm == "one" and self.words[word.i - 1].norm in ("that", "this"):
+            return movers[-1]
+        if norm in ("other", "others") and self.words[word.i - 1].norm == "the":
+            vehicles = [e for e in movers if e.type in VEHICLES]
+            return vehicles[-1] if vehicles else movers[-1]
+        if norm == "both" or norm in ("two", "pair", "duo") and self.words[word.i - 1].norm in ("the", "these"):
+            return self._together(word)
+        return None
+
+    def _together(self, word: Word) -> Entity | None:
+        """Whom "both" or "the two" mean: a group, those of a joint subject, else the last two spoken of."""
+        earlier = [self.of[i] for i in sorted(self.of) if i < word.i and self.of[i].mover]
+        groups = [e for e in earlier if e.count > 1]
+        if groups:
+            return groups[-1]
+        joint = self._joint(word)
+        doer = self._subject_of(self._governor(word)) if word.dep in ("dobj", "pobj") else None
+        earlier = [e for e in earlier if e is not doer]
+        if (joint is None or doer in joint) and earlier:
+            last = list(dict.fromkeys(reversed(earlier)))[:2]
+            joint = sorted(last, key=lambda e: e.ego) if len(last) == 2 else None
+        return self._all_of(word, joint) if joint else None
+
+    def _joint(self, word: Word) -> list[Entity] | None:
+        """Those of the last joint subject of this sentence or the one before ("a bus and a van wait. They ...")."""
+        for i in sorted((i for i in self.of if i < word.i), reverse=True):
+            if self.words[i].sentence < word.sentence - 1:
+                break
+            found = [self.of[i]]
+            at = self.words[i]
+            while at.dep == "conj" and at.head in self.of and at.head < at.i:
+                at = self.words[at.head]
+                found.insert(0, self.of[at.i])
+            if at.dep in ("nsubj", "nsubjpass") and len({*found}) > 1 and all(e.mover for e in found):
+                return sorted(dict.fromkeys(found), key=lambda e: e.ego)
+        return None
+
+    def _subjects_before(self, word: Word) -> list[Entity] | None:
+        """The two or three, ego not among them, of which the sentence before told one after the other."""
+        if word.dep not in ("nsubj", "nsubjpass"):
+            return None
+        found = list(dict.fromkeys(e for i, e in self.subjects if self.words[i].sentence == word.sentence - 1))
+        return found if 1 < len(found) < 4 and all(e.mover and not e.ego for e in found) else None
+
+    def _all_of(self, word: Word, those: list[Entity]) -> Entity:
+        """One word that means several of them: the first, with the others beside."""
+        self.both[word.i] = those[1:]
+        return those[0]

@@ -1,0 +1,201 @@
+"""Third stage: who is meant. Mentions of ego and of the others become entities, over sentences."""
+
+import re
+from collections.abc import Callable
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import (
+    DEFINITE,
+    MOTOR,
+    MOVERS,
+    ORDINALS,
+    PERSONS,
+    VEHICLES,
+    ZONES,
+    Entity,
+    Mention,
+    fits,
+)
+from c2s_engine.interpret.reading.askers import asked, bystanding, narrator, quoted
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.labels import Labels
+
+__all__ = [
+    "DEFINITE",
+    "MOTOR",
+    "MOVERS",
+    "ORDINALS",
+    "PERSONS",
+    "VEHICLES",
+    "ZONES",
+    "Cast",
+    "Entity",
+    "Mention",
+    "fits",
+]
+
+
+CARRIED = re.compile(
+    r"\b(?:i|we) (?:was|were|am|are) (?:(?:an?|the|sitting|seated|travell?ing|riding|driving|passengers?|front|back"
+    r"|rear|seat|home|to work) )*(?:in|on|aboard) (?:an?|the|his|her|their|my \w+ 's) (?:[\w-]+ ){0,2}$"
+)
+
+
+class Cast(Labels):
+    """The entities of a text, and who each word means."""
+
+    def __init__(self, words: list[Word]) -> None:
+        self.words = words
+        self.asking = _asking(words)
+        self.ego = Entity("ego", "car")
+        self.entities: list[Entity] = []
+        self.of: dict[int, Entity] = {}
+        self.wheels: dict[int, Entity] = {}
+        self.both: dict[int, list[Entity]] = {}  # whom else a word means that means several
+        self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
+        self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD")}
+        self.me = self._narrator()
+        self.strong_ego = any(self._strong(w) for w in words)
+        self.ego_named = self.strong_ego or any(
+            w.span and w.span.kind == "label" and w.span.data["label"] == "1" for w in words
+        )
+        self.one_is_ego = self._label_is_ego()
+        self._resolve()
+        self._members_to_come()
+        self._both_to_come()
+        self._other_to_come()
+
+    def _strong(self, word: Word) -> bool:
+        """Whether a word is a name of ego: "I" is none where the first person does not drive."""
+        return word.span is not None and word.span.kind == "ego" and (self.me is self.ego or word.norm != "i")
+
+    def _narrator(self) -> Entity:
+        """Who says "I": ego, or somebody on foot or on a bicycle whom one that drives meets."""
+        kind = narrator(" ".join(w.norm for w in self.words))
+        told = {w.span.data["type"] for w in self.words if w.span and w.span.kind == "actor"}
+        named = any(w.span is not None and w.span.kind in ("ego", "label") and w.norm != "i" for w in self.words)
+        if not kind or self.asking or not (named or told & MOTOR):
+            return self.ego
+        return self._new(Entity("", kind, typed=True, manned=True, sex="i"))
+
+    # -- building ------------------------------------------------------------------------------------------------
+    def _resolve(self) -> None:
+        done: set[int] = set()
+        for word in self.words:
+            if word.i in done:
+                continue
+            span = word.span
+            entity = None
+            if span and span.kind in ("ego", "label", "actor"):
+                if word.i + 1 < len(self.words) and self.words[word.i + 1].span is span and word.norm == "the":
+                    continue
+                entity = self._named(word)
+            else:
+                entity = self._pronoun(word)
+            if entity is not None:
+                if entity.type in MOTOR and not entity.ego and self._carries_me(word):
+                    self.become_ego(entity)
+                    entity = self.ego
+                self.of[word.i] = entity
+                self._man(word, entity)
+                entity.mentions.append(Mention(word.i, word.start, word.end, kind=span.kind if span else "pronoun"))
+                if word.dep in ("nsubj", "nsubjpass") or self._fronted(word):
+                    self.subjects.append((word.i, entity))
+
+    def _carries_me(self, word: Word) -> bool:
+        """Whether it is said to be what the first person is in: "I was a passenger in a taxi"."""
+        before = " ".join(w.norm for w in self.words[max(0, word.i - 12) : word.i] if w.sentence == word.sentence)
+        return word.i not in self.asking and CARRIED.search(before + " ") is not None
+
+    def _both_to_come(self) -> None:
+        """ "Both vehicles shall be driven at 50 km/h", before ego and the one other vehicle are named."""
+        first = next((e for e in self.entities if e.mentions), None)
+        if first is None or first.count != 2 or first.noun not in ("vehicles", "cars") or len(first.mentions) > 1:
+            return
+        at = first.mentions[0].word
+        others = [
+            e for e in self.entities if e is not first and e.type in VEHICLES and e.mentions and e.group is not first
+        ]
+        told = {w.norm for w in self.words[max(0, at - 2) : at]} & {"both", "the", "these"}
+        if (
+            not told
+            or not self.ego.mentions
+            or self.words[self.ego.mentions[0].word].sentence <= self.words[at].sentence
+            or len(others) != 1
+            or others[0].count > 1
+        ):
+            return
+        self.of[at] = others[0]
+        others[0].mentions.insert(0, first.mentions[0])
+        self.entities.remove(first)
+        self.subjects = [(i, others[0] if e is first else e) for i, e in self.subjects]
+
+    def _other_to_come(self) -> None:
+        """ "It hesitates when the other car was there first", before the one other vehicle is told of."""
+        first = next((e for e in self.entities if e.mentions), None)
+        if first is None or first.count != 1 or first.noun not in ("car", "vehicle") or first.roles or first.label:
+            return
+        at = first.mentions[0].word
+        others = [e for e in self.entities if e is not first and e.type in MOTOR and e.count == 1 and e.mentions]
+        told = [w.norm for w in self.words[max(0, at - 2) : at]]
+        if told[-2:] != ["the", "other"] or len(others) != 1 or others[0].mentions[0].word < at:
+            return
+        later = others[0]
+        for i in [i for i, e in self.of.items() if e is first]:
+            self.of[i] = later
+        later.mentions = [*first.mentions, *later.mentions]
+        self.entities.remove(first)
+        self.subjects = [(i, later if e is first else e) for i, e in self.subjects]
+
+    def _fronted(self, word: Word) -> bool:
+        return word.dep == "ROOT" and not word.tag.startswith("VB")
+
+    def _named(self, word: Word) -> Entity | None:
+        span = word.span
+        assert span is not None
+        if span.kind == "ego" and not self._strong(word):
+            return self.me
+        if span.kind == "ego":
+            self._ego_type(word)
+            named = self._copula(word) or self._which_is(word) or self._bracketed(word)
+            after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
+            near = named is not None and any(0 < word.i - m.word <= 6 for m in named.mentions)
+            if (
+                named is not None
+                and near
+                and not named.ego
+                and named.mover
+                and len(named.mentions) <= 2
+                and after not in ("'s", "'")
+            ):
+                self.become_ego(named)
+            return self.ego
+        if span.kind == "label":
+            return self._labelled(word)
+        return self._actor(word)
+
+    def _ego_type(self, word: Word) -> None:
+        nouns = language.actor_nouns()
+        for noun in re.findall(r"[a-z]+", word.norm):
+            kind = nouns.get(noun, ("", False, False))[0]
+            if kind in MOTOR - {"vehicle", "car"}:
+                self.ego.type, self.ego.typed = kind, True
+
+
+def _asking(words: list[Word]) -> frozenset[int]:
+    """The words in which first persons are nobody on the road ("please write me a scene", "I saw it from here")."""
+    if bystanding(" ".join(w.norm for w in words)):
+        return frozenset(w.i for w in words)
+    found = _within(words, quoted)
+    for number in {w.sentence for w in words}:
+        found |= _within([w for w in words if w.sentence == number], asked)
+    return frozenset(found)
+
+
+def _within(words: list[Word], find: Callable[[str], list[tuple[int, int]]]) -> set[int]:
+    """The words in the stretches that are found in their text."""
+    starts, text = [], ""
+    for word in words:
+        starts.append(len(text))
+        text += word.norm + " "
+    return {w.i for first, last in find(text) for w, at in zip(words, starts, strict=True) if first <= at < last}

@@ -1,0 +1,63 @@
+"""Road users that are named and are not there: denied, towed, only looked at, or long gone."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.reading.syntax import Word
+
+CARRIES = language.words("carries")
+LOST = language.words("lost")
+FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
+FACES = frozenset(("facing", "face", "faces", "against"))
+
+
+class NotThere:
+    """The part of Cast that tells what is only named."""
+
+    words: list[Word]
+    of: dict[int, Entity]
+
+    def _near(self, word: Word) -> list[str]:
+        raise NotImplementedError
+
+    def _faced(self, word: Word) -> bool:
+        """Whether traffic only tells how somebody stands: "parked facing oncoming traffic"."""
+        before = self.words[word.i - 1].norm if word.i else ""
+        return bool(FACES & {self.words[word.head].norm, before})
+
+    def _gone(self, word: Word, before: list[str]) -> bool:
+        """Whether it is only who lost something on the road before: "a ladder, shed by an unknown vehicle"."""
+        by = self.words[word.head]
+        verb = self.words[by.head]
+        if word.dep == "dobj" and (
+            by.lemma in CARRIES or by.lemma == "drop" and "off" in [w.norm for w in self.words[by.i : word.i + 2]]
+        ):
+            return word.span is not None and word.span.data["type"] in ("box", "trash", "container")
+        lost = by.norm in ("by", "from", "off") and verb.tag in ("VBN", "VBD") and verb.norm in LOST
+        return lost and (
+            verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))
+        )
+
+    def _denied_list(self, word: Word) -> bool:
+        """Whether a noun belongs to a list that is denied: "neither cars nor a cyclist", "no cars or pedestrians"."""
+        links = [self.words[c].norm for c in word.children if c < word.i]
+        nor = any(w.norm == "nor" and w.sentence == word.sentence for w in self.words[word.i :])
+        if "nor" in links or "neither" in links and nor:  # "neither car brakes" denies nobody
+            return True
+        first = self.words[word.head]
+        if word.dep != "conj" or not first.noun or first.i in self.of:
+            return False
+        no = any(self.words[c].norm in ("no", "neither") for c in first.children if c < first.i)
+        joins = {self.words[c].norm for c in first.children if self.words[c].dep == "cc"}
+        own = any(self.words[c].norm in ("a", "an", "the") for c in word.children)
+        return no and (bool(joins & {"nor", "or"}) or bool(joins & {"and"}) and not own)
+
+    def _halts(self, word: Word) -> bool:
+        """Whether traffic is said to come to a stand or to slow down, or how it moves where it is told to be."""
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 16] if w.sentence == word.sentence)
+        acts = re.match(language.table("actors")["traffic_acts"], after) is not None
+        fills = FILLS.search(" ".join(self._near(word))) is not None
+        return fills or acts and word.dep in ("nsubj", "nsubjpass", "ROOT")

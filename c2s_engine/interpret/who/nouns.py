@@ -1,0 +1,317 @@
+"""Nouns that name road users and things: a new one, or one spoken of before."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PERSONS, VEHICLES, ZONES, Entity, fits
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.attached import Attached
+from c2s_engine.interpret.who.not_there import NotThere
+from c2s_engine.interpret.who.persons import DRIVERS
+
+COLOURS = language.words("colours")
+STANDS = language.words("stands")
+TWO_WHEELERS = language.words("two_wheelers")
+COUNTED = re.compile(
+    r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units"
+    r"|animals|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
+)
+TOWED = frozenset(form for word in language.words("towed") for form in (word, *language.plurals(word)))
+MASS = language.words("mass")
+
+
+class Nouns(Attached, NotThere):
+    """The part of Cast that reads nouns."""
+
+    def _apposed(self, word: Word) -> Entity | None:
+        raise NotImplementedError
+
+    def _copula(self, word: Word) -> Entity | None:
+        raise NotImplementedError
+
+    def _actor(self, word: Word) -> Entity | None:
+        data = word.span.data  # type: ignore[union-attr]
+        kind, noun, roles = data["type"], data.get("noun", ""), set(data.get("roles", ()))
+        if data.get("names"):
+            return self._by_name(word)
+        if data.get("label"):
+            roles |= {language.roles()[b] for b in self._modifiers(word) if b in STANDS}  # "a stationary GVT"
+            host = self.of.get(word.i - 2) if word.i > 1 and self.words[word.i - 1].norm == "(" else None
+            if host is not None and not host.ego and not host.label and host.mover:  # "the lead (GVT)"
+                host.label = data["label"]
+                return host
+            for entity in self.entities:
+                if entity.label == data["label"] or (roles & entity.roles - {"stationary", "parked"}):
+                    entity.roles |= roles
+                    return entity
+            return self._new(Entity("", "vehicle", label=data["label"], roles=roles))
+        if noun in TWO_WHEELERS and kind == "bicycle" and self._motor_bike():
+            kind = "motorcycle"
+        if noun == "scooter" and (who := self._aboard(word)) is not None and who.span.data["type"] == "child":
+            kind = "bicycle"  # "a kid on a scooter"
+        if noun in language.table("actors")["riders"] and (mount := self._mount(word)) is not None:
+            return mount
+        if noun in TOWED and (puller := self._puller(word)) is not None:
+            return self.of.get(puller)
+        before = self._modifiers(word)
+        previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
+        if previous in ("other",) and "no" in self._near(word):
+            return None
+        if "no" in before or previous in ("no", "without", "any") or self._denied_list(word):
+            return None
+        if previous in ("my", "our") and word.i - 1 in self.asking:
+            return None  # "I was walking my dog when I saw ..."
+        if (kind in ("pedestrian", "child") or noun in language.table("actors")["drivers"]) and self._rides(word):
+            return None
+        if kind in ("pedestrian", "child") and not data.get("plural"):
+            driver = self._driver_of(word) or self._at_wheel(word) or self._aboard_before(word) or self._steering(word)
+            if driver is not None:
+                driver.names.add(noun.split(" ")[-1])
+                return driver
+        if kind == self.me.type == "pedestrian" and not data.get("plural") and self._heading(word.sentence):
+            return self.me  # "School patrol, 8.25. I walked out ..."
+        if word.i in self.wheels:
+            return self._retyped(self.wheels[word.i], kind, roles, noun)
+        if self._is_modifier(word) or self._proper(word):
+            return None
+        if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word) or self._faced(word)):
+            return None
+        if self._gone(word, before):
+            return None
+        if previous == "neither" and kind in MOTOR:
+            data, noun = {**data, "plural": True}, language.plurals(noun)[0]  # "neither car brakes": of two
+        count = self._count(word, before, data)
+        parties = self._parties(word, before, data, roles)
+        if parties is not None:
+            return parties
+        if re.search(
+            r"(queue|line|row|jam|tailback|column|string) of( \w+)?$", " ".join(self._near(word)[-3:])
+        ) and re.search(
+            r"stationary|standing|stopped|waiting|queue|jam|tailback",
+            " ".join(w.norm for w in self.words[max(0, word.i - 5) : word.i]),
+        ):
+            roles.add("stationary")
+        known = language.roles()
+        roles |= {known[b] for b in (*before, *self._behind(word)) if b in known}
+        host = self._copula(word)
+        if (
+            host is not None
+            and (host.type == "vehicle" or kind in ("vehicle", host.type) or host.ego or host.label)
+            and (host.mover or not MOVERS & {kind})
+        ):
+            return self._retyped(host, kind, roles, noun)
+        first = self._alternative(word)
+        if first is not None and first.type in VEHICLES | PERSONS and kind in VEHICLES | PERSONS:
+            return first
+        host = self._called(word)
+        if host is not None and (fits(host, kind) or host.type == "vehicle" or host.ego and kind in MOTOR):
+            return self._retyped(host, kind, roles, noun)
+        host = self._apposed(word)
+        if (
+            host is None
+            and word.dep == "appos"
+            and word.head in self.of
+            and self.of[word.head].type in ("vehicle", kind)
+            and {"a", "an"} & set(before)
+        ):
+            host = self.of[word.head]
+        if (
+            host is None
+            and word.dep == "nsubj"
+            and {"a", "an"} & set(before)
+            and word.i + 1 < len(self.words)
+            and self.words[word.i + 1].norm == ","
+        ):
+            twins = [
+                c
+                for c in self.words[word.head].children
+                if c < word.i and self.words[c].dep == "nsubj" and c in self.of and not self.of[c].ego
+            ]
+            if twins and self.of[twins[-1]].type in ("vehicle", kind):
+                return self._retyped(self.of[twins[-1]], kind, roles, noun)
+        bracket = word.i and any(w.norm in ("(", "--", "-", ":") for w in self.words[max(0, word.i - 4) : word.i])
+        if (
+            host is not None
+            and (word.dep in ("appos", "attr") or bracket or (bool(host.label) and not host.typed))
+            and self.words[word.i - 1].norm not in ("and", "or")
+            and (fits(host, kind) or host.type == "vehicle" or (host.ego and not self.ego.typed and kind in MOTOR))
+            and not (word.dep == "conj" and not host.label and not host.ego)
+        ):
+            return self._retyped(host, kind, roles, noun)
+        host = self._driven_by(word)
+        if host is not None and kind in ("motorcycle", "bicycle") and host.type in ("motorcycle", "bicycle"):
+            host.type = kind
+            return host
+        if host is not None and kind in VEHICLES:
+            return self._retyped(host, kind, roles, noun)
+        pronominal = self._type_of_definite(word, before, kind)
+        definite = bool(DEFINITE & set(before)) or previous in DEFINITE or previous == "neither"
+        other = bool({"other", "another"} & set(before)) or previous in ("other", "another")
+        ordinal = next((ORDINALS[b] for b in before if b in ORDINALS), None)
+        if definite and not other and ordinal is None and " " not in noun:
+            named = [e for e in self.entities if e.noun.endswith(f" {noun}") and e.count == count]
+            if named:
+                return named[-1]
+        if not other and not ordinal:
+            for entity in self.entities:
+                if (
+                    (entity.type == kind or {entity.type, kind} <= PERSONS - {"animal"})
+                    and len(entity.mentions) == 1
+                    and count == entity.count
+                    and self._heading(self.words[entity.mentions[0].word].sentence)
+                    and self.words[entity.mentions[0].word].sentence < word.sentence
+                ):
+                    entity.type = kind
+                    return entity
+        titled = self._titled(word, kind) if not other and ordinal is None and count == 1 else None
+        if titled is not None:
+            return self._retyped(titled, kind, roles, noun)
+        if kind != "vehicle" and previous in ("a", "an") or {"a", "an"} & set(before):
+            named = self._revealed(word, kind)
+            if named is not None:
+                return self._retyped(named, kind, roles, noun)
+        if noun == "road works" or kind in ZONES:
+            for entity in self.entities:
+                if entity.type == kind:
+                    return entity
+        if pronominal is not None:
+            return pronominal
+        bare = not before and previous not in ("a", "an") and not data.get("plural")
+        if definite or bare or (roles and not {"a", "an", "another", "second", "third"} & set(before)):
+            found = self._definite(word, kind, noun, roles, other, ordinal, definite, count, bare)
+            if found is None and bare and data.get("person") and not roles:
+                found = next((e for e in reversed(self.entities) if fits(e, kind) and e.count == 1), None)
+            if found is not None and found is not self._placed(word):
+                if not found.ego and found.type == "vehicle" and kind != "vehicle" and kind in MOTOR:
+                    found.type, found.typed = kind, True
+                found.roles |= set() if data.get("person") and found.noun == noun else roles
+                if found.noun == "traffic" and count > 1:
+                    found.count, found.noun = count, noun
+                return found
+        found = Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
+        if count == 1:
+            found.names |= COLOURS & set(before)
+        if data.get("make"):  # "a Ford Focus": "the Ford" is the same
+            found.names.add(data["make"])
+        return self._new(found)
+
+    def _motor_bike(self) -> bool:
+        """Whether "the bike" is a motorcycle spoken of before, as no bicycle was."""
+        kinds = {e.type for e in self.entities}
+        return "motorcycle" in kinds and "bicycle" not in kinds
+
+    def _watched(self, word: Word) -> bool:
+        """Whether traffic is only looked at or checked for."""
+        above = self.words[word.head]
+        verb = self.words[above.head] if above.dep == "prep" else above
+        return word.dep in ("pobj", "dobj") and verb.lemma in ("look", "watch", "check", "monitor", "scan", "glance")
+
+    def _alternative(self, word: Word) -> Entity | None:
+        """The first of two nouns of which either may be meant: "a tractor or a coach"."""
+        back = [w for w in self.words[max(0, word.i - 5) : word.i] if w.sentence == word.sentence]
+        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
+        if not re.search(r"@ (?:or|/) (?:(?:an?|maybe|perhaps|some|even) ){0,2}(?:[\w-]+ )?$", text + " "):
+            return None
+        return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
+
+    def _called(self, word: Word) -> Entity | None:
+        """Whose label stands right before a noun with nothing but adjectives between: "Unit 1 gray pickup"."""
+        for other in reversed(self.words[max(0, word.i - 3) : word.i]):
+            if other.sentence != word.sentence:
+                return None
+            if other.span is not None:
+                return self.of.get(other.i) if other.span.kind == "label" else None
+            if not other.tag.startswith(("JJ", "NN", "CD")) or other.norm in language.table("actors")["never"]:
+                return None
+        return None
+
+    def _parties(self, word: Word, before: list[str], data: dict, roles: set[str]) -> Entity | None:
+        """The other of the two parties that "the vehicles" means ("both vehicles", "the two cars"), once two single
+        ones were spoken of and no group was."""
+        if not data.get("plural") or data.get("noun") not in ("vehicles", "cars") or roles or self._distinguished(word):
+            return None
+        if not {"the", "both", "these"} & set(before) or {"other", "three", "four"} & set(before):
+            return None
+        if self.words[word.head].norm in ("between", "of", "behind", "among") or word.dep not in ("nsubj", "nsubjpass"):
+            return None
+        told = [e for e in self.entities if e.type in VEHICLES and e.mentions]
+        alone = len(told) == 1 and self.ego.mentions or len(told) == 2 and not self.ego.mentions
+        if not alone or any(e.count > 1 for e in told):
+            return None
+        if {"both", "two"} & set(before):
+            self.both[word.i] = told[:-1] or [self.ego]
+        return told[-1]
+
+    def _revealed(self, word: Word, kind: str) -> Entity | None:
+        """The bare label that a colon explains: "V3 came into view: a disabled car"."""
+        sentence = [w for w in self.words[: word.i] if w.sentence == word.sentence]
+        if not any(w.norm == ":" for w in sentence[-4:]):
+            return None
+        labels = [
+            self.of[w.i]
+            for w in sentence
+            if w.i in self.of and self.of[w.i].label and self.of[w.i].type == "vehicle" and not self.of[w.i].ego
+        ]
+        return labels[-1] if labels and kind in MOTOR else None
+
+    def _proper(self, word: Word) -> bool:
+        """Whether the noun is part of a name ("Van Ness", "Ford")."""
+        if not word.text[:1].isupper() or word.text.isupper() or word.i + 1 >= len(self.words) or word.i == 0:
+            return False
+        before, after = self.words[word.i - 1], self.words[word.i + 1]
+        return (
+            before.sentence == word.sentence
+            and after.text[:1].isupper()
+            and not after.text.isupper()
+            and after.span is None
+            and before.norm not in (".", ":", ";", "a", "the", "(", "an")
+        )
+
+    def _is_modifier(self, word: Word) -> bool:
+        """Whether the noun only qualifies another ("truck lane", "bus stop", "car park", "dog walker")."""
+        head = self.words[word.head]
+        following = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
+        return bool(
+            word.dep in ("compound", "nmod", "amod")
+            and following is not None
+            and not (
+                following.lemma in DRIVERS and word.span is not None and word.span.data.get("noun") in language.makes()
+            )
+            and following.sentence == word.sentence
+            and following.norm not in ("level", "side", "abreast", "alongside", "following", "facing")
+            and (head.i == following.i or following.norm in ("lane", "stop", "park", "length", "lengths", "width"))
+            and head.span is None
+            and not head.verb
+        )
+
+    def _count(self, word: Word, before: list[str], data: dict) -> int:
+        counts = language.table("actors")["counts"]
+        if not data.get("plural") or data["type"] in ZONES or data.get("noun") in MASS:
+            return 1
+        near = self.words[max(0, word.i - 3) : word.i]
+        if self.words[word.i - 1].norm in ("a", "an") and language.plurals(word.norm) == [word.norm]:
+            return 1  # "a deer"
+        units = {w.norm for w in near if w.span is not None and w.span.kind == "quantity"}  # "4 s a deer"
+        for text in [t for t in (*before, *self._near(word)) if t not in units]:
+            if text.isdigit() and 1 <= int(text) <= 8:
+                return int(text)
+            if text in counts:
+                return int(counts[text])
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 9] if w.sentence == word.sentence)
+        told = COUNTED.match(after)
+        if told is not None:
+            return int(told["n"]) if told["n"].isdigit() else int(counts.get(told["n"], 2))
+        return 2
+
+    def _retyped(self, host: Entity, kind: str, roles: set[str], noun: str) -> Entity:
+        if host.ego:
+            if kind in MOTOR and kind != "vehicle":
+                host.type, host.typed = kind, True
+        elif (host.type == "vehicle" or not host.typed) and kind != "vehicle":
+            host.type, host.typed = kind, True
+        host.roles |= roles
+        if noun and not host.noun:
+            host.noun = noun
+        return host

@@ -1,0 +1,118 @@
+"""Whom "he" and "she" mean: somebody on foot, on two wheels, or at the wheel of a vehicle."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import cache
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import PERSONS, Entity
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.parts import DRIVING
+from c2s_engine.interpret.who.salience import Salience
+
+RIDDEN = frozenset(("bicycle", "motorcycle"))
+RESTS = language.words("rests")
+DRIVERS = frozenset(language.table("people")["drivers"])
+STEERS = language.words("steers")
+PARTIES = language.words("owners")
+REACTS = language.words("reacts")
+AGE = re.compile(r"\b(\d+) ?-? ?year ?-? ?old (?:[\w-]+ ){0,2}$")
+AFOOT = frozenset((*language.table("people")["walks"], "cross", "run", "cycle", "sit", "see", "watch"))
+OBLIQUE = {"he": "him", "she": "her"}
+AT_THE_WHEEL = frozenset(("driver", "d", "operator", "op", "opr"))
+"""Labels of who drives a vehicle of that number ("D2")."""
+
+
+@cache
+def _nouns() -> dict[str, str]:
+    """Noun for a person -> sex."""
+    return {noun: sex for sex, nouns in language.table("people")["nouns"].items() for noun in nouns}
+
+
+class Persons(Salience):
+    """The part of Cast that resolves pronouns of persons."""
+
+    def _sex(self, word: Word) -> str:
+        """Whether a noun means a man or a woman, "" where it does not tell."""
+        told = (_nouns().get(part, "") for part in re.split(r"[ -]", word.norm))
+        return next((sex for sex in told if sex), "")
+
+    def _man(self, word: Word, entity: Entity) -> None:
+        """Note that the person in or on a road user is spoken of by this word."""
+        if word.span is not None and (word.span.data.get("person") or entity.person or self._sex(word)):
+            entity.manned, entity.sex = True, entity.sex or self._sex(word)
+        if (who := self._aboard(word)) is not None:
+            entity.manned, entity.sex = True, entity.sex or self._sex(who)
+            entity.names.add(who.norm.split(" ")[-1])  # "a girl on a bicycle ... the girl"
+        before = " ".join(w.norm for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence)
+        if entity.manned and (aged := AGE.search(before + " ")):
+            entity.names.add(f"{aged[1]}-year-old")
+        head = self.words[word.head]
+        above = self.words[head.head] if word.dep == "pobj" and head.norm == "of" else head
+        part = word.dep in ("pobj", "poss", "compound", "nmod") and above.lemma in DRIVERS
+        label = word.span is not None and word.span.kind == "label" and word.span.data["word"] in AT_THE_WHEEL
+        entity.manned = entity.manned or part or label or entity.noun in PARTIES
+        if part and above.dep in ("nsubj", "nsubjpass"):
+            self.subjects.append((above.i, entity))  # "the driver of the van saw me"
+        steers = self.words[head.i] if head.norm in STEERS and word.dep == "dobj" else None
+        subjects = [self.words[c] for c in steers.children if self.words[c].dep == "nsubj"] if steers else []
+        entity.manned = entity.manned or any(w.tag.startswith("NN") and w.i not in self.of for w in subjects)
+
+    def _aboard(self, word: Word) -> Word | None:
+        """The noun of the person in or on a vehicle: "a woman in a Corolla"."""
+        by = self.words[word.head]
+        above = self.words[by.head]
+        person = above.span is not None and above.span.kind == "actor" and above.span.data["type"] in PERSONS
+        return above if person and (by.norm in ("in", "on") or by.norm in DRIVING) and above.i < word.i else None
+
+    def _he(self, word: Word) -> Entity | None:
+        """Whom "he" or "she" means."""
+        wanted = (
+            "m"
+            if word.norm in ("he", "him", "his", "himself")
+            else "f"
+            if word.norm[:1] == "s" or word.norm[:3] == "her"
+            else ""
+        )
+        mine = self._first_person()  # who says "I" is never "he"
+        alive = lambda e: e.type != "animal" and (e.person or e.manned or e.type in RIDDEN)  # noqa: E731
+        me = lambda e: mine and e.ego and not e.manned  # noqa: E731
+        fits = lambda e: alive(e) and not (wanted and e.sex and e.sex != wanted) and not me(e)  # noqa: E731
+        told = lambda e: fits(e) and bool(wanted) and e.sex == wanted  # noqa: E731
+        sexed = self._salient(word, told) if any(e.person and told(e) for e in self.entities) else None
+        found = self._reacting(word, fits) or sexed or self._salient(word, fits)
+        if found is None and mine:
+            found = self._salient(word, lambda e: e.mover and not e.ego)
+        if found is None or not found.manned and found.type not in RIDDEN and self._rests(found):
+            found = self._salient(word, lambda e: e.type in RIDDEN) or found
+        if found is not None and found.manned:
+            found.sex = found.sex or wanted
+        spoken = any(w.lemma in DRIVERS and w.span is None for w in self.words[: word.i])
+        if found is None and spoken and not mine and not any(e.mover and e.type != "animal" for e in self.entities):
+            return self.ego  # "according to the driver, a dog ran in front of his car"
+        return found or self._salient(word, lambda e: e.mover) or self._unnamed(word)
+
+    def _unnamed(self, word: Word) -> Entity | None:
+        """Who is only called "he" or "she" from the start: ego, where nobody else is and it is not told on foot."""
+        spans = {w.span.kind for w in self.words if w.span is not None}
+        afoot = any(w.lemma in AFOOT for w in self.words if w.sentence == word.sentence)
+        opens = word.dep == "nsubj" and word.norm in OBLIQUE
+        return self.ego if opens and not afoot and not spans & {"ego", "label"} and not self.entities else None
+
+    def _reacting(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
+        """Whom the sentence before left in trouble, where somebody reacts then: "... in front of him. He braked"."""
+        if word.dep != "nsubj" or self._governor(word).lemma not in REACTS:
+            return None
+        before = [w for w in self.words[: word.i] if w.sentence >= word.sentence - 1 and w.i in self.of]
+        if not before or any(w.sentence == word.sentence for w in before):
+            return None
+        meant = [w for w in before if w.norm == OBLIQUE[word.norm] and w.dep in ("dobj", "pobj", "poss")]
+        found = self.of[meant[-1].i] if meant else None
+        return found if found is not None and accept(found) else None
+
+    def _rests(self, entity: Entity) -> bool:
+        """Whether a vehicle was told of as standing: nobody in it is "he"."""
+        verbs = (self._governor(self.words[m.word]) for m in entity.mentions[:2])
+        return bool(entity.roles & {"parked", "stationary"}) or any(v.lemma in RESTS for v in verbs)

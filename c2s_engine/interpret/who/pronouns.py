@@ -1,0 +1,199 @@
+"""Whom pronouns, "another", "the latter" and parts ("its left front") mean."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import MOTOR, Entity
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.persons import Persons
+
+SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offside"))
+LOOSE = frozenset(("debris", "box", "obstacle"))
+THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
+BUMPED = language.words("bumped")
+
+
+class Pronouns(Persons):
+    """The part of Cast that resolves words without a noun of their own."""
+
+    words: list[Word]
+    entities: list[Entity]
+    ego: Entity
+    me: Entity
+    of: dict[int, Entity]
+    subjects: list[tuple[int, Entity]]
+    asking: frozenset[int]
+
+    def _near(self, word: Word) -> list[str]:
+        raise NotImplementedError
+
+    def _new(self, entity: Entity) -> Entity:
+        raise NotImplementedError
+
+    def _pronoun(self, word: Word) -> Entity | None:
+        data = language.table("actors")["pronouns"]
+        norm = word.norm
+        if self._on_foot(word):
+            return self._new(Entity("", "pedestrian", noun=norm, typed=True))
+        if norm in data["ego"]:
+            return None if word.i in self.asking or self._only_a_name(word) else self.me
+        if norm in ("who", "which", "that", "whose", "whom") and word.tag in ("WDT", "WP", "WP$"):
+            return self._antecedent(word)
+        if norm in ("it", "its", "itself"):
+            if word.dep == "expl" or self._weather_it(word):
+                return None
+            if (
+                word.dep == "dobj"
+                and self.words[word.head].lemma in ("enter", "exit", "join", "leave")
+                and word.norm == "it"
+            ):
+                return None  # the roundabout
+            if self._obliged(word):
+                return self.ego
+            return self._thing(word)
+        if norm in ("himself", "herself", "itself") and word.dep in ("nsubj", "npadvmod", "appos"):
+            return None  # "the driver himself moved out"
+        if norm in data["person"]:
+            return self._he(word)
+        if norm in ("theirs", "hers") and word.dep in ("nsubj", "nsubjpass", "dobj", "pobj", "conj"):
+            others = [e for e in self.entities if e.type in MOTOR]
+            return others[-1] if others else self._new(Entity("", "vehicle", noun="vehicle"))
+        if norm in ("they", "them", "their", "themselves"):
+            many = [e for e in self.entities if e.count > 1]
+            last = max((i for i in self.of if i < word.i and self.words[i].span is not None), default=None)
+            if last is not None and self.of[last].type in LOOSE and word.sentence - self.words[last].sentence <= 1:
+                return self.of[last]  # "two sheets of plywood, and they were lying in our lane"
+            if many:
+                return many[-1]
+            joint = self._joint(word) or self._subjects_before(word)
+            if joint is not None:
+                return self._all_of(word, joint)
+            person = [e for e in self.entities if e.person]
+            if person and norm in ("their", "they", "them"):
+                return person[-1]
+            return self._salient(word, lambda e: e.mover)
+        return self._elliptic(word) or self._unknown(word)
+
+    def _thing(self, word: Word) -> Entity | None:
+        """The vehicle or thing that "it" means; an animal where it is hit or avoided."""
+        bumped = word.i > 0 and self.words[word.i - 1].norm in BUMPED
+        things = THINGS if bumped else LOOSE
+        i = self._first_person() and not self._ego_is_thing()
+
+        def fits(e: Entity) -> bool:
+            return (not e.person and e.sex != "i" and e.mover or e.type in things) and not (i and e.ego)
+
+        if word.dep == "nsubj" and (animal := self._animal_before(word)) is not None:
+            return animal
+        apart = self._not_he(word, fits)
+        found = apart or self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
+        if found is None and bumped:
+            found = self._salient(word, lambda e: e.type == "animal")
+        return found
+
+    def _animal_before(self, word: Word) -> Entity | None:
+        """The animal that alone was the subject of the sentence before: "a deer stands on the verge. It leaps"."""
+        if any(w.sentence == word.sentence and w.i in self.of for w in self.words[: word.i]):
+            return None
+        told = {e for i, e in self.subjects if self.words[i].sentence == word.sentence - 1}
+        return next(iter(told)) if len(told) == 1 and next(iter(told)).type == "animal" else None
+
+    def _not_he(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
+        """Whom "it" means beside a "he" of the same sentence: "while he came up on the bus, its driver moved out"."""
+        before = [w for w in self.words[: word.i] if w.sentence == word.sentence and w.i in self.of]
+        person = [w for w in before if w.norm in ("he", "she") or w.span is not None and w.span.data.get("person")]
+        he = [self.of[w.i] for w in person]
+        if not he or word.dep != "poss":
+            return None
+        others = [self.of[w.i] for w in before if self.of[w.i] not in he and accept(self.of[w.i])]
+        things = [self.of[w.i] for w in before if w.span is not None and w not in person]
+        return others[-1] if others and he[-1] not in things else None
+
+    def _ego_is_thing(self) -> bool:
+        """Whether ego was spoken of as a vehicle, too ("our test car")."""
+        return any(m.kind in ("ego", "label", "actor") and self.words[m.word].norm != "i" for m in self.ego.mentions)
+
+    def _only_a_name(self, word: Word) -> bool:
+        """Whether letters are part of a road's name: "US Highway 60", "I 70"."""
+        after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
+        if word.norm == "us":
+            return word.text == "US" and not all(w.text.isupper() for w in self.words if w.text.isalpha())
+        return word.norm == "i" and (after in ("-", ".") or after[:1].isdigit())  # "I-70", "i.e."
+
+    def _obliged(self, word: Word) -> bool:
+        """Whether "it" is whom something is demanded of ("it must wait"): that is ego, where ego was spoken of."""
+        if word.dep != "nsubj" or word.i == 0:
+            return False
+        text = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5])
+        if not re.match(
+            (
+                r"(therefore |then |now |thus |only )?(must|shall|should|has to|needs to|is to|is (obliged"
+                r"|forced|required|expected|supposed|asked) to)\b"
+            ),
+            text,
+        ):
+            return False
+        verb = self._governor(word)
+        if any(self.words[c].norm in ("because", "since", "if", "that", "which") for c in verb.children if c < word.i):
+            return False
+        spoken = [e for i, e in self.subjects if self.words[i].sentence >= word.sentence - 1]
+        return self.ego in spoken
+
+    def _weather_it(self, word: Word) -> bool:
+        head = self.words[word.head]
+        text = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 6])
+        return head.lemma in ("rain", "snow", "drizzle", "pour") or bool(
+            re.match(
+                (
+                    r"(is|was|were|has been|'s|gets|got|becomes|became)( \w+)? (night|day|dark|dusk|dawn"
+                    r"|raining|snowing|foggy|clear|sunny|daylight|daytime|daytime|rainy|cloudy|early|late"
+                    r"|morning|evening|noon|midnight|wet|windy|for|up|necessary|not until|only"
+                    r"|(safe|possible|clear|impossible|okay|ok|allowed|unsafe|time|too late) (enough )?(for|to))"
+                ),
+                text,
+            )
+        )
+
+    def _antecedent(self, word: Word) -> Entity | None:
+        verb = self.words[word.head]
+        clause = verb
+        for _ in range(4):
+            if clause.dep == "relcl":
+                break
+            if clause.head == clause.i:
+                break
+            clause = self.words[clause.head]
+        if clause.dep == "relcl" and clause.head in self.of and clause.head < word.i:
+            return self._placed_beside(self.words[clause.head]) or self.of[clause.head]
+        previous = [
+            i
+            for i in sorted(self.of)
+            if i < word.i and self.words[i].sentence == word.sentence and self.words[i].tag != "PRP$"
+        ]
+        if not previous:
+            return None
+        between = self.words[previous[-1] + 1 : word.i]
+        if (
+            any(w.noun and w.norm not in SIDES for w in between)
+            and clause.dep == "relcl"
+            and self.words[clause.head].span is None
+        ):
+            head = self.words[clause.head]
+            return self.of.get(head.i) if head.i in self.of else None
+        return self.of[previous[-1]]
+
+    def _placed_beside(self, noun: Word) -> Entity | None:
+        """Who is placed by ego right before "which": "a truck in front of ego that brakes"."""
+        above = self.words[noun.head]
+        if self.of[noun.i] is not self.ego or noun.dep != "pobj":
+            return None
+        for _ in range(3):
+            if above.i in self.of:
+                return self.of[above.i] if self.of[above.i] is not self.ego else None
+            if above.tag not in ("IN", "RB", "NN", "JJ", "RP"):
+                return None
+            above = self.words[above.head]
+        return self.of.get(above.i)

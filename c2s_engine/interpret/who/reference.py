@@ -1,0 +1,273 @@
+"""Whom a definite noun phrase means of those spoken of before."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import ORDINALS, URGENT, VEHICLES, Entity, fits
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.pronouns import Pronouns
+
+OWNERS = language.words("owners")
+ANYBODY = language.words("anybody")
+"""Nouns of no type by which ego may be meant, too: not "the target", "the attacker"."""
+DRIVES_IT = frozenset(("you", "your", "he", "she", "his", "her"))
+"""Words for ego that mean who is at the wheel."""
+COLOURS = language.words("colours")
+CARS = frozenset(("car", "vehicle", "van", "police_car"))
+TOLD_APART = frozenset(("oncoming", "crossing", "lead", "following", "cut_in", "adjacent", "adversary"))
+"""Parts in the scene by which another one is meant, unless somebody had that part before."""
+
+
+def _alike(entity: Entity, kind: str) -> bool:
+    """Whether the first word of a longer name can stand for it: not "the dog" for a dog walker."""
+    return entity.type == kind or entity.type in VEHICLES and kind in VEHICLES
+
+
+ALL_OF_THEM = frozenset(("both", "the", "these", "all", "neither"))
+
+
+class Reference(Pronouns):
+    """The part of Cast that resolves definite nouns."""
+
+    ego_named: bool
+    strong_ego: bool
+
+    def _type_of_definite(self, word: Word, before: list[str], kind: str) -> Entity | None:
+        for child in word.children:
+            if (
+                self.words[child].tag == "PRP$"
+                and child in self.of
+                and self.of[child].ego
+                and kind in VEHICLES
+                and word.span is not None
+                and not word.span.data.get("words")
+            ):
+                return self.ego
+        owner = next((self.of[c] for c in word.children if self.words[c].dep == "poss" and c in self.of), None)
+        if owner is not None and not owner.ego and kind in VEHICLES and owner.noun in OWNERS:
+            owner.type, owner.typed = (kind, True) if kind != "vehicle" else (owner.type, owner.typed)
+            return owner  # "the defendant's car"
+        if owner is not None and self._own_vehicle(word, owner, kind):
+            if owner.type == "vehicle":
+                owner.type, owner.typed = kind, kind != "vehicle"
+            return owner
+        if before and before[0] in ("our", "my"):
+            return self.ego if kind in VEHICLES else None
+        return None
+
+    def _own_vehicle(self, word: Word, owner: Entity, kind: str) -> bool:
+        """Whether it is what somebody at the wheel drives: "his car", after "Mr Hansen was driving"."""
+        assert word.span is not None
+        if not owner.manned or owner.person or kind not in VEHICLES or word.span.data.get("words"):
+            return False
+        return kind in ("vehicle", owner.type) or owner.type == "vehicle" or fits(owner, kind)
+
+    def _definite(
+        self,
+        word: Word,
+        kind: str,
+        noun: str,
+        roles: set[str],
+        other: bool,
+        ordinal: int | None,
+        definite: bool,
+        count: int,
+        bare: bool,
+    ) -> Entity | None:
+        before = self._near(word)
+        candidates = [e for e in self.entities if fits(e, kind)]
+        if count == 1 and kind != "vehicle":  # the tractor is not the oncoming traffic
+            candidates = [e for e in candidates if e.noun != "traffic"]
+        coloured = [e for e in candidates if e.names & COLOURS & set(before)]
+        candidates = coloured or candidates
+        short = [e for e in self.entities if e.noun.startswith(f"{noun} ") and e.count == count and _alike(e, kind)]
+        if short and (definite or bare) and not (roles or other or ordinal is not None):
+            return short[-1]  # "an auto rickshaw ... the auto"
+        if noun in (brands := language.makes()):  # "the Kia hit the Hyundai"
+            same = language.table("actors")["same_makes"].get(noun, noun)
+            candidates = [e for e in candidates if e.noun not in brands or {noun, same} & {e.noun, *e.names}]
+        groups = [e for e in candidates if e.count > 1 and "group" not in e.roles]
+        if (
+            roles
+            and definite
+            and count == 1
+            and groups
+            and not self.ego_named
+            and not any(e.roles & roles for e in candidates)
+        ):
+            number = "first" if "lead" in roles else "last" if "following" in roles else ""
+            if number and groups[-1].count == 2:  # "two cars ...: the lead car"
+                return self.member(groups[-1], number)
+        if ordinal is not None and count == 1 and definite and not roles:
+            told = next((name for name, at in ORDINALS.items() if at == ordinal), "")
+            if groups and (member := self.member(groups[-1], told)) is not None:
+                return member
+        if roles:
+            same = [e for e in candidates if e.roles & roles and (definite or (e.count > 1) == (count > 1))]
+            if same:
+                return same[-1]
+            again = [e for e in candidates if e.noun == noun and not e.roles and word.span and word.span.data["person"]]
+            if again and definite and count == 1:
+                return again[-1]  # "the motorist who was trailing it ... the trailing motorist"
+            if roles & {"lead"}:
+                ahead = [e for e in candidates if "ahead" in self._hints(e)]
+                if ahead:
+                    return ahead[-1]
+            if roles & {"oncoming"} and definite:
+                towards = [e for e in candidates if "oncoming" in self._hints(e)]
+                if towards:
+                    return towards[-1]
+            if not definite and roles & {"stationary", "parked", "slow", "turning", "fast"}:
+                return None
+            if roles & TOLD_APART or not candidates:
+                return None
+        second = any(self.words[m.word].norm in DRIVES_IT for m in self.ego.mentions)
+        alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
+        if second and alone and not self._distinguished(word) and self.words[word.i - 1].norm == "the":
+            return self.ego  # a driver is told what to do: "you will feel the car"
+        asks = any(self.words[c].norm in ("shall", "must") for c in self.words[word.head].children)
+        if alone and asks and self.ego_named and word.dep == "nsubj" and not self._distinguished(word):
+            return self.ego  # "the VUT backs up. The car shall stop"
+        if kind == "vehicle" and noun == "vehicle" and not self.ego_named and not bare and not other:
+            generic = [e for e in candidates if e.noun == "vehicle"]
+            plain = [e for e in candidates if e.noun != "vehicle" and not e.roles]
+            asked = any(self.words[c].norm in ("shall", "must") for c in self.words[word.head].children)
+            if asked and not generic and word.dep == "nsubj" and all(e.type in URGENT for e in candidates):
+                return None  # "when an ambulance approaches, the vehicle shall clear the lane"
+            if not generic and (len(candidates) != 1 or not plain):
+                return None
+        if bare and not roles and self._distinguished(word):
+            return None
+        if bare and not roles:
+            same = next((e for e in reversed(candidates) if e.noun == noun), None)
+            mine = same is None and kind == self.ego.type and self.ego.typed and self._ego_by(noun)
+            return self.ego if mine else same  # "... my bus. Front side of bus was damaged"
+        if other:
+            vehicles = [e for e in candidates if not e.ego]
+            group = [e for e in vehicles if e.count == 2]
+            if group and self.ego_named and len(vehicles) == 1 and count == 1:
+                group[0].roles.add("group")
+                return None
+            single = [e for e in vehicles if e.count == 1 and "group" not in e.roles]
+            return single[-1] if single else None
+        if ordinal is not None and len(candidates) > 1 and ordinal < len(candidates):
+            return candidates[ordinal]
+        led = self._told_ahead(word, candidates) if noun == "vehicle" and count == 1 else None
+        if led is not None:
+            return led  # "a van is ahead of ego. The vehicle ahead brakes"
+        if self._distinguished(word) and not any(e.noun == noun or e.type == kind for e in candidates):
+            return None
+        if self._distinguished(word) and kind in ("vehicle", "car") and not self._matching_relation(word, candidates):
+            return None if candidates or self._relative_to_ego(word) else None
+        if count > 1:
+            many = [e for e in candidates if e.count > 1 and "group" not in e.roles]
+            counted = any(w.norm in language.table("actors")["counts"] for w in self.words[word.i - 2 : word.i])
+            alike = [e for e in many if e.count == count] if counted else many
+            if alike:
+                return alike[-1]
+            told = {w.norm for w in self.words[max(0, word.i - 2) : word.i]} & ALL_OF_THEM
+            every = VEHICLES if noun == "vehicles" else CARS if noun == "cars" else ()
+            fitting = [e for e in self.entities if e.type in every] if every else candidates
+            singles = sorted((e for e in fitting if e.mentions and e.count == 1), key=lambda e: e.mentions[-1].word)
+            if self.ego.mentions and noun in ("vehicles", "cars") and len(singles) == count - 1:
+                singles.append(self.ego)
+            if told and not self._distinguished(word) and len(singles) >= count:
+                return self._all_of(word, sorted(singles[-count:], key=lambda e: (e.ego, e.mentions[0].word)))
+            return None
+        scored = []
+        never = kind == "vehicle" and noun in language.actor_nouns() and noun not in ANYBODY
+        for entity in [
+            *candidates,
+            *(
+                [self.ego]
+                if self.ego_named and not never and (kind == "vehicle" or kind == self.ego.type and self._ego_by(noun))
+                else []
+            ),
+        ]:
+            score = entity.mentions[-1].word / 1000 if entity.mentions else 0
+            score += 2 if entity.noun == noun and not (entity.ego and self._ego_besides(noun)) else 0
+            score += 1.5 if entity.ego and self._ego_by(noun) else 0
+            score += 1 if entity.type == kind and not entity.ego else 0
+            score -= 0.5 if entity.count > 1 else 0
+            scored.append((score, len(scored), entity))
+        if not scored and kind == self.ego.type and self.ego.typed:
+            return self.ego
+        return max(scored)[2] if scored else None
+
+    def _ego_by(self, noun: str) -> bool:
+        """Whether ego was called by that noun ("the DCAS vehicle" makes "the vehicle" ego)."""
+        return any(
+            noun and self.words[m.word].norm.split(" ")[-1].split("-")[-1] == noun for m in self.ego.mentions
+        ) or (noun == "vehicle" and self.strong_ego and not any(e.type == "vehicle" for e in self.entities))
+
+    def _ego_besides(self, noun: str) -> bool:
+        """Whether ego was only called that beside a name of its own ("Ego, a car, drives")."""
+        called = [self.words[m.word] for m in self.ego.mentions]
+        return all(w.dep == "appos" for w in called if w.norm.split(" ")[-1] == noun)
+
+    def _distinguished(self, word: Word) -> bool:
+        """Whether the noun phrase goes on to say which one: "the car in front of it", "the van that ..."."""
+        for child in word.children:
+            other = self.words[child]
+            aside = other.dep == "relcl" and self.words[word.i + 1].norm == ","  # "the vehicle, which ..."
+            if aside and word.norm == "vehicle":
+                continue
+            if child > word.i and other.dep in ("prep", "acl", "relcl", "advmod") and other.norm not in ("of",):
+                return True
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 4] if w.sentence == word.sentence)
+        return re.match(r"(?:in front|ahead|behind)\b(?! of\b)", after) is not None
+
+    def _told_ahead(self, word: Word, candidates: list[Entity]) -> Entity | None:
+        """Who was told to be ahead, where "the vehicle ahead" is spoken of."""
+
+        def after(i: int) -> str:
+            return " ".join(w.norm for w in self.words[i + 1 : i + 6] if w.sentence == self.words[i].sentence)
+
+        if not re.match(r"(?:in front|ahead)\b(?! of\b)", after(word.i)):
+            return None
+        told = re.compile(r"(?:\S+ ){0,3}?(?:in front|ahead)\b(?! of (?!it|ego|the ego|us|me|the (?:sv|vut|host)))")
+        return next(
+            (e for e in reversed(candidates) if not e.ego and any(told.match(after(m.word)) for m in e.mentions)), None
+        )
+
+    def _relative_to_ego(self, word: Word) -> bool:
+        return True
+
+    def _matching_relation(self, word: Word, candidates: list[Entity]) -> bool:
+        text = " ".join(w.norm for w in self.words[word.i : word.i + 8] if w.sentence == word.sentence)
+        ahead = re.search(r"ahead|in front", text)
+        return any(ahead and "ahead" in self._hints(e) for e in candidates)
+
+    def _hints(self, entity: Entity) -> set[str]:
+        """What the words after an entity's mentions say about its place, as far as reference needs it."""
+        found = set()
+        for mention in entity.mentions:
+            near = " ".join(
+                w.norm
+                for w in self.words[mention.word : mention.word + 9]
+                if w.sentence == self.words[mention.word].sentence
+            )
+            if re.search(r"ahead|in front|slow|before it|precedes|\bleads\b|\bleading\b", near):
+                found.add("ahead")
+            if re.search(r"(?:the|from the) (?:other|opposite) (?:way|direction)|towards? (?:ego|it)\b", near):
+                found.add("oncoming")
+            before = " ".join(
+                w.norm
+                for w in self.words[max(0, mention.word - 6) : mention.word]
+                if w.sentence == self.words[mention.word].sentence
+            )
+            if re.search(r"behind|follow|tail|trail|ahead|in front", before):
+                found.add("ahead")
+        return found
+
+    def _new(self, entity: Entity) -> Entity:
+        entity.key = f"a{sum(1 for _ in self.entities) + 1}"
+        while any(e.key == entity.key for e in self.entities):
+            entity.key = f"a{int(entity.key[1:]) + 1}"
+        self.entities.append(entity)
+        return entity
+
+    def _near(self, word: Word) -> list[str]:
+        return [w.norm for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]

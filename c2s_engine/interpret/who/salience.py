@@ -1,0 +1,198 @@
+"""Who is spoken of most: whom a word without a noun of its own most likely means."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.reading.motions import irregular
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.members import Members
+
+MINE = frozenset(language.table("actors")["pronouns"]["ego"])
+STRIKES = language.words("strikes")
+BOWS = language.words("bows")
+WAITS = language.words("waits")
+STANDS = ("be", "stand", "sit", "wait", "appear")
+GOES = ("drive", "run", "travel", "ride", "cruise", "keep", "stay", "hang", "move", "go", "come")
+BESIDE = re.compile(r"(to|on|in|at) (left|right|front|rear)\b")
+
+
+class Salience(Members):
+    """The part of Cast that finds who is spoken of, by the grammar of the words before."""
+
+    def _near(self, word: Word) -> list[str]:
+        raise NotImplementedError
+
+    def _salient(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
+        verb = self._governor(word)
+        clash = None
+        if (
+            word.dep == "nsubj"
+            and verb.dep in ("ccomp", "xcomp")
+            and self.words[verb.head].lemma
+            in ("let", "lets", "allow", "make", "force", "cause", "see", "help", "wait", "follows", "permit", "enable")
+        ):
+            clash = self._subject_of(self.words[verb.head])
+        if word.dep == "nsubj" and {"until", "till"} & {self.words[c].norm for c in verb.children if c < word.i}:
+            main = self.words[verb.head]
+            if irregular().get(main.norm, main.lemma) in WAITS or any(
+                self.words[c].dep == "neg" for c in main.children
+            ):
+                clash = self._subject_of(main)  # one waits until another has passed; one slows until it stands itself
+        if word.dep in ("dobj", "pobj") and word.norm not in ("its", "itself"):
+            clash = self._subject_of(verb)
+        if word.dep == "poss" and verb.lemma in STRIKES and self.words[word.head].dep in ("dobj", "pobj"):
+            clash = self._subject_of(verb)
+        above = self.words[word.head]
+        if word.dep == "poss" and above.norm in BOWS and self.words[max(0, word.i - 1)].norm == "across":
+            clash = self._subject_of(verb)  # nobody goes across its own bows
+        if word.dep == "poss" and BESIDE.match(self._around(word.i)) and above.dep == "pobj":
+            clash = self.of.get(self.words[above.head].head) or clash  # "a coach to its left": not the coach's own
+        holder = self._placed(word)
+        if holder is not None and holder is not clash:
+            inner, accept_all = holder, accept
+            clash = None if above.head not in self.of else clash
+            accept = lambda e: accept_all(e) and e is not inner  # noqa: E731
+        same = [(i, e) for i, e in self.subjects if i < word.i and accept(e) and e is not clash]
+        last = [i for i in sorted(self.of) if i < word.i and accept(self.of[i]) and self.of[i] is not clash]
+        if word.norm in ("it", "its"):  # "a car in the lane to our left. Its driver": not ours
+            told = [i for i in last if self.words[i].norm not in MINE]
+            last = told or last
+        if not last:
+            beside = holder is not None and holder is not clash and clash is not None
+            return clash if beside and accept(clash) else None  # "the lorry hides a motorcycle behind it"
+        sentence = [p for p in same if self.words[p[0]].sentence == word.sentence]
+        if word.dep == "poss":
+            twin = self._parallel(word)
+            if twin is not None and accept(twin):
+                return twin
+            own = self._subject_of(verb)
+            if self._whose_driver(word, verb):
+                own = None  # "the coach was in the right lane when its driver saw": not the driver's own
+            beside = self._on_its_side(word, verb)
+            if beside or self._into_lane(word, verb):
+                clash, own = own, None  # nobody is on its own left, or comes into its own lane
+                last = [i for i in last if self.of[i] is not clash]
+                if not last:
+                    return None
+                sentence = [p for p in sentence if p[1] is not clash]
+                spoken = {self.of[i] for i in last if self.words[i].sentence == word.sentence}
+                if beside and self.ego in spoken and accept(self.ego):
+                    return self.ego  # "ego follows a truck, with a car keeping pace on its left"
+            its = [
+                self.of[w.i]
+                for w in self.words[: word.i]
+                if w.sentence == word.sentence and w.norm == "it" and w.i in self.of
+            ]
+            if its and its[-1] is not own and "another" in self._near(word):
+                return its[-1]
+            if own is not None and accept(own) and own is not clash:
+                return own
+        told = [p for p in sentence if self._finite(self._governor(self.words[p[0]]))]
+        told = [p for p in told if self._governor(self.words[p[0]]).dep != "pcomp"] or told
+        sentence = told or sentence
+        if word.dep in ("dobj", "pobj", "poss"):
+            near = [i for i in last if self.words[i].sentence == word.sentence]
+            if clash is not None and near:
+                before = self._governor(self.words[sentence[-1][0]]) if sentence else word
+                fronted = before.dep == "advcl" and before.i < word.i < verb.i  # "while V1 waited, a car behind it"
+                if sentence and verb.dep == "advcl" and sentence[-1][0] < near[-1] < before.i == verb.head:
+                    return sentence[-1][1]  # "a truck ahead of ego brakes because a car cuts in in front of it"
+                return sentence[-1][1] if fronted and before.head == verb.i else self.of[near[-1]]
+            if sentence:
+                return sentence[-1][1]
+            return self.of[last[-1]]
+        if sentence:
+            return sentence[-1][1]
+        earlier = [p for p in same if self.words[p[0]].sentence == word.sentence - 1]
+        if earlier:
+            mains = [p for p in earlier if self._main_subject(p[0])]
+            return (
+                (mains or earlier)[0][1]
+                if len({id(e) for _, e in (mains or earlier)}) == 1
+                else (mains or earlier)[-1][1]
+            )
+        return self.of[last[-1]]
+
+    def _placed(self, word: Word) -> Entity | None:
+        """Who is placed by a pronoun: the truck of "the truck ahead of it"."""
+        above = self.words[word.head]
+        if word.dep != "pobj":
+            return None
+        between = ("lane", "side", "space", "row", "bay")
+        while above.head != above.i and above.head not in self.of:
+            over = self.words[above.head]
+            if not (
+                above.norm == "of" and over.tag in ("RB", "IN", "NN") or over.norm in between or above.norm in between
+            ):
+                break
+            above = over
+        return self.of.get(above.head) if above.head < word.i and above.head != above.i else None
+
+    def _finite(self, verb: Word) -> bool:
+        """Whether a verb is no infinitive ("for the traffic to clear")."""
+        return not any(self.words[c].norm == "to" and self.words[c].dep == "aux" for c in verb.children)
+
+    def _parallel(self, word: Word) -> Entity | None:
+        """Whom "its" meant just before in the same place: "a bus is on its right, a car on its left"."""
+        if not BESIDE.match(self._around(word.i)):
+            return None
+        for earlier in reversed(self.words[: word.i]):
+            if earlier.sentence != word.sentence:
+                return None
+            if earlier.norm == word.norm and BESIDE.match(self._around(earlier.i)):
+                return self.of.get(earlier.i)
+        return None
+
+    def _on_its_side(self, word: Word, verb: Word) -> bool:
+        """Whether somebody stands or goes along on the side that a possessive names: it is not its own side."""
+        if not BESIDE.match(self._around(word.i)):
+            return False
+        lane = [w.norm for w in self.words[max(0, word.i - 4) : word.i]][-3:-1] == ["the", "lane"]
+        return verb.lemma in STANDS or verb.lemma in GOES and (lane or verb.lemma == "keep")
+
+    def _whose_driver(self, word: Word, verb: Word) -> bool:
+        """Whether a possessive belongs to the driver who is the subject of its clause."""
+        held = self.words[word.head]
+        return held.lemma in ("driver", "operator", "rider") and held.head == verb.i and held.dep.startswith("nsubj")
+
+    def _into_lane(self, word: Word, verb: Word) -> bool:
+        """Whether somebody comes from elsewhere into the lane that a possessive names."""
+        after = [w.norm for w in self.words[word.i + 1 : word.i + 3]]
+        clause = {w.norm for w in self.words[verb.i : word.i]}
+        return (
+            verb.lemma in ("cross", "encroach", "intrude", "invade", "veer", "come", "stray")
+            and bool({"lane", "path"} & set(after))
+            and not {"back", "again", "own", "return"} & (clause | set(after))
+        )
+
+    def _around(self, i: int) -> str:
+        """The words before and after a word."""
+        return " ".join(w.norm for w in self.words[max(0, i - 1) : i + 2 : 2])
+
+    def _main_subject(self, i: int) -> bool:
+        return self.words[self.words[i].head].dep in ("ROOT", "conj", "ccomp")
+
+    def _governor(self, word: Word) -> Word:
+        current = word
+        while current.head != current.i and not current.verb:
+            current = self.words[current.head]
+        return current
+
+    def _subject_of(self, verb: Word) -> Entity | None:
+        current = verb
+        if any(self.words[c].dep == "expl" for c in verb.children):
+            return None
+        for _ in range(5):
+            for child in current.children:
+                if self.words[child].dep in ("nsubj", "nsubjpass"):
+                    return self.referent(child)
+            if current.dep in ("acl", "relcl") and current.head in self.of:
+                return self.of[current.head]
+            if current.head == current.i:
+                return None
+            current = self._governor(self.words[current.head])
+        return None

@@ -1,0 +1,133 @@
+"""Who sits in or on a vehicle: both are one road user."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import VEHICLES, Entity
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.reference import OWNERS, Reference
+
+DRIVES = language.words("at_the_wheel")
+STEERS = language.words("steers")
+ASIDE = language.words("besides_driving")
+CONTROL = re.compile(r"\b(?:control|charge|command) of (?:his|her) (?:[\w-]+ ){0,2}$")
+SITS = re.compile(
+    r"(?:(?:ahead|in front|behind|beside|alongside|next to|to the (?:left|right))(?: of)? ?(?:@|\w+)? ?)?"
+    r"(?:, ?)?(?:(?:who|that) (?:is|was) )?(?:(?:alone|sitting|seated|travelling|traveling|sat) )?"
+    r"(?:in|on|with|driving|riding|operating|(?:at|behind) the wheel of|aboard|astride) (?:an?|his|her|the|their|my) "
+    r"(?:[\w-]+ ){0,3}$"
+)
+DRIVEN = re.compile(
+    r"@ ?,?(?: ?\(?(?:who )?(?:was|is|were|had been))? (?:(?:operating|driving|riding)(?: (?:an?|his|her|the|their))?"
+    r"|(?P<how>drove|rode|drives|rides|operated|at the wheel of|in charge of|in|on) (?:an?|his|her|the|their))"
+    r"(?: (?!behind|past|beside|towards?|after|along|around|ahead|before|near|into|with)[\w-]+){0,2} $"
+)
+VEHICULAR = language.words("vehicular")
+MANOEUVRE = re.compile(
+    r"(?:cuts?|cut|cutting) (?:me|us|him|her|it|\w+) (?:off|up)\b|(?:cuts?|cutting) in\b"
+    r"|(?:pulls?|pulled|pulling) (?:out|over|in|away)\b"
+    r"|(?:changes?|changed|changing|switch\w*) lanes?\b|(?:runs?|ran|running) (?:a |the )?(?:red|stop|light)"
+)
+
+
+class AtWheel(Reference):
+    """The part of Cast that takes a driver or rider and the vehicle for one."""
+
+    wheels: dict[int, Entity]  # the noun of a vehicle -> whom it carries, who was spoken of before
+
+    def _at_wheel(self, word: Word, known: Entity | None = None) -> Entity | None:
+        """A person of whom it is said later in the clause what is driven ("a woman in front of us in a red van",
+        "a pensioner drove his Opel"): one spoken of before, else a new one."""
+        for other in self.words[word.i + 1 : word.i + 12]:
+            if other.sentence != word.sentence or other.norm in (";", ":", "but", "when", "while"):
+                return None
+            if other.norm == "and" and not self._goes_on(word, other):
+                return None
+            if (
+                other.span is None
+                or other.span.kind != "actor"
+                or other.span.data["type"] not in VEHICLES - {"vehicle"}
+            ):
+                continue
+            if other.span.data.get("person") or other.span.data.get("plural"):
+                return None
+            between = self.words[word.i + 1 : other.i]
+            text = " ".join("@" if w.span is not None and w.span.kind == "ego" else w.norm for w in between) + " "
+            verb = self.words[other.head]
+            own = self.words[other.i - 1].norm in ("his", "her") or self.words[other.i - 2].norm in ("his", "her")
+            moves = verb.norm in STEERS or own and verb.lemma not in ASIDE and verb.tag in ("VBD", "VBZ", "VBG", "VBP")
+            subject = (
+                self.words[verb.head] if verb.dep == "conj" else verb
+            )  # "a man mixed up the pedals and drove his Audi"
+            drives = moves and verb.i > word.i and other.dep == "dobj" and self._heads(word, subject)
+            drives = drives or own and CONTROL.search(text) is not None
+            if drives or SITS.fullmatch(text):
+                found = known or self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))
+                self.wheels[other.i] = found
+                return found
+            return None
+        return None
+
+    def _goes_on(self, word: Word, joint: Word) -> bool:
+        """Whether "and" joins what the same person does next."""
+        verbs = [w for w in self.words[joint.i + 1 : joint.i + 4] if w.tag in ("VBD", "VBZ")]
+        return bool(verbs) and verbs[0].head == word.head and verbs[0].dep == "conj"
+
+    def _steering(self, word: Word) -> Entity | None:
+        """A person who does what only vehicles do: "a lady reversed out of her drive", "this guy cut me off"."""
+        verb = self.words[word.head]
+        after = " ".join(w.norm for w in self.words[verb.i : verb.i + 4])
+        if word.dep != "nsubj" or not (verb.lemma in VEHICULAR or MANOEUVRE.match(after)):
+            return None
+        noun = word.norm.split(" ")[-1]
+        told = {self.words[c].norm for c in word.children} & {"the", "this", "that"}
+        known = next((e for e in self.entities if noun in e.names or e.noun == noun), None) if told else None
+        if known is not None:
+            return None if known.person else known
+        return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))
+
+    def _heads(self, word: Word, verb: Word) -> bool:
+        """Whether a word is the subject of a verb, or what its participle describes."""
+        return word.head == verb.i and word.dep == "nsubj" or verb.dep in ("acl", "relcl") and verb.head == word.i
+
+    def _driven_by(self, word: Word) -> Entity | None:
+        """Whose vehicle it is in "the defendant, operating a dump truck": the driver and the vehicle are one."""
+        back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
+        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
+        match = DRIVEN.search(text + " ")
+        if match is None:
+            return self._party_in(word)
+        owner = next(self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None)
+        if match["how"] in ("in", "on") and not re.search(
+            r"driver|motorist|party|defendant|respondent|claimant|suspect|offender|rider|courier", owner.noun
+        ):
+            return None
+        two = owner.type in ("bicycle", "motorcycle") and re.search(r"rider|courier", owner.noun)
+        return owner if owner.type in ("vehicle", "rider") or owner.ego or two else None
+
+    def _party_in(self, word: Word) -> Entity | None:
+        """The party who moves in a vehicle: "the suspect fled in a stolen Audi"."""
+        by = self.words[word.head]
+        verb = self.words[by.head]
+        if by.norm not in ("in", "on") or not verb.verb:
+            return None
+        subjects = [self.of[c] for c in verb.children if self.words[c].dep == "nsubj" and c in self.of]
+        return next((e for e in subjects if e.noun in OWNERS and not e.typed), None)
+
+    def _rides(self, word: Word) -> bool:
+        """Whether a person is only the one inside a vehicle ("a man in a white van"), who stands for it."""
+        following = [w for w in self.words[word.i + 1 : word.i + 6] if w.sentence == word.sentence]
+        if not following or following[0].norm not in DRIVES:
+            return False
+        for other in following[1:]:
+            if other.span is not None:
+                return (
+                    other.span.kind == "actor"
+                    and other.span.data["type"] in VEHICLES - {"vehicle"}
+                    and not other.span.data.get("person")
+                )
+            if other.tag in ("NN", "NNS", "IN") and other.norm not in language.makes() or other.verb:
+                return False
+        return False

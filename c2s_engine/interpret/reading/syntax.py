@@ -12,6 +12,7 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.motions import third_persons
 from c2s_engine.interpret.reading.proxies import FOLLOWS, pieces_of
+from c2s_engine.interpret.reading.reattached import reattach
 from c2s_engine.interpret.reading.scan import Span
 
 LANE_NUMBER = re.compile(r"\blane (?:number |no\.? )?(?:\d|one|two|three|four)$")
@@ -114,6 +115,7 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
     for word in words:
         if word.head != word.i:
             words[word.head].children.append(word.i)
+    reattach(words)
     return words
 
 

@@ -51,6 +51,7 @@ class Cast(Labels):
         self.entities: list[Entity] = []
         self.of: dict[int, Entity] = {}
         self.wheels: dict[int, Entity] = {}
+        self.trailing: dict[str, Entity] = {}
         self.both: dict[int, list[Entity]] = {}  # whom else a word means that means several
         self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
         self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD")}

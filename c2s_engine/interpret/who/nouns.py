@@ -18,7 +18,6 @@ COUNTED = re.compile(
     r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units"
     r"|animals|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
 )
-TOWED = frozenset(form for word in language.words("towed") for form in (word, *language.plurals(word)))
 MASS = language.words("mass")
 
 
@@ -53,8 +52,8 @@ class Nouns(Attached, NotThere):
             kind = "bicycle"  # "a kid on a scooter"
         if noun in language.table("actors")["riders"] and (mount := self._mount(word)) is not None:
             return mount
-        if noun in TOWED and (puller := self._puller(word)) is not None:
-            return self.of.get(puller)
+        if (puller := self._pulled(word, noun)) is not None:
+            return puller
         before = self._modifiers(word)
         previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
         if previous in ("other",) and "no" in self._near(word):

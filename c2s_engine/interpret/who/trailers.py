@@ -1,0 +1,100 @@
+"""What is pulled and who pulls it: both are one road user, unless the trailer comes loose."""
+
+from __future__ import annotations
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import DEFINITE, VEHICLES, Entity
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.titles import Titles
+
+TOWED = frozenset(form for word in language.words("towed") for form in (word, *language.plurals(word)))
+TOWS, UNHITCHED = language.words("tows"), language.words("unhitched")
+
+
+class Trailers(Titles):
+    """The part of Cast that takes a trailer and who pulls it for one."""
+
+    wheels: dict[int, Entity]
+    trailing: dict[str, Entity]  # the noun of what is pulled -> who pulls it
+
+    def _actor(self, word: Word) -> Entity | None:
+        raise NotImplementedError
+
+    def _named(self, word: Word) -> Entity | None:
+        raise NotImplementedError
+
+    def _pulled(self, word: Word, noun: str) -> Entity | None:
+        """Who pulls what a noun names: as said here, or said before of "the trailer"."""
+        if noun not in TOWED or self._comes_loose(word):
+            return None
+        puller = self._puller(word)
+        found = self.of.get(puller.i) if puller is not None else None
+        if puller is not None and puller.i > word.i and puller.span is not None:
+            found = self.wheels[puller.i] = self._named(puller) or self.ego
+        the = DEFINITE & {self.words[c].norm for c in word.children}
+        if found is None and puller is None and the:
+            found = self.trailing.get(noun.split(" ")[-1])
+        if found is not None:
+            self.trailing[noun.split(" ")[-1]] = found
+        return found
+
+    def _comes_loose(self, word: Word) -> bool:
+        """Whether the trailer goes on without who pulled it: "a trailer came loose from a van"."""
+        above = self.words[word.head]
+        after = [self.words[c].norm for c in above.children if c > above.i]
+        return word.dep in ("nsubj", "nsubjpass") and (above.lemma in UNHITCHED or bool(UNHITCHED & set(after)))
+
+    def _puller(self, word: Word) -> Word | None:
+        """The word for who pulls it; the verb where nobody is named who does."""
+        above = self.words[word.head]
+        if (before := self._participle(word)) is not None:
+            return before
+        if self._tows(above) and word.dep == "dobj":
+            if above.dep in ("acl", "relcl"):
+                return self.words[above.head]
+            return self._child(above, "nsubj") or above
+        if above.norm in ("with", "of") and word.dep == "pobj":
+            return self._road_user(self.words[above.i - 1]) or self._road_user(self.words[above.head])
+        if above.norm == "and" or word.dep == "conj" and self.words[word.i - 1].norm == "and":
+            return self._road_user(self.words[max(0, word.i - 2)])  # "a truck and trailer"
+        verb = next((self.words[c] for c in word.children if self._tows(self.words[c])), above)
+        agent = self._child(verb, "agent") if self._tows(verb) else None
+        owner = self._child(word, "of", "prep") if agent is None else agent
+        if owner is not None:
+            return self._road_user(self._child(owner, "pobj"))
+        return self._child(word, "poss")
+
+    def _participle(self, word: Word) -> Word | None:
+        """Who stands before a participle that has the trailer as its object, also where the tree says otherwise: "a
+        pickup pulling a boat trailer pulls out"."""
+        for verb in reversed(self.words[max(0, word.i - 4) : word.i]):
+            if verb.tag == "VBG" and verb.lemma in TOWS:
+                before = reversed(self.words[max(0, verb.i - 4) : verb.i])
+                return next((w for w in before if w.sentence == word.sentence and self._road_user(w)), None)
+            if verb.sentence != word.sentence or verb.verb or verb.norm in (",", "and", "with"):
+                return None
+        return None
+
+    def _tows(self, word: Word) -> bool:
+        return word.verb and word.lemma in TOWS
+
+    def _child(self, word: Word, name: str, dep: str = "") -> Word | None:
+        """The child in a grammatical relation, or with that word and relation."""
+        for child in (self.words[c] for c in word.children):
+            if (child.norm, child.dep) == (name, dep) if dep else child.dep == name:
+                return child
+        return None
+
+    def _road_user(self, word: Word | None) -> Word | None:
+        span = word.span if word is not None else None
+        if span is None or span.kind not in ("ego", "label", "actor"):
+            return None
+        return word if span.kind != "actor" or span.data["type"] in VEHICLES else None
+
+    def tows(self, word: Word) -> bool:
+        """Whether a verb only tells that somebody pulls a trailer."""
+        if not self._tows(word):
+            return False
+        around = [word.head, *word.children] if word.tag == "VBN" else word.children
+        nouns = (self.words[c] for c in around if self.words[c].span is not None)
+        return any(n.span.data.get("noun") in TOWED for n in nouns if n.span is not None)

@@ -1,5 +1,8 @@
-"""Verbs that the tree hangs on a relative clause and that go on with the clause before it: "ego follows a tractor that
-crawls along and overtakes it" (who crawls along cannot overtake itself)."""
+"""Verbs that the tree hangs in the wrong place.
+
+Those on a relative clause that go on with the clause before it ("ego follows a tractor that crawls along and overtakes
+it": who crawls along cannot overtake itself), and participles behind a road user and its place that are no verb of it
+in the tree ("a van behind ego overtaking ego")."""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOVERS
+from c2s_engine.interpret.reading.motions import third_person
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
@@ -16,14 +20,64 @@ TOWED = language.words("towed")
 
 
 def reattach(words: list[Word]) -> None:
-    """Hang each such verb on the verb of the clause before."""
+    """Hang each such verb where it belongs."""
+    light = language.table("motions")["modality"]["light"]
     for word in words:
+        if word.dep == "advcl" and _light(words, word, light):
+            word.dep = "xcomp"  # "starts to slow down": no purpose
         above = _resumed(words, word)
         if above is not None:
             words[word.head].children.remove(word.i)
             above.children.append(word.i)
             above.children.sort()
             word.head = above.i
+
+
+def participle(words: list[Word], who: int, doing: int) -> None:
+    """Hang a participle on the road user that it tells of, unless the tree has that one for its subject."""
+    actor, verb = words[who], words[doing]
+    verb.tag = "VBG"
+    if actor.head == verb.i and actor.dep.startswith("nsubj") or verb.head == actor.i:
+        return
+    noun = words[actor.head] if actor.dep in ("compound", "nmod", "amod") and actor.head > actor.i else None
+    if noun is not None:  # "a [van overtaking] ego": the one further on was taken for the noun that both qualify
+        actor.head, actor.dep = (actor.i if noun.head == noun.i else noun.head), noun.dep
+        for child in [c for c in noun.children if c < actor.i]:
+            words[child].head = actor.i
+        noun.head, noun.dep = (verb.i, "dobj") if noun is not verb else (noun.head, noun.dep)
+    verb.head, verb.dep = actor.i, "acl"
+    for subject in [words[c] for c in verb.children if words[c].dep.startswith("nsubj")]:
+        subject.dep = "dep"
+    _children(words)
+
+
+def subject(words: list[Word], who: int, doing: int) -> None:
+    """Make a road user the subject of what it is let or made to do: "have a van brake"."""
+    actor, verb = words[who], words[doing]
+    verb.tag = "VB"
+    if actor.head == verb.i and actor.dep.startswith("nsubj"):
+        return
+    above = words[actor.head]
+    if verb.head != verb.i and above.i < actor.i and above.verb:
+        verb.head, verb.dep = above.i, "ccomp"
+    actor.head, actor.dep = verb.i, "nsubj"
+    _children(words)
+
+
+def _children(words: list[Word]) -> None:
+    """Who hangs on whom, anew."""
+    for word in words:
+        word.children.clear()
+    for word in words:
+        if word.head != word.i:
+            words[word.head].children.append(word.i)
+
+
+def _light(words: list[Word], verb: Word, light: list[str]) -> bool:
+    """Whether an infinitive stands right behind a verb that only adds a shade of meaning to it."""
+    before = words[verb.i - 2] if verb.i > 1 and words[verb.i - 1].norm == "to" else None
+    forms = (before.norm, before.lemma) if before is not None and before.i == verb.head else ()
+    return verb.tag == "VB" and any(form in (shade, third_person(shade)) for form in forms for shade in light)
 
 
 def _resumed(words: list[Word], word: Word) -> Word | None:

@@ -10,9 +10,10 @@ from functools import cache
 from typing import Any
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.reading import apart
 from c2s_engine.interpret.reading.motions import third_persons
 from c2s_engine.interpret.reading.proxies import FOLLOWS, pieces_of
-from c2s_engine.interpret.reading.reattached import reattach
+from c2s_engine.interpret.reading.reattached import participle, reattach, subject
 from c2s_engine.interpret.reading.scan import Span
 
 LANE_NUMBER = re.compile(r"\blane (?:number |no\.? )?(?:\d|one|two|three|four)$")
@@ -66,8 +67,11 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
 
     pieces = [pieces_of(plain, start, end, spans) for start, end in sentences]
     parts: list[tuple[int, list[int]]] = []  # (sentence, indices of its pieces): the main part, then each bracket
+    deeds: list[apart.Parts] = []
     for number, piece in enumerate(pieces):
-        parts += [(number, part) for part in _brackets(piece)]
+        split = apart.parts(piece, plain)
+        parts += [(number, part) for part in (split.main or list(range(len(piece))), *split.inner)]
+        deeds.append(split)
     docs = list(nlp.pipe([Doc(nlp.vocab, words=[pieces[number][i][0] for i in part]) for number, part in parts]))
     again = {}
     for at, ((number, part), doc) in enumerate(zip(parts, docs, strict=True)):
@@ -80,34 +84,21 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
     for (number, part), doc in zip(parts, docs, strict=True):
         parsed[number].append((part, doc))
     words: list[Word] = []
+    bases: list[int] = []
     for number, piece in enumerate(pieces):
         base = len(words)
+        bases.append(base)
         found: dict[int, Word] = {}
         for part, doc in parsed[number]:
             outer = part[0] - 1 if part else -1  # a sentence may be blank: the name of a crash type is blotted out
             for token, i in zip(doc, part, strict=True):
                 proxy, start, end, span = piece[i]
                 norm = plain[start:end]
-                lemma = norm if token.text != norm else token.lemma_.lower()
+                lemma = apart.participles().get(norm, norm) if token.text != norm else token.lemma_.lower()
                 head, dep = part[token.head.i], token.dep_
-                if (
-                    part[0] > 0
-                    and proxy == "("
-                    and i == part[0]
-                    or dep == "ROOT"
-                    and part[0] > 0
-                    and piece[part[0]][0] == "("
-                ):
-                    head, dep = (
-                        outer,
-                        "punct"
-                        if proxy == "("
-                        else "acl"
-                        if token.tag_.startswith("VB")
-                        else "appos"
-                        if span is not None and span.kind != "quantity"
-                        else "nmod",
-                    )
+                inner = part is not parsed[number][0][0]
+                if inner and (proxy == "(" and i == part[0] or dep == "ROOT"):
+                    head, dep = outer, _relation(proxy, token.tag_, span, piece[part[0]][0] == "(")
                 found[i] = Word(
                     base + i, text[start:end], norm, lemma, token.tag_, dep, base + head, start, end, number, span
                 )
@@ -115,8 +106,24 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
     for word in words:
         if word.head != word.i:
             words[word.head].children.append(word.i)
+    for base, split in zip(bases, deeds, strict=True):
+        for who, what in split.doing:
+            participle(words, base + who, base + what)
+        for who, what in split.made:
+            subject(words, base + who, base + what)
     reattach(words)
     return words
+
+
+def _relation(proxy: str, tag: str, span: Span | None, bracket: bool) -> str:
+    """How the head of what was parsed apart belongs to the word before."""
+    if proxy == "(":
+        return "punct"
+    if tag.startswith("VB"):
+        return "acl"
+    if span is not None and span.kind != "quantity":
+        return "appos"
+    return "nmod" if bracket else "advmod" if tag == "RB" else "prep"
 
 
 def _mistaken(doc: Any, piece: list[tuple[str, int, int, Span | None]], plain: str) -> dict[int, str]:
@@ -168,20 +175,3 @@ def _closed(doc: Any, verb: int, at: int) -> bool:
         t.text in (",", "and", "but", "then", ";", "while", "when", "as", "because", "who", "which", "that")
         for t in doc[verb + 1 : at]
     )
-
-
-def _brackets(piece: list[tuple[str, int, int, Span | None]]) -> list[list[int]]:
-    """The main part of a sentence, then each short bracket after a word: they are parsed apart."""
-    main: list[int] = []
-    inner: list[list[int]] = []
-    i = 0
-    while i < len(piece):
-        if piece[i][0] == "(" and i > 0:
-            close = next((j for j in range(i, min(len(piece), i + 16)) if piece[j][0] == ")"), None)
-            if close is not None and close > i + 2:
-                inner.append(list(range(i, close + 1)))
-                i = close + 1
-                continue
-        main.append(i)
-        i += 1
-    return [main, *inner] if main else [list(range(len(piece)))]

@@ -45,7 +45,7 @@ def _participles(verb: str) -> tuple[str, ...]:
 
 @dataclass
 class Parts:
-    """A sentence for the parser: its main part and each stretch that is parsed apart, and who does what behind those."""
+    """A sentence for the parser: its main part, each stretch that is parsed apart, and who does what behind those."""
 
     main: list[int] = field(default_factory=list)
     inner: list[list[int]] = field(default_factory=list)

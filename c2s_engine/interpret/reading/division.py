@@ -9,6 +9,8 @@ ABBREVIATION = re.compile(
 )
 TITLE = re.compile(r"(?<!\d )\b(?:mr|mrs|ms|mx|prof|sgt)\.$")
 """Before a name: "Mr. Osei"."""
+NUMBER = re.compile(r"(?:\d{1,2}|[a-h]|[ivx]{1,4})\.", re.IGNORECASE)
+"""Of a step in a list."""
 
 
 def sentences(text: str) -> list[tuple[int, int]]:
@@ -17,6 +19,8 @@ def sentences(text: str) -> list[tuple[int, int]]:
     start = 0
     for match in re.finditer(r"[.!?]+[\"')\]]*(?=\s|$)|;|\n\s*(?=\n|[-*•]|\d+[.)]\s)|\n+", text):
         before = text[start : match.end()].rstrip()
+        if NUMBER.fullmatch(before.strip()):
+            continue  # "2. It brakes": the number of a step is no sentence
         if match[0].startswith(".") and ABBREVIATION.search(before.lower()):
             rest = text[match.end() :].lstrip()
             if (

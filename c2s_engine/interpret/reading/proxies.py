@@ -81,6 +81,11 @@ MODAL = regex.compile(
     r"\b(?:will|should|must|shall|would|could|can|may)\s+(?!be\b)\p{L}[^.;:]*?"
     r"(?:\band|\bthen|,|\bor)\s+(?:then |\w+ly )?$"
 )
+VERB_BEFORE = regex.compile(
+    r"(?:in front|ahead|behind|on the (?:left|right)|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly|\bfirst|\blater"
+    r"|\bsoon|\bagain|\bjust \w+ed(?: hard)?)\s*$"
+)
+HAVING = regex.compile(r"\b(?:has|have|had|having)\s+(?:just\s+|already\s+|now\s+|\w+ly\s+)?$")
 STRUCK = frozenset(("rear-ended", "t-boned", "side-swiped", "sideswiped", "broadsided"))
 
 
@@ -129,6 +134,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         return "takes"
     if text in ("changing", "switching") and before is not None and LANES.match(plain[start + len(text) :]):
         return "taking"
+    if text in language.table("parsing")["irregular"] and HAVING.search(plain[max(0, start - 24) : start]):
+        return "gone" if FOLLOWS.match(plain[start + len(text) : start + len(text) + 14]) else "met"
     if text in FORCES and regex.match(
         r"\s+(?:the|its|an?|his|her|ego|them|it|me|us|another)\b", plain[start + len(text) :]
     ):
@@ -160,10 +167,7 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         or follows
         and text.endswith("s")
         and (text in language.word_list("noun_like") or text in ("waits", "signals", "stops"))
-        and regex.search(
-            r"(?:in front|ahead|behind|on the (?:left|right)|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly)\s*$",
-            plain[max(0, start - 16) : start],
-        )
+        and VERB_BEFORE.search(plain[max(0, start - 24) : start])
         or before is not None
         and before.kind != "quantity"
         and text in ("decel", "accel", "decelerating", "accelerating")

@@ -25,12 +25,38 @@ def reattach(words: list[Word]) -> None:
     for word in words:
         if word.dep == "advcl" and _light(words, word, light):
             word.dep = "xcomp"  # "starts to slow down": no purpose
+        if word.dep == "ccomp" and _joined(words, word):
+            word.dep = "conj"  # "overtakes ego and 2 s later brakes"
+        beside = _beside(words, word)
+        if beside is not None:
+            _hang(words, word, beside)
         above = _resumed(words, word)
         if above is not None:
-            words[word.head].children.remove(word.i)
-            above.children.append(word.i)
-            above.children.sort()
-            word.head = above.i
+            _hang(words, word, above)
+
+
+def _hang(words: list[Word], word: Word, above: Word) -> None:
+    words[word.head].children.remove(word.i)
+    above.children.append(word.i)
+    above.children.sort()
+    word.head = above.i
+
+
+def _joined(words: list[Word], word: Word) -> bool:
+    """Whether a finite verb without a subject stands behind "and": it has that of the verb before."""
+    above = words[word.head]
+    subject = any(words[c].dep in ("nsubj", "nsubjpass", "expl") for c in word.children)
+    alike = word.tag in ("VBZ", "VBD") and above.tag == word.tag and above.i < word.i
+    return alike and not subject and any(w.norm in ("and", "but") for w in words[above.i + 1 : word.i])
+
+
+def _beside(words: list[Word], word: Word) -> Word | None:
+    """The participle beside which another stands: "sees a van stopping and then reversing"."""
+    above = words[word.head]
+    if word.dep != "conj" or word.tag != "VBG" or above.tag not in ("VBZ", "VBD", "VBP", "VB") or above.i > word.i:
+        return None
+    told = [words[c] for c in above.children if above.i < c < word.i and words[c].tag == "VBG"]
+    return next((w for w in reversed(told) if w.dep in ("ccomp", "acl", "xcomp", "advcl")), None)
 
 
 def participle(words: list[Word], who: int, doing: int) -> None:

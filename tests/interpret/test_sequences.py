@@ -2,7 +2,7 @@
 
 import pytest
 
-PAIRS = [  # where it is; third person, participle, past participle of the first; third person and participle of the second
+PAIRS = [  # where it is; of the first motion third person, participle, past participle; of the second the first two
     ("a van in the left lane", *(f"{v} in in front of ego" for v in ("cuts", "cutting", "cut")), "brakes", "braking"),
     ("a van ahead of ego", "brakes hard", "braking hard", "braked hard", "accelerates", "accelerating"),
     ("a van in the left lane", "accelerates", "accelerating", "accelerated", "cuts in", "cutting in"),

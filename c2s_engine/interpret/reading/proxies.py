@@ -82,8 +82,8 @@ MODAL = regex.compile(
     r"(?:\band|\bthen|,|\bor)\s+(?:then |\w+ly )?$"
 )
 VERB_BEFORE = regex.compile(
-    r"(?:in front|ahead|behind|on the (?:left|right)|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly|\bfirst|\blater"
-    r"|\bsoon|\bagain|\bjust \w+ed(?: hard)?)\s*$"
+    r"(?:in front|ahead|behind|on the (?:left|right)|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly|\bfirst"
+    r"|\blater|\bsoon|\bagain|\bjust \w+ed(?: hard)?)\s*$"
 )
 HAVING = regex.compile(r"\b(?:has|have|had|having)\s+(?:just\s+|already\s+|now\s+|\w+ly\s+)?$")
 STRUCK = frozenset(("rear-ended", "t-boned", "side-swiped", "sideswiped", "broadsided"))

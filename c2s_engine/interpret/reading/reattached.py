@@ -1,8 +1,5 @@
-"""Verbs that the tree hangs in the wrong place.
-
-Those on a relative clause that go on with the clause before it ("ego follows a tractor that crawls along and overtakes
-it": who crawls along cannot overtake itself), and participles behind a road user and its place that are no verb of it
-in the tree ("a van behind ego overtaking ego")."""
+"""Verbs that the tree hangs on the wrong verb: those on a relative clause that go on with the clause before it ("ego
+follows a tractor that crawls along and overtakes it": who crawls along cannot overtake itself), and the like."""
 
 from __future__ import annotations
 
@@ -57,46 +54,6 @@ def _beside(words: list[Word], word: Word) -> Word | None:
         return None
     told = [words[c] for c in above.children if above.i < c < word.i and words[c].tag == "VBG"]
     return next((w for w in reversed(told) if w.dep in ("ccomp", "acl", "xcomp", "advcl")), None)
-
-
-def participle(words: list[Word], who: int, doing: int) -> None:
-    """Hang a participle on the road user that it tells of, unless the tree has that one for its subject."""
-    actor, verb = words[who], words[doing]
-    verb.tag = "VBG"
-    if actor.head == verb.i and actor.dep.startswith("nsubj") or verb.head == actor.i:
-        return
-    noun = words[actor.head] if actor.dep in ("compound", "nmod", "amod") and actor.head > actor.i else None
-    if noun is not None:  # "a [van overtaking] ego": the one further on was taken for the noun that both qualify
-        actor.head, actor.dep = (actor.i if noun.head == noun.i else noun.head), noun.dep
-        for child in [c for c in noun.children if c < actor.i]:
-            words[child].head = actor.i
-        noun.head, noun.dep = (verb.i, "dobj") if noun is not verb else (noun.head, noun.dep)
-    verb.head, verb.dep = actor.i, "acl"
-    for subject in [words[c] for c in verb.children if words[c].dep.startswith("nsubj")]:
-        subject.dep = "dep"
-    _children(words)
-
-
-def subject(words: list[Word], who: int, doing: int) -> None:
-    """Make a road user the subject of what it is let or made to do: "have a van brake"."""
-    actor, verb = words[who], words[doing]
-    verb.tag = "VB"
-    if actor.head == verb.i and actor.dep.startswith("nsubj"):
-        return
-    above = words[actor.head]
-    if verb.head != verb.i and above.i < actor.i and above.verb:
-        verb.head, verb.dep = above.i, "ccomp"
-    actor.head, actor.dep = verb.i, "nsubj"
-    _children(words)
-
-
-def _children(words: list[Word]) -> None:
-    """Who hangs on whom, anew."""
-    for word in words:
-        word.children.clear()
-    for word in words:
-        if word.head != word.i:
-            words[word.head].children.append(word.i)
 
 
 def _light(words: list[Word], verb: Word, light: list[str]) -> bool:

@@ -11,9 +11,10 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading import apart
+from c2s_engine.interpret.reading.deeds import hang
 from c2s_engine.interpret.reading.motions import third_persons
 from c2s_engine.interpret.reading.proxies import FOLLOWS, pieces_of
-from c2s_engine.interpret.reading.reattached import participle, reattach, subject
+from c2s_engine.interpret.reading.reattached import reattach
 from c2s_engine.interpret.reading.scan import Span
 
 LANE_NUMBER = re.compile(r"\blane (?:number |no\.? )?(?:\d|one|two|three|four)$")
@@ -67,11 +68,9 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
 
     pieces = [pieces_of(plain, start, end, spans) for start, end in sentences]
     parts: list[tuple[int, list[int]]] = []  # (sentence, indices of its pieces): the main part, then each bracket
-    deeds: list[apart.Parts] = []
-    for number, piece in enumerate(pieces):
-        split = apart.parts(piece, plain)
-        parts += [(number, part) for part in (split.main or list(range(len(piece))), *split.inner)]
-        deeds.append(split)
+    splits = [apart.parts(piece, plain) for piece in pieces]
+    for number, split in enumerate(splits):
+        parts += [(number, part) for part in (split.main or list(range(len(pieces[number]))), *split.inner)]
     docs = list(nlp.pipe([Doc(nlp.vocab, words=[pieces[number][i][0] for i in part]) for number, part in parts]))
     again = {}
     for at, ((number, part), doc) in enumerate(zip(parts, docs, strict=True)):
@@ -84,10 +83,12 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
     for (number, part), doc in zip(parts, docs, strict=True):
         parsed[number].append((part, doc))
     words: list[Word] = []
-    bases: list[int] = []
+    doing: list[tuple[int, int]] = []
+    made: list[tuple[int, int]] = []
     for number, piece in enumerate(pieces):
         base = len(words)
-        bases.append(base)
+        doing += [(base + who, base + what) for who, what in splits[number].doing]
+        made += [(base + who, base + what) for who, what in splits[number].made]
         found: dict[int, Word] = {}
         for part, doc in parsed[number]:
             outer = part[0] - 1 if part else -1  # a sentence may be blank: the name of a crash type is blotted out
@@ -106,11 +107,7 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
     for word in words:
         if word.head != word.i:
             words[word.head].children.append(word.i)
-    for base, split in zip(bases, deeds, strict=True):
-        for who, what in split.doing:
-            participle(words, base + who, base + what)
-        for who, what in split.made:
-            subject(words, base + who, base + what)
+    hang(words, doing, made)
     reattach(words)
     return words
 

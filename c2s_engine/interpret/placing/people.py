@@ -114,6 +114,8 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             }
         if entity.type == "bicycle" and (
             where.lane in ("roadside", "partly")
+            or where.lane == "parked"
+            and "stationary" in acts
             or re.search(r"(right|left)(-hand)? (edge|side)|edge of|near the (curb|kerb)", text)
         ):
             return {"position": "partly_in_lane", "side": edge or "right", "said": True}

@@ -49,6 +49,7 @@ FOLLOWS = regex.compile(
     r"suddenly|abruptly|heavily|slowly|left|right|straight|away|up|down|back|ahead|around"
     r"|again|gradually|before|after|but|so|too|immediately|quickly|by|under|until|because"
     r"|between|beside|just|directly|unexpectedly|strongly|level|abreast|alongside|parallel|round|clear|wide|short|inside|beyond|about|upon|against|near|close|straight|apart|together|first|or"
+    r"|heading|coming|going|blocking|facing"
     r"|side by side|neck and|each other|one another)\b)"
 )
 

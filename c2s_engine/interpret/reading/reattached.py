@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
 
 OBJECTS = frozenset(("it", "him", "her", "them"))
-TOWED = language.words("towed")
+TOWED, SEES = language.words("towed"), language.words("notices")
 
 
 def reattach(words: list[Word]) -> None:
@@ -24,6 +24,9 @@ def reattach(words: list[Word]) -> None:
             word.dep = "xcomp"  # "starts to slow down": no purpose
         if word.dep == "ccomp" and _joined(words, word):
             word.dep = "conj"  # "overtakes ego and 2 s later brakes"
+        seen = _place_of_seen(words, word)
+        if seen is not None:
+            _hang(words, word, seen)
         beside = _beside(words, word)
         if beside is not None:
             _hang(words, word, beside)
@@ -45,6 +48,16 @@ def _joined(words: list[Word], word: Word) -> bool:
     subject = any(words[c].dep in ("nsubj", "nsubjpass", "expl") for c in word.children)
     alike = word.tag in ("VBZ", "VBD") and above.tag == word.tag and above.i < word.i
     return alike and not subject and any(w.norm in ("and", "but") for w in words[above.i + 1 : word.i])
+
+
+def _place_of_seen(words: list[Word], word: Word) -> Word | None:
+    """The noun right before a preposition that the tree hangs on a verb of seeing: "notices a van in the left lane"."""
+    above = words[word.head]
+    if word.dep != "prep" or above.lemma not in SEES or not above.verb or word.i < above.i + 2:
+        return None
+    before = words[word.i - 1]
+    objects = [c for c in above.children if words[c].dep == "dobj" and above.i < c < word.i]
+    return before if objects and before.noun and before.i != above.i else None
 
 
 def _beside(words: list[Word], word: Word) -> Word | None:

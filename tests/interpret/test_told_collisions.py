@@ -109,3 +109,29 @@ def test_a_noun_of_motion_forces_ego(read, text: str) -> None:
     assert len(structure.objects) == 1
     assert structure["E"].spec.reaction == "brake"
     assert actions(structure.objects[0])[0] in ("brake", "stop")
+
+
+@pytest.mark.parametrize(
+    "told",
+    [
+        "{x} rear-ended {y}.",
+        "{y} was struck in the rear by {x}.",
+        "{x}'s front contacted {y}'s rear.",
+        "The front of {x} contacted the back plane of {y}.",
+        "There was an impact between the front of {x} and the rear of {y}.",
+        "{y} was hit in the rear by the front of {x}.",
+        "{y} stopped and was hit from behind by {x}.",
+        "{x} could not stop in time and struck {y}.",
+        "{y} slowed and {x} struck it in the rear.",
+        "A rear-end collision occurred when {x} struck {y}.",
+    ],
+)
+def test_a_rear_end_collision_in_the_words_of_reports(read, told: str) -> None:
+    """Who strikes is behind, whoever of the two is ego."""
+    before = "V1 and V2, a van, were travelling in the same lane of a straight road. "
+    s = read(before + told.format(x="V1", y="V2"))
+    assert [(o.spec.type, o.spec.placement.position) for o in s.objects] == [("van", "ahead")]
+    assert [p.target for p in s.ego.spec.phases if p.action == "collide"] == ["O1"]
+    s = read(before + told.format(x="V2", y="V1"))
+    assert [(o.spec.type, o.spec.placement.position) for o in s.objects] == [("van", "behind")]
+    assert [p.target for p in s.objects[0].spec.phases if p.action == "collide"] == ["ego"]

@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret.placing.compass import compass
+from c2s_engine.interpret.placing.flanks import comes_from
 from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, passes_ego, told_of, wrong_way
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.what.event import Event
@@ -40,6 +41,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         lane = None
     if lane in (None, "same") and (where.of is None or where.of.ego) and MIDDLE.search(told_of(scene, entity)):
         lane = {"leftmost": "right", "rightmost": "left"}.get(place.ego_lane or "", lane)
+    if lane == "same" and rel is None and "reverse" not in acts and _runs_into_ego(scene, entity):
+        rel = "behind"
     if rel is not None and passes_ego(scene, entity):
         rel = "behind"  # where it comes to be is said with the same words
     if rel == "beside" and where.of is None and _met(scene, entity) == "ahead":
@@ -231,6 +234,9 @@ def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, fi
         return {"position": "oncoming_lane", "said": True}
     if any(e.patient is entity and e.act in ("follow", "overtake", "held_up") for e in scene.events(scene.cast.ego)):
         return {"position": "ahead", "said": True}
+    struck = comes_from(scene, entity) if junction and "turn" not in acts else None
+    if struck is not None and place.manoeuvre not in ("left", "right"):
+        return {"position": f"crossing_{struck}", "said": True}
     if junction and {"run_red", "run_stop"} & set(acts):
         return {"position": "crossing_left"}
     if junction and "turning" in entity.roles and place.manoeuvre == "straight" and "turn" not in acts:
@@ -277,6 +283,12 @@ def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, fi
     if junction and any(e.act == "yield" and e.patient is entity for e in scene.events(scene.cast.ego)):
         return {"position": "opposite_approach" if place.manoeuvre == "left" else "crossing_left"}
     return {"position": "ahead"}
+
+
+def _runs_into_ego(scene: Scene, entity: Entity) -> bool:
+    """Whether one hits ego and does nothing before that only one ahead does."""
+    hit = scene.does(entity, "collide")
+    return hit is not None and hit.agent is entity and hit.patient is not None and hit.patient.ego
 
 
 def _met(scene: Scene, entity: Entity) -> str | None:

@@ -87,7 +87,7 @@ VERB_BEFORE = regex.compile(
     r"|\blater|\bsoon|\bagain|\bjust \w+ed(?: hard)?)\s*$"
 )
 HAVING = regex.compile(r"\b(?:has|have|had|having)\s+(?:just\s+|already\s+|now\s+|\w+ly\s+)?$")
-STRUCK = frozenset(("rear-ended", "t-boned", "side-swiped", "sideswiped", "broadsided"))
+STRUCK = frozenset(("rear-ended", "t-boned", "side-swiped", "sideswiped", "broadsided", "contacted", "impacted"))
 
 
 LETS = regex.compile(r"\b(?:let|lets|letting|help|helps|watch|watches|sees)\s+(?:\S+\s+){1,4}$")

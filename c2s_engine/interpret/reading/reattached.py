@@ -24,6 +24,9 @@ def reattach(words: list[Word]) -> None:
             word.dep = "xcomp"  # "starts to slow down": no purpose
         if word.dep == "ccomp" and _joined(words, word):
             word.dep = "conj"  # "overtakes ego and 2 s later brakes"
+        if word.dep == "conj" and (before := _subject_before(words, word)) is not None:
+            _hang(words, before, word)
+            before.dep = "nsubj"  # "slowed and V1 struck it": V1 was taken for somebody else that slowed
         seen = _place_of_seen(words, word)
         if seen is not None:
             _hang(words, word, seen)
@@ -40,6 +43,15 @@ def _hang(words: list[Word], word: Word, above: Word) -> None:
     above.children.append(word.i)
     above.children.sort()
     word.head = above.i
+
+
+def _subject_before(words: list[Word], word: Word) -> Word | None:
+    """The road user right before a finite verb that the tree has beside the verb before."""
+    finite = word.tag in ("VBZ", "VBD") and not any(words[c].dep.startswith("nsubj") for c in word.children)
+    before = words[word.i - 2 if words[word.i - 1].norm.endswith("ly") else word.i - 1] if word.i > 1 else None
+    if not finite or before is None or before.dep != "conj" or before.span is None or before.head != word.head:
+        return None
+    return before if words[word.head].verb and before.span.kind != "quantity" else None
 
 
 def _joined(words: list[Word], word: Word) -> bool:

@@ -12,7 +12,7 @@ from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.who.mentions import Cast
 
-END = r"(?:rear(?:[- ]end)?|back|tail|boot|trunk|tailgate|rear bumper|back bumper)"
+END = r"(?:(?:rear|back)(?:[- ](?:end|bumper|plane))?(?! doors?\b)|tail|boot|trunk|tailgate)"
 HEAD_ON = re.compile(r"\bhead[- ]?on\b|\bfront to front\b|\bfrontally\b")
 PUSHES = language.words("pushes")
 IN_ORDER = re.compile(r"\bin (?:that|this|the same|numerical|the following) order\b")
@@ -68,6 +68,8 @@ def _from_behind(hit: Event, clauses: Clauses) -> bool:
             rf"|{other} (?:from behind|(?:from|in|at) the (?:rear|back))",
             hit.text,
         )
+        or hit.passive
+        and re.search(r"^\w+ (?:from behind|(?:from|in|at|on) (?:the|its) (?:rear|back))(?: end)? by\b", hit.text)
     )
 
 

@@ -17,6 +17,7 @@ from c2s_engine.interpret.reading.scan import Span
 OF_ROADS = language.words("done_by_roads")
 AUXILIARY = frozenset(("is", "was", "are", "were", "has", "had", "have", "been", "being", "then", "just"))
 DETERMINERS = language.word_list("determiners")
+WITH = frozenset(("a", "an", "his", "her", "its", "their"))
 MAKES = language.words("makes_do")
 OBJECTS = frozenset(("lanes", "lane", "control", "traction", "grip", "speed", "course"))
 PLAIN, BARE = ("going", "following"), ("go", "follow")  # what is shown of a verb, the second where it has an object
@@ -131,10 +132,14 @@ def _placed(piece: list[Piece], at: int, plain: str) -> int:
     """Where the place of the road user named right before ends, if what he does follows, or 0."""
     told = ["ego" if p[3] is not None and p[3].kind == "ego" else plain[p[1] : p[2]] for p in piece[at : at + 12]]
     found = _place().match(" ".join(told) + " ")
-    if found is None:
-        return 0
-    end = at + len(found["place"].split())
-    return end if end < len(piece) and _does(piece, next_verb(piece, end), plain) else 0
+    if found is not None:
+        end = at + len(found["place"].split())
+        return end if end < len(piece) and _does(piece, next_verb(piece, end), plain) else 0
+    if told[:1] == ["with"] and told[1:2] and told[1] in WITH:
+        own = participles().keys() | third_persons()
+        ends = (i for i in range(at + 3, min(at + 6, len(piece))) if _told(piece, i, plain) in own)
+        return next(ends, 0)
+    return 0
 
 
 def _does(piece: list[Piece], at: int, plain: str) -> bool:

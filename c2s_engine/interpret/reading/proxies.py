@@ -84,7 +84,8 @@ MODAL = regex.compile(
 )
 VERB_BEFORE = regex.compile(
     r"(?:in front|ahead|behind|on the (?:left|right)|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly|\bfirst"
-    r"|\blater|\bsoon|\bagain|\bjust \w+ed(?: hard)?)\s*$"
+    r"|\blater|\bsoon|\bagain|\bjust \w+ed(?: hard)?"
+    r"|\bwith (?:an?|his|her|its|their) (?:[\w-]+ )?[\w-]+)\s*$"
 )
 HAVING = regex.compile(r"\b(?:has|have|had|having)\s+(?:just\s+|already\s+|now\s+|\w+ly\s+)?$")
 STRUCK = frozenset(("rear-ended", "t-boned", "side-swiped", "sideswiped", "broadsided", "contacted", "impacted"))
@@ -168,7 +169,7 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         or follows
         and text.endswith("s")
         and (text in language.word_list("noun_like") or text in ("waits", "signals", "stops"))
-        and VERB_BEFORE.search(plain[max(0, start - 24) : start])
+        and VERB_BEFORE.search(plain[max(0, start - 36) : start])
         or before is not None
         and before.kind != "quantity"
         and text in ("decel", "accel", "decelerating", "accelerating")

@@ -10,6 +10,8 @@ from c2s_engine.interpret.reading.syntax import Word
 
 CARRIES = language.words("carries")
 LOST = language.words("lost")
+WALKS_WITH = language.words("walks_with")
+PUSHED = frozenset(("bicycle", "motorcycle", "box", "debris", "trash", "container", "obstacle"))
 FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
 FACES = frozenset(("facing", "face", "faces", "against"))
 
@@ -32,6 +34,8 @@ class NotThere:
         """Whether it is only who lost something on the road before: "a ladder, shed by an unknown vehicle"."""
         by = self.words[word.head]
         verb = self.words[by.head]
+        if word.dep == "dobj" and by.lemma in WALKS_WITH and self._done_on_foot(by):
+            return word.span is not None and word.span.data["type"] in PUSHED
         if word.dep == "dobj" and (
             by.lemma in CARRIES or by.lemma == "drop" and "off" in [w.norm for w in self.words[by.i : word.i + 2]]
         ):
@@ -40,6 +44,13 @@ class NotThere:
         return lost and (
             verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))
         )
+
+    def _done_on_foot(self, verb: Word) -> bool:
+        """Whether somebody on foot does it."""
+        who = (
+            [verb.head] if verb.dep in ("acl", "relcl") else [c for c in verb.children if self.words[c].dep == "nsubj"]
+        )
+        return any(i in self.of and self.of[i].person for i in who)
 
     def _denied_list(self, word: Word) -> bool:
         """Whether a noun belongs to a list that is denied: "neither cars nor a cyclist", "no cars or pedestrians"."""

@@ -86,3 +86,25 @@ def test_over_the_median(read, text: str) -> None:
     s = read(text)
     assert s["O1"].spec.placement.position == "oncoming_lane"
     assert "oncoming" in [p.action for p in s["O1"].spec.phases]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "There are two vehicles ahead of ego: a van directly ahead and a truck in front of the van.",
+            [("van", "ahead"), ("truck", "ahead")],
+        ),
+        (
+            "Ego follows a van, which swerves into the left lane, revealing a truck that stands in ego's lane.",
+            [("van", "ahead"), ("truck", "ahead")],
+        ),
+        (
+            "A stationary truck stands in ego's lane; the van between ego and the truck changes to the left lane.",
+            [("van", "ahead"), ("truck", "ahead")],
+        ),
+    ],
+)
+def test_who_is_before_whom(read, text: str, expected: list[tuple[str, str]]) -> None:
+    found = [(o.spec.type, o.spec.placement.position) for o in read(text).objects]
+    assert found == expected

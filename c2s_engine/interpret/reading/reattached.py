@@ -27,6 +27,7 @@ def reattach(words: list[Word]) -> None:
         if word.dep == "conj" and (before := _subject_before(words, word)) is not None:
             _hang(words, before, word)
             before.dep = "nsubj"  # "slowed and V1 struck it": V1 was taken for somebody else that slowed
+        _between_two(words, word)
         seen = _place_of_seen(words, word)
         if seen is not None:
             _hang(words, word, seen)
@@ -52,6 +53,18 @@ def _subject_before(words: list[Word], word: Word) -> Word | None:
     if not finite or before is None or before.dep != "conj" or before.span is None or before.head != word.head:
         return None
     return before if words[word.head].verb and before.span.kind != "quantity" else None
+
+
+def _between_two(words: list[Word], verb: Word) -> None:
+    """Give the verb of "the van between ego and the truck changes lanes" its one subject."""
+    subjects = [words[c] for c in verb.children if words[c].dep == "nsubj" and c < verb.i]
+    if len(subjects) != 2:
+        return
+    prep = next((words[c] for c in subjects[0].children if words[c].norm == "between"), None)
+    first = next((words[c] for c in prep.children if words[c].dep == "pobj"), None) if prep is not None else None
+    if first is not None and any(w.norm == "and" for w in words[first.i + 1 : subjects[1].i]):
+        _hang(words, subjects[1], first)
+        subjects[1].dep = "conj"
 
 
 def _joined(words: list[Word], word: Word) -> bool:

@@ -202,7 +202,7 @@ class Inferred(Concealed):
                     re.search(
                         (
                             r"in (that|this|there|it)( very)? lane|\b(in )?there\b(?! (be|come|stand|appear|lie|sit"
-                            r"|wait)\b)|in that lane|stand in (it|@)"
+                            r"|wait)\b)|in that lane|stand in (it\b|@\w+\b(?! 's))"
                         ),
                         text,
                     )

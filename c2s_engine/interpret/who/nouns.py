@@ -137,6 +137,7 @@ class Nouns(Attached, NotThere):
             and self.words[word.i - 1].norm not in ("and", "or")
             and (fits(host, kind) or host.type == "vehicle" or (host.ego and not self.ego.typed and kind in MOTOR))
             and not (word.dep == "conj" and not host.label and not host.ego)
+            and not (word.dep == "appos" and self.of.get(word.head, host) is not host)
         ):
             return self._retyped(host, kind, roles, noun)
         host = self._driven_by(word)

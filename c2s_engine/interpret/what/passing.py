@@ -88,3 +88,13 @@ def let_past(clauses: Clauses, event: Event, road: Road) -> bool:
     )
     behind = who.type in URGENT or any(re.search(r"\bbehind\b|\brear\b|faster", e.whole) for e in own)
     return waited and (across or meets or not behind) or event.adverbial in ("until", "till") and (across or meets)
+
+
+def across_the_bows(clauses: Clauses) -> None:
+    """Who has gone past another and then cuts across in front of it cuts in: "came past me and cut across my front"."""
+    for event in clauses.events:
+        if event.act != "cross_path" or not event.done or clauses._lemma(clauses.words[event.word]) != "cut":
+            continue
+        own = (e for e in clauses.events if e.agent is event.agent and e.done and e.order < event.order)
+        if any(e.act == "overtake" and e.patient in (event.patient, None) for e in own):
+            event.act = "cut_in"

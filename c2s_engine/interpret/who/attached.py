@@ -5,13 +5,13 @@ from __future__ import annotations
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.titles import Titles
+from c2s_engine.interpret.who.writers import Writers
 
 STANDS = language.words("stands")
 TOWS = language.words("tows")
 
 
-class Attached(Titles):
+class Attached(Writers):
     """The part of Cast that reads what rides on a road user, is pulled by it, or tells its state right behind it."""
 
     def _mount(self, word: Word) -> Entity | None:

@@ -80,6 +80,8 @@ class Nouns(Attached, NotThere):
             return None
         if self._gone(word, before):
             return None
+        if self._writers_own(word, kind):
+            return self._retyped(self.ego, kind, roles, noun)
         if previous == "neither" and kind in MOTOR:
             data, noun = {**data, "plural": True}, language.plurals(noun)[0]  # "neither car brakes": of two
         count = self._count(word, before, data)

@@ -123,6 +123,19 @@ def _exactly(dimension: str, value: float) -> dict[str, Any]:
 
 
 def quantities(text: str) -> list[Span]:
+    """Numbers with a unit, in SI, without those that only say the one before again: "72 km/h (45 mph)"."""
+    found = _measured(text)
+    return [q for n, q in enumerate(found) if not any(_again(text, other, q) for other in found[max(0, n - 1) : n])]
+
+
+def _again(text: str, first: Span, second: Span) -> bool:
+    """Whether a number in brackets is the one right before in another unit."""
+    same = first.data["dimension"] == second.data["dimension"]
+    bracket = re.fullmatch(r"\s*\(\s*(?:about |approximately |approx\.? )?", text[first.end : second.start])
+    return same and bracket is not None and text[second.end : second.end + 1] == ")"
+
+
+def _measured(text: str) -> list[Span]:
     """Numbers with a unit, in SI; a range has `low` and `high`."""
     found = _intervals(text)
     for match in _quantity().finditer(text):

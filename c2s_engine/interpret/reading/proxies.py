@@ -126,6 +126,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     mover = before is not None and before.data.get("type")
     if text == "crossing" and mover and CROSSES.match(plain[start + 8 : start + 20]):
         return "walking" if person else "passing"
+    if text in ("lane-splitting", "filtering") and mover:
+        return "passing"
     if text == "merging" and mover and MERGES.match(plain[start + 7 : start + 20]):
         return "passing"
     if text in STRUCK:

@@ -155,6 +155,8 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
             continue
         if noun == "pick up" and text[max(0, start - 3) : start] == "to " or noun == "mini" and _MINI.match(text, end):
             continue
+        if noun == "cycle" and re.search(r"\b(?:i|we|to) $", text[max(0, start - 5) : start]):
+            continue
         if noun in tables["verbs_too"] and any(s.end == start - 1 and s.kind != "quantity" for s in found):
             continue
         if noun in language.makes() and not stands_for_a_vehicle(text, start, end):

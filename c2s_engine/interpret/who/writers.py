@@ -42,11 +42,12 @@ class Writers(Titles):
         return bare or the and kind == "bus" and passengers
 
     def _steered(self, word: Word) -> bool:
-        """Whether it is driven by somebody who is not named: "Driving an artic on the M6 when a van hit me"."""
+        """Whether it is driven by the first person, or by nobody who is named: "Driving an artic when a van hit me"."""
         verb = self.words[word.head]
-        told = {self.words[c].dep for c in verb.children} & {"nsubj", "nsubjpass"}
+        told = [self.words[c].norm for c in verb.children if self.words[c].dep in ("nsubj", "nsubjpass")]
         own = verb.dep == "ROOT" or self.words[verb.i - 1].sentence != verb.sentence or verb.i == 0
-        return word.dep == "dobj" and verb.norm in STEERS and not told and own
+        mine = told in (["i"], ["we"]) and not any(self.words[c].norm == "the" for c in word.children)
+        return word.dep == "dobj" and verb.norm in STEERS and (mine or not told and own)
 
     def _headings(self, word: Word) -> str:
         """The few words before a word, back to the beginning of a note of two words or less."""

@@ -1,4 +1,4 @@
-"""Accounts of riders and walkers, and what in a report is no part of the scene: police, queues that back up, "(45 mph)"."""
+"""Accounts of riders and walkers, and what in a report is no part of the scene (police, queues that back up)."""
 
 import pytest
 

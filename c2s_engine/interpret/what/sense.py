@@ -11,7 +11,7 @@ from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.halfway import go_after, set_out
 from c2s_engine.interpret.what.heeded import hindered, merged_back, unheeded
 from c2s_engine.interpret.what.overtakings import PART, overtakings
-from c2s_engine.interpret.what.passing import across_the_bows, by_the_other_lane, headings, let_past
+from c2s_engine.interpret.what.passing import across_the_bows, by_the_other_lane, headings, let_past, out_to_pass
 from c2s_engine.interpret.what.resumed import own_turns
 from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.what.turn_lanes import turns_from_lane
@@ -207,6 +207,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and any(c.order > event.order and (c.agent is event.agent or event.agent in c.also) for c in contact)
         ):
             event.mode = "hypothetical"
+    out_to_pass(clauses)
     clauses.events.sort(key=lambda e: e.order)
 
 

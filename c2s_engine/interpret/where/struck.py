@@ -13,6 +13,8 @@ from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.who.mentions import Cast
 
 END = r"(?:rear(?:[- ]end)?|back|tail|boot|trunk|tailgate|rear bumper|back bumper)"
+SIDE = r"(?:passenger |driver )?(?:doors?|side|quarter|panel|wheel|fender|tires?|tyres?|axle|wing)"
+"""What follows "rear" in a part of the side."""
 HEAD_ON = re.compile(r"\bhead[- ]?on\b|\bfront to front\b|\bfrontally\b")
 PUSHES = language.words("pushes")
 IN_ORDER = re.compile(r"\bin (?:that|this|the same|numerical|the following) order\b")
@@ -64,7 +66,7 @@ def _from_behind(hit: Event, clauses: Clauses) -> bool:
     return not backs and bool(
         re.search(
             rf"^rear(?:-?end)?\b(?! (?:of|bumper))|\b{END} of (?:the )?(?:\w+ )?{other}\b"
-            rf"|{other} (?:'s )(?:left |right )?{END}\b"
+            rf"|{other} (?:'s )(?:left |right )?{END}\b(?! (?:{SIDE})\b)"
             rf"|{other} (?:from behind|(?:from|in|at) the (?:rear|back))",
             hit.text,
         )

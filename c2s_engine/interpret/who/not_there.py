@@ -12,6 +12,7 @@ CARRIES = language.words("carries")
 LOST, SAYS = language.words("lost"), language.words("says")
 FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
 FIXED = frozenset(language.table("actors")["fixed"])
+PLACED_BY = frozenset(("at", "by", "near", "beside", "past", "outside", "opposite"))
 FACES = frozenset(("facing", "face", "faces", "against"))
 
 
@@ -79,4 +80,4 @@ class NotThere:
     def _only_a_place(self, word: Word, noun: str) -> bool:
         """Whether a thing that stands by the road only tells where somebody is: "a girl waits at the mailbox"."""
         by = self.words[word.head]
-        return noun in FIXED and word.dep == "pobj" and by.norm in ("at", "by", "near", "beside", "past")
+        return noun in FIXED and word.dep == "pobj" and by.norm in PLACED_BY

@@ -1,6 +1,6 @@
 """All stages up to the scene, in their order."""
 
-from c2s_engine.interpret.reading import amounts, division, letters, scan, syntax
+from c2s_engine.interpret.reading import amounts, dates, division, letters, scan, syntax
 from c2s_engine.interpret.roles.casting import actors
 from c2s_engine.interpret.roles.protagonist import choose_ego
 from c2s_engine.interpret.scene import Scene
@@ -23,17 +23,20 @@ def understand(text: str) -> Scene:
     plain = scan.normalised(text)
     sentences = division.sentences(text)
     quantities = amounts.quantities(plain)
+    names = scan.names(plain, letters.cased(text, plain))
+    numbered = scan.of_fleets(plain, names)
     quantities += [
-        b for b in amounts.bare_speeds(plain) if not any(q.start < b.end and b.start < q.end for q in quantities)
+        b
+        for b in amounts.bare_speeds(plain)
+        if not any(q.start < b.end and b.start < q.end for q in (*quantities, *numbered))
     ]
     quantities.sort(key=lambda s: s.start)
-    names = scan.names(plain, letters.cased(text, plain))
     taken = [(q.start, q.end) for q in quantities]
     names = [n for n in names if not any(s < n.end and n.start < e for s, e in taken)]
     spans = sorted(names + quantities, key=lambda s: s.start)
     sentences = division.shorthand(plain, sentences, names)
     road = place.read(plain, sentences, quantities)
-    words = syntax.parse(text, plain, sentences, spans)
+    words = syntax.parse(text, plain, sentences, dates.besides(plain, spans))
     cast = Cast(words)
     foretold(cast)
     clauses = Clauses(words, cast)

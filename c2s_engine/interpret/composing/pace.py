@@ -107,10 +107,9 @@ def pace_of(
     ):
         factor = "slow"
     elif (
-        placement.position == "beside"
+        (placement.position == "beside" or placement.along == "abreast")
         and any(p.action == "cut_in" for p in phases)
-        or placement.along == "abreast"
-        and any(p.action == "cut_in" for p in phases)
+        and not any(p.action == "collide" for p in phases)
     ):
         factor = "gaining"
     elif (

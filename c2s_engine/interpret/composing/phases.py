@@ -45,6 +45,7 @@ def phases_of(
     if "parked" in entity.roles and not found:
         found = [Phase(action="stationary")]
     found = _merged(found)
+    found = [p for p in found if p.action != "overtake" or not _backed_into(scene, entity)]
     if crossing and [p.action for p in found[:2]] == ["go_straight", "stop"] and _at_the_line(events):
         onwards = [] if found[-1].action == "start" else [found[0]]
         found = [*found[1:], *onwards]
@@ -88,6 +89,13 @@ def phases_of(
     if any(p.action in ("turn_left", "turn_right", "u_turn") for p in found) and place.kind == "intersection":
         found = [p for p in found if p.action != "go_straight"]
     return found[:8]
+
+
+def _backed_into(scene: Scene, entity: Entity) -> bool:
+    """Whether ego hits it in reverse: it does not get by."""
+    own = scene.events(scene.cast.ego)
+    backs = any(e.act == "reverse" for e in own)
+    return backs and any(e.act == "collide" and e.patient is entity for e in own)
 
 
 def _at_the_line(events: list[Event]) -> bool:

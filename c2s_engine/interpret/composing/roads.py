@@ -7,7 +7,7 @@ from c2s_engine.interpret.placing.lengthwise import at_edge, wrong_way
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.surroundings import place as places
 from c2s_engine.interpret.what.overtakings import PART
-from c2s_engine.interpret.who.mentions import MOTOR
+from c2s_engine.interpret.who.mentions import MOTOR, Entity
 from c2s_engine.structure.specs import PlaceSpec
 
 CROSSING_ACTS = ("turn", "run_red", "run_stop")
@@ -122,7 +122,10 @@ def _at_junction(scene: Scene) -> bool:
     meets = [
         e
         for e in scene.clauses.events
-        if e.act == "cross_path" and e.done and e.patient is scene.cast.ego and e.agent in scene.actors
+        if e.act == "cross_path"
+        and e.done
+        and (e.patient is scene.cast.ego or e.agent in _struck(scene))
+        and e.agent in scene.actors
     ]
     if any(e.agent.type in MOTOR and scene.where(e.agent).lane is None for e in meets):
         return not scene.road.no_intersection
@@ -131,6 +134,11 @@ def _at_junction(scene: Scene) -> bool:
         and not scene.road.no_intersection
         and any(e.act in ("cross_path", "go_straight", "collide", "yield", "run_stop") for e in scene.clauses.events)
     )
+
+
+def _struck(scene: Scene) -> list[Entity | None]:
+    """Whom ego runs into."""
+    return [e.patient for e in scene.events(scene.cast.ego) if e.act == "collide"]
 
 
 def _ends_before(scene: Scene) -> bool:

@@ -27,7 +27,7 @@ def passes_ego(scene: Scene, entity: Entity) -> bool:
 
 CIRCULATES = re.compile(
     r"\b(circulat\w+|(go|goes|going|drive|drives|driving|come|comes|coming|ride|riding|cycle|cycling|travelling) "
-    r"(a)?round\b|already (in|on|inside) |(in|inside|on) the (roundabout|circle|ring|circulatory \w+)\b)"
+    r"(a)?round\b|already (in|on|inside)\b|(in|inside|on) the (roundabout|circle|ring|circulatory \w+)\b)"
 )
 OWN_LANE = re.compile(
     r"(?<!into )(?<!onto )(?<!into the )(?:@ego 's (\w+ )?lane|(same|ego|own|its|@ego) lane|lane of (the )?@ego)"
@@ -64,3 +64,21 @@ def _met_there(scene: Scene, entity: Entity) -> list[str]:
         return []
     met = [e.whole for e in scene.events(scene.cast.ego) if e.patient is entity and e.act in ("approach", "yield")]
     return [*met, *(e.whole for e in scene.events(entity) if e.act in ("approach", "travel", "stationary"))]
+
+
+def told_along(scene: Scene, entity: Entity) -> str | None:
+    """Where along the road one in another lane is, by what happens: behind where it gains, beside where ego hits it
+    while it changes lanes."""
+    if passes_ego(scene, entity) or gains(scene, entity):
+        return "behind"
+    own = scene.events(scene.cast.ego)
+    changed = next((e for e in own if e.act == "lane_change"), None)
+    hit = next((e for e in own if e.act == "collide" and e.patient is entity), None)
+    return "beside" if changed is not None and hit is not None and changed.order < hit.order else None
+
+
+def gains(scene: Scene, entity: Entity) -> bool:
+    """Whether one is told to come up from behind."""
+    return any(e.act == "approach" and re.search(r"behind|rear|back", e.whole) for e in scene.events(entity)) or any(
+        e.act == "approach" and e.text.startswith("close") for e in scene.events(entity)
+    )

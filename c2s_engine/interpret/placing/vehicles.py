@@ -4,12 +4,21 @@ import re
 
 from c2s_engine.interpret.placing.compass import compass
 from c2s_engine.interpret.placing.flanks import comes_from
-from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, passes_ego, told_of, wrong_way
+from c2s_engine.interpret.placing.lengthwise import (
+    CIRCULATES,
+    along_of,
+    gains,
+    passes_ego,
+    told_along,
+    told_of,
+    wrong_way,
+)
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.overtakings import PART
 from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.interpret.where.relations import Where, side_of_text
+from c2s_engine.interpret.where.struck import SIDE
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import PlaceSpec
 
@@ -102,14 +111,14 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         if same == lane and own and re.search(rf"({lane}(-hand|most)?|that( very)?|this|same) lane", text):
             rel = rel if rel in ("behind", "ahead") else _met(scene, entity)
             if rel is None and not {"cut_in", "lane_change"} & set(acts):  # no lane lies beyond ego's
-                rel = "behind" if passes_ego(scene, entity) or _gains(scene, entity) else "ahead"
+                rel = "behind" if passes_ego(scene, entity) or gains(scene, entity) else "ahead"
             if rel is not None:
                 return {"position": rel, "said": True}
         if rel is None and ON_SIDE.search(text) and not {"cut_in", "lane_change", "overtake"} & set(acts):
             rel = "beside"
         return {
             "position": f"{lane}_lane",
-            "along": along_of(rel or ("behind" if passes_ego(scene, entity) or _gains(scene, entity) else None)),
+            "along": along_of(rel or told_along(scene, entity)),
             "said": True,
         }
     if place.kind == "on_ramp" and lane in (None, "same") and _joined_ahead_of(scene, entity):
@@ -258,14 +267,14 @@ def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, fi
         return {"position": "crossing_left"}
     if hit is not None and (hit.patient is None or hit.patient.ego):
         if (
-            re.search(r"(rear|back|tail|from behind)", hit.whole)
+            re.search(rf"(rear|back|tail)(?! {SIDE})|from behind", hit.whole)
             and not hit.passive
             or re.search(r"from behind|rear-end", hit.whole)
         ):
             return {"position": "behind", "said": True}
         if re.search(r"rear-end", hit.whole):
             return {"position": "behind", "said": True}
-        if junction:
+        if junction or place.kind == "roundabout":
             return {"position": "crossing_left"}
         return {"position": "behind"}
     if any(e.act == "follow" and e.patient is not None and e.patient.ego for e in scene.events(entity)):
@@ -325,12 +334,6 @@ def _cut_side(scene: Scene, entity: Entity) -> str | None:
             if towards and event.act != "overtake":
                 return OPPOSITE[towards]
     return None
-
-
-def _gains(scene: Scene, entity: Entity) -> bool:
-    return any(e.act == "approach" and re.search(r"behind|rear|back", e.whole) for e in scene.events(entity)) or any(
-        e.act == "approach" and e.text.startswith("close") for e in scene.events(entity)
-    )
 
 
 def _before_junction(text: str) -> bool:

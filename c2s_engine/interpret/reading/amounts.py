@@ -39,7 +39,10 @@ def _bare() -> re.Pattern[str]:
         rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerates? to)"
         rf"(?:,? at|,? doing| drives|:| speed)? (?:about |around |roughly |a steady "
         rf"|only )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)(?=\s*(?:[,.;)]|$|straight\b|and\b"
-        rf"|in the\b|when\b|while\b|same\b|left\b|right\b|but\b|on the\b|behind\b|ahead\b|in (?:left|right)\b))"
+        rf"|in the\b|when\b|while\b|same\b|left\b|right\b|but\b|on the\b|behind\b|ahead\b|in (?:left|right)\b"
+        rf"|tops\b|max\b|or so\b|coming\b|heading\b|approaching\b|towards?\b|up to\b|down the\b|along\b"
+        rf"|past\b|at the most\b|when a\b))"
+        rf"|\bat (?:about |around |maybe )?(?P<most>\d{{2}})(?= (?:tops|max|or so|at (?:the )?most)\b)"
         rf"|\b(?:ego|lead|lv|sv|vut|target) (?P<head>\d{{2,3}})(?= (?!(?:m|s|sec\w*|min\w*|hours?"
         rf"|years?|people|cars|vehicles|trucks|km|ft|feet|degrees|percent|to|of|lanes?|am"
         rf"|pm)\b)[a-z])"
@@ -120,6 +123,19 @@ def _exactly(dimension: str, value: float) -> dict[str, Any]:
 
 
 def quantities(text: str) -> list[Span]:
+    """Numbers with a unit, in SI, without those that only say the one before again: "72 km/h (45 mph)"."""
+    found = _measured(text)
+    return [q for n, q in enumerate(found) if not any(_again(text, other, q) for other in found[max(0, n - 1) : n])]
+
+
+def _again(text: str, first: Span, second: Span) -> bool:
+    """Whether a number in brackets is the one right before in another unit."""
+    same = first.data["dimension"] == second.data["dimension"]
+    bracket = re.fullmatch(r"\s*\(\s*(?:about |approximately |approx\.? )?", text[first.end : second.start])
+    return same and bracket is not None and text[second.end : second.end + 1] == ")"
+
+
+def _measured(text: str) -> list[Span]:
     """Numbers with a unit, in SI; a range has `low` and `high`."""
     found = _intervals(text)
     for match in _quantity().finditer(text):

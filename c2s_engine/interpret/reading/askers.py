@@ -25,10 +25,20 @@ def bystanding(plain: str) -> bool:
     return says.search(plain) is not None and drives.search(plain) is None
 
 
+def numbering(plain: str) -> bool:
+    """Whether who tells it only numbers the vehicles of others: a police officer ("V1 ...; I checked the sign")."""
+    told = language.table("ego")["numbered"]
+    return re.search(told["labels"], plain) is not None and re.search(told["own"], plain) is None
+
+
 def asked(plain: str) -> list[tuple[int, int]]:
     """The stretches of a text in which first and second persons are nobody on the road: somebody asks for it there, or
     tells of the work that it is for; the whole text where a bystander tells it."""
-    return [(0, len(plain))] if bystanding(plain) else [m.span() for m in _asks().finditer(plain)] + quoted(plain)
+    return (
+        [(0, len(plain))]
+        if bystanding(plain) or numbering(plain)
+        else [m.span() for m in _asks().finditer(plain)] + quoted(plain)
+    )
 
 
 QUOTED = re.compile(r'"[^"]{2,400}"')

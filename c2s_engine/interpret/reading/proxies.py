@@ -69,6 +69,9 @@ FORCES = {"forces": "makes", "forcing": "making"}
 LIT = regex.compile(
     r"\bwith (?:\w+ ){0,3}?(?:beams?|lights?|headlights?|lamps?|hazards|indicators?|blinkers?|sirens?|beacons?)\s+$"
 )
+CRASHES = regex.compile(r"\s+(?:\w+ )?(?:collision|crash|impact|accident|encounter)")
+BRAND = regex.compile(r"\b(?:an?|the|another)\s+[a-z][\w.-]+\s+$")
+"""Before a name of ego that goes with that of its maker: "a Lumeno AV"."""
 TOLD = frozenset(("first", "second", "third", "fourth", "last", "other", "latter", "former"))
 
 
@@ -112,6 +115,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     """The word that the parser sees in place of one that it would take for another part of speech."""
     if text in BOUND:
         return "east"
+    if text == "head-on" and not CRASHES.match(plain[start + 7 : start + 20]):
+        return "directly"
     if text == "bend" and NOUN_BEFORE.search(plain[max(0, start - 24) : start]):
         return "curve"
     verb = regex.match(r"\s+(?:then |suddenly )?(\p{L}+)", plain[start + len(text) : start + 40])
@@ -128,6 +133,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     mover = before is not None and before.data.get("type")
     if text == "crossing" and mover and CROSSES.match(plain[start + 8 : start + 20]):
         return "walking" if person else "passing"
+    if text in ("lane-splitting", "filtering") and mover:
+        return "passing"
     if text == "merging" and mover and MERGES.match(plain[start + 7 : start + 20]):
         return "passing"
     if text in STRUCK:
@@ -202,13 +209,16 @@ def _proxies(plain: str, span: Span, before: str) -> list[tuple[str, int, int, S
             return [(unit, start, end, span)]
         return [(plain[start:cut], start, cut, span), (unit, cut, end, span)]
     if span.kind == "word":
-        return [(span.data["proxy"], start, end, span)]
+        return [(span.data["proxy"], start, end, None)]
     named = plain[start:end].startswith("the ")
     after_determiner = (
         before in language.word_list("determiners")
         or before.endswith(("ing", "ed", "y", "-", "en", "al", "ow"))
         and not before.isdigit()
         or before.isdigit()
+    )
+    after_determiner = (
+        after_determiner or span.kind == "ego" and BRAND.search(plain[max(0, start - 24) : start]) is not None
     )
     after_determiner = after_determiner and not (
         span.kind == "ego" and before.endswith(("way", "city", "country", "day"))

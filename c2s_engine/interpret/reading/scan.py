@@ -155,6 +155,8 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
             continue
         if noun == "pick up" and text[max(0, start - 3) : start] == "to " or noun == "mini" and _MINI.match(text, end):
             continue
+        if noun == "cycle" and re.search(r"\b(?:i|we|to) $", text[max(0, start - 5) : start]):
+            continue
         if noun in tables["verbs_too"] and any(s.end == start - 1 and s.kind != "quantity" for s in found):
             continue
         if noun in language.makes() and not stands_for_a_vehicle(text, start, end):
@@ -221,7 +223,8 @@ def _several(text: str, start: int, end: int) -> bool:
 def _numbered(text: str, found: list[Span]) -> list[Span]:
     """The vehicle by whose number a log begins ("Coach 417, route 9", "unit 7: deer ahead"): that is ego."""
     labels = [s for s in found if s.kind == "label"]
-    if any(s.kind == "ego" for s in found) or len({s.data["label"] for s in labels}) > 1:
+    named = {text[s.start : s.end] for s in found if s.kind == "ego"}
+    if named - {"i"} or len({s.data["label"] for s in labels}) > 1:
         return []
     match = _number_of_fleet().search(text[:80])
     if match is None or any(s.data["label"] in ("1", "2") for s in labels):
@@ -233,6 +236,12 @@ def _numbered(text: str, found: list[Span]) -> list[Span]:
     return [Span("ego", m.start(), m.end()) for m in re.finditer(rf"(?<![\w-]){name}(?![\w-])", text)]
 
 
+def of_fleets(text: str, names: list[Span]) -> list[Span]:
+    """The names of ego by a number of a fleet, where somebody tells of it: no "van 60" that has that speed."""
+    told = re.search(r"\b(?:i|me|my|our|driver|operator)\b", text) is not None
+    return [n for n in names if told and n.kind == "ego" and text[n.end - 1].isdigit()]
+
+
 @cache
 def _number_of_fleet() -> re.Pattern[str]:
     known, fleet = language.actor_nouns().items(), language.table("actors")["fleet"]
@@ -241,7 +250,7 @@ def _number_of_fleet() -> re.Pattern[str]:
     return re.compile(
         rf"(?:^|[.:,;(\n]\s*)(?P<name>(?:{nouns}|unit|vehicle|fleet vehicle) "
         rf"(?:no\.? ?|number |#)?(?:\d{{2,5}}|[3-9](?=\s*:)))"
-        rf"(?=\s*(?:[,.:;()]|-|\b(?:on|was|is|in|at|had|has|stopped|travel\w+|driv\w+|approach\w*|proceed\w*|pull\w*)\b))"
+        rf"(?=\s*(?:[,.:;()]|-|w/|(?:with|towing|pulling|hauling)\b|\b(?:on|was|is|in|at|had|has|stopped|travel\w+|driv\w+|approach\w*|proceed\w*|pull\w*)\b))"
     )
 
 

@@ -247,6 +247,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
             continue
         if (
             {"cut_in", "enter_road"} & set(acts)
+            and not _runs_down(entity, clauses)
             or (acts and all(a == "stationary" for a in acts) and not held)
             or any(v.act == "reverse" and re.search(r"driveway|parking|garage", v.whole) for v in acting[entity])
         ):

@@ -27,6 +27,9 @@ LETS, PASSES = frozenset(("let", "allow", "permit")), frozenset(("pass", "go", "
 FASTER = re.compile(r"\b(?:behind|rear|overtak\w*|tailgat\w*|catch\w*|caught|faster|closing)\b")
 NEARLY = language.words("nearly")
 CAUSES = language.words("causes")
+BACKWARDS = re.compile(
+    r"(?:roll|drive|move|slide|drift|go|come) (?:\w+ )?(?:back|backwards?|rearwards?) (?:and |into )"
+)
 BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
 
 
@@ -216,7 +219,7 @@ class Clauses(Deverbal):
                 and not re.search(rf"into (the )?(lane|path) of (the )?@{into[5]}|@{into[5]} 's", text)
             ):
                 late = Event.echo(event, act="collide", patient=struck, order=word.i + 0.2, **once)
-        if event.act == "collide" and lemma in ("reverse", "back"):
+        if event.act == "collide" and (lemma in ("reverse", "back") or BACKWARDS.match(text)):
             back = Event.echo(event, act="reverse", order=word.i - 0.1, **once)
             self.events.append(replace(back, adverbial=self._mark(word)))
         if event.act == "reverse" and not event.agent.ego and OUT_OF.search(text):

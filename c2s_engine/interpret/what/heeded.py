@@ -13,6 +13,8 @@ from c2s_engine.interpret.who.mentions import Cast, Entity
 
 RUNS = {"heed_red": "run_red", "heed_stop": "run_stop"}
 HINDERS = language.words("hinders")
+BESIDE = re.compile(r"\b(?:next to|beside|alongside|level with|abreast|blind spot)\b")
+"""Where one is for whom there is no room, not one who is given way to."""
 JUNCTION = frozenset(("turn", "u_turn", "go_straight", "cross_path"))
 
 
@@ -36,7 +38,8 @@ def hindered(cast: Cast, clauses: Clauses) -> None:
         verb = _hindering(cast, clauses, event)
         if verb is None:
             continue
-        if event.act == "overtake":
+        sentence = " ".join(w.norm for w in cast.words if w.sentence == cast.words[event.word].sentence)
+        if event.act == "overtake" or BESIDE.search(sentence):
             event.mode = "hypothetical"
             continue
         event.mode = "intended"

@@ -14,6 +14,7 @@ CHANCES = language.words("chances")
 SEEKS = language.words("seeks")
 
 
+THOSE = frozenset(("that", "this", "which"))
 NOBODY = ("nobody", "noone", "none")
 DUTIES = ("have", "need", "require", "oblige", "suppose", "force")
 
@@ -206,8 +207,9 @@ class Modes(Agents):
     def _mark(self, word: Word) -> str:
         for child in sorted(word.children):
             other = self.words[child]
-            if {self.words[c].norm for c in other.children} & {"that", "this", "which"} and other.dep == "prep":
-                continue  # "after that"
+            nouns = [self.words[c] for c in other.children if self.words[c].dep == "pobj"]
+            if other.dep == "prep" and (nouns or {self.words[c].norm for c in other.children} & THOSE):
+                continue  # "after that", "after some 20 meters"
             if child < word.i and (
                 other.dep == "mark"
                 or other.norm in ("when", "while", "as", "after", "before", "until", "once", "where", "till")

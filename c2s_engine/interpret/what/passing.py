@@ -88,3 +88,41 @@ def let_past(clauses: Clauses, event: Event, road: Road) -> bool:
     )
     behind = who.type in URGENT or any(re.search(r"\bbehind\b|\brear\b|faster", e.whole) for e in own)
     return waited and (across or meets or not behind) or event.adverbial in ("until", "till") and (across or meets)
+
+
+def across_the_bows(clauses: Clauses) -> None:
+    """Who has gone past another and then cuts across in front of it cuts in: "came past me and cut across my front"."""
+    for event in clauses.events:
+        if event.act != "cross_path" or not event.done or clauses._lemma(clauses.words[event.word]) != "cut":
+            continue
+        own = (e for e in clauses.events if e.agent is event.agent and e.done and e.order < event.order)
+        if any(e.act == "overtake" and e.patient in (event.patient, None) for e in own):
+            event.act = "cut_in"
+
+
+def out_to_pass(clauses: Clauses) -> None:
+    """Who goes out to overtake and runs into somebody who comes towards it was in the other lane."""
+    for hit in clauses.events:
+        if hit.act != "collide" or not hit.done or hit.patient is None or not _comes_towards(clauses, hit):
+            continue
+        own = [e for e in clauses.events if e.agent is hit.agent and e.order < hit.order]
+        if any(e.act == "oncoming" for e in own) or not any(e.act == "overtake" for e in own):
+            continue
+        outs = [e for e in own if e.act == "lane_change" and e.done]
+        for event in outs[:1]:
+            event.act, event.side = "oncoming", "left"
+        for event in own:
+            if event.act == "overtake" and event.mode in ("intended", "purpose"):
+                event.mode = "hypothetical"  # it was not to be
+        if not outs:
+            passing = next(e for e in own if e.act == "overtake")
+            passing.mode = "hypothetical"
+            clauses.events.append(Event.echo(passing, act="oncoming", order=passing.order - 0.1, side="left"))
+
+
+def _comes_towards(clauses: Clauses, hit: Event) -> bool:
+    """Whether who is hit was told to come the other way."""
+    assert hit.patient is not None
+    own = (e for e in clauses.events if e.agent is hit.patient)
+    told = MEETS.search(hit.text) or any(MEETS.search(e.whole) for e in own)
+    return bool(told) or "oncoming" in hit.patient.roles

@@ -4,13 +4,14 @@ import re
 
 from c2s_engine.interpret.surroundings.place import Road
 from c2s_engine.interpret.what.avoiding import abandoned, avoided, by_means
+from c2s_engine.interpret.what.backstory import before_the_story, was_over
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.echoes import echoes
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.halfway import go_after, set_out
 from c2s_engine.interpret.what.heeded import hindered, merged_back, unheeded
 from c2s_engine.interpret.what.overtakings import PART, overtakings
-from c2s_engine.interpret.what.passing import by_the_other_lane, headings, let_past
+from c2s_engine.interpret.what.passing import across_the_bows, by_the_other_lane, headings, let_past, out_to_pass
 from c2s_engine.interpret.what.resumed import own_turns
 from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.what.turn_lanes import turns_from_lane
@@ -19,17 +20,6 @@ from c2s_engine.interpret.who.mentions import Cast
 LEAVES = re.compile(
     r"\b(?:down|onto|up|into|for|to take) (?:the|its|his|her|an?) (?:\w+ )?(?:off-?ramp|exit|slip road)\b"
 )
-
-
-def _was_over(cast: Cast, event: Event, clauses: Clauses) -> bool:
-    """Whether it was done before the story begins: "had stopped", or "a taxi has stopped" as the first that is said of
-    the taxi."""
-    word = cast.words[event.word]
-    has = next((c for c in word.children if cast.words[c].norm in ("had", "has", "have") and c < event.word), None)
-    if has is None or cast.words[has].norm == "had":
-        return has is not None
-    first = not event.agent.ego and not event.adverbial and word.dep in ("ROOT", "relcl")
-    return first and not any(e.agent is event.agent and e.word < event.word for e in clauses.events)
 
 
 FROM_MINOR = re.compile(r"(?:pull|come|edge|nose|creep|inch|roll|shoot) (?:straight |right |slowly )?out\b(?! of)")
@@ -58,10 +48,11 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     unheeded(clauses)
     hindered(cast, clauses)
     merged_back(clauses)
+    before_the_story(cast, clauses)
     set_out(clauses)
     go_after(clauses)
     for event in list(clauses.events):
-        if event.act in ("stop", "brake_stop") and event.mode == "fact" and _was_over(cast, event, clauses):
+        if event.act in ("stop", "brake_stop") and event.mode == "fact" and was_over(cast, event, clauses):
             event.act = "stationary"
         if event.act == "collide" and event.patient is None and event.agent.count > 1 and not event.agent.ego:
             event.act = "stop"  # with each other
@@ -194,6 +185,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             if waits and stands and not later:
                 event.mode = "hypothetical"
     headings(cast, clauses)
+    across_the_bows(clauses)
     by_the_other_lane(clauses, road)
     abandoned(cast, clauses)
     turns = [e for e in clauses.events if e.agent.ego and e.act == "turn" and e.done and side(e) is None]
@@ -215,6 +207,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and any(c.order > event.order and (c.agent is event.agent or event.agent in c.also) for c in contact)
         ):
             event.mode = "hypothetical"
+    out_to_pass(clauses)
     clauses.events.sort(key=lambda e: e.order)
 
 

@@ -9,6 +9,7 @@ from c2s_engine.interpret.who.mentions import Entity
 
 CONTACT = language.words("contact")
 DRIVES = language.words("drives")
+REACTS = language.words("reacts")
 HINDERS = language.words("hinders")
 STANDS_STILL = language.words("stands_still")
 
@@ -29,6 +30,8 @@ class Subjectless(Patients):
         if word.tag not in ("VBZ", "VBD", "NNS") or word.dep != "ROOT" or word.i == 0:
             return None
         opening = [w for w in self.words[: word.i] if w.sentence == word.sentence]
+        if self._writers_reaction(word):
+            return self.cast.ego
         if any(w.noun or w.verb or w.span is not None for w in opening):
             return None
         subjects = {i for i, _ in self.cast.subjects}
@@ -40,6 +43,11 @@ class Subjectless(Patients):
             if first is not None:
                 return self.cast.of[first]
         return None
+
+    def _writers_reaction(self, word: Word) -> bool:
+        """Whether a first person's note tells without a subject how its writer reacted: "Stood on the brakes"."""
+        denied = any(self.words[c].dep == "neg" for c in word.children)
+        return word.tag == "VBD" and not denied and self._lemma(word) in REACTS and self.cast.driven_by_me
 
     def _of_its_writer(self, word: Word) -> bool:
         """Whether a note tells without a subject what its writer did: "Lost control and hit a tree"."""
@@ -96,9 +104,14 @@ class Subjectless(Patients):
                 word.dep in ("nsubj", "nsubjpass")
                 and word.i < word.head < verb
                 and not self._mark(self.words[word.head])
+                and not self._infinitive(self.words[word.head])
             ):
                 return self.cast.of.get(word.i) or (self.cast.ego if word.norm == "driver" else None)
         return None
+
+    def _infinitive(self, verb: Word) -> bool:
+        """Whether a verb stands with "to": "expected it to continue"."""
+        return any(self.words[c].norm == "to" and self.words[c].dep == "aux" for c in verb.children)
 
     def _late_by(self, word: Word) -> int | None:
         """Who did it, named by a "by" that the tree hangs lower: "is overtaken on the right by a van"."""

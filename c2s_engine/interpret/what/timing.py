@@ -66,6 +66,9 @@ class Timing(Modes):
                 and event.word > main.word
             ):
                 event.order = main.order - 0.4 if "then" not in event.text.split() else event.order
+            blow = mark in ("when", "as") and event.act == "collide" and event.agent is main.agent
+            if blow and event.word > main.word:
+                continue  # "was turning left when it struck V2"
             if mark in ("after", "once", "when", "as", "having") and event.word > main.word:
                 event.order = main.order - 0.4
             elif mark == "before" and event.word < main.word:

@@ -120,10 +120,18 @@ def followed_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
     """Ego's lane where it follows one "in the right lane": it is the same."""
     for event in clauses.events:
         where = of.get(event.patient) if event.patient is not None else None
-        behind = event.act == "follow" or event.act == "collide" and FROM_BEHIND.search(event.whole)
+        behind = event.act == "follow" or event.act == "collide" and _runs_up_to(event, clauses)
         if not behind or not event.done or not event.agent.ego or where is None or where.of is not None:
             continue
         if where.lane in ("left", "right") and where.rel in (None, "ahead"):
             lane, where.lane, where.side, where.rel = where.lane, "same", None, "ahead"
             return f"{lane}most"
     return None
+
+
+def _runs_up_to(hit: Event, clauses: Clauses) -> bool:
+    """Whether ego runs into another from behind, or into one that stands, in its own lane."""
+    own = [e.act for e in clauses.events if e.agent.ego and e.done and e.order < hit.order]
+    stood = any(e.agent is hit.patient and e.act in ("stationary", "stop") and e.done for e in clauses.events)
+    aside = {"lane_change", "swerve", "drift", "overtake", "cut_out", "leave_road", "evade"} & set(own)
+    return FROM_BEHIND.search(hit.whole) is not None or stood and not aside

@@ -12,7 +12,9 @@ from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.who.mentions import Cast
 
-END = r"(?:(?:rear|back)(?:[- ](?:end|bumper|plane))?(?! doors?\b)|tail|boot|trunk|tailgate)"
+SIDE = r"(?:passenger |driver )?(?:doors?|side|quarter|panel|wheel|fender|tires?|tyres?|axle|wing)"
+"""What follows "rear" in a part of the side."""
+END = rf"(?:(?:rear|back)(?:[- ](?:end|bumper|plane))?(?! (?:{SIDE})\b)|tail|boot|trunk|tailgate)"
 HEAD_ON = re.compile(r"\bhead[- ]?on\b|\bfront to front\b|\bfrontally\b")
 PUSHES = language.words("pushes")
 IN_ORDER = re.compile(r"\bin (?:that|this|the same|numerical|the following) order\b")

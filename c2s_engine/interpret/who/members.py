@@ -159,6 +159,8 @@ class Members(Parts):
             and following.sentence == word.sentence
             and following.norm not in ("one",)
             and not following.verb
+            or word.norm in COUNTED
+            and "lane" in [w.norm for w in self.words[word.i + 1 : word.i + 4]]
         ):
             return None
         movers = [e for e in self.entities if e.mover]

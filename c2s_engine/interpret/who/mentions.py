@@ -16,7 +16,7 @@ from c2s_engine.interpret.entities import (
     Mention,
     fits,
 )
-from c2s_engine.interpret.reading.askers import asked, bystanding, narrator, quoted
+from c2s_engine.interpret.reading.askers import asked, bystanding, narrator, numbering, quoted
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.labels import Labels
 
@@ -185,7 +185,8 @@ class Cast(Labels):
 
 def _asking(words: list[Word]) -> frozenset[int]:
     """The words in which first persons are nobody on the road ("please write me a scene", "I saw it from here")."""
-    if bystanding(" ".join(w.norm for w in words)):
+    whole = " ".join(w.norm for w in words)
+    if bystanding(whole) or numbering(whole):
         return frozenset(w.i for w in words)
     found = _within(words, quoted)
     for number in {w.sentence for w in words}:

@@ -5,14 +5,16 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.entities import MOVERS, VEHICLES, ZONES, Entity
 from c2s_engine.interpret.reading.syntax import Word
 
 CARRIES = language.words("carries")
-LOST = language.words("lost")
+LOST, SAYS = language.words("lost"), language.words("says")
 WALKS_WITH = language.words("walks_with")
 PUSHED = frozenset(("bicycle", "motorcycle", "box", "debris", "trash", "container", "obstacle"))
 FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
+FIXED = frozenset(language.table("actors")["fixed"])
+PLACED_BY = frozenset(("at", "by", "near", "beside", "past", "outside", "opposite"))
 FACES = frozenset(("facing", "face", "faces", "against"))
 
 
@@ -72,3 +74,21 @@ class NotThere:
         acts = re.match(language.table("actors")["traffic_acts"], after) is not None
         fills = FILLS.search(" ".join(self._near(word))) is not None
         return fills or acts and word.dep in ("nsubj", "nsubjpass", "ROOT")
+
+    def _reports(self, word: Word) -> bool:
+        """Whether police only say something or are told it: "he told troopers", "officers said"."""
+        verb = self.words[word.head]
+        above = self.words[verb.head] if verb.norm in ("to", "by") else verb
+        return (verb if verb.verb else above).lemma in SAYS
+
+    def _carried(self, word: Word, following: Word) -> bool:
+        """Whether a thing stands right before a vehicle that carries such things: "a timber lorry"."""
+        spans = [w.span for w in (word, following) if w.span is not None and w.span.kind == "actor"]
+        if len(spans) < 2 or spans[0].data["plural"] or following.sentence != word.sentence:
+            return False
+        return spans[0].data["type"] not in MOVERS | ZONES and spans[1].data["type"] in VEHICLES
+
+    def _only_a_place(self, word: Word, noun: str) -> bool:
+        """Whether a thing that stands by the road only tells where somebody is: "a girl waits at the mailbox"."""
+        by = self.words[word.head]
+        return noun in FIXED and word.dep == "pobj" and by.norm in PLACED_BY

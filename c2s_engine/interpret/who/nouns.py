@@ -18,6 +18,7 @@ COUNTED = re.compile(
     r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units"
     r"|animals|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
 )
+AUTHORITIES = language.words("authorities")
 MASS = language.words("mass")
 
 
@@ -58,7 +59,11 @@ class Nouns(Attached, NotThere):
         previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
         if previous in ("other",) and "no" in self._near(word):
             return None
-        if "no" in before or previous in ("no", "without", "any") or self._denied_list(word):
+        if data.get("plural") and noun in AUTHORITIES and self._reports(word):
+            return None
+        if kind == "pedestrian" and noun == "man" and previous in ("green", "red", "white"):
+            return None  # of a light
+        if "no" in before or previous in ("no", "without", "any", "most") or self._denied_list(word):
             return None
         if previous in ("my", "our") and word.i - 1 in self.asking:
             return None  # "I was walking my dog when I saw ..."
@@ -77,8 +82,10 @@ class Nouns(Attached, NotThere):
             return None
         if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word) or self._faced(word)):
             return None
-        if self._gone(word, before):
+        if self._gone(word, before) or self._only_a_place(word, noun):
             return None
+        if self._writers_own(word, kind):
+            return self._retyped(self.ego, kind, roles, noun)
         if previous == "neither" and kind in MOTOR:
             data, noun = {**data, "plural": True}, language.plurals(noun)[0]  # "neither car brakes": of two
         count = self._count(word, before, data)
@@ -273,6 +280,8 @@ class Nouns(Attached, NotThere):
         """Whether the noun only qualifies another ("truck lane", "bus stop", "car park", "dog walker")."""
         head = self.words[word.head]
         following = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
+        if following is not None and self._carried(word, following):
+            return True
         return bool(
             word.dep in ("compound", "nmod", "amod")
             and following is not None

@@ -78,21 +78,21 @@ class Persons(Salience):
         )
         mine = self._first_person()  # who says "I" is never "he"
         alive = lambda e: e.type != "animal" and (e.person or e.manned or e.type in RIDDEN)  # noqa: E731
-        me = lambda e: mine and e.ego and not e.manned  # noqa: E731
+        me = lambda e: mine and e.ego and not e.manned or e.sex == "i"  # noqa: E731
         fits = lambda e: alive(e) and not (wanted and e.sex and e.sex != wanted) and not me(e)  # noqa: E731
         told = lambda e: fits(e) and bool(wanted) and e.sex == wanted  # noqa: E731
         sexed = self._salient(word, told) if any(e.person and told(e) for e in self.entities) else None
         found = self._reacting(word, fits) or sexed or self._salient(word, fits)
         if found is None and mine:
-            found = self._salient(word, lambda e: e.mover and not e.ego)
+            found = self._salient(word, lambda e: e.mover and not e.ego and e.sex != "i")
         if found is None or not found.manned and found.type not in RIDDEN and self._rests(found):
-            found = self._salient(word, lambda e: e.type in RIDDEN) or found
+            found = self._salient(word, lambda e: e.type in RIDDEN and e.sex != "i") or found
         if found is not None and found.manned:
             found.sex = found.sex or wanted
         spoken = any(w.lemma in DRIVERS and w.span is None for w in self.words[: word.i])
         if found is None and spoken and not mine and not any(e.mover and e.type != "animal" for e in self.entities):
             return self.ego  # "according to the driver, a dog ran in front of his car"
-        return found or self._salient(word, lambda e: e.mover) or self._unnamed(word)
+        return found or self._salient(word, lambda e: e.mover and e.sex != "i") or self._unnamed(word)
 
     def _unnamed(self, word: Word) -> Entity | None:
         """Who is only called "he" or "she" from the start: ego, where nobody else is and it is not told on foot."""

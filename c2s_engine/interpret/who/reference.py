@@ -25,6 +25,10 @@ def _alike(entity: Entity, kind: str) -> bool:
     return entity.type == kind or entity.type in VEHICLES and kind in VEHICLES
 
 
+MOVES = language.word_list("motion") | language.words("strikes") | language.words("manoeuvres")
+AFOOT = frozenset(
+    (*language.table("people")["walks"], "run", "cross", "stand", "wait", "load", "unload", "watch", "see")
+)
 ALL_OF_THEM = frozenset(("both", "the", "these", "all", "neither"))
 
 
@@ -60,9 +64,25 @@ class Reference(Pronouns):
     def _own_vehicle(self, word: Word, owner: Entity, kind: str) -> bool:
         """Whether it is what somebody at the wheel drives: "his car", after "Mr Hansen was driving"."""
         assert word.span is not None
-        if not owner.manned or owner.person or kind not in VEHICLES or word.span.data.get("words"):
+        if kind not in VEHICLES or word.span.data.get("words"):
+            return False
+        if owner.person and self._moves(word) and not self._afoot(owner):
+            owner.names.add(owner.noun.split(" ")[-1])  # "a man was hurt when his pickup left the road ... the man"
+            owner.type, owner.noun, owner.typed, owner.manned, owner.count = kind, word.norm, True, True, 1
+            return True
+        if not owner.manned or owner.person:
             return False
         return kind in ("vehicle", owner.type) or owner.type == "vehicle" or fits(owner, kind)
+
+    def _moves(self, word: Word) -> bool:
+        """Whether a noun is who moves or is hit."""
+        verb = self._governor(word)
+        return word.dep in ("nsubj", "nsubjpass") and verb.lemma in MOVES
+
+    def _afoot(self, person: Entity) -> bool:
+        """Whether somebody was told of on foot, or as no one at the wheel."""
+        verbs = (self._governor(self.words[m.word]).lemma for m in person.mentions if m.kind != "pronoun")
+        return person.type == "animal" or person.sex == "i" or any(v in AFOOT for v in verbs)
 
     def _definite(
         self,

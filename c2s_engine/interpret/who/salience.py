@@ -13,6 +13,7 @@ from c2s_engine.interpret.who.members import Members
 
 MINE = frozenset(language.table("actors")["pronouns"]["ego"])
 STRIKES = language.words("strikes")
+CONTACT = STRIKES | language.words("contact")
 BOWS = language.words("bows")
 WAITS = language.words("waits")
 STANDS = ("be", "stand", "sit", "wait", "appear")
@@ -101,6 +102,11 @@ class Salience(Members):
                 fronted = before.dep == "advcl" and before.i < word.i < verb.i  # "while V1 waited, a car behind it"
                 if sentence and verb.dep == "advcl" and sentence[-1][0] < near[-1] < before.i == verb.head:
                     return sentence[-1][1]  # "a truck ahead of ego brakes because a car cuts in in front of it"
+                struck = (
+                    verb.dep == "advcl" and irregular().get(verb.norm, verb.lemma) in CONTACT and before.i == verb.head
+                )
+                if struck and any(self.words[c].norm == "when" for c in verb.children):
+                    return sentence[-1][1]  # "V1 was stopped behind a bus when a van struck it"
                 return sentence[-1][1] if fronted and before.head == verb.i else self.of[near[-1]]
             if sentence:
                 return sentence[-1][1]

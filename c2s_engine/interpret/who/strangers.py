@@ -12,6 +12,13 @@ MANOEUVRES = language.words("manoeuvres")
 WALKS = re.compile(r"(cross|walk|run|ran|dash|hurr|rush|stroll|emerge|step)\w* ")
 
 
+AT_SPEED = re.compile(
+    r"(?:run|ran|runs|running) (?:\w+ ){0,3}(?:off|onto|out of) (?:the |his |her )?(?:\w+ )?"
+    r"(?:road|shoulder|lane|verge|grass)"
+)
+"""What a driver does without leaving the vehicle: "the driver ran off the road"."""
+
+
 class Strangers:
     """The part of Cast that knows road users by what they do."""
 
@@ -68,7 +75,8 @@ class Strangers:
         verbs = [verb, *(self.words[c] for c in verb.children if self.words[c].dep == "conj")]
         rides = word.lemma in ("passenger", "occupant")
         after = [" ".join(w.norm for w in self.words[v.i : v.i + 7]) for v in verbs]
-        return any(self._leaves_on_foot(text) or rides and WALKS.match(text) for text in after)
+        off_road = not rides and any(AT_SPEED.match(text) for text in after)
+        return not off_road and any(self._leaves_on_foot(text) or rides and WALKS.match(text) for text in after)
 
     @staticmethod
     def _leaves_on_foot(after: str) -> bool:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import DEFINITE, VEHICLES, Entity
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.titles import Titles
+from c2s_engine.interpret.who.writers import Writers
 
 TOWED = frozenset(form for word in language.words("towed") for form in (word, *language.plurals(word)))
 TOWS, UNHITCHED = language.words("tows"), language.words("unhitched")
 
 
-class Trailers(Titles):
+class Trailers(Writers):
     """The part of Cast that takes a trailer and who pulls it for one."""
 
     wheels: dict[int, Entity]

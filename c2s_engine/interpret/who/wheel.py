@@ -21,7 +21,7 @@ SITS = re.compile(
 )
 DRIVEN = re.compile(
     r"@ ?,?(?: ?\(?(?:who )?(?:was|is|were|had been))? (?:(?:operating|driving|riding)(?: (?:an?|his|her|the|their))?"
-    r"|(?P<how>drove|rode|drives|rides|operated|at the wheel of|in charge of|in|on) (?:an?|his|her|the|their))"
+    r"|(?P<how>drove|rode|drives?|rides?|operated|at the wheel of|in charge of|in|on) (?:an?|his|her|the|their|my))"
     r"(?: (?!behind|past|beside|towards?|after|along|around|ahead|before|near|into|with)[\w-]+){0,2} $"
 )
 VEHICULAR = language.words("vehicular")

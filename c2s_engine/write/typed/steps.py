@@ -207,6 +207,8 @@ def _lose_control(c: Course, p: Phase) -> list[Step]:
 
 
 def _drift(c: Course, p: Phase) -> list[Step]:
+    if into := struck_beside(c, p):
+        return into
     return _sideways(c, p, -3.2, 0.7, None)
 
 

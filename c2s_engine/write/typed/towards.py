@@ -11,6 +11,11 @@ LANE_WIDTH = 3.5
 LATE = "simulation().currentTime * simulation().timestep > 12"
 """When whoever is to hit another no longer waits for that one to slow down."""
 
+GOES_THERE = frozenset(
+    ("oncoming", "leave_road", "reverse", "lane_change", "overtake", "turn_left", "turn_right", "u_turn")
+)
+"""What ego does that itself leads it out of its lane."""
+
 Step = tuple[list[str], str]
 
 
@@ -75,6 +80,11 @@ def struck_beside(c: Course, p: Phase) -> list[Step]:
     spec = c.actor.structure[hit].spec if hit and hit in c.actor.structure else None
     if not hit or not isinstance(spec, ObjectSpec) or spec.placement.position not in MOVES_OFF_ROAD:
         return []
+    return _straight_for(c, p, hit)
+
+
+def _straight_for(c: Course, p: Phase, hit: str) -> list[Step]:
+    """Along the lane, and from shortly before straight for what is beside it."""
     other = c.actor.ref(hit)
     near = f"until (distance from self to {other}) < 15 + 1.5 * self.speed"
     straight = f"line = [self.position + ({other}.position - self.position).normalized() * (2 * k) for k in range(99)]"
@@ -88,6 +98,10 @@ def collides(c: Course, p: Phase) -> list[Step]:
     spec = c.actor.spec
     if isinstance(spec, ObjectSpec) and spec.placement.position == "oncoming_lane":  # head-on, in the other's lane
         return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], "")]
+    if c.actor.is_ego and (at := _beside_the_lane(c, p)):
+        if at == "oncoming_lane":  # over the middle of the road, as nothing says who was
+            return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], "")]
+        return _straight_for(c, p, p.target or "")
     if c.actor.is_ego and any(q.action == "oncoming" for q in spec.phases):  # it stays there
         return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], "")]
     if c.lane is None and not c.actor.is_ego:
@@ -107,3 +121,18 @@ def collides(c: Course, p: Phase) -> list[Step]:
     if c.lane is not None and not c.actor.is_ego:  # beside it: close behind until it comes over
         return [([f"do Drive(line, lambda: lurk(self, {other}, {c.speed}))"], "")]
     return [([c.drive()], "")]
+
+
+def _beside_the_lane(c: Course, p: Phase) -> str:
+    """Where whom ego hits without having left its lane is, if that is beside ego's lane; else ""."""
+    spec = c.actor.structure[p.target].spec if p.target and p.target in c.actor.structure else None
+    alone = not {q.action for q in c.actor.spec.phases} & GOES_THERE
+    if not alone or c.backwards or not isinstance(spec, ObjectSpec) or {"cross_road", "enter_road"} & _does(spec):
+        return ""
+    at = spec.placement.position or ""
+    along = at in MOVES_OFF_ROAD or at == "partly_in_lane" or at == "oncoming_lane" and "oncoming" not in _does(spec)
+    return at if along else ""
+
+
+def _does(spec: ObjectSpec) -> set[str]:
+    return {q.action for q in spec.phases}

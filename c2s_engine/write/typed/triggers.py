@@ -46,6 +46,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         limit = 1.2 if phase.action in ("swerve", "lane_change") else 4 if hard else 2
         seen = shown(a.structure, cid) if cid else ""
         return f"until {seen + ' and ' if seen else ''}need(self, {a.ref(cid)}) > {limit}"
+    if phase.action == "cut_in" and _sideways_into(course, phase):
+        return ""
     if phase.action == "cut_in":
         least, most = (scope.number(m) for m in _cut_in_gaps(course))
         return f"until {least} < lead_on(self, {a.ref(phase.target)}) - self.length < {most}"
@@ -181,3 +183,11 @@ def _cut_in_gaps(course: Course) -> tuple[float, float]:
     beside = placement.position in ("left_lane", "right_lane")
     least = max(1.0, low(placement.gap) - 2) if beside else 5.0
     return min(5.0, least), max(25.0, 0.0 if slower else middle(placement.gap) + 8)
+
+
+def _sideways_into(course: Course, phase: Phase) -> bool:
+    """Whether one comes over from abreast into whom it then hits: there is no gap for which it waits."""
+    spec = course.actor.spec
+    after = spec.phases[spec.phases.index(phase) + 1 :]
+    abreast = isinstance(spec, ObjectSpec) and spec.placement.along == "abreast"
+    return abreast and any(p.action == "collide" and p.target == phase.target for p in after)

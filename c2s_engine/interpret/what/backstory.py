@@ -1,0 +1,41 @@
+"""What was over before the story begins: "had come south on the side road and was stopped at the sign"."""
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.who.mentions import Cast
+
+SAYS = language.words("says")
+STANDS = frozenset(("stationary", "stop"))
+LINKED = frozenset(("when", "after", "once", "as", "until", "before"))
+
+
+def was_over(cast: Cast, event: Event, clauses: Clauses) -> bool:
+    """Whether it was done before the story begins: "had stopped", or "a taxi has stopped" as the first that is said of
+    the taxi."""
+    word = cast.words[event.word]
+    has = next((c for c in word.children if cast.words[c].norm in ("had", "has", "have") and c < event.word), None)
+    if has is None or cast.words[has].norm == "had":
+        return has is not None
+    first = not event.agent.ego and not event.adverbial and word.dep in ("ROOT", "relcl")
+    return first and not any(e.agent is event.agent and e.word < event.word for e in clauses.events)
+
+
+def before_the_story(cast: Cast, clauses: Clauses) -> None:
+    """What somebody had done who then stands there is told only to explain how it came to stand there."""
+    for event in clauses.events:
+        if event.mode != "fact" or event.act in (*STANDS, "collide", "travel") or not _had(cast, event):
+            continue
+        sentence = cast.words[event.word].sentence
+        after = (e for e in clauses.events if e.agent is event.agent and e.done and e.word > event.word)
+        stands = (e for e in after if e.act == "stationary" and cast.words[e.word].sentence - sentence <= 1)
+        if any(not _had(cast, e) for e in stands):
+            event.mode = "hypothetical"
+
+
+def _had(cast: Cast, event: Event) -> bool:
+    """Whether something had happened, not as what somebody tells of the story itself or as what another waits for."""
+    word = cast.words[event.word]
+    if event.adverbial in LINKED or word.dep == "ccomp" and cast.words[word.head].lemma in SAYS:
+        return False
+    return any(cast.words[c].norm == "had" and c < event.word for c in word.children)

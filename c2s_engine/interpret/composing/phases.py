@@ -159,6 +159,8 @@ def _merged(phases: list[Phase]) -> list[Phase]:
             continue
         if last is not None and last.action == "reverse" and phase.action == "enter_road":
             continue
+        if last is not None and last.action == "stationary" and phase.action == "yield":
+            continue  # it stands "to let a pedestrian over"
         if last is not None and last.action == "lose_control" and phase.action in ("oncoming", "leave_road", "drift"):
             found[-1] = phase
             continue

@@ -2,6 +2,7 @@
 
 import re
 
+from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.placing.compass import compass
 from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, passes_ego, told_of, wrong_way
 from c2s_engine.interpret.scene import Scene, side
@@ -136,7 +137,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     if passing is not None and passing.patient is entity and re.search(on_right, passing.whole):
         return {"position": "right_lane", "along": "ahead", "said": True}
     if lane == "adjacent" or "adjacent" in roles:
-        edge = edge or _cut_side(scene, entity) or _kerbside(scene, entity) or "left"
+        free = {"leftmost": "right", "rightmost": "left"}.get(place.ego_lane or "")
+        edge = edge or _cut_side(scene, entity) or _kerbside(scene, entity) or free or "left"
         return {
             "position": f"{edge}_lane",
             "along": along_of(rel or ("behind" if "overtake" in acts else None)),
@@ -174,6 +176,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             or (place.oncoming or place.lanes in (None, 1) and place.kind not in ("motorway",))
             and _cut_side(scene, entity) != "right"
             or scene.does(entity, "leave_road") is not None
+            or rel == "behind"
+            and (entity.type in URGENT or "lane_change" in acts[: acts.index("overtake")])  # out of ego's lane
         ):
             return {"position": "behind", "said": True}
         lateral = _cut_side(scene, entity) or "left"

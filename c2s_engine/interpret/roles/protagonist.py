@@ -5,13 +5,13 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.reading.askers import bystanding
+from c2s_engine.interpret.roles.bare import ROLE_WORDS, bare_first
 from c2s_engine.interpret.roles.paired import leave_group, one_of_both
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import MOTOR, VEHICLES, Cast, Entity
 
 NEVER_EGO = language.words("never_ego")
-ROLE_WORDS = frozenset(("lead", "oncoming", "parked", "stationary", "crossing", "adjacent", "cut_in", "slow"))
 
 
 EGO_LIKE = frozenset(
@@ -267,6 +267,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         ):
             continue
         candidates.append(entity)
+    candidates = bare_first(vehicles, cast) or candidates
     driverless = [e for e in vehicles if _in_mode(e, cast)]
     if len(driverless) == 1:
         candidates = driverless

@@ -242,6 +242,7 @@ def _speed_owner(scene: Scene, i: int) -> Entity | None:
         for j in sorted(cast.of)
         if j < i and words[j].sentence == words[i].sentence and (cast.of[j].mover or cast.of[j].ego)
     ]
+    before = [j for j in before if words[j].dep not in ("poss", "compound")] or before  # "a truck in ego's lane at ..."
     if before:
         return cast.of[before[-1]]
     after = [

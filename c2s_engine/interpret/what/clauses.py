@@ -191,7 +191,8 @@ class Clauses(Deverbal):
         struck = event.act == "collide" and passive and event.agent is agent and event.patient in (None, agent)
         if struck and not event.agent.ego and not re.search(r"\bby (the |a |an )?@", whole):
             event.agent, event.patient = self.cast.ego, agent  # "the deer was hit"
-        if event.act == "follow" and passive and event.agent is agent and not event.agent.ego and not BY.search(whole):
+        led = event.act == "follow" and passive and lemma not in ("glue", "stick") and event.agent is agent
+        if led and not event.agent.ego and not BY.search(whole):
             event.agent, event.patient = self.cast.ego, agent
         if passive and event.act in HALTED and event.agent is agent and event.patient not in (None, agent):
             event.agent, event.patient = event.patient, None  # "was brought to a standstill by a tree"
@@ -226,6 +227,8 @@ class Clauses(Deverbal):
         if word.dep in ("advcl", "relcl", "pcomp", "ccomp") or word.dep == "conj":
             event.adverbial = self._mark(word)
         event.also = self._also(at, word.i)
+        if event.act == "overtake" and not event.agent.ego and self._of_both(own):
+            event.patient = self.cast.ego  # "overtakes both"
         self.events.append(event)
         if late is not None:
             late.adverbial, late.start, late.end = event.adverbial, event.start, event.end

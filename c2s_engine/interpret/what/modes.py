@@ -95,6 +95,7 @@ class Modes(Agents):
                     "block",
                     "bar",
                 )
+                and (word.dep != "ccomp" or word.i > head.i)  # not what is told before: "the car brakes, ego avoids it"
                 and (lemma not in ("keep", "block", "bar") or word.dep == "pcomp" and word.tag == "VBG")
                 and (word.dep != "pcomp" or head.norm in ("from", "of", "in", "to"))
             ):

@@ -9,6 +9,7 @@ from c2s_engine.interpret.what.echoes import echoes
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.halfway import go_after, set_out
 from c2s_engine.interpret.what.heeded import hindered, merged_back, unheeded
+from c2s_engine.interpret.what.making_room import makes_room
 from c2s_engine.interpret.what.overtakings import PART, overtakings
 from c2s_engine.interpret.what.passing import by_the_other_lane, headings, let_past
 from c2s_engine.interpret.what.resumed import own_turns
@@ -29,7 +30,8 @@ def _was_over(cast: Cast, event: Event, clauses: Clauses) -> bool:
     if has is None or cast.words[has].norm == "had":
         return has is not None
     first = not event.agent.ego and not event.adverbial and word.dep in ("ROOT", "relcl")
-    return first and not any(e.agent is event.agent and e.word < event.word for e in clauses.events)
+    earlier = (e for e in clauses.events if e.agent is event.agent and e.word < event.word)
+    return first and all(e.text.startswith("face ") for e in earlier)
 
 
 FROM_MINOR = re.compile(r"(?:pull|come|edge|nose|creep|inch|roll|shoot) (?:straight |right |slowly )?out\b(?! of)")
@@ -60,6 +62,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     merged_back(clauses)
     set_out(clauses)
     go_after(clauses)
+    makes_room(cast, clauses, road)
     for event in list(clauses.events):
         if event.act in ("stop", "brake_stop") and event.mode == "fact" and _was_over(cast, event, clauses):
             event.act = "stationary"

@@ -88,6 +88,8 @@ class Pronouns(Persons):
 
         if word.dep == "nsubj" and (animal := self._animal_before(word)) is not None:
             return animal
+        if bumped and word.dep in ("pobj", "dobj") and (lying := self._lies_before(word)) is not None:
+            return lying
         apart = self._not_he(word, fits)
         found = apart or self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
         if found is None and bumped:
@@ -100,6 +102,12 @@ class Pronouns(Persons):
             return None
         told = {e for i, e in self.subjects if self.words[i].sentence == word.sentence - 1}
         return next(iter(told)) if len(told) == 1 and next(iter(told)).type == "animal" else None
+
+    def _lies_before(self, word: Word) -> Entity | None:
+        """The thing that was the subject of the sentence before: "a mattress lies there. The car swerves around it"."""
+        told = [e for i, e in self.subjects if self.words[i].sentence in (word.sentence - 1, word.sentence)]
+        things = [e for e in told if e.type in THINGS]
+        return things[-1] if things else None
 
     def _not_he(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
         """Whom "it" means beside a "he" of the same sentence: "while he came up on the bus, its driver moved out"."""

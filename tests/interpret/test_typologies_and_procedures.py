@@ -285,3 +285,136 @@ def test_lanes_that_crawl(read) -> None:
     s = read("On an expressway both lanes crawl at 10 km/h. Ego is in the right-hand queue.")
     assert {c.spec.placement.position for c in s.objects} == {"ahead", "left_lane"}  # type: ignore[union-attr]
     assert all(c.spec.speed == pytest.approx(2.78) for c in s.objects)  # type: ignore[union-attr]
+
+
+@pytest.mark.parametrize(
+    ("text", "distance"),
+    [
+        ("The ego starts 50 m from the intersection and drives at 40 km/h. A car runs the red light.", 50),
+        ("Ego spawns 80 m before the crosswalk. A pedestrian crosses from the right.", 80),
+        ("The intersection is 60 m ahead of ego. A cyclist crosses from the right.", 60),
+        ("At a distance of 70 m from the junction the ego drives at 50 km/h. A van comes from the right.", 70),
+        ("Ego stops 20 m before the crosswalk because a pedestrian crosses.", None),
+        ("When ego is 30 m from the intersection, a car runs the red light from the left.", None),
+    ],
+)
+def test_how_far_the_place_is(read, text: str, distance: float | None) -> None:
+    assert spec(read(text), "R").distance == distance
+
+
+@pytest.mark.parametrize(
+    ("text", "who", "of"),
+    [
+        (
+            "A van is parked on the right. When the cyclist is 10 m from the van, it swerves to the left.",
+            "cyclist",
+            "van",
+        ),
+        (
+            "Ego drives behind a taxi. When the taxi is 12 m from the parked bus, it swerves to the left.",
+            "taxi",
+            "bus",
+        ),
+        ("A child runs onto the road when ego is 15 m away.", "child", None),
+    ],
+)
+def test_to_whom_the_distance_of_a_trigger_is(read, text: str, who: str, of: str | None) -> None:
+    s = read(text)
+    trigger = next(p.trigger for p in named(s, who).phases if p.trigger is not None)
+    assert (spec(s, trigger.of).name if trigger.of else None) == of
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A parked car pulls out with 2 m/s2 as soon as the ego's TTC to it is under 3 s.",
+        "A parked car pulls out as soon as the TTC of ego to it falls below 3 s.",
+        "A parked car pulls out when the time to collision between ego and the car is 3 s.",
+    ],
+)
+def test_a_time_to_collision_with_parties(read, text: str) -> None:
+    trigger = spec(read(text), "O1").phases[0].trigger
+    assert (trigger.kind, trigger.value) == ("ttc", 3)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Actors: (a) farm tractor ahead in the same lane, 25 km/h, gap 120 m; (b) oncoming motorcycle, 90 km/h.",
+        "Objects: (1) a tractor ahead in the same lane at 25 km/h; (2) an oncoming motorcycle at 90 km/h.",
+    ],
+)
+def test_lists_of_actors(read, text: str) -> None:
+    s = read(text)
+    assert [c.spec.type for c in s.objects] == ["truck", "motorcycle"]  # type: ignore[union-attr]
+    assert [round(c.spec.speed, 1) for c in s.objects] == [6.9, 25.0]  # type: ignore[union-attr]
+
+
+def test_at_the_same_speed_as_the_one_beside(read) -> None:
+    s = read("Ego drives at 60 km/h. A bus drives at 50 km/h with a car 10 m behind it at the same speed.")
+    assert named(s, "car").speed == named(s, "bus").speed == pytest.approx(13.89)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The lead vehicle decelerates suddenly to a speed of 2 m/s.",
+        "The lead vehicle brakes down to a constant speed of 2 m/s.",
+        "The lead vehicle slows to a velocity of 2 m/s.",
+    ],
+)
+def test_a_speed_that_is_reached(read, text: str) -> None:
+    lead = spec(read(text), "O1")
+    assert lead.phases[0].speed == 2
+    assert lead.speed > 5
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The SV approaches a stationary POV; the test ends when the SV hits the POV.",
+        "Ego follows a car that brakes. The run is over if ego hits the car.",
+        "A pedestrian crosses ahead of ego. The scenario terminates once ego hits the pedestrian.",
+    ],
+)
+def test_what_ends_the_test_does_not_happen_in_it(read, text: str) -> None:
+    assert "collide" not in acts(read(text), "E")
+
+
+def test_who_runs_on_after_a_clause_of_time(read) -> None:
+    s = read("A pedestrian emerges from behind a bus stop when the ego is 15 meters away and runs across at 3 m/s.")
+    walker = spec(s, "O1")
+    assert (walker.speed, walker.phases[0].trigger.value) == (3, 15)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A car from the left has stopped at the line of the crossroads. Ego lets the car make its left turn.",
+        "A child stands behind the SV, 4 m from it; the SV, a van, moves backwards.",
+        "A ball rolls out between two parked cars on the left, followed by a child.",
+    ],
+)
+def test_nobody_is_lost(read, text: str) -> None:
+    assert read(text).objects
+
+
+def test_a_ball_followed_by_a_child(read) -> None:
+    s = read("A ball rolls out between two parked cars on the left followed by a child.")
+    assert [p.action for p in named(s, "child").phases] == ["cross_road"]
+
+
+def test_trees_that_an_animal_comes_from_do_not_stand_in_the_way(read) -> None:
+    s = read("A deer bounds out of the trees on the left and crosses the road ahead of ego.")
+    assert [c.spec.type for c in s.objects] == ["animal"]  # type: ignore[union-attr]
+
+
+def test_ego_that_starts_in_a_lane(read) -> None:
+    s = read("Three lanes. Ego starts in the right lane at 50 km/h and has to merge into the middle lane.")
+    assert spec(s, "R").ego_lane == "rightmost"
+
+
+def test_two_cars_that_collide_ahead(read) -> None:
+    s = read("Two cars collide ahead of ego.")
+    assert spec(s, "O1").placement.position == "ahead"
+    assert acts(s, "O1") == ["stop"]

@@ -108,7 +108,8 @@ def _merged(phases: list[Phase]) -> list[Phase]:
     found: list[Phase] = []
     for phase in phases:
         last = found[-1] if found else None
-        if last is not None and last.action == phase.action:
+        again = phase.trigger is not None and last is not None and phase.rate != last.rate  # "then brakes fully"
+        if last is not None and last.action == phase.action and not again:
             found[-1] = last.model_copy(
                 update={k: v for k, v in phase.model_dump().items() if v is not None and getattr(last, k) is None}
             )

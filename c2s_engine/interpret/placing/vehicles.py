@@ -92,6 +92,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             "position": "opposite_approach" if junction and not _before_junction(text) else "oncoming_lane",
             "said": True,
         }
+    if lane == "crossing" and "cut_in" in roles and not junction and edge:
+        return {"position": f"{edge}_lane", "along": along_of(rel), "said": True}
     if lane == "crossing" or "crossing" in roles and junction:
         return {"position": f"crossing_{edge or compass(scene, entity) or 'left'}", "said": edge is not None}
     if lane in ("left", "right"):
@@ -243,6 +245,7 @@ def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, fi
     if junction and "turn" in acts:
         event = scene.does(entity, "turn")
         across = re.search(r"across|in front of|into the path|path of|cut", event.whole if event else "")
+        across = across or "adversary" in entity.roles  # it turns so that ego has to answer
         if event is not None and side(event) == "left" and (across or place.manoeuvre == "straight"):
             return {"position": "opposite_approach"}
         return (

@@ -181,7 +181,7 @@ def _title_only(scene: Scene, entity: Entity) -> bool:
 def _title_ends(scene: Scene) -> int | None:
     """The last word of a title without a finite verb and without numbers, if the text has one."""
     title = [w for w in scene.words if w.sentence == 0]
-    colon = next((w.i for w in title[:8] if w.norm == ":"), None)
+    colon = next((w.i for w in title[:14] if w.norm == ":"), None)
     title = title[: colon + 1] if colon is not None else title
     if len(title) == len(scene.words) or not 1 < len(title) <= 14 or title[-1].norm not in (".", ":"):
         return None

@@ -145,8 +145,9 @@ def _passes_nobody(acts: list[Event]) -> bool:
 
 
 def _beside_nobody(entity: Entity, cast: Cast) -> bool:
-    """Whether it is first told by its place beside somebody who is not named: that is ego."""
-    at = entity.mentions[0].word
+    """Whether it is first told by its place beside somebody who is not named: that is ego. A title does not count."""
+    titled = [m for m in entity.mentions if ":" not in [w.norm for w in cast.words[m.word + 1 : m.word + 2]]]
+    at = (titled or entity.mentions)[0].word
     the = at < 3 or cast.words[at - 1].norm == "the"
     first = " ".join(w.norm for w in cast.words[at : at + 7])
     stands = entity.group is None and entity.count == 1 and the and re.match(r"\S+ (is|was|were) ", first)
@@ -238,6 +239,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         if not told_by and _comes_into_view(entity, cast, acting[entity]):
             continue
         acts = [v.act for v in acting[entity]]
+        if any(v.act == "follow" and v.patient is None and re.search(r"\bbehind\b", v.text) for v in acting[entity]):
+            continue  # "a truck follows 20 m behind": behind ego
         if any(v.act in TOWARDS and v.agent is cast.ego and v.patient is entity for v in clauses.events):
             continue
         if not acts and not any(v.patient is entity for v in clauses.events):

@@ -17,7 +17,7 @@ def makes_room(cast: Cast, clauses: Clauses, road: Road) -> None:
         other = _from_behind(cast, clauses)
         aside = any(e.agent.ego and e.done and e.act in ("lane_change", "swerve", "leave_road") for e in clauses.events)
         if not event.agent.ego or other is None or aside:
-            event.act, event.patient = ("yield", other) if event.agent.ego and other is not None else ("travel", None)
+            event.act = "travel"
             continue
         event.act = "lane_change" if (road.lanes or 1) > 1 else "swerve"
         event.side = None if event.act == "lane_change" else "right"

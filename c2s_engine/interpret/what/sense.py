@@ -43,6 +43,9 @@ INTO = re.compile(r"\b(?:in|on)to (?:the |an? |its )?(?:\w+ )?(?:road|street|dri
 FIRST = re.compile(r"(?:pass|go|drive|proceed|cross|move|turn|enter|get|come|travel|clear)\b[^.;]*?\bfirst\b")
 
 
+AHEAD_OF_EGO = re.compile(r"\b(?:ahead|in front) of (?:the )?@ego\b")
+
+
 def _at_junction(event: Event, clauses: Clauses, road: Road) -> bool:
     """Whether who goes first there goes over a junction before ego."""
     turns = any(e.act == "turn" and e.agent.ego for e in clauses.events)
@@ -66,8 +69,9 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     for event in list(clauses.events):
         if event.act in ("stop", "brake_stop") and event.mode == "fact" and _was_over(cast, event, clauses):
             event.act = "stationary"
-        if event.act == "collide" and event.patient is None and event.agent.count > 1 and not event.agent.ego:
-            event.act = "stop"  # with each other
+        apart = event.patient is None or AHEAD_OF_EGO.search(event.text) is not None and event.patient.ego
+        if event.act == "collide" and apart and event.agent.count > 1 and not event.agent.ego:
+            event.act, event.patient = "stop", None  # with each other
         if event.act == "stop" and event.mode == "negated":
             sentence = " ".join(w.norm for w in cast.words if abs(w.sentence - cast.words[event.word].sentence) <= 1)
             if re.search(r"stop sign", sentence) and road.stop_sign:
@@ -91,6 +95,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             event.act == "overtake"
             and not event.agent.ego
             and re.search(r"\bboth\b|\bthem all\b|\ball of them\b", event.text)
+            and not any(cast.both.get(i) and cast.ego not in (cast.of[i], *cast.both[i]) for i in event.words)
         ):
             event.patient = cast.ego
         if event.act == "keep_away" and not event.agent.ego and event.patient is cast.ego and event.mode == "fact":

@@ -145,6 +145,8 @@ class Cast(Labels):
         if told[-2:] != ["the", "other"] or len(others) != 1 or others[0].mentions[0].word < at:
             return
         later = others[0]
+        if self.words[later.mentions[0].word].sentence == self.words[at].sentence:
+            return  # "the other vehicle cuts out before a stationary vehicle"
         for i in [i for i, e in self.of.items() if e is first]:
             self.of[i] = later
         later.mentions = [*first.mentions, *later.mentions]

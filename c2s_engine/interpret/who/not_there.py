@@ -11,6 +11,7 @@ from c2s_engine.interpret.reading.syntax import Word
 CARRIES = language.words("carries")
 LOST = language.words("lost")
 FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
+GROWS = frozenset(("trees", "bushes", "hedges"))
 FACES = frozenset(("facing", "face", "faces", "against"))
 
 
@@ -32,6 +33,8 @@ class NotThere:
         """Whether it is only who lost something on the road before: "a ladder, shed by an unknown vehicle"."""
         by = self.words[word.head]
         verb = self.words[by.head]
+        if word.norm in GROWS and by.norm in ("from", "of", "between", "among", "through"):
+            return True  # "a deer bounds out of the trees"
         if word.dep == "dobj" and (
             by.lemma in CARRIES or by.lemma == "drop" and "off" in [w.norm for w in self.words[by.i : word.i + 2]]
         ):

@@ -418,3 +418,44 @@ def test_two_cars_that_collide_ahead(read) -> None:
     s = read("Two cars collide ahead of ego.")
     assert spec(s, "O1").placement.position == "ahead"
     assert acts(s, "O1") == ["stop"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The ego vehicle should detect the broken down truck blocking its lane and pass it.",
+        "The host should notice a van parked in its lane and overtake it.",
+        "The ego shall see the child standing at the kerb and slow down.",
+    ],
+)
+def test_what_ego_shall_see_and_do(read, text: str) -> None:
+    s = read(text)
+    assert not {"overtake", "brake"} & set(acts(s, "O1"))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The VUT shall drive at 50 km/h towards the target, which is stationary.",
+        "Ego approaches a truck at 80 km/h, which is stationary.",
+    ],
+)
+def test_which_is_the_noun_right_before(read, text: str) -> None:
+    s = read(text)
+    assert acts(s, "O1") == ["stationary"]
+    assert not acts(s, "E")
+
+
+def test_a_heading_is_nobody(read) -> None:
+    s = read("T-junction. Actors: ego going straight at 50 km/h, car waiting on the minor road to turn left.")
+    assert len(s.objects) == 1
+
+
+def test_who_tried_gives_up(read) -> None:
+    s = read("The ego wants to overtake a tractor but an oncoming car is 200 m away, so it aborts and drops back.")
+    assert not acts(s, "O2")
+
+
+def test_the_clause_of_time_behind_the_last_noun(read) -> None:
+    s = read("The pedestrian starts crossing from the left when the ego is 40 m away.")
+    assert spec(s, "O1").phases[0].trigger.value == 40

@@ -196,6 +196,9 @@ class Agents(Subjectless):
                     and self.words[word.i - 1].norm == "then"
                 ):
                     above = self._governor(above) or above
+            bare = word.dep == "conj" and word.tag == "VB" and above is not None
+            if bare and above is not None and above.tag in ("VBG", "VBN") and above.dep in ("acl", "ccomp"):
+                above = self._governor(above) or above  # "shall detect a truck blocking its lane and pass it"
             if word.dep == "conj" and above is not None and (walker := self._walks_on(word, above)) is not None:
                 above = walker
             if word.dep == "conj" and above is not None:

@@ -115,7 +115,7 @@ class Timing(Modes):
                         }
                     elif (
                         quantity["dimension"] == "distance"
-                        and self.words[i].dep in ("advcl", "advmod")
+                        and self.words[i].dep in ("advcl", "advmod", "relcl")
                         and marks in ("when", "once", "as", "after", "until", "while")
                         and re.search(
                             r"when|once|as soon as|after|until|^as\b.*\b(?:away|closer|nearer|within|under)\b", text
@@ -184,7 +184,7 @@ class Timing(Modes):
         """Whether a clause tells when something happens."""
         clause = self.words[i]
         marks = {self.words[c].norm for c in clause.children if c < i}
-        return clause.dep == "advcl" and bool(marks & {"when", "once"})
+        return clause.dep in ("advcl", "relcl") and bool(marks & {"when", "once"})
 
     def _ended_waits(self) -> None:
         """What ends a wait ("until ego is 20 m away, then crosses") begins what comes next."""

@@ -11,6 +11,7 @@ from c2s_engine.interpret.reading.syntax import Word
 CARRIES = language.words("carries")
 LOST = language.words("lost")
 FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
+HEADS = frozenset(("actors", "objects", "vehicles", "participants", "users", "agents", "npcs", "obstacles", "others"))
 GROWS = frozenset(("trees", "bushes", "hedges"))
 FACES = frozenset(("facing", "face", "faces", "against"))
 
@@ -43,6 +44,12 @@ class NotThere:
         return lost and (
             verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))
         )
+
+    def _heads_list(self, word: Word) -> bool:
+        """Whether a plural only heads what follows ("Actors: ego on the main road, a car ...")."""
+        after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
+        before = [w for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
+        return after == ":" and word.norm.split(" ")[-1] in HEADS and len(before) < 2
 
     def _denied_list(self, word: Word) -> bool:
         """Whether a noun belongs to a list that is denied: "neither cars nor a cyclist", "no cars or pedestrians"."""

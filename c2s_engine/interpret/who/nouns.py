@@ -77,7 +77,7 @@ class Nouns(Attached, NotThere):
             return None
         if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word) or self._faced(word)):
             return None
-        if self._gone(word, before):
+        if self._gone(word, before) or self._heads_list(word):
             return None
         if {"every", "each"} & {previous, *before} and not data.get("plural"):
             several = [e for e in self.entities if e.count > 1 and fits(e, kind)]

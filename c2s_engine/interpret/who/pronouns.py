@@ -174,6 +174,8 @@ class Pronouns(Persons):
             if clause.head == clause.i:
                 break
             clause = self.words[clause.head]
+        if (near := self._right_before(word, clause)) is not None:
+            return near
         if clause.dep == "relcl" and clause.head in self.of and clause.head < word.i:
             return self._placed_beside(self.words[clause.head]) or self.of[clause.head]
         previous = [
@@ -192,6 +194,16 @@ class Pronouns(Persons):
             head = self.words[clause.head]
             return self.of.get(head.i) if head.i in self.of else None
         return self.of[previous[-1]]
+
+    def _right_before(self, word: Word, clause: Word) -> Entity | None:
+        """Who stands right before ", which" where the tree takes a noun before the verb: "drives towards the target,
+        which is stationary"."""
+        last = word.i - 2
+        if self.words[word.i - 1].norm != "," or last not in self.of or clause.dep != "relcl" or clause.head == last:
+            return None
+        if self.words[last].span is None or not any(w.verb for w in self.words[clause.head : last]):
+            return None
+        return self._placed_beside(self.words[last]) or self.of[last]
 
     def _placed_beside(self, noun: Word) -> Entity | None:
         """Who is placed by ego right before "which": "a truck in front of ego that brakes"."""

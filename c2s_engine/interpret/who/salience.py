@@ -15,6 +15,8 @@ MINE = frozenset(language.table("actors")["pronouns"]["ego"])
 STRIKES = language.words("strikes")
 BOWS = language.words("bows")
 WAITS = language.words("waits")
+ABORTS = ("abort", "abandon", "cancel", "give")
+BEGINS = language.words("begins")
 GONE = ("go", "pass", "clear", "leave", "vanish", "disappear", "cross")
 STANDS = ("be", "stand", "sit", "wait", "appear")
 GOES = ("drive", "run", "travel", "ride", "cruise", "keep", "stay", "hang", "move", "go", "come")
@@ -65,6 +67,10 @@ class Salience(Members):
         if word.dep == "nsubj" and (whom := self._object_nouns(verb)):
             accept_any = accept
             accept = lambda e: accept_any(e) and e.noun not in whom  # noqa: E731
+        if word.dep == "nsubj" and verb.lemma in ABORTS:
+            tries = [e for i, e in self.subjects if i < word.i and self._tries(self._governor(self.words[i]))]
+            if tries:
+                return tries[-1]
         same = [(i, e) for i, e in self.subjects if i < word.i and accept(e) and e is not clash]
         last = [i for i in sorted(self.of) if i < word.i and accept(self.of[i]) and self.of[i] is not clash]
         if word.norm in ("it", "its"):  # "a car in the lane to our left. Its driver": not ours
@@ -125,6 +131,10 @@ class Salience(Members):
                 else (mains or earlier)[-1][1]
             )
         return self.of[last[-1]]
+
+    def _tries(self, verb: Word) -> bool:
+        """Whether somebody begins something or means to: who gives it up then is the same one."""
+        return verb.lemma in BEGINS or verb.lemma in ("plan", "mean", "prepare")
 
     def _object_nouns(self, verb: Word) -> set[str]:
         """What its definite object is called: who does it is another ("it overtakes the bus")."""

@@ -23,6 +23,9 @@ def compose(scene: Scene) -> Structure:
     ordered = _blockers_first(scene, ordered)
     for number, entity in enumerate(ordered, 1):
         ids[entity] = f"O{number}"
+    for event in scene.clauses.events:
+        if event.trigger is not None and event.trigger.get("of") in ids:
+            event.trigger["id"] = ids[event.trigger["of"]]
     place = compose_place(scene)
     ego, ego_assumed = compose_ego(scene, ids, place)
     drafts: list[Draft] = [objects.compose_object(scene, entity, ids, place, ego) for entity in ordered]

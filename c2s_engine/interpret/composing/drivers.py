@@ -118,6 +118,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                 or (place.manoeuvre if place.manoeuvre in ("left", "right") else "left")
             )
             phases.append(Phase(action=f"turn_{towards}", trigger=trigger))
+        elif act == "start" and not phases and _under_way(scene) and event is not events[-1]:
+            continue  # "starts to swap lanes"
         elif act in ("u_turn", "run_red", "run_stop", "lose_control", "accelerate", "start"):
             phases.append(
                 Phase(
@@ -269,6 +271,12 @@ def _halted_by(scene: Scene, event: Event) -> bool:
         for e in scene.clauses.events
         if scene.where(e.agent).rel == "ahead" or scene.where(e.agent).lane == "same"
     )
+
+
+def _under_way(scene: Scene) -> bool:
+    """Whether it is told how fast ego is, and not that it stands at first."""
+    said = scene.speeds.get(scene.cast.ego)
+    return said is not None and said[0] > 0 and scene.does(scene.cast.ego, "stationary", "stop", "brake_stop") is None
 
 
 def _from_behind(scene: Scene) -> bool:

@@ -116,7 +116,8 @@ def _merged(phases: list[Phase]) -> list[Phase]:
     found: list[Phase] = []
     for phase in phases:
         last = found[-1] if found else None
-        if last is not None and last.action == phase.action:
+        again = phase.trigger is not None and last is not None and phase.rate != last.rate  # "then brakes fully"
+        if last is not None and last.action == phase.action and not again:
             found[-1] = last.model_copy(
                 update={k: v for k, v in phase.model_dump().items() if v is not None and getattr(last, k) is None}
             )
@@ -167,6 +168,8 @@ def _merged(phases: list[Phase]) -> list[Phase]:
             continue
         if last is not None and last.action == "reverse" and phase.action == "enter_road":
             continue
+        if last is not None and last.action == "stationary" and phase.action == "yield":
+            continue  # it stands "to let a pedestrian over"
         if last is not None and last.action == "lose_control" and phase.action in ("oncoming", "leave_road", "drift"):
             found[-1] = phase
             continue

@@ -6,10 +6,12 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.placing.lengthwise import at_edge, wrong_way
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.surroundings import place as places
+from c2s_engine.interpret.surroundings.approach import start_distance
 from c2s_engine.interpret.what.overtakings import PART
 from c2s_engine.interpret.who.mentions import MOTOR, Entity
 from c2s_engine.structure.specs import PlaceSpec
 
+LIES_AHEAD = frozenset(("intersection", "roundabout", "crosswalk", "on_ramp", "off_ramp"))
 CROSSING_ACTS = ("turn", "run_red", "run_stop")
 
 
@@ -100,8 +102,15 @@ def compose_place(scene: Scene) -> PlaceSpec:
         shoulder=shoulder,
         sidewalk=sidewalk,
         crosswalk=True if road.crosswalk else None,
+        distance=_distance(scene) if kind in LIES_AHEAD else None,
         speed_limit=round(road.speed_limit, 2) if road.speed_limit and road.speed_limit <= 40 else None,
     )
+
+
+def _distance(scene: Scene) -> float | None:
+    """How far ego starts from the place, where that is told."""
+    quantities = [s for s in scene.spans if s.kind == "quantity"]
+    return start_distance(scene.plain, scene.sentences, quantities, [m.start for m in scene.cast.ego.mentions])
 
 
 def _at_junction(scene: Scene) -> bool:
@@ -208,7 +217,7 @@ def _ego_lane(scene: Scene) -> str | None:
     texts = [
         e.whole
         for e in scene.events(ego)
-        if e.act in ("travel", "keep_lane", "follow", "approach", "stationary", "go_straight", "brake")
+        if e.act in ("travel", "keep_lane", "follow", "approach", "stationary", "go_straight", "brake", "start")
         and e.agent is ego
     ]
     for mention in ego.mentions:

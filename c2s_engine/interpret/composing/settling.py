@@ -48,7 +48,8 @@ def settle(scene: Scene, ego: EgoSpec, place: PlaceSpec, drafts: list[Draft], id
     aside = next((p.side for p in ego.phases if p.action == "lane_change"), None)
     for draft in drafts if aside else ():
         # ego makes room: who comes from behind in its lane just drives on past it
-        if draft.spec.placement.position == "behind" and draft.spec.placement.of == "ego":
+        pulls_out = any(p.action == "lane_change" for p in draft.spec.phases)
+        if draft.spec.placement.position == "behind" and draft.spec.placement.of == "ego" and not pulls_out:
             kept = tuple(p for p in draft.spec.phases if not (p.action == "overtake" and p.target == "ego"))
             draft.spec = draft.spec.model_copy(update={"phases": kept})
     ego = _brakes_for_nobody(scene, ego, drafts)

@@ -9,6 +9,7 @@ from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import Phase, Placement, PlaceSpec, Trigger
 
 ONWARDS = r"^(?:continue|resume|proceed|(?:go|goes|drive|carry|move|ride|travel) on)|^\w+ (?:on|again|further|off)\b"
+SOFT = r"\b(?:lightly|gently|softly|slightly|mildly|smoothly|moderately)\b"
 HARD = r"\b(hard|sharply|heavily|abruptly|suddenly|emergency|slam|full brak\w+|sudden|violently|fully|strongly)\b"
 
 
@@ -16,7 +17,8 @@ def trigger_of(event: Event) -> Trigger | None:
     """The trigger that a clause states."""
     if event.trigger is None:
         return None
-    return Trigger(kind=event.trigger["kind"], value=round(event.trigger["value"], 2), place=event.trigger.get("place"))
+    told = event.trigger
+    return Trigger(kind=told["kind"], value=round(told["value"], 2), place=told.get("place"), of=told.get("id"))
 
 
 def rate_of(event: Event) -> float | None:
@@ -28,6 +30,8 @@ def rate_of(event: Event) -> float | None:
         return timed
     if event.act in ("brake", "brake_stop", "stop") and (event.hard or re.search(HARD, event.whole)):
         return float(language.table("defaults")["rates"]["hard"]["value"])
+    if event.act == "brake" and re.search(SOFT, event.whole):
+        return float(language.table("defaults")["rates"]["soft"]["value"])
     return None
 
 
@@ -266,6 +270,7 @@ def steps_of(
         return [
             Phase(
                 action="cross_road" if entity.person else "enter_road",
+                rate=None if entity.person else rate_of(event),
                 target=None if entity.person else ego,
                 trigger=trigger,
             )

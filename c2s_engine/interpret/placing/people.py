@@ -21,7 +21,8 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         by = "right" if place.manoeuvre == "right" else None
     if entity.type == "bicycle" and by and place.manoeuvre == by and place.kind == "intersection":
         return {"position": "roadside", "side": by, "along": "behind", "said": True}  # between ego and the kerb
-    if "overtake" in acts and (where.lane is None and not where.rel or passes_ego(scene, entity)):
+    walks_over = entity.person and "cross_road" in acts  # "as she passes the truck"
+    if "overtake" in acts and not walks_over and (where.lane is None and not where.rel or passes_ego(scene, entity)):
         return {"position": "behind", "said": True}
     crosses = "cross_road" in acts or "enter_road" in acts or "cut_in" in acts and entity.person
     crosses = crosses or _on_crosswalk(scene, entity, acts) or entity.person and "crossing" in entity.roles
@@ -92,8 +93,7 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         if where.lane is None and edge and waits_at:  # "a pedestrian waiting on the right"
             walk = scene.road.crosswalk or scene.road.setting == "urban"
             return {"position": "sidewalk" if walk else "roadside", "side": edge, "said": True}
-        back = where.rel == "behind" and where.of is not None and where.of.ego
-        return {"position": "behind" if back else "ahead", "said": True}
+        return {"position": "behind" if _behind_ego(where) else "ahead", "said": True}
     side = where.side or ("right" if where.rel == "beside" else None)
     if entity.type == "bicycle" and side and place.manoeuvre == side and where.rel in (None, "ahead", "beside"):
         return {"position": "partly_in_lane", "side": side, "said": True}
@@ -140,7 +140,15 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
     if entity.person and where.side and where.rel is None and where.lane is None:  # "another is on the right"
         walk = place.sidewalk or scene.road.crosswalk or scene.road.setting == "urban"
         return {"position": "sidewalk" if walk else "roadside", "side": where.side, "said": True}
+    if _behind_ego(where):
+        return {"position": "behind", "said": True}
     return {"position": "ahead", "said": where.rel == "ahead" or where.lane == "same"}
+
+
+def _behind_ego(where: Where) -> bool:
+    """Whether it is told to be behind ego, or behind nobody who is named and out of nobody's sight."""
+    of_ego = where.of is None or where.of.ego
+    return where.rel == "behind" and of_ego and where.hidden_by is None
 
 
 def _on_crosswalk(scene: Scene, entity: Entity, acts: list[str]) -> bool:

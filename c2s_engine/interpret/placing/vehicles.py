@@ -2,6 +2,7 @@
 
 import re
 
+from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.placing.compass import compass
 from c2s_engine.interpret.placing.flanks import comes_from
 from c2s_engine.interpret.placing.lengthwise import (
@@ -103,6 +104,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             "position": "opposite_approach" if junction and not _before_junction(text) else "oncoming_lane",
             "said": True,
         }
+    if lane == "crossing" and "cut_in" in roles and not junction and edge:
+        return {"position": f"{edge}_lane", "along": along_of(rel), "said": True}
     if lane == "crossing" or "crossing" in roles and junction:
         return {"position": f"crossing_{edge or compass(scene, entity) or 'left'}", "said": edge is not None}
     if lane in ("left", "right"):
@@ -148,7 +151,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     if passing is not None and passing.patient is entity and re.search(on_right, passing.whole):
         return {"position": "right_lane", "along": "ahead", "said": True}
     if lane == "adjacent" or "adjacent" in roles:
-        edge = edge or _cut_side(scene, entity) or _kerbside(scene, entity) or "left"
+        free = {"leftmost": "right", "rightmost": "left"}.get(place.ego_lane or "")
+        edge = edge or _cut_side(scene, entity) or _kerbside(scene, entity) or free or "left"
         return {
             "position": f"{edge}_lane",
             "along": along_of(rel or ("behind" if "overtake" in acts else None)),
@@ -186,6 +190,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             or (place.oncoming or place.lanes in (None, 1) and place.kind not in ("motorway",))
             and _cut_side(scene, entity) != "right"
             or scene.does(entity, "leave_road") is not None
+            or rel == "behind"
+            and (entity.type in URGENT or "lane_change" in acts[: acts.index("overtake")])  # out of ego's lane
         ):
             return {"position": "behind", "said": True}
         lateral = _cut_side(scene, entity) or "left"
@@ -254,6 +260,7 @@ def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, fi
     if junction and "turn" in acts:
         event = scene.does(entity, "turn")
         across = re.search(r"across|in front of|into the path|path of|cut", event.whole if event else "")
+        across = across or "adversary" in entity.roles  # it turns so that ego has to answer
         if event is not None and side(event) == "left" and (across or place.manoeuvre == "straight"):
             return {"position": "opposite_approach"}
         return (

@@ -62,7 +62,7 @@ def actors(scene: Scene) -> list[Entity]:
             for e in scene.cast.entities
         ):
             continue
-        if entity.noun == "traffic" and not entity.roles and _led(scene, entity):
+        if entity.noun == "traffic" and not entity.roles and where.lane in (None, "same") and _led(scene, entity):
             continue
         if (
             not own
@@ -172,15 +172,16 @@ def _title_only(scene: Scene, entity: Entity) -> bool:
     own = {e.act for e in scene.clauses.events if e.agent is entity}
     open_still = where.open and where.side is None and where.gap is None or scene.words[last].norm == ":"
     named = bool(later) and open_still and own <= done | {"travel"}
-    if named and not later[0].ego:
-        later[0].roles |= entity.roles & {"stationary", "slow", "parked"}  # "stationary target"
+    states = entity.roles & {"stationary", "slow", "parked"}
+    if named and not later[0].ego and not any(e.roles & states for e in later):
+        later[0].roles |= states  # "stationary target"
     return named
 
 
 def _title_ends(scene: Scene) -> int | None:
     """The last word of a title without a finite verb and without numbers, if the text has one."""
     title = [w for w in scene.words if w.sentence == 0]
-    colon = next((w.i for w in title[:8] if w.norm == ":"), None)
+    colon = next((w.i for w in title[:14] if w.norm == ":"), None)
     title = title[: colon + 1] if colon is not None else title
     if len(title) == len(scene.words) or not 1 < len(title) <= 14 or title[-1].norm not in (".", ":"):
         return None
@@ -213,6 +214,8 @@ def _mere_background(scene: Scene, entity: Entity) -> bool:
     """Whether a queue is only the setting ("in a jam") or its cars are named one by one."""
     if entity.noun not in language.table("actors")["queues"]:
         return False
+    if any(e.noun == "vehicles" and e in scene.speeds for e in scene.cast.entities):
+        return True  # "congestion; the vehicles in both lanes crawl at 10 km/h"
     for mention in entity.mentions:
         head = scene.words[scene.words[mention.word].head]
         if scene.words[mention.word].dep == "pobj" and head.norm in ("in", "during", "within"):

@@ -5,13 +5,13 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.reading.askers import bystanding
+from c2s_engine.interpret.roles.bare import ROLE_WORDS, bare_first
 from c2s_engine.interpret.roles.paired import leave_group, one_of_both
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import MOTOR, VEHICLES, Cast, Entity
 
 NEVER_EGO = language.words("never_ego")
-ROLE_WORDS = frozenset(("lead", "oncoming", "parked", "stationary", "crossing", "adjacent", "cut_in", "slow"))
 
 
 EGO_LIKE = frozenset(
@@ -145,8 +145,9 @@ def _passes_nobody(acts: list[Event]) -> bool:
 
 
 def _beside_nobody(entity: Entity, cast: Cast) -> bool:
-    """Whether it is first told by its place beside somebody who is not named: that is ego."""
-    at = entity.mentions[0].word
+    """Whether it is first told by its place beside somebody who is not named: that is ego. A title does not count."""
+    titled = [m for m in entity.mentions if ":" not in [w.norm for w in cast.words[m.word + 1 : m.word + 2]]]
+    at = (titled or entity.mentions)[0].word
     the = at < 3 or cast.words[at - 1].norm == "the"
     first = " ".join(w.norm for w in cast.words[at : at + 7])
     stands = entity.group is None and entity.count == 1 and the and re.match(r"\S+ (is|was|were) ", first)
@@ -238,6 +239,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         if not told_by and _comes_into_view(entity, cast, acting[entity]):
             continue
         acts = [v.act for v in acting[entity]]
+        if any(v.act == "follow" and v.patient is None and re.search(r"\bbehind\b", v.text) for v in acting[entity]):
+            continue  # "a truck follows 20 m behind": behind ego
         if any(v.act in TOWARDS and v.agent is cast.ego and v.patient is entity for v in clauses.events):
             continue
         if not acts and not any(v.patient is entity for v in clauses.events):
@@ -268,6 +271,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         ):
             continue
         candidates.append(entity)
+    candidates = bare_first(vehicles, cast) or candidates
     driverless = [e for e in vehicles if _in_mode(e, cast)]
     if len(driverless) == 1:
         candidates = driverless

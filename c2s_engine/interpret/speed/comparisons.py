@@ -58,8 +58,32 @@ def compared_speeds(scene: Scene, quantities: list[Span]) -> None:
         if owner in scene.speeds and number is None:
             continue
         scene.speeds[owner] = (*_changed(match, number, base[0], base[1]), match.start(), match.end())
+    _same_speeds(scene)
     _by_limit(scene, quantities)
     _by_difference(scene, quantities)
+
+
+SAME = re.compile(
+    r"\b(?:at|with|does|do|drives?|having) (?:just |exactly |about )?the same (?:speed|pace|velocity)\b(?! as)"
+)
+
+
+def _same_speeds(scene: Scene) -> None:
+    """Who drives "at the same speed" beside another that it is placed by is as fast as that one."""
+    for match in SAME.finditer(scene.plain):
+        owner = owner_of(scene, match.start())
+        near = [i for i in sorted(scene.cast.of) if scene.words[i].start < match.start()]
+        by = [e for i in near[-3:] if (e := scene.cast.of[i]) in scene.actors and not _by_ego(scene, e)]
+        owner = by[-1] if by and by[-1] not in scene.speeds else owner
+        other = scene.where(owner).of if owner is not None and not owner.ego else None
+        if owner is not None and owner not in scene.speeds and other in scene.speeds:
+            scene.speeds[owner] = (*scene.speeds[other][:2], match.start(), match.end())
+
+
+def _by_ego(scene: Scene, entity: Entity) -> bool:
+    """Whether one is placed by ego, or by nobody."""
+    other = scene.where(entity).of
+    return other is None or other.ego
 
 
 def _by_limit(scene: Scene, quantities: list[Span]) -> None:

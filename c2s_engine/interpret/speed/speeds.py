@@ -20,6 +20,11 @@ NAMED = re.compile(
 )
 COMPARED_WITH = re.compile(r"\b(?:than|as) (?:the |an? )?$")
 AT_REST = frozenset(("stationary", "stop", "brake", "brake_stop", "held_up", "yield"))
+REACHED = re.compile(
+    r"(?:to|down to)\s*(?:(?:a |the |its )?(?:(?:final|new|constant|lower|reduced|target|residual|steady) )?"
+    r"(?:speed|velocity)(?: of)? )?(?:about |around |roughly |only |just )?$"
+)
+"""What stands before a speed that is reached, not had at first."""
 GOES_ON = re.compile(r"(continue|proceed|carry|go|drive|travel|roll|move)( on)?( \w+ing)?( on)? at #speed")
 
 
@@ -41,6 +46,8 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         unit = word
         owner = _before(scene, span) or _beside(scene, span) or _speed_owner(scene, unit.i)
         value = (span.data["low"], span.data["high"], span.start, span.end)
+        if owner is not None and owner.roles & {"stationary", "parked"} and value[0] > 0:
+            owner = _who_meets(scene, owner, word.sentence) or owner  # "approaches a stationary POV at 72 km/h"
         if owner is not None and owner.noun in language.table("actors")["queues"]:
             owner = None
         near = scene.plain[max(0, span.start - 60) : span.start]
@@ -94,16 +101,13 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
             event is None or event.act not in ("brake", "brake_stop", "accelerate") or changing[-1].word > event.word
         ):
             event = changing[-1]
-            if re.search(r"(to|down to)\s*(about |around |roughly )?$", near[-16:]) and not any(
-                q["start"] == span.start for q in event.quantities
-            ):
+            if REACHED.search(near) and not any(q["start"] == span.start for q in event.quantities):
                 event.quantities = [*event.quantities, {**span.data, "start": span.start, "role": "target"}]
         if (
             event is not None
             and event.agent is owner
             and event.act in ("brake", "brake_stop", "accelerate")
-            and re.search(r"(to|down to|from)\s*(about |around |roughly )?$", near[-16:]) is not None
-            and "from" not in near[-16:]
+            and REACHED.search(near) is not None
         ):
             event.quantities = [{**q, "role": "target"} if q["start"] == span.start else q for q in event.quantities]
             continue
@@ -131,6 +135,12 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
                 scene.speeds.setdefault(other, value)
     compared_speeds(scene, quantities)
     speeds_by_ratio(scene, quantities)
+
+
+def _who_meets(scene: Scene, other: Entity, sentence: int) -> Entity | None:
+    """Who approaches one that stands, in that sentence."""
+    meets = (e for e in scene.clauses.events if e.patient is other and scene.words[e.word].sentence == sentence)
+    return next((e.agent for e in meets if e.act in ("approach", "travel", "collide", "overtake")), None)
 
 
 def _before(scene: Scene, span: scan.Span) -> Entity | None:
@@ -242,6 +252,7 @@ def _speed_owner(scene: Scene, i: int) -> Entity | None:
         for j in sorted(cast.of)
         if j < i and words[j].sentence == words[i].sentence and (cast.of[j].mover or cast.of[j].ego)
     ]
+    before = [j for j in before if words[j].dep not in ("poss", "compound")] or before  # "a truck in ego's lane at ..."
     if before:
         return cast.of[before[-1]]
     after = [

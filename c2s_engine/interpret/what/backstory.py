@@ -18,7 +18,8 @@ def was_over(cast: Cast, event: Event, clauses: Clauses) -> bool:
     if has is None or cast.words[has].norm == "had":
         return has is not None
     first = not event.agent.ego and not event.adverbial and word.dep in ("ROOT", "relcl")
-    return first and not any(e.agent is event.agent and e.word < event.word for e in clauses.events)
+    earlier = (e for e in clauses.events if e.agent is event.agent and e.word < event.word)
+    return first and all(e.text.startswith("face ") for e in earlier)
 
 
 def before_the_story(cast: Cast, clauses: Clauses) -> None:

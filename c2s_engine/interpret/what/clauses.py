@@ -83,7 +83,8 @@ class Clauses(Deverbal):
             text = f"wait until {self.render(self.own(self.words[later[0]]))}"
             awaited = self._subject(self.words[later[0]])[0]
         if lemma == "follow" and word.tag == "VBN" and word.head != word.i:  # "a ball rolls onto the road, followed by"
-            whole = f"{whole} {self.render(self.own(self.words[word.head]))}"
+            led = self.words[word.head] if word.head in self.cast.of else self._governor(self.words[word.head])
+            whole = f"{whole} {self.render(self.own(led or self.words[word.head]))}"
         if lemma == "be":
             complements = [c for c in complements if self.words[c].dep == "xcomp"]
         if (
@@ -194,7 +195,8 @@ class Clauses(Deverbal):
         struck = event.act == "collide" and passive and event.agent is agent and event.patient in (None, agent)
         if struck and not event.agent.ego and not re.search(r"\bby (the |a |an )?@", whole):
             event.agent, event.patient = self.cast.ego, agent  # "the deer was hit"
-        if event.act == "follow" and passive and event.agent is agent and not event.agent.ego and not BY.search(whole):
+        trailed = event.act == "follow" and passive and lemma not in ("glue", "stick") and event.agent is agent
+        if trailed and not event.agent.ego and not BY.search(whole):
             event.agent, event.patient = self.cast.ego, agent
         if passive and event.act in HALTED and event.agent is agent and event.patient not in (None, agent):
             event.agent, event.patient = event.patient, None  # "was brought to a standstill by a tree"
@@ -229,6 +231,8 @@ class Clauses(Deverbal):
         if word.dep in ("advcl", "relcl", "pcomp", "ccomp") or word.dep == "conj":
             event.adverbial = self._mark(word)
         event.also = self._also(at, word.i)
+        if event.act == "overtake" and not event.agent.ego and self._of_both(own):
+            event.patient = self.cast.ego  # "overtakes both"
         self.events.append(event)
         if late is not None:
             late.adverbial, late.start, late.end = event.adverbial, event.start, event.end

@@ -15,6 +15,8 @@ SEEKS = language.words("seeks")
 
 
 THOSE = frozenset(("that", "this", "which"))
+ENDS = language.words("ends")
+RUNS = language.words("runs_of_tests")
 NOBODY = ("nobody", "noone", "none")
 DUTIES = ("have", "need", "require", "oblige", "suppose", "force")
 
@@ -50,6 +52,8 @@ class Modes(Agents):
             ):
                 mode = "negated"
         head = self.words[word.head]
+        if word.dep == "advcl" and self._ends_run(head):
+            return "hypothetical"  # "the test ends when the SV hits the POV"
         if (
             word.dep == "pcomp"
             and head.norm in ("without", "of")
@@ -96,6 +100,7 @@ class Modes(Agents):
                     "block",
                     "bar",
                 )
+                and (word.dep != "ccomp" or word.i > head.i)  # not what is told before: "the car brakes, ego avoids it"
                 and (lemma not in ("keep", "block", "bar") or word.dep == "pcomp" and word.tag == "VBG")
                 and (word.dep != "pcomp" or head.norm in ("from", "of", "in", "to"))
             ):
@@ -162,6 +167,11 @@ class Modes(Agents):
         ):
             mode = "negated"
         return mode
+
+    def _ends_run(self, verb: Word) -> bool:
+        """Whether a verb tells what ends the test, not what happens in it."""
+        subjects = [self.words[c].lemma for c in verb.children if self.words[c].dep in ("nsubj", "nsubjpass")]
+        return self._lemma(verb) in ENDS and any(s in RUNS for s in subjects)
 
     def _no_duty(self, word: Word) -> bool:
         """Whether one only need not do it: "does not have to stop", "is not required to stop"."""

@@ -87,6 +87,7 @@ def let_past(clauses: Clauses, event: Event, road: Road) -> bool:
         for e in clauses.events
     )
     behind = who.type in URGENT or any(re.search(r"\bbehind\b|\brear\b|faster", e.whole) for e in own)
+    behind = behind or any(e.act == "follow" and e.patient is not None and e.patient.ego for e in own)
     return waited and (across or meets or not behind) or event.adverbial in ("until", "till") and (across or meets)
 
 

@@ -10,6 +10,7 @@ from c2s_engine.interpret.what.echoes import echoes
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.halfway import go_after, set_out
 from c2s_engine.interpret.what.heeded import hindered, merged_back, unheeded
+from c2s_engine.interpret.what.making_room import makes_room
 from c2s_engine.interpret.what.overtakings import PART, overtakings
 from c2s_engine.interpret.what.passing import across_the_bows, by_the_other_lane, headings, let_past, out_to_pass
 from c2s_engine.interpret.what.resumed import own_turns
@@ -29,6 +30,9 @@ PULLS_OUT = re.compile(
 JERKS = ("swerve", "veer", "jink")
 INTO = re.compile(r"\b(?:in|on)to (?:the |an? |its )?(?:\w+ )?(?:road|street|drive\w*|lot|lane|avenue|entrance)\b")
 FIRST = re.compile(r"(?:pass|go|drive|proceed|cross|move|turn|enter|get|come|travel|clear)\b[^.;]*?\bfirst\b")
+
+
+AHEAD_OF_EGO = re.compile(r"\b(?:ahead|in front) of (?:the )?@ego\b")
 
 
 def _at_junction(event: Event, clauses: Clauses, road: Road) -> bool:
@@ -51,11 +55,13 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     before_the_story(cast, clauses)
     set_out(clauses)
     go_after(clauses)
+    makes_room(cast, clauses, road)
     for event in list(clauses.events):
         if event.act in ("stop", "brake_stop") and event.mode == "fact" and was_over(cast, event, clauses):
             event.act = "stationary"
-        if event.act == "collide" and event.patient is None and event.agent.count > 1 and not event.agent.ego:
-            event.act = "stop"  # with each other
+        apart = event.patient is None or AHEAD_OF_EGO.search(event.text) is not None and event.patient.ego
+        if event.act == "collide" and apart and event.agent.count > 1 and not event.agent.ego:
+            event.act, event.patient = "stop", None  # with each other
         if event.act == "stop" and event.mode == "negated":
             sentence = " ".join(w.norm for w in cast.words if abs(w.sentence - cast.words[event.word].sentence) <= 1)
             if re.search(r"stop sign", sentence) and road.stop_sign:
@@ -79,6 +85,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             event.act == "overtake"
             and not event.agent.ego
             and re.search(r"\bboth\b|\bthem all\b|\ball of them\b", event.text)
+            and not any(cast.both.get(i) and cast.ego not in (cast.of[i], *cast.both[i]) for i in event.words)
         ):
             event.patient = cast.ego
         if event.act == "keep_away" and not event.agent.ego and event.patient is cast.ego and event.mode == "fact":

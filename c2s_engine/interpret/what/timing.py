@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.modes import Modes
+from c2s_engine.interpret.who.mentions import Entity
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.what.event import Event
@@ -110,10 +111,14 @@ class Timing(Modes):
                     if quantity["dimension"] == "time" and re.search(
                         r"\bttc\b|time[- ]to[- ](collision|contact)", text
                     ):
-                        event.trigger = {"kind": "ttc", "value": quantity["low"]}
+                        event.trigger = {
+                            "kind": "ttc",
+                            "value": quantity["low"],
+                            "of": self._to_whom(event, inside),
+                        }
                     elif (
                         quantity["dimension"] == "distance"
-                        and self.words[i].dep in ("advcl", "advmod")
+                        and self.words[i].dep in ("advcl", "advmod", "relcl")
                         and marks in ("when", "once", "as", "after", "until", "while")
                         and re.search(
                             r"when|once|as soon as|after|until|^as\b.*\b(?:away|closer|nearer|within|under)\b", text
@@ -129,7 +134,7 @@ class Timing(Modes):
                         event.trigger = (
                             {"kind": "place", "value": quantity["low"], "place": place}
                             if place and (not event.agent.person or event.agent.ego)
-                            else {"kind": "distance", "value": quantity["low"]}
+                            else {"kind": "distance", "value": quantity["low"], "of": self._to_whom(event, inside)}
                         )
                         if marks == "until" and event.mode == "negated":
                             event.mode = "fact"  # "does not start running until ego is 15 m away"
@@ -158,13 +163,31 @@ class Timing(Modes):
                     ):
                         event.trigger = {"kind": "ttc", "value": quantity["low"]}
 
+    def _to_whom(self, event: Event, clause: list[int]) -> Entity | None:
+        """To whom the distance of a trigger is, if not to ego: "when the cyclist is 10 m from the van, it ..."."""
+        told = list(dict.fromkeys(self.cast.of[i] for i in clause if i in self.cast.of))
+        others = [e for e in told if e is not event.agent]
+        return others[0] if event.agent in told and len(others) == 1 and not others[0].ego else None
+
     def _circumstances(self, word: Word) -> list[int]:
         """What stands with a verb, or with the verb that only begins it ("starts to cross when ...")."""
         found = [c for c in word.children if self.words[c].dep in CIRCUMSTANCES]
         above = self.words[word.head]
         if word.dep == "xcomp" and above.i in self.light:
             found += [c for c in above.children if self.words[c].dep == "advcl"]
-        return found
+        return found + [c for noun in self._nouns_of(word) for c in noun.children if self._is_when(c)]
+
+    def _nouns_of(self, verb: Word) -> list[Word]:
+        """The objects of a verb, its prepositions' too: a clause of time may hang on the last of them."""
+        direct = [self.words[c] for c in verb.children if c > verb.i and self.words[c].dep in ("dobj", "prep")]
+        inner = [self.words[c] for w in direct for c in w.children if self.words[c].dep in ("pobj", "prep")]
+        return [w for w in (*direct, *inner) if w.noun]
+
+    def _is_when(self, i: int) -> bool:
+        """Whether a clause tells when something happens."""
+        clause = self.words[i]
+        marks = {self.words[c].norm for c in clause.children if c < i}
+        return clause.dep in ("advcl", "relcl") and bool(marks & {"when", "once"})
 
     def _ended_waits(self) -> None:
         """What ends a wait ("until ego is 20 m away, then crosses") begins what comes next."""

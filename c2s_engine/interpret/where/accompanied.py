@@ -10,7 +10,7 @@ from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.who.mentions import Cast
 
 ITEM = (
-    r"(?:the |an? |some |several |another |two |three |#?\w+ ){0,2}@(a\d+) (?:\w+ )?"
+    r"(?:the |an? |some |several |another |two |three |#?\w+ ){0,2}@(a\d+) (?:#?\w+ ){0,2}?"
     r"(behind|in front of|ahead of|beside|next to|alongside) (?:it|them|him|her|(?:the )?@\w+)"
 )
 WITH_ANOTHER = re.compile(rf" (?:, )?with {ITEM}(?: and {ITEM})?")

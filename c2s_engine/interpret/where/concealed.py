@@ -10,7 +10,8 @@ from c2s_engine.interpret.where.gaps import Gaps
 from c2s_engine.interpret.who.mentions import Cast
 
 HIDES = re.compile(
-    r"hid|conceal|obscur|occlu|mask|block|screen|see|notic|spot|detect|behind|between|in front of|obstruct|shield"
+    r"hid|conceal|obscur|occlu|mask|block|screen|see|notic|spot|detect|behind|between|in front of|obstruct|shield|view"
+    r"|sight|visible"
 )
 LONG = 2_000
 """Characters of a sentence beyond which nobody tells what hides whom."""
@@ -21,8 +22,16 @@ _HIDE = (
     r"(?:obstructed|obstruct|hidden|hide|concealed|conceal|obscured|obscure|occluded|occlude|masked|mask|screened"
     r"|screen|blocked|block)"
 )
+_AT_FIRST = (
+    r"(?: (?:from (?:the )?@ego(?: 's (?:view|sight))?|from (?:view|sight)|(?:until|till) (?:\w+ ){1,3}?|at first"
+    r"|initially|completely|partly|partially|fully|entirely|so far))*"
+)
 HIDDEN = (
     rf"{_HIDE} by {_A}@(?P<by>a\d+)[^.;]{{0,40}}, {_A}@KEY\b",
+    rf"@KEY\b[^;]*?\b{_HIDE}{_AT_FIRST} ?(?:by|behind) (?:the |a |an |row of |line of )*(?:\w+ ){{0,2}}@(?P<by>a\d+)",
+    rf"@KEY\b[^;]*?\b(?:out of (?:the )?(?:sight|view)|invisible|unseen){_AT_FIRST} ?(?:by|behind) {_A}@(?P<by>a\d+)",
+    r"@KEY\b[^;]*?\b(?:view|sight|visible|seen)\b[^.;]{0,30}\b(?:as|when|once|after) [^.;]{0,24}"
+    rf"\b(?:pass|past|clear|leave|beyond|emerge) {_A}@(?P<by>a\d+)\b",
     rf"(?:not|unable to|n't|cannot|hardly) (?:\w+ )?(?:see|notice|spot|detect)[^.;]*@KEY\b[^.;]*"
     rf"(?:because of|due to|behind|as|for) {_A}@(?P<by>a\d+)",
     r"@(?P<by>a\d+) (?:conceal|hide|obscure|block|mask)\w* be (?:the |a |an )?@KEY\b",

@@ -7,6 +7,7 @@ import re
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.who.mentions import Cast, Entity
 
 SHORTEST = 0.5
 """Nobody starts so close to another (m) lengthwise: what is smaller is sideways."""
@@ -15,14 +16,29 @@ SHORTEST = 0.5
 class Gaps:
     """The part of Places that reads distances."""
 
+    cast: Cast
     clauses: Clauses
     words: list[Word]
 
-    def _gap(self, indices: list[int], where: Where, only_ahead: bool = False) -> None:
+    def _whose(self, i: int) -> Entity | None:
+        """Whose place a distance tells: the noun that it stands under, if it is one of the others."""
+        word = self.words[i]
+        for _ in range(4):
+            if word.head == word.i or word.verb:
+                return None
+            word = self.words[word.head]
+            if word.i in self.cast.of:
+                return self.cast.of[word.i]
+        return None
+
+    def _gap(self, indices: list[int], where: Where, only_ahead: bool = False, entity: Entity | None = None) -> None:
         if where.gap is not None:
             return
         text = self.clauses.render(indices)
         for quantity in self.clauses._quantities(indices):
+            whose = self._whose(quantity["word"]) if entity is not None else None
+            if whose is not None and whose is not entity and not whose.ego:
+                continue
             before = " ".join(w.norm for w in self.words[max(0, quantity["word"] - 5) : quantity["word"]])
             after = " ".join(w.norm for w in self.words[quantity["word"] + 1 : quantity["word"] + 8])
             if quantity["dimension"] == "distance":
@@ -47,7 +63,7 @@ class Gaps:
                 if re.search(
                     (
                         r"ahead|in front|behind|away|back|distance|apart|gap|headway|clearance|spacing|separation"
-                        r"|room|up the|from|at|further|beyond|short|before|#dist (to|of)|least|along|on\b|down"
+                        r"|room|up the|from|at|further|beyond|short|before|#dist (to|of|off)|least|along|on\b|down"
                     ),
                     before + " " + after + " " + text,
                 ) and not (only_ahead and re.search(r"(drive|travel)s? (for )?#dist", text)):

@@ -203,6 +203,15 @@ FILLING = re.compile(
     r"\b(?:block|occupy|occupie|fill|obstruct|hog|tak\w+ up|cover|close)\w* (?:up )?(?:both|all|the two|all two|the)"
     r"(?: of)?(?: the| its| three| \w+bound| through| travel)* lanes\b"
 )
+IN_ALL = re.compile(r"\bin (?:both|all|the two|all three|all two) (?:of the )?lanes\b")
+MIDDLE = re.compile(r"\b(?:middle|cent(?:er|re)) (?:one )?(?:lane|of)\b")
+
+
+def _ego_in_middle(cast: Cast) -> bool:
+    """Whether ego has a lane on either side, so that "both lanes" are those beside it."""
+    return MIDDLE.search(" ".join(w.norm for w in cast.words)) is not None
+
+
 ABREAST = re.compile(
     r"\b(?:side by side|abreast|next to (?:each other|one another)|neck and neck|alongside each other)\b"
 )
@@ -213,7 +222,7 @@ def _every_lane(group: Entity, cast: Cast, of: dict[Entity, Where]) -> bool:
     side block both lanes"."""
     if group.type not in MOTOR:
         return False
-    if FILLING.search(_said(group, cast, of)):
+    if FILLING.search(_said(group, cast, of)) or IN_ALL.search(_said(group, cast, of)) and not _ego_in_middle(cast):
         return True
     if "stationary" not in group.roles:
         return False

@@ -213,7 +213,8 @@ def _past_another(event: Event, clauses: Clauses, where: Where) -> None:
 def _on_the_side(event: Event, where: Where) -> None:
     """Who does not give way "on the right" comes from that side."""
     told = " ".join(text for _, text in where.phrases)
-    if where.lane in ("left", "right") and where.rel is None and "lane" not in told + event.whole:
+    beside = where.of is not None and where.of.ego  # "a car to the left of ego"
+    if where.lane in ("left", "right") and where.rel is None and not beside and "lane" not in told + event.whole:
         where.lane = "crossing"
 
 

@@ -51,6 +51,11 @@ class OwnWords:
         follows = any(e.act == "follow" and e.agent.ego and e.patient is entity and e.done for e in self.clauses.events)
         return re.sub(r"\bbehind\b(?! (?:the |an? )?@)", "away", text) if follows else text
 
+    def _with_another(self, child: int, entity: Entity) -> bool:
+        """Whether a phrase tells who else is there ("a bus with a car 10 m behind it")."""
+        whom = (self.cast.of.get(c) for c in self.words[child].children if self.words[c].dep == "pobj")
+        return self.words[child].norm == "with" and any(e is not None and e.mover and e is not entity for e in whom)
+
     def _of_another(self, child: int, i: int, entity: Entity) -> bool:
         """Whether a phrase before a noun belongs to another's part of the list: "ego in the left lane, bus drifts"."""
         if child > i:

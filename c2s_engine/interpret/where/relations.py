@@ -7,6 +7,7 @@ from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.surroundings.whereabouts import FRONTED, FRONTED_FAR, STATES, Where, read, side_of_text
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.where.accompanied import WITH_ANOTHER, accompanied, within
+from c2s_engine.interpret.where.both_in import both_in_lane
 from c2s_engine.interpret.where.closures import closed_lanes
 from c2s_engine.interpret.where.groups import abreast, goes_on_abreast, split_groups
 from c2s_engine.interpret.where.implied import implied_places
@@ -24,7 +25,7 @@ AGAINST = re.compile(r"wrong[- ](way|direction)|(against|contrary to) (the )?(tr
 
 FILLED = re.compile(
     r"((?:oncoming|opposite|opposing|left|right|adjacent|neighbou?ring|other|next)(?:-hand)? lane"
-    r"|lane (?:to|on) (?:the|its|@ego 's) (?:left|right)) (?:be|is|was) "
+    r"|lane (?:to|on) (?:the|its|@ego 's) (?:left|right)|other (?:two|three|lanes|two lanes)) (?:be|is|was|are|were) "
     r"(?:\w+ )?(?:full of|fill(?:ed)? with|occup(?:y|ied) by|pack(?:ed)? with|block(?:ed)? (?:by|with)|taken? by)"
     r"(?: the| an?)?(?: \w+)?$"
 )
@@ -69,6 +70,7 @@ class Places(OwnWords, Inferred):
         struck_places(cast, clauses, self.of)
         self.ego_lane = evaded_lane(clauses, self.of) or self.ego_lane or followed_lane(clauses, self.of)
         within(cast, clauses, self.of)
+        self.ego_lane = both_in_lane(cast, self.of) or self.ego_lane
         self._referred()
         self._between()
         self._joined()
@@ -98,7 +100,7 @@ class Places(OwnWords, Inferred):
             against = event.act == "oncoming" and AGAINST.search(event.whole)
             if event.act in STATES or against or event.act == "follow" and event.patient is None:
                 read(WITH_ANOTHER.sub("", event.whole), where, entity, self.cast, event.act)
-                self._gap(event.words, where)
+                self._gap(event.words, where, entity=entity)
             elif event.act not in ("collide",):
                 parts = [
                     m[0]
@@ -173,7 +175,9 @@ class Places(OwnWords, Inferred):
                 if other.dep == "acl" and (child in self.clauses.by_word or self.clauses._by_a_deed(other)):
                     continue
                 if other.dep == "prep" and (
-                    self._of_another(child, i, entity) or self._of_time([child, *self.clauses._below(child)])
+                    self._with_another(child, entity)
+                    or self._of_another(child, i, entity)
+                    or self._of_time([child, *self.clauses._below(child)])
                 ):
                     continue
                 if i in self.clauses.deeds and other.norm in HEADING:
@@ -208,7 +212,8 @@ class Places(OwnWords, Inferred):
             where.lane = "partly"
         filled = FILLED.search(front)
         if filled and word.span is not None:
-            read(f"in the {filled[1]}", where, entity, self.cast, "noun")
+            lane = re.sub(r"other (two|three|lanes|two lanes)$", "adjacent lane", filled[1])
+            read(f"in the {lane}", where, entity, self.cast, "noun")
             stands = "block" in filled[0] or entity.roles & {"stationary", "parked"} or where.lane == "oncoming"
             where.rel = where.rel or (None if stands else "beside")
         lead = word.span.data.get("words", []) if word.span is not None and word.span.kind == "actor" else []
@@ -296,7 +301,7 @@ class Places(OwnWords, Inferred):
         if word.dep in ("ROOT",) and not word.verb:
             rest = self.clauses.own(word)
             read(self.clauses.render([r for r in rest if r > i]), where, entity, self.cast, "noun")
-            self._gap(rest, where)
+            self._gap(rest, where, entity=entity)
 
     def _fronted_far(self, word: Word, front: str, where: Where, entity: Entity) -> None:
         """A place and distance before a vehicle: "20 m behind the truck a motorcycle follows"."""

@@ -220,7 +220,7 @@ class Members(Parts):
         if groups:
             return groups[-1]
         joint = self._joint(word)
-        doer = self._subject_of(self._governor(word)) if word.dep in ("dobj", "pobj") else None
+        doer = self._subject_of(self._governor(word)) if word.dep in ("dobj", "pobj", "npadvmod") else None
         earlier = [e for e in earlier if e is not doer]
         if (joint is None or doer in joint) and earlier:
             last = list(dict.fromkeys(reversed(earlier)))[:2]

@@ -100,7 +100,7 @@ class Cast(Labels):
                 self.of[word.i] = entity
                 self._man(word, entity)
                 entity.mentions.append(Mention(word.i, word.start, word.end, kind=span.kind if span else "pronoun"))
-                if word.dep in ("nsubj", "nsubjpass") or self._fronted(word):
+                if word.dep in ("nsubj", "nsubjpass") or self._fronted(word) or self._is_there(word):
                     self.subjects.append((word.i, entity))
 
     def _carries_me(self, word: Word) -> bool:
@@ -111,7 +111,9 @@ class Cast(Labels):
     def _both_to_come(self) -> None:
         """ "Both vehicles shall be driven at 50 km/h", before ego and the one other vehicle are named."""
         first = next((e for e in self.entities if e.mentions), None)
-        if first is None or first.count != 2 or first.noun not in ("vehicles", "cars") or len(first.mentions) > 1:
+        if first is None or first.count != 2 or first.noun not in ("vehicles", "cars"):
+            return
+        if any(m.kind != "pronoun" for m in first.mentions[1:]):
             return
         at = first.mentions[0].word
         others = [
@@ -127,6 +129,8 @@ class Cast(Labels):
         ):
             return
         self.of[at] = others[0]
+        for mention in first.mentions[1:]:  # "from its own lane the VUT ..."
+            self.of[mention.word] = self.ego
         others[0].mentions.insert(0, first.mentions[0])
         self.entities.remove(first)
         self.subjects = [(i, others[0] if e is first else e) for i, e in self.subjects]
@@ -142,6 +146,8 @@ class Cast(Labels):
         if told[-2:] != ["the", "other"] or len(others) != 1 or others[0].mentions[0].word < at:
             return
         later = others[0]
+        if self.words[later.mentions[0].word].sentence == self.words[at].sentence:
+            return  # "the other vehicle cuts out before a stationary vehicle"
         for i in [i for i, e in self.of.items() if e is first]:
             self.of[i] = later
         later.mentions = [*first.mentions, *later.mentions]
@@ -150,6 +156,11 @@ class Cast(Labels):
 
     def _fronted(self, word: Word) -> bool:
         return word.dep == "ROOT" and not word.tag.startswith("VB")
+
+    def _is_there(self, word: Word) -> bool:
+        """Whether it is who there is ("there is a bus ahead")."""
+        verb = self.words[word.head]
+        return word.dep == "attr" and any(self.words[c].dep == "expl" for c in verb.children)
 
     def _named(self, word: Word) -> Entity | None:
         span = word.span

@@ -15,6 +15,8 @@ PUSHED = frozenset(("bicycle", "motorcycle", "box", "debris", "trash", "containe
 FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
 FIXED = frozenset(language.table("actors")["fixed"])
 PLACED_BY = frozenset(("at", "by", "near", "beside", "past", "outside", "opposite"))
+HEADS = frozenset(("actors", "objects", "vehicles", "participants", "users", "agents", "npcs", "obstacles", "others"))
+GROWS = frozenset(("trees", "bushes", "hedges"))
 FACES = frozenset(("facing", "face", "faces", "against"))
 
 
@@ -38,6 +40,8 @@ class NotThere:
         verb = self.words[by.head]
         if word.dep == "dobj" and by.lemma in WALKS_WITH and self._done_on_foot(by):
             return word.span is not None and word.span.data["type"] in PUSHED
+        if word.norm in GROWS and by.norm in ("from", "of", "between", "among", "through"):
+            return True  # "a deer bounds out of the trees"
         if word.dep == "dobj" and (
             by.lemma in CARRIES or by.lemma == "drop" and "off" in [w.norm for w in self.words[by.i : word.i + 2]]
         ):
@@ -53,6 +57,12 @@ class NotThere:
             [verb.head] if verb.dep in ("acl", "relcl") else [c for c in verb.children if self.words[c].dep == "nsubj"]
         )
         return any(i in self.of and self.of[i].person for i in who)
+
+    def _heads_list(self, word: Word) -> bool:
+        """Whether a plural only heads what follows ("Actors: ego on the main road, a car ...")."""
+        after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
+        before = [w for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
+        return after == ":" and word.norm.split(" ")[-1] in HEADS and len(before) < 2
 
     def _denied_list(self, word: Word) -> bool:
         """Whether a noun belongs to a list that is denied: "neither cars nor a cyclist", "no cars or pedestrians"."""

@@ -12,7 +12,6 @@ from c2s_engine.interpret.who.not_there import NotThere
 from c2s_engine.interpret.who.persons import DRIVERS
 
 COLOURS = language.words("colours")
-STANDS = language.words("stands")
 TWO_WHEELERS = language.words("two_wheelers")
 COUNTED = re.compile(
     r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units"
@@ -37,7 +36,7 @@ class Nouns(Attached, NotThere):
         if data.get("names"):
             return self._by_name(word)
         if data.get("label"):
-            roles |= {language.roles()[b] for b in self._modifiers(word) if b in STANDS}  # "a stationary GVT"
+            roles |= {language.roles()[b] for b in self._modifiers(word) if b in language.roles()}  # "a stationary GVT"
             host = self.of.get(word.i - 2) if word.i > 1 and self.words[word.i - 1].norm == "(" else None
             if host is not None and not host.ego and not host.label and host.mover:  # "the lead (GVT)"
                 host.label = data["label"]
@@ -82,10 +81,14 @@ class Nouns(Attached, NotThere):
             return None
         if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word) or self._faced(word)):
             return None
-        if self._gone(word, before) or self._only_a_place(word, noun):
+        if self._gone(word, before) or self._only_a_place(word, noun) or self._heads_list(word):
             return None
         if self._writers_own(word, kind):
             return self._retyped(self.ego, kind, roles, noun)
+        if {"every", "each"} & {previous, *before} and not data.get("plural"):
+            several = [e for e in self.entities if e.count > 1 and fits(e, kind)]
+            if several:
+                return several[-1]  # "three pupils cross ... until every child is across"
         if previous == "neither" and kind in MOTOR:
             data, noun = {**data, "plural": True}, language.plurals(noun)[0]  # "neither car brakes": of two
         count = self._count(word, before, data)

@@ -88,6 +88,8 @@ class Pronouns(Persons):
 
         if word.dep == "nsubj" and (animal := self._animal_before(word)) is not None:
             return animal
+        if bumped and word.dep in ("pobj", "dobj") and (lying := self._lies_before(word)) is not None:
+            return lying
         apart = self._not_he(word, fits)
         found = apart or self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
         if found is None and bumped:
@@ -100,6 +102,12 @@ class Pronouns(Persons):
             return None
         told = {e for i, e in self.subjects if self.words[i].sentence == word.sentence - 1}
         return next(iter(told)) if len(told) == 1 and next(iter(told)).type == "animal" else None
+
+    def _lies_before(self, word: Word) -> Entity | None:
+        """The thing that was the subject of the sentence before: "a mattress lies there. The car swerves around it"."""
+        told = [e for i, e in self.subjects if self.words[i].sentence in (word.sentence - 1, word.sentence)]
+        things = [e for e in told if e.type in THINGS]
+        return things[-1] if things else None
 
     def _not_he(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
         """Whom "it" means beside a "he" of the same sentence: "while he came up on the bus, its driver moved out"."""
@@ -166,6 +174,8 @@ class Pronouns(Persons):
             if clause.head == clause.i:
                 break
             clause = self.words[clause.head]
+        if (near := self._right_before(word, clause)) is not None:
+            return near
         if clause.dep == "relcl" and clause.head in self.of and clause.head < word.i:
             return self._placed_beside(self.words[clause.head]) or self.of[clause.head]
         previous = [
@@ -184,6 +194,16 @@ class Pronouns(Persons):
             head = self.words[clause.head]
             return self.of.get(head.i) if head.i in self.of else None
         return self.of[previous[-1]]
+
+    def _right_before(self, word: Word, clause: Word) -> Entity | None:
+        """Who stands right before ", which" where the tree takes a noun before the verb: "drives towards the target,
+        which is stationary"."""
+        last = word.i - 2
+        if self.words[word.i - 1].norm != "," or last not in self.of or clause.dep != "relcl" or clause.head == last:
+            return None
+        if self.words[last].span is None or not any(w.verb for w in self.words[clause.head : last]):
+            return None
+        return self._placed_beside(self.words[last]) or self.of[last]
 
     def _placed_beside(self, noun: Word) -> Entity | None:
         """Who is placed by ego right before "which": "a truck in front of ego that brakes"."""

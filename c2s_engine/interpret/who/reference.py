@@ -120,6 +120,9 @@ class Reference(Pronouns):
             number = "first" if "lead" in roles else "last" if "following" in roles else ""
             if number and groups[-1].count == 2:  # "two cars ...: the lead car"
                 return self.member(groups[-1], number)
+        bunches = [e for e in self.entities if e.count > 1 and e.type in ("bicycle", "motorcycle", "rider")]
+        if noun == "leader" and definite and count == 1 and bunches:
+            return bunches[-1]  # of those that are told as one
         if ordinal is not None and count == 1 and definite and not roles:
             told = next((name for name, at in ORDINALS.items() if at == ordinal), "")
             if groups and (member := self.member(groups[-1], told)) is not None:
@@ -141,6 +144,8 @@ class Reference(Pronouns):
                     return towards[-1]
             if not definite and roles & {"stationary", "parked", "slow", "turning", "fast"}:
                 return None
+            if self._ego_moving(roles, kind, definite):
+                return self.ego
             if roles & TOLD_APART or not candidates:
                 return None
         second = any(self.words[m.word].norm in DRIVES_IT for m in self.ego.mentions)
@@ -161,7 +166,8 @@ class Reference(Pronouns):
         if bare and not roles and self._distinguished(word):
             return None
         if bare and not roles:
-            same = next((e for e in reversed(candidates) if e.noun == noun), None)
+            called = (e for e in reversed(candidates) if e.noun == noun or e.noun.endswith(f" {noun}"))
+            same = next(called, None)
             mine = same is None and kind == self.ego.type and self.ego.typed and self._ego_by(noun)
             return self.ego if mine else same  # "... my bus. Front side of bus was damaged"
         if other:
@@ -215,6 +221,11 @@ class Reference(Pronouns):
         if not scored and kind == self.ego.type and self.ego.typed:
             return self.ego
         return max(scored)[2] if scored else None
+
+    def _ego_moving(self, roles: set[str], kind: str, definite: bool) -> bool:
+        """Whether ego is meant by what it does: "the turning truck", of a test vehicle that is a truck."""
+        doing = bool(roles) and roles <= {"turning", "slow", "fast"} and definite
+        return doing and self.ego.typed and kind == self.ego.type and not any(e.type == kind for e in self.entities)
 
     def _ego_by(self, noun: str) -> bool:
         """Whether ego was called by that noun ("the DCAS vehicle" makes "the vehicle" ego)."""

@@ -16,9 +16,13 @@ STRIKES = language.words("strikes")
 CONTACT = STRIKES | language.words("contact")
 BOWS = language.words("bows")
 WAITS = language.words("waits")
+ABORTS = ("abort", "abandon", "cancel", "give")
+BEGINS = language.words("begins")
+GONE = ("go", "pass", "clear", "leave", "vanish", "disappear", "cross")
 STANDS = ("be", "stand", "sit", "wait", "appear")
 GOES = ("drive", "run", "travel", "ride", "cruise", "keep", "stay", "hang", "move", "go", "come")
 BESIDE = re.compile(r"(to|on|in|at) (left|right|front|rear)\b")
+AT_TAIL = re.compile(r"(off|on|from|behind) (rear|back|bumper|tail)\b")
 
 
 class Salience(Members):
@@ -45,6 +49,10 @@ class Salience(Members):
                 clash = self._subject_of(main)  # one waits until another has passed; one slows until it stands itself
         if word.dep in ("dobj", "pobj") and word.norm not in ("its", "itself"):
             clash = self._subject_of(verb)
+        if word.dep == "nsubj" and (gone := self._gone_before(word, verb)) is not None:
+            clash = gone
+        if word.dep == "nsubj" and self._enabled(word, verb):
+            clash = self._subject_of(self.words[verb.head])  # "ego moves over so that it can get past"
         if word.dep == "poss" and verb.lemma in STRIKES and self.words[word.head].dep in ("dobj", "pobj"):
             clash = self._subject_of(verb)
         above = self.words[word.head]
@@ -57,10 +65,17 @@ class Salience(Members):
             inner, accept_all = holder, accept
             clash = None if above.head not in self.of else clash
             accept = lambda e: accept_all(e) and e is not inner  # noqa: E731
+        if word.dep == "nsubj" and (whom := self._object_nouns(verb)):
+            accept_any = accept
+            accept = lambda e: accept_any(e) and e.noun not in whom  # noqa: E731
+        if word.dep == "nsubj" and verb.lemma in ABORTS:
+            tries = [e for i, e in self.subjects if i < word.i and self._tries(self._governor(self.words[i]))]
+            if tries:
+                return tries[-1]
         same = [(i, e) for i, e in self.subjects if i < word.i and accept(e) and e is not clash]
         last = [i for i in sorted(self.of) if i < word.i and accept(self.of[i]) and self.of[i] is not clash]
         if word.norm in ("it", "its"):  # "a car in the lane to our left. Its driver": not ours
-            told = [i for i in last if self.words[i].norm not in MINE]
+            told = [i for i in last if self.words[i].norm not in MINE and i not in self.both]
             last = told or last
         if not last:
             beside = holder is not None and holder is not clash and clash is not None
@@ -123,6 +138,30 @@ class Salience(Members):
             )
         return self.of[last[-1]]
 
+    def _tries(self, verb: Word) -> bool:
+        """Whether somebody begins something or means to: who gives it up then is the same one."""
+        return verb.lemma in BEGINS or verb.lemma in ("plan", "mean", "prepare")
+
+    def _object_nouns(self, verb: Word) -> set[str]:
+        """What its definite object is called: who does it is another ("it overtakes the bus")."""
+        objects = [self.words[c] for c in verb.children if self.words[c].dep == "dobj" and c > verb.i]
+        the = [w for w in objects if w.span is not None and any(self.words[c].norm == "the" for c in w.children)]
+        return {str(w.span.data["noun"]) for w in the if w.span is not None and w.span.data.get("noun")}
+
+    def _enabled(self, word: Word, verb: Word) -> bool:
+        """Whether one is whom another makes something possible for ("so that it can get past")."""
+        before = [w.norm for w in self.words[max(0, word.i - 2) : word.i]]
+        may = any(self.words[c].norm in ("can", "could", "may", "might") for c in verb.children)
+        return verb.dep == "advcl" and may and (before == ["so", "that"] or before[-1:] == ["so"])
+
+    def _gone_before(self, word: Word, verb: Word) -> Entity | None:
+        """Who is gone when another acts: "once the van has passed, it ...", "with the van gone it ..."."""
+        for child in verb.children:
+            other = self.words[child]
+            if other.dep == "advcl" and child < word.i and other.tag == "VBN" and other.lemma in GONE:
+                return self._subject_of(other)
+        return None
+
     def _placed(self, word: Word) -> Entity | None:
         """Who is placed by a pronoun: the truck of "the truck ahead of it"."""
         above = self.words[word.head]
@@ -155,6 +194,8 @@ class Salience(Members):
 
     def _on_its_side(self, word: Word, verb: Word) -> bool:
         """Whether somebody stands or goes along on the side that a possessive names: it is not its own side."""
+        if AT_TAIL.match(self._around(word.i)):
+            return verb.lemma in STANDS or verb.lemma in GOES
         if not BESIDE.match(self._around(word.i)):
             return False
         lane = [w.norm for w in self.words[max(0, word.i - 4) : word.i]][-3:-1] == ["the", "lane"]

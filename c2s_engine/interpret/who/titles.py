@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import VEHICLES, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.named import Named
+
+STANDING = frozenset(("stationary", "parked"))
 
 
 class Titles(Named):
@@ -22,7 +25,7 @@ class Titles(Named):
                 continue
             first = self.words[entity.mentions[0].word]
             told = not self._heading(0) and (not entity.roles or entity.roles & {"lead", "following"})
-            if indefinite and not told and self._announced(first, word):
+            if indefinite and not told and self._announced(first, word) and not self._another_stands(entity, word):
                 return entity
             if entity.type != "vehicle" or not entity.noun.endswith("driver"):
                 continue
@@ -33,6 +36,19 @@ class Titles(Named):
             if title and not verbs and (ends is not None or word.sentence > 0) and "another" not in between[-3:]:
                 return entity
         return None
+
+    def _another_stands(self, entity: Entity, word: Word) -> bool:
+        """Whether a title told of one that stands, and another than this one is told to stand later: "Cut-out with
+        stationary target. Ego follows an SUV. ... a stalled hatchback"."""
+        if not entity.roles & STANDING:
+            return False
+        standing = [w for w in self.words if w.sentence and w.span is not None and STANDING & self._parts(w)]
+        return bool(standing) and word not in standing
+
+    def _parts(self, word: Word) -> set[str]:
+        """The parts in the scene that the words of a noun phrase give."""
+        own = set(word.span.data.get("roles", ())) if word.span is not None else set()
+        return own | {language.roles()[b] for b in self._modifiers(word) if b in language.roles()}
 
     def _announced(self, first: Word, word: Word) -> bool:
         """Whether a noun stands without an article in a short title, so that a later "a pickup" is the same one:

@@ -13,6 +13,7 @@ class Plan:
     place: PlaceSpec
     duration: float  # s
     ego_speed: float  # m/s, the middle of it
+    ego_top: float  # m/s, the highest of it: who is ahead leaves room for that
     before: float  # m of lane wanted behind ego's start
     after: float  # m wanted ahead of it
     distance: float | tuple[float, float] | None  # m from ego's start to the junction or ramp

@@ -57,15 +57,16 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
             }
         )
     )
-    speed = middle(speed_of(ego, place))
+    speed, top = middle(speed_of(ego, place)), high(speed_of(ego, place))
     duration = getattr(restrictions, "duration", None) or 20.0
     plan = Plan(
         place=place,
         duration=duration,
         ego_speed=speed,
+        ego_top=top,
         before=rooms.before(ego, objects, speed),
-        after=rooms.after(place, speed, duration, ego, objects),
-        distance=rooms.distance(place.model_copy(update={"kind": "on_ramp"}) if ramp else place, speed, objects, room),
+        after=rooms.after(place, top, duration, ego, objects),
+        distance=rooms.distance(place.model_copy(update={"kind": "on_ramp"}) if ramp else place, top, objects, room),
         offsets=offsets,
         base=base,
         approaches=approaches,

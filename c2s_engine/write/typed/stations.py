@@ -39,7 +39,7 @@ def gap(spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
     if spec.placement.gap is not None:
         return spec.placement.gap
     place = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place  # it stands before the merge
-    return default_gap(spec, plan.ego_speed, place)
+    return default_gap(spec, plan.ego_top if along(spec) > 0 else plan.ego_speed, place)
 
 
 def row_beyond(parent: ObjectSpec, ahead: bool) -> float:

@@ -46,7 +46,7 @@ def _keep_lane(c: Course, p: Phase) -> list[Step]:
 
 def _over_junction(c: Course, p: Phase) -> list[Step]:
     """The line already turns; the phase is over when the junction is behind."""
-    goal = c.set(c.wanted(p, c.value))
+    goal = c.set(c.wanted(p, _moving(c)))  # who stood at the line moves off
     if not (c.actor.plan.junction and (c.actor.is_ego or c.actor.approach or c.lane is not None)):
         return [([c.drive(goal)], ending(p, ""))]
     return [([c.drive(goal)], "until self._intersection"), ([c.drive(goal)], "until not self._intersection")]

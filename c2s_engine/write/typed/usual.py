@@ -54,11 +54,22 @@ def default_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None = None)
 
     Whom ego catches up with is so far off that ego drives a while at its speed before it has to brake.
     """
-    gap = _open_gap(o, ego_speed, place)
+    gap = max(_open_gap(o, ego_speed, place), _before_trigger(o, ego_speed))
     if place is None or place.distance is None or place.kind not in {*JUNCTION, *RAMP, "crosswalk"}:
         return gap
     row = LENGTH[o.type] + (o.count - 1) * (LENGTH[o.type] + (high(o.spacing) if o.spacing is not None else 3.0))
     return min(gap, max(low(place.distance) - row - 6.0, 3.0))  # it stands before what lies ahead
+
+
+def _before_trigger(o: ObjectSpec, ego_speed: float) -> float:
+    """How far (m) off one who stands must be for ego to drive a while before that one acts: it waits for ego to come
+    near."""
+    trigger = o.phases[0].trigger if o.phases else None
+    stands = o.placement.position in ("parked", "roadside", "sidewalk") or o.speed == 0
+    if trigger is None or trigger.value is None or trigger.of not in (None, "ego") or not stands:
+        return 0.0
+    near = middle(trigger.value) * (ego_speed if trigger.kind == "ttc" else 1)
+    return min(near + 2.0 * ego_speed, 150.0) if trigger.kind in ("ttc", "distance") else 0.0
 
 
 def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float:

@@ -21,7 +21,7 @@ def _table() -> dict[str, Any]:
 
 def demands(text: str) -> list[str]:
     """The demands of a text, in order, as plain text."""
-    plain = " ".join(scan.normalised(text).replace("?", " ").replace("!", " ").split())
+    plain = " ".join(re.sub(r"[?!.]+(?=\s)", ".", scan.normalised(text).rstrip("?!. ")).split())
     plain = re.sub(_table()["moment"], "when ", plain)
     found: list[str] = []
     for sentence in re.split(r"(?:[.;:]\s+|\.$)", plain):
@@ -40,6 +40,9 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
     for pattern, said in table["told_as"]:
         demand = re.sub(pattern, said, demand)
     if who:
+        demand = _value(demand, before, who)
+        if re.search(r"\b(?:brak|stop|slow|decelerat)", before):
+            demand = re.sub(table["slowed"], f"{who} brakes down to ", demand)
         demand = re.sub(r"^to (?=down to )", f"{who} brakes ", re.sub(r"^to (?=up to )", f"{who} accelerates ", demand))
         if re.match(r"(?:about |around )?\d[\d.]* ?[a-z]+ (?:between|apart|of space)", demand):
             demand = f"{who} with {demand}"
@@ -70,6 +73,16 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
         return f"{demand} km/h"
     unit = None if re.search(r"\b(?:distance|gap|headway)\b", demand) else re.search(table["unit"], before)
     return f"{demand} {unit[1]}" if unit and re.search(r"[a-z] \d+$", demand) else demand
+
+
+def _value(demand: str, before: str, who: str) -> str:
+    """A bare value ("ego is too slow. 50") with what it is one of."""
+    value = re.match(_table()["value"], demand)
+    said = next((new for pattern, new in _table()["value_of"] if re.search(pattern, before)), None) if value else None
+    if value is None or said is None:
+        return demand
+    told = said.format(who=who, value=value["value"])
+    return re.sub(r" (?:km/h|m)$", f" {value['unit'].strip()}", told) if value["unit"] else told
 
 
 def topic_of(demand: str, structure: Structure) -> ComponentId | None:
@@ -116,14 +129,16 @@ def _folded(parts: list[str]) -> list[str]:
         if re.match(table["subordinate"], part) and not found or re.match(table["in_place"], part):
             ahead = f"{ahead}{part}, "
         elif found and (enough := re.match(table["enough"], part)):
-            found[-1] = f"{found[-1]}, {enough['what']}"
+            judged = re.search(table["judges"], found[-1])
+            found = [*found, enough["what"]] if judged else [*found[:-1], f"{found[-1]}, {enough['what']}"]
         elif found and (
             re.match(table["continues"], part)
             or re.match(table["infinitive"], part)
             and not part.startswith("then")
             and re.search(table["does"], found[-1])
         ):
-            found[-1] = f"{found[-1]}, {part}"
+            moment = re.match(table["moments"], part)
+            found[-1] = f"{found[-1]} {part}" if moment else f"{found[-1]}, {part}"
         else:
             found.append(ahead + part)
             ahead = ""

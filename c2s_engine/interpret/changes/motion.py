@@ -7,6 +7,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of, quantity_of, value_of, without_unit
 from c2s_engine.interpret.changes.refer import names_a_stranger, refer, spec_of
 from c2s_engine.interpret.reading import scan
+from c2s_engine.interpret.surroundings import environment
 from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import SetField, SetSpec
@@ -204,7 +205,8 @@ def rate(clause: str, structure: Structure) -> Found | None:
     wanted = quantity_of(clause, "acceleration")
     change = next((f for pattern, f in table["factors"] if re.search(pattern, clause)), None)
     actions = next((a for pattern, a in table["actions"] if re.search(pattern, clause)), ())
-    if not actions and not scan.names(clause):
+    weather = environment.weather(clause, [(0, len(clause))])
+    if not actions and not scan.names(clause) and not weather:
         actions = table["actions"][0][1]
     if not actions or wanted is None and change is None:
         return None
@@ -213,8 +215,10 @@ def rate(clause: str, structure: Structure) -> Found | None:
     component = named if named in doing else doing[0] if doing and named is None else None
     if component is None:
         return None
+    goal = quantity_of(clause, "speed") if re.search(r"\bto (?:about |around )?\d", clause) else None
+    reached = {"speed": value_of(goal)} if goal else {}
     phases = tuple(
-        p.model_copy(update={"rate": value_of(wanted) if wanted else _times(p, change or 1.0)})
+        p.model_copy(update={"rate": value_of(wanted) if wanted else _times(p, change or 1.0), **reached})
         if p.action in actions
         else p
         for p in _phases(component)

@@ -5,7 +5,9 @@ from c2s_engine.interpret.changes.looks import blueprint, uncovered
 from c2s_engine.interpret.changes.motion import distance, rate, reaction, sides
 from c2s_engine.interpret.changes.objects import remove, retype
 from c2s_engine.interpret.changes.scene import ending, length, own_lane, road, setting
+from c2s_engine.interpret.changes.signs import sign
 from c2s_engine.interpret.changes.speed import speed, speed_difference, walked
+from c2s_engine.interpret.changes.timing import shifted
 from c2s_engine.interpret.changes.told import acting, standing
 
 FORMS: tuple[Form, ...] = (
@@ -14,8 +16,10 @@ FORMS: tuple[Form, ...] = (
     blueprint,
     uncovered,
     own_lane,
+    sign,
     retype,
     remove,
+    shifted,
     speed_difference,
     rate,
     acting,

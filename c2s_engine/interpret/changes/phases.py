@@ -3,7 +3,7 @@
 import re
 from collections.abc import Sequence
 
-from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import table
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, SetField
@@ -15,13 +15,18 @@ WAYS = {"go_straight": "straight", "turn_left": "left", "turn_right": "right", "
 
 def awaited(told: str, structure: Structure) -> Trigger | None:
     """ "As soon as the child starts to cross, the bus stops": what another does, for which it is waited."""
+    if moment := re.match(table()["at_a_time"], told):
+        return Trigger(kind="time", value=float(moment["seconds"]))
     match = re.match(table()["awaits"], told)
     if match is None or re.search(r"\d", condition := match["before"] or match["after"]):
         return None
     other = refer(condition, structure, alone=False)
-    if other is None or other.id == "E" or not (phases := spec_of(other).phases):
+    if other is None or not (actions := [p.action for p in getattr(other.spec, "phases", ())]):
         return None
-    return Trigger(kind="action", of=other.id, action=phases[0].action)
+    said = [a for a in actions if doing(condition, (a,))]
+    if other.id == "E":
+        return Trigger(kind="action", of="ego", action=said[0]) if said else None
+    return Trigger(kind="action", of=other.id, action=(said or actions)[0])
 
 
 def afterwards(clause: str, edits: Sequence[Edit], structure: Structure) -> list[Edit]:

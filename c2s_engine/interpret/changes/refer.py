@@ -1,6 +1,7 @@
 """Which component of S a phrase means: "the lead", "O2", "the second car", "the pedestrian's", "it"."""
 
 import re
+from collections.abc import Iterable
 from typing import get_args
 
 from c2s_engine.interpret import language
@@ -117,8 +118,20 @@ def _alias(plain: str, structure: Structure) -> Component | None:
 
 def _doer(plain: str, structure: Structure) -> Component | None:
     """Whom a noun or participle of doing means: "the overtaker", "the overtaking one"."""
-    for doing, actions in language.table("refine")["doers"].items():
-        if re.search(rf"\b(?:{doing})(?:e?rs?\b|ing (?:one|vehicle|road user)s?\b)", plain):
-            found = [c for c in structure.objects if any(p.action in actions for p in spec_of(c).phases)]
-            return found[0] if found else None
+    for stem in language.table("refine")["doers"]:
+        if named := re.search(rf"\b(?:{stem})(?:e?rs?\b|ing (?:one|vehicle|road user)s?\b)", plain):
+            return next((c for c in structure.objects if doing(named[0], actions_of(c))), None)
     return None
+
+
+def actions_of(component: Component) -> list[str]:
+    """What an object does, in order."""
+    return [p.action for p in spec_of(component).phases]
+
+
+def doing(words: str, actions: Iterable[str]) -> bool:
+    """Whether one of the actions is what the words say that begin with a stem of doing."""
+    for stem, done in language.table("refine")["doers"].items():
+        if re.search(rf"\b(?:{stem})", words) and any(action in done for action in actions):
+            return True
+    return False

@@ -4,10 +4,11 @@ import re
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes import order
+from c2s_engine.interpret.changes import notes, order
 from c2s_engine.interpret.changes.demands import demands, topic_of, whole
 from c2s_engine.interpret.changes.speed import walked
 from c2s_engine.interpret.changes.told import introduced
+from c2s_engine.interpret.changes.unshown import unshown
 from c2s_engine.interpret.composing import describe
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Structure
@@ -21,18 +22,19 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     edits: list[Edit] = []
     said: list[str] = []
     current = structure
+    text = notes.text_of(text, structure)
     before, topic = "", topic_of(text, structure)
     parts = demands(text)
     if len(parts) > 1 and not order.retype(parts[0], structure) and (new := introduced(parts, structure)):
         return _all(new, structure)
     while parts:
         part = parts.pop(0)
-        demand = whole(part, before, topic)
+        demand = notes.demand_of(whole(part, before, topic), current)
         if parts and (both := _in_a_row(demand, parts[0], current)):
             demand = both
             parts.pop(0)
         before, topic = demand, topic_of(demand, current) or topic
-        found = _found(demand, current)
+        found = unshown(demand) or _found(demand, current)
         if found is None:
             continue
         try:

@@ -95,6 +95,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
                 changed = [c for c in changed if c[0] != "ego_lane"]
             if added and new and cid.startswith("O"):
                 changed = [c for c in changed if c[0] == "placement.hidden_by"]
+            changed = _without_awaited(changed)
             edits += [SetField(component=cid, path=path, value=value) for path, value in changed]
             paths += [path for path, _ in changed]
     if not any(wanted(path) for path in paths):
@@ -103,6 +104,12 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
     edits = _one_way(edits, structure)
     said = _in_words(edits, structure)
     return [*sorted(edits, key=lambda e: not isinstance(e, AddObject)), *_moves(now, ids, structure)], said
+
+
+def _without_awaited(changed: list[tuple[str, Any]]) -> list[tuple[str, Any]]:
+    """The changes without a gap that is only the one for which somebody waits."""
+    awaited_at = {p.trigger.value for path, value in changed if path == "phases" for p in value if p.trigger}
+    return [(path, value) for path, value in changed if path != "placement.gap" or value not in awaited_at]
 
 
 def _there_already(component: Component, was: Structure, both: bool) -> bool:

@@ -6,6 +6,7 @@
 
 import re
 from functools import cache
+from itertools import pairwise
 from typing import Any
 
 from c2s_engine.interpret import language
@@ -39,8 +40,8 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
         demand = re.sub(table["objects"], rf"\g<1>{who}", demand)
     for pattern, said in table["told_as"]:
         demand = re.sub(pattern, said, demand)
+    demand = _value(demand, before, who or "ego")
     if who:
-        demand = _value(demand, before, who)
         if re.search(r"\b(?:brak|stop|slow|decelerat)", before):
             demand = re.sub(table["slowed"], f"{who} brakes down to ", demand)
         demand = re.sub(r"^to (?=down to )", f"{who} brakes ", re.sub(r"^to (?=up to )", f"{who} accelerates ", demand))
@@ -144,7 +145,8 @@ def _folded(parts: list[str]) -> list[str]:
             ahead = ""
     demanded = [d for d in found if re.search(table["demanding"], d)]
     if demanded:
-        found = [d for d in found if d in demanded or not re.search(table["judges"], d)]
+        valued = [d for d, then in pairwise(found) if re.match(table["value"], then)]
+        found = [d for d in found if d in demanded or d in valued or not re.search(table["judges"], d)]
     return found or ([ahead.strip(", ")] if ahead else [])
 
 

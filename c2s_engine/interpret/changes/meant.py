@@ -21,7 +21,7 @@ def _described() -> re.Pattern[str]:
     before = "|".join(row["before"] for row in table["where"] if row.get("before"))
     behind = "|".join(row["behind"] for row in table["where"] if row.get("behind"))
     return re.compile(
-        rf"\b(?:the|that|this|our|my) (?:(?P<before>{before}) )?(?P<head>{table['heads']})(?:(?: {table['relative']})?"
+        rf"(?:\b(?:the|that|this|our|my) |^)(?:(?P<before>{before}) )?(?P<head>{table['heads']})(?:(?: {table['relative']})?"
         rf" (?P<behind>{behind})(?: {table['of_ego']})?)?(?![\w-])"
     )
 
@@ -34,6 +34,7 @@ def called(plain: str, structure: Structure) -> str:
             found = rf"{_table()['definite']}\b(?:the |that |this |our )?(?:{noun})(?![\w-])"
             plain = re.sub(found, called_by(there[0], structure), plain)
     plain = re.sub(rf"\b(?:the |that |this )?{_table()['agents']}", lambda m: _agent(m, structure), plain)
+    plain = re.sub(_table()["acts"], lambda m: _actor(m, structure), plain)
     return _described().sub(lambda m: _fitting(m, structure), plain)
 
 
@@ -52,6 +53,12 @@ def _agent(match: re.Match[str], structure: Structure) -> str:
     """One whom a noun of doing means: "the overtaker"."""
     found = [c for c in structure.objects if doing(match[0], actions_of(c))]
     return called_by(found[0], structure) if len(found) == 1 else match[0]
+
+
+def _actor(match: re.Match[str], structure: Structure) -> str:
+    """One whose act begins: "start the overtaking", "the overtaking"."""
+    who = _agent(match, structure)
+    return f"{who} should start" if who != match[0] and match["begin"] else who
 
 
 def _fitting(match: re.Match[str], structure: Structure) -> str:

@@ -14,6 +14,8 @@ from c2s_engine.interpret.spans import Span
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import PlaceSpec
 
+SPEAKERS = ("i", "we", "me", "us")
+"""Words for ego that may mean who types."""
 MARK = "‹{}{}{}›"
 """Its number; p: several, s: one; i: an id, e: ego, t: somebody who is there, n: somebody new."""
 
@@ -30,6 +32,12 @@ def demand_of(demand: str, structure: Structure) -> str:
     return _rewritten(demand, "junction", structure) if structure.place.spec.kind == "intersection" else demand
 
 
+def adds(demand: str, structure: Structure) -> bool:
+    """Whether a demand asks for somebody new in so many words: "add a car that tailgates ego"."""
+    marked, _ = _marked(demand, structure)
+    return any(pattern.match(marked) for pattern, _ in _patterns("adding"))
+
+
 def _rewritten(plain: str, section: str, structure: Structure) -> str:
     marked, names = _marked(plain, structure)
     for pattern, new in _patterns(section):
@@ -41,7 +49,7 @@ def _rewritten(plain: str, section: str, structure: Structure) -> str:
 
 def _marked(plain: str, structure: Structure) -> tuple[str, dict[str, str]]:
     """The text with marks for the names in it, and these by their marks."""
-    spans = [s for s in scan.names(plain) if s.kind in ("actor", "ego", "label")]
+    spans = [s for s in scan.names(plain) if s.kind in ("actor", "ego", "label") and plain[s.start : s.end] not in SPEAKERS]
     spans += [Span("id", *m.span()) for m in re.finditer(r"\bo[1-9]\b", plain)]
     names: dict[str, str] = {}
     marked, at = "", 0

@@ -5,7 +5,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of
-from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
+from c2s_engine.interpret.changes.refer import ORDINALS, objects_of, refer, spec_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Component, Structure
@@ -28,10 +28,26 @@ def remove(clause: str, structure: Structure) -> Found | None:
         return [SetField(component="R", path="control", value="none")], "no traffic lights"
     if re.match(r"weather", rest):
         return [SetField(component="G", path="weather", value=[])], "clear weather"
+    names = [n for n in re.split(r",? and |, | or ", rest) if n]
+    found = [refer(name, structure, alone=len(names) == 1) for name in names]
+    several = [c for c in found if c is not None and c.id != "E"]
+    if len(names) > 1 and len({c.id for c in several}) == len(names):
+        return _gone(several, structure), f"{', '.join(name_of(c) for c in several)} removed"
     component = refer(rest, structure)
     if component is None or component.id == "E" or re.search(r"\bother (traffic|vehicles|cars|road users)\b", rest):
         return None
-    return [*_release(component, structure), RemoveObject(component=component.id)], f"{name_of(component)} removed"
+    return _gone([component], structure), f"{name_of(component)} removed"
+
+
+def _gone(components: list[Component], structure: Structure) -> list[Edit]:
+    """Edits after which these are there no longer, and nobody refers to them."""
+    edits: list[Edit] = []
+    for component in components:
+        gone = [*_release(structure[component.id], structure), RemoveObject(component=component.id)]
+        for edit in gone:
+            structure = apply(structure, edit)
+        edits += gone
+    return edits
 
 
 def _all_but(clause: str, structure: Structure) -> Found | None:
@@ -41,13 +57,7 @@ def _all_but(clause: str, structure: Structure) -> Found | None:
     if not kept or None in kept:
         return None
     stay = {c.id for c in kept if c is not None}
-    edits: list[Edit] = []
-    for component in structure.objects:
-        if component.id not in stay:
-            gone = [*_release(component, structure), RemoveObject(component=component.id)]
-            for edit in gone:
-                structure = apply(structure, edit)
-            edits += gone
+    edits = _gone([c for c in structure.objects if c.id not in stay], structure)
     said = ", ".join(name_of(c) for c in kept if c is not None and c.id != "E")
     return (edits, f"only {said} stays" if said else "only ego stays") if edits else None
 
@@ -116,6 +126,8 @@ def retype(clause: str, structure: Structure) -> Found | None:
             continue
         alike = not who or who in ("it", "that", "this", "one", "just one", "only one", "a single one")
         component = _akin(kind, structure) if alike else refer(who, structure)
+        if component is None and who and re.search(rf"\b(?:{'|'.join(ORDINALS)})\b", who):
+            return [], "they are told of together: say how many stay and add another one"
         if component is None:
             return None
         if component.id == "E":

@@ -1,5 +1,6 @@
 """The forms of change that a turn may have, in the order in which they are tried."""
 
+from c2s_engine.interpret.changes.beside import abreast
 from c2s_engine.interpret.changes.forms import Form
 from c2s_engine.interpret.changes.looks import blueprint, uncovered
 from c2s_engine.interpret.changes.motion import distance, rate, reaction, sides
@@ -16,6 +17,7 @@ FORMS: tuple[Form, ...] = (
     blueprint,
     uncovered,
     own_lane,
+    abreast,
     sign,
     retype,
     remove,
@@ -32,3 +34,6 @@ FORMS: tuple[Form, ...] = (
     sides,
     reaction,
 )
+
+ADDING: tuple[Form, ...] = (abreast, sign, acting, setting, road, standing)
+"""The forms that a demand for somebody new may have."""

@@ -63,6 +63,8 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
             found = [c for c in structure.objects if spec_of(c).name == f"v{span.data['label']}"]
             return found[0] if found else None
         found = objects_of(structure, span.data["type"])
+        if span.data.get("noun") in language.words("adults"):
+            found = [c for c in found if spec_of(c).type != "child"]
         if "lead" in span.data["roles"] and len(found) != 1:
             ahead = [c for c in structure.objects if spec_of(c).placement.position == "ahead"]
             return ahead[0] if ahead else None
@@ -87,6 +89,8 @@ def _ordinal(
     found = found or objects_of(structure, spec_of(first).type)
     for word, index in ORDINALS.items():
         if re.search(rf"\b{word}\b", plain):
+            if len(found) == 1 and spec_of(found[0]).count > 1:
+                return None  # one of those who are told of together
             return found[index] if -len(found) <= index < len(found) else None
     if re.search(r"\bother\b", plain) and len(found) > 1:
         return found[1]

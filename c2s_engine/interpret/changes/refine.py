@@ -68,15 +68,17 @@ def _in_a_row(first: str, then: str, structure: Structure) -> str | None:
 
 def _found(demand: str, structure: Structure) -> Found | None:
     """What the first form that fits asks for; where somebody does that already, how fast he is to do it."""
-    for form in order.FORMS:
+    table = language.table("refine")["told"]
+    forms = order.ADDING if notes.adds(demand, structure) else order.FORMS
+    for form in forms:
         found = form(demand, structure)
         if found is None:
             continue
         if form is order.setting and not scan.names(demand) and (where := order.road(demand, structure)):
             return [*found[0], *where[0]], f"{found[1]}; {where[1]}"
-        denied = re.search(language.table("refine")["told"]["denies"], demand)
+        denied = re.search(table["denies"], demand)
         if form is order.acting and not denied and all(_already(e, structure) for e in found[0]):
-            return walked(demand, structure) or found
+            return None if re.search(table["meanwhile"], demand) else walked(demand, structure) or found
         return found
     return None
 

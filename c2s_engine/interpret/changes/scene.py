@@ -35,7 +35,7 @@ def setting(clause: str, structure: Structure) -> Found | None:
     if colour and not light:
         state = "yellow" if colour[1] == "amber" else colour[1]
         light = [environment.Found(state, 0.9, colour.span())]
-    if re.search(r"\b(clear|sunny|dry|fine|nice)\b", clause) and not sky:
+    if re.search(language.table("refine")["fair"], clause) and not sky:
         sky = [environment.Found("clear", 0.9, (0, 1))]
     if len(scan.names(clause)) > 1 or (
         scan.names(clause) and not light and not re.search(r"weather|rain|fog|night|day|snow", clause)

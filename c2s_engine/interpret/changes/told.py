@@ -227,6 +227,8 @@ def _changes(
         if path == "speed" and not re.search(table()["paces"], clause):
             moves = getattr(there.spec, "speed", None) == 0.0 and bool(new["phases"])
             same = not moves or not value
+        if path == "speed" and getattr(there.spec, "speed", None) and any(a.field == "speed" for a in now.assumed):
+            same = True
         same = same and not (path == "phases" and value and re.search(table()["besides"], clause))
         if same or path in ("name", "component", "model") or (there.id == "R" and path not in PLACE):
             continue
@@ -235,7 +237,7 @@ def _changes(
             turns = any(p.action in ("turn_left", "turn_right", "u_turn") for p in now.spec.phases)
             phases = tuple(mapped(p, ids) for p in now.spec.phases if not (turns and p.action == "go_straight"))
             phases = tuple(sorted(phases, key=lambda p: p.action not in ("run_red", "run_stop")))
-            if waited is not None and phases and phases[0].trigger is None:
+            if waited is not None and phases and (phases[0].trigger is None or phases[0].trigger.kind == waited.kind):
                 phases = (phases[0].model_copy(update={"trigger": waited}), *phases[1:])
             found.append((path, joined(there.spec.phases, phases, clause)))
         elif path == "placement":

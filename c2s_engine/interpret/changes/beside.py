@@ -1,0 +1,35 @@
+"""Changes of who is beside ego: "the car level with ego", "put the van next to us on the right"."""
+
+import re
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of
+from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import Edit, SetField
+from c2s_engine.structure.specs import PlaceSpec
+
+LANES = {"left": "left_lane", "right": "right_lane"}
+
+
+def abreast(clause: str, structure: Structure) -> Found | None:
+    """ "The left car level with ego": in the lane that it has, or that is told, or that there is."""
+    match = re.match(language.table("refine")["abreast"], clause)
+    component = refer(match["who"], structure, alone=False) if match else None
+    if match is None or component is None or component.id == "E" or spec_of(component).type not in VEHICLES:
+        return None
+    place = spec_of(component).placement
+    if place.position not in ("ahead", "behind", "left_lane", "right_lane", "beside"):
+        return None
+    position = LANES.get(match["side"] or "", place.position)
+    if position not in LANES.values():
+        assert isinstance(structure.place.spec, PlaceSpec)
+        position = "right_lane" if structure.place.spec.ego_lane == "leftmost" else "left_lane"
+    fields = {"position": position, "along": "abreast", "gap": None}
+    old = place.model_dump()
+    edits: list[Edit] = [
+        SetField(component=component.id, path=f"placement.{key}", value=value)
+        for key, value in fields.items()
+        if old[key] != value
+    ]
+    return edits, f"{name_of(component)} level with ego in the {position.replace('_', ' ')}"

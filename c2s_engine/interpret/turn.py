@@ -39,6 +39,7 @@ def route(text: str, structure: Structure | None) -> Turn:
 def _route(text: str, structure: Structure | None) -> Turn:
     table = language.table("refine")
     text = Mended(re.sub(table["arrows"], " becomes ", text), scene=False).text
+    text = re.sub(table["lines"], ". ", text.strip())
     plain = " ".join(scan.normalised(text).split())
     whole = (0, len(text))
     if not plain:
@@ -47,8 +48,8 @@ def _route(text: str, structure: Structure | None) -> Turn:
         return Turn(back, span=whole)
     if _anew(plain):
         return Turn("scenario", span=whole)
-    if structure is not None and (wish := asked.requested(plain) or asked.supposed(plain)):
-        edits, said = refine.edits_of(wish, structure)
+    for wish in (asked.requested(plain), asked.supposed(plain)) if structure is not None else ():
+        edits, said = refine.edits_of(wish, structure) if wish and structure is not None else ([], [])
         if edits:
             return Turn("edit", edits, "; ".join(said), whole)
     if asked.asks(plain):
@@ -60,19 +61,19 @@ def _route(text: str, structure: Structure | None) -> Turn:
     if len(plain.split()) > 45 or _tells(plain, commanding) and not _adds(plain) and not _goes_on(plain, structure):
         return Turn("scenario", span=whole)
     edits, said = refine.edits_of(plain, structure)
-    if edits or said:
+    if edits:
         return Turn("edit", edits, "; ".join(said), whole)
+    if said:
+        return Turn("edit", reply=_not_understood(text, "; ".join(said)), span=whole)
     if commanding or not _of_strangers(plain, structure) or _of_those_there(plain, structure):
         return Turn("edit", reply=_not_understood(text), span=whole)
     return Turn("scenario", span=whole)
 
 
-def _not_understood(text: str) -> str:
-    """The answer to a change that is not understood, or that no scenario can show."""
-    return (
-        f"I did not understand “{text.strip()[:80]}” as a change: name what is to change and how, "
-        f"such as “make the lead a truck”."
-    )
+def _not_understood(text: str, why: str = "") -> str:
+    """The answer to a change that is not understood, or that cannot be made, with what would do."""
+    how = why or "name what is to change and how, such as “make the lead a truck”"
+    return f"I did not understand “{text.strip()[:80]}” as a change{' that can be made' if why else ''}: {how}."
 
 
 def _anew(plain: str) -> bool:
@@ -142,6 +143,8 @@ def _tells(plain: str, commanding: bool) -> bool:
     if commanding and not re.search(r"[.;] \w+.*[.;] \w+", plain):
         return False
     words = len(plain.split())
+    if words >= 9 and any(s.kind == "label" for s in scan.names(plain)) and not commanding:
+        return True
     names = [s for s in scan.names(plain) if s.kind in ("actor", "ego", "label")]
     return (
         words >= 9

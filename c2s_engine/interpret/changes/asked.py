@@ -4,6 +4,7 @@ import re
 from typing import Any
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.reading import scan
 
 
 def _table() -> dict[str, Any]:
@@ -42,7 +43,11 @@ def demanded(plain: str) -> str:
     sentences = _sentences(plain)
     rest = [s for s in sentences if not _asks(s)]
     demands = any(re.search(_table()["asking"]["demands"], s) for s in rest)
-    return " ".join(rest) if rest and demands and len(rest) < len(sentences) else plain
+    if not rest or not demands or len(rest) == len(sentences):
+        return plain
+    named = [s[n.start : n.end] for s in sentences if s not in rest for n in scan.names(s) if n.kind == "actor"]
+    said = ". ".join(rest)
+    return re.sub(r"\b(?:it|he|she|they|him|them)\b", f"the {named[0]}", said, count=1) if named else said
 
 
 def _sentences(plain: str) -> list[str]:
@@ -58,7 +63,7 @@ def _remarks(sentence: str) -> bool:
 def _asks(sentence: str) -> bool:
     table = _table()
     sentence = re.sub(table["asking"]["before"], "", sentence)
-    if re.search(table["asked_for"], sentence):
+    if re.search(table["asked_for"], sentence) and not re.match(r"(?:what|which|who|where|when|how)\b", sentence):
         return False
     if any(re.match(pattern, sentence) for pattern in table["asking"]["shapes"]):
         return True

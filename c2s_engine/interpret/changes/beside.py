@@ -14,7 +14,10 @@ LANES = {"left": "left_lane", "right": "right_lane"}
 
 def abreast(clause: str, structure: Structure) -> Found | None:
     """ "The left car level with ego": in the lane that it has, or that is told, or that there is."""
-    match = re.match(language.table("refine")["abreast"], clause)
+    table = language.table("refine")
+    if opposite := re.match(table["on_the_other_side"], clause):
+        return _oncoming(opposite["who"], opposite["other"], structure)
+    match = re.match(table["abreast"], clause)
     component = refer(match["who"], structure, alone=False) if match else None
     if match is None or component is None or component.id == "E" or spec_of(component).type not in VEHICLES:
         return None
@@ -33,3 +36,17 @@ def abreast(clause: str, structure: Structure) -> Found | None:
         if old[key] != value
     ]
     return edits, f"{name_of(component)} level with ego in the {position.replace('_', ' ')}"
+
+
+def _oncoming(who: str, other: str | None, structure: Structure) -> Found | None:
+    """ "The tractor belongs in the oncoming lane", "... behind the car": there it does what it did."""
+    component = refer(who, structure, alone=False)
+    if component is None or component.id == "E" or spec_of(component).type not in VEHICLES:
+        return None
+    before = refer(other, structure, alone=False) if other else None
+    update: dict[str, str | None] = {"position": "oncoming_lane", "side": None}
+    if before is not None and before.id not in ("E", component.id):
+        update |= {"position": "behind", "of": before.id}
+    placement = spec_of(component).placement.model_copy(update=update)
+    edit = SetField(component=component.id, path="placement", value=placement)
+    return [edit], f"{name_of(component)} in the oncoming lane"

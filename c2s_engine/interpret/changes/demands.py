@@ -42,6 +42,8 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
         demand = re.sub(pattern, said, demand)
     demand = _value(demand, before, who or "ego")
     if who:
+        if not re.search(r"\b(?:distance|gap|headway)\b", f"{before} {demand}"):
+            demand = re.sub(table["paced"], f"change {who}'s speed ", demand)
         if re.search(r"\b(?:brak|stop|slow|decelerat)", before):
             demand = re.sub(table["slowed"], f"{who} brakes down to ", demand)
         demand = re.sub(r"^to (?=down to )", f"{who} brakes ", re.sub(r"^to (?=up to )", f"{who} accelerates ", demand))
@@ -52,6 +54,7 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
             demand = re.sub(table["owned"], f"{who}'s", demand)
         demand = re.sub(r"\b(for|of|with|by|to) (?:it|them|him|her)$", rf"\g<1> {who}", demand)
         demand = re.sub(table["made"], f"{who} will ", demand)
+        demand = re.sub(table["counted"], rf"\g<1> {who} ", demand)
         demand = re.sub(table["moved"], rf"\g<1>{who}", demand)
         if who == "ego":
             demand = re.sub(table["lets"], "ego lets ", demand)

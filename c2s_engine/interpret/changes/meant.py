@@ -21,8 +21,8 @@ def _described() -> re.Pattern[str]:
     before = "|".join(row["before"] for row in table["where"] if row.get("before"))
     behind = "|".join(row["behind"] for row in table["where"] if row.get("behind"))
     return re.compile(
-        rf"(?:\b(?:the|that|this|our|my) |^)(?:(?P<before>{before}) )?(?P<head>{table['heads']})(?:(?: {table['relative']})?"
-        rf" (?P<behind>{behind})(?: {table['of_ego']})?)?(?![\w-])"
+        rf"(?:\b(?:the|that|this|our|my) |^)(?:(?P<before>{before}) )?(?P<head>{table['heads']})"
+        rf"(?:(?: (?:{table['relative']}))? (?P<behind>{behind})(?: {table['of_ego']})?)?(?![\w-])"
     )
 
 
@@ -35,6 +35,7 @@ def called(plain: str, structure: Structure) -> str:
             plain = re.sub(found, called_by(there[0], structure), plain)
     plain = re.sub(rf"\b(?:the |that |this )?{_table()['agents']}", lambda m: _agent(m, structure), plain)
     plain = re.sub(_table()["acts"], lambda m: _actor(m, structure), plain)
+    plain = re.sub(_table()["beside_another"], lambda m: _by_another(m, structure), plain)
     return _described().sub(lambda m: _fitting(m, structure), plain)
 
 
@@ -59,6 +60,24 @@ def _actor(match: re.Match[str], structure: Structure) -> str:
     """One whose act begins: "start the overtaking", "the overtaking"."""
     who = _agent(match, structure)
     return f"{who} should start" if who != match[0] and match["begin"] else who
+
+
+def _by_another(match: re.Match[str], structure: Structure) -> str:
+    """One who is behind or before somebody else: "the thing behind the oncoming car"; nobody where there is none."""
+    other = refer(match["other"], structure, alone=False)
+    if other is None or other.id == "E":
+        return match[0]
+    follows = "follow" if re.match(r"behind|after|follow", match["where"]) else ""
+    found = [
+        c
+        for c in structure.objects
+        if c.id != other.id
+        and (
+            spec_of(c).placement.of == other.id
+            or any(p.target == other.id and p.action == follows for p in spec_of(c).phases)
+        )
+    ]
+    return f"{called_by(found[0], structure)}{match['rest']}" if len(found) == 1 else f"somebody{match['rest']}"
 
 
 def _fitting(match: re.Match[str], structure: Structure) -> str:

@@ -128,11 +128,13 @@ def sides(clause: str, structure: Structure) -> Found | None:
     match = re.search(
         r"\b(?:from|on|to|at|in)(?: the| its)? (left|right|other|opposite)(?:-hand)?(?: side| lane| hand)?\b", clause
     )
-    if not match or re.search(r"\bturn|\bchange|\bsteer|\bswerv|\bavoid|\bevad", clause):
+    if not match or re.search(r"\b(?:turn|change|steer|swerv|avoid|evad|cuts?\b|cutt|merg|overtak|drift|pull)", clause):
         return None
     component = refer(clause, structure)
     own = component is not None and component.id == "E" and re.match(r"(?:put |move )?ego\b", clause)
     if own or names_a_stranger(clause, structure):
+        return None
+    if component is None and not re.fullmatch(_table()["only_a_side"], clause):
         return None
     if component is None or component.id == "E":
         sided = [

@@ -14,10 +14,11 @@ from c2s_engine.interpret.spans import Span
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import PlaceSpec
 
+WALKERS = ("pedestrian", "child", "animal")
 SPEAKERS = ("i", "we", "me", "us")
 """Words for ego that may mean who types."""
-MARK = "‹{}{}{}›"
-"""Its number; p: several, s: one; i: an id, e: ego, t: somebody who is there, n: somebody new."""
+MARK = "‹{}{}{}{}›"
+"""Its number; p: several, s: one; i: an id, e: ego, t: somebody who is there, n: somebody new; w: a walker."""
 
 
 def text_of(text: str, structure: Structure) -> str:
@@ -49,7 +50,8 @@ def _rewritten(plain: str, section: str, structure: Structure) -> str:
 
 def _marked(plain: str, structure: Structure) -> tuple[str, dict[str, str]]:
     """The text with marks for the names in it, and these by their marks."""
-    spans = [s for s in scan.names(plain) if s.kind in ("actor", "ego", "label") and plain[s.start : s.end] not in SPEAKERS]
+    spans = [s for s in scan.names(plain) if s.kind in ("actor", "ego", "label")]
+    spans = [s for s in spans if plain[s.start : s.end] not in SPEAKERS]
     spans += [Span("id", *m.span()) for m in re.finditer(r"\bo[1-9]\b", plain)]
     names: dict[str, str] = {}
     marked, at = "", 0
@@ -59,7 +61,8 @@ def _marked(plain: str, structure: Structure) -> tuple[str, dict[str, str]]:
         name = plain[span.start : span.end]
         there = "t" if refer(f"the {name}", structure, alone=False) else "n"
         sort = {"ego": "e", "id": "i"}.get(span.kind, there)
-        mark = MARK.format(len(names), "p" if span.data.get("plural") else "s", sort)
+        walks = "w" if span.data.get("type") in WALKERS else "v"
+        mark = MARK.format(len(names), "p" if span.data.get("plural") else "s", sort, walks)
         marked += plain[at : span.start] + mark
         names[mark] = name
         at = span.end

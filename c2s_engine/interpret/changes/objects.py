@@ -26,8 +26,13 @@ def remove(clause: str, structure: Structure) -> Found | None:
         return _without_weather([f.value for f in sky], structure)
     if re.match(r"(traffic )?lights?|signals?$", rest):
         return [SetField(component="R", path="control", value="none")], "no traffic lights"
+    if re.match(r"(?:stop|yield|give[- ]way) signs?$", rest) and not refer(rest, structure, alone=False):
+        return [SetField(component="R", path="control", value="none")], "no signs"
     if re.match(r"weather", rest):
         return [SetField(component="G", path="weather", value=[])], "clear weather"
+    coming = [c for c in structure.objects if spec_of(c).placement.position in ("oncoming_lane", "opposite_approach")]
+    if coming and re.match(r"oncoming (?:traffic|vehicles|cars)$", rest):
+        return _gone(coming, structure), "no oncoming traffic"
     names = [n for n in re.split(r",? and |, | or ", rest) if n]
     found = [refer(name, structure, alone=len(names) == 1) for name in names]
     several = [c for c in found if c is not None and c.id != "E"]
@@ -177,6 +182,16 @@ def _rest(rest: str | None, who: str, edits: list[Edit], structure: Structure) -
     return edits_of(f"{who} {verb}{re.sub(r'^(?:that|which|who) ', '', rest)}", structure) if rest else ([], [])
 
 
+def count(clause: str, structure: Structure) -> Found | None:
+    """ "Make the dog two": how many there are of somebody."""
+    match = re.match(language.table("refine")["count"], clause)
+    component = refer(match["who"], structure, alone=False) if match else None
+    if match is None or component is None or component.id == "E":
+        return None
+    value = _count_of(match["number"], 1)
+    return [SetField(component=component.id, path="count", value=value)], f"{name_of(component)}: {value}"
+
+
 def _count_of(what: str, now: int) -> int:
     """How many a noun phrase in the plural asks for; as many as now where it gives no number."""
     if not re.match(r"\d|an?\b|one|two|three|four|five|six", what):
@@ -190,6 +205,9 @@ def _akin(kind: str, structure: Structure) -> Component | None:
     same = objects_of(structure, kind)
     if same:
         return same[0]
+    wheels = ("bicycle", "motorcycle")
+    if kind in wheels and (riders := [c for c in structure.objects if spec_of(c).type in wheels]):
+        return riders[0]
     persons = ("pedestrian", "child", "animal", "bicycle")
     sort = [c for c in structure.objects if (spec_of(c).type in persons) == (kind in persons)]
     pick = sort or list(structure.objects)
@@ -220,7 +238,7 @@ def _typed(spec: ObjectSpec, kind: str) -> ObjectSpec:
                 "go_straight": "cross_road",
             }
         )
-        keep = {"stationary", "wait", "stop", "start", "collide"}
+        keep = {"stationary", "wait", "stop", "start", "collide", "move_along"}
         phases = tuple(
             p.model_copy(update={"action": turned.get(p.action, p.action)})
             for p in spec.phases

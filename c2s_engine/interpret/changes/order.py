@@ -4,7 +4,7 @@ from c2s_engine.interpret.changes.beside import abreast
 from c2s_engine.interpret.changes.forms import Form
 from c2s_engine.interpret.changes.looks import blueprint, uncovered
 from c2s_engine.interpret.changes.motion import distance, rate, reaction, sides
-from c2s_engine.interpret.changes.objects import remove, retype
+from c2s_engine.interpret.changes.objects import count, remove, retype
 from c2s_engine.interpret.changes.scene import ending, length, own_lane, road, setting
 from c2s_engine.interpret.changes.signs import sign
 from c2s_engine.interpret.changes.speed import speed, speed_difference, walked
@@ -19,6 +19,7 @@ FORMS: tuple[Form, ...] = (
     own_lane,
     abreast,
     sign,
+    count,
     retype,
     remove,
     shifted,

@@ -4,6 +4,7 @@ import re
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.forms import Found, quantity_of, value_of
+from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import AddObject
 from c2s_engine.structure.specs import ObjectSpec, Placement
@@ -24,6 +25,10 @@ def sign(clause: str, structure: Structure) -> Found | None:
     place = Placement(position="roadside", side="left" if side and side[1] == "left" else "right")
     if far is not None:
         place = place.model_copy(update={"gap": value_of(far)})
+    by = refer(match["where"], structure, alone=False)
+    if by is not None and by.id != "E":
+        along = "ahead" if re.search(r"\b(?:behind|after|past|beyond)\b", match["where"]) else "behind"
+        place = place.model_copy(update={"of": by.id, "along": along})
     shown = round(limit, 2) if limit is not None and kind == "speed_sign" else None
     spec = ObjectSpec(name=kind, type=kind, placement=place, limit=shown)  # type: ignore[arg-type]
     cid = structure.next_object_id()

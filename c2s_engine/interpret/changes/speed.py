@@ -113,7 +113,7 @@ def _at_speed(
 def walked(clause: str, structure: Structure) -> Found | None:
     """ "The boy runs", "let the car roll at walking pace"."""
     component = refer(clause, structure, alone=False)
-    if component is None:
+    if component is None or re.search(_table()["no_pace"], clause):
         return None
     walks = component.id != "E" and spec_of(component).type in PERSONS
     for pattern, value, anybody in _table()["paces"]:

@@ -10,7 +10,7 @@ from typing import Any
 from c2s_engine.interpret.changes.forms import Found, name_of
 from c2s_engine.interpret.changes.phases import WAYS, afterwards, awaited, joined, mapped
 from c2s_engine.interpret.changes.refer import refer, spec_of
-from c2s_engine.interpret.changes.retold import indicative, read, scene, table
+from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField
@@ -242,6 +242,9 @@ def _changes(
             found.append((path, joined(there.spec.phases, phases, clause)))
         elif path == "placement":
             place = _placed_before(was, now, there, clause)
+            walks = spec_of(there).placement.position == "sidewalk" and value["position"] == "roadside"
+            if walks and not re.search(table()["roadside"], clause):
+                value["position"] = place["position"]
             found += [
                 (f"placement.{key}", ids.get(part, part) if key in ("of", "hidden_by") else part)
                 for key, part in value.items()
@@ -258,7 +261,7 @@ def _placed_before(was: Component, now: Component, there: Component, clause: str
     """Where it was: of one whose place the clause tells anew, where it really is, but for what is not told."""
     old, new = spec_of(was).placement.model_dump(), spec_of(now).placement.model_dump()
     assumed = any(a.field == "placement.position" for a in now.assumed)
-    if assumed or not re.match(table()["located"], clause):
+    if assumed or not located_in(clause):
         return old
     real = spec_of(there).placement.model_dump()
     return real | {key: new[key] for key in ("gap", "hidden_by") if new[key] is None}

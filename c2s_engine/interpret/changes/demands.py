@@ -107,6 +107,7 @@ def _parts(sentence: str) -> list[str]:
         r"\s*,\s+(?:and |but )?",
         rf"\s+(?:and|but)\s+(?=(?:then )?{starts})",
         rf"\s+but\s+(?={contrast})",
+        table["alone"],
         rf"(?<!only)\s+(?=then {starts})",
         rf"\s+{there}",
     )

@@ -84,6 +84,6 @@ def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple
     if not same:
         return new
     said = {k: v for k, v in new[0].model_dump().items() if v is not None}
-    said |= {} if len(said) > 1 else {"rate": None}
+    said |= {} if len(said) > 1 or not re.search(table()["plainly"], clause) else {"rate": None}
     merged = Phase.model_validate(old[same[0]].model_dump() | said)
     return (*old[: same[0]], merged, *old[same[0] + 1 :])

@@ -22,8 +22,8 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     edits: list[Edit] = []
     said: list[str] = []
     current = structure
-    text = notes.text_of(text, structure)
-    before, topic = "", topic_of(text, structure)
+    told, text = text, notes.text_of(text, structure)
+    before, topic = "", topic_of(text, structure) or topic_of(told, structure)
     parts = demands(text)
     if len(parts) > 1 and not order.retype(parts[0], structure) and (new := introduced(parts, structure)):
         return _all(new, structure)
@@ -78,7 +78,8 @@ def _found(demand: str, structure: Structure) -> Found | None:
             return [*found[0], *where[0]], f"{found[1]}; {where[1]}"
         denied = re.search(table["denies"], demand)
         if form is order.acting and not denied and all(_already(e, structure) for e in found[0]):
-            return None if re.search(table["meanwhile"], demand) else walked(demand, structure) or found
+            waits = re.search(table["meanwhile"], demand)
+            return None if waits else walked(demand, structure) or ([], f"that is so already ({found[1]})")
         return found
     return None
 

@@ -47,6 +47,8 @@ def setting(clause: str, structure: Structure) -> Found | None:
         also = re.search(r"\b(add|also|and|plus|as well|too)\b", clause)
         if re.search(language.table("refine")["weaker"], clause):
             values = list(dict.fromkeys("rain" if v == "heavy_rain" else v for v in values))
+        elif "heavy_rain" in old and not re.search(language.table("refine")["as_it_is"], clause):
+            values = ["heavy_rain" if v == "rain" else v for v in values]
         rains = language.table("refine")["rains"]
         old = [w for w in old if not (w in rains and set(values) & set(rains))]
         new = ["clear"] if values == ["clear"] else list(dict.fromkeys([*(old if also else []), *values]))
@@ -160,7 +162,7 @@ def length(clause: str, structure: Structure) -> Found | None:
     quantity = quantity_of(clause, "time")
     if (
         quantity is None
-        or not re.search(r"\b(run|last|simulate|duration|end|terminate|stop|length|scenario)\b|^[\d.]+ ?\w+$", clause)
+        or not re.search(r"\b(run|last|simulate|simulation|duration|end|terminate|stop|length|scenario)\b|^[\d.]+ ?\w+$", clause)
         or scan.names(clause)
     ):
         return None

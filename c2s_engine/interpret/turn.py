@@ -56,16 +56,18 @@ def _route(text: str, structure: Structure | None) -> Turn:
         return Turn("question", span=whole)
     if structure is None or not structure.text and not structure.objects:
         return Turn("scenario", span=whole)
-    plain = notes.text_of(asked.demanded(plain), structure)
+    demanded = asked.demanded(plain)
+    plain = notes.text_of(demanded, structure)
     commanding = bool(re.match(table["commands"], plain)) or bool(re.search(table["marks"], plain))
     if len(plain.split()) > 45 or _tells(plain, commanding) and not _adds(plain) and not _goes_on(plain, structure):
         return Turn("scenario", span=whole)
-    edits, said = refine.edits_of(plain, structure)
+    edits, said = refine.edits_of(demanded, structure)
     if edits:
         return Turn("edit", edits, "; ".join(said), whole)
     if said:
         return Turn("edit", reply=_not_understood(text, "; ".join(said)), span=whole)
-    if commanding or not _of_strangers(plain, structure) or _of_those_there(plain, structure):
+    short = len(plain.split()) < 9 and not re.search(r"[.;] \w", plain)
+    if commanding or short or not _of_strangers(plain, structure) or _of_those_there(plain, structure):
         return Turn("edit", reply=_not_understood(text), span=whole)
     return Turn("scenario", span=whole)
 

@@ -28,7 +28,7 @@ def requested(plain: str) -> str:
         said, number = re.subn(rf"^(?:please |and |so |ok,? )?(?:{pattern})", new, plain)
         if number:
             first, _, rest = said.rstrip("? ").partition(" ")
-            return f"{table['orders'].get(first, first)} {rest}"
+            return re.sub(r"\bdid not\b", "does not", f"{table['orders'].get(first, first)} {rest}")
     return ""
 
 

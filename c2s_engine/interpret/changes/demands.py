@@ -82,6 +82,8 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
 def _value(demand: str, before: str, who: str) -> str:
     """A bare value ("ego is too slow. 50") with what it is one of."""
     value = re.match(_table()["value"], demand)
+    if value is not None and value["unit"] and re.fullmatch(r" ?(?:m|met\w+)", value["unit"]):
+        before = "gap"
     said = next((new for pattern, new in _table()["value_of"] if re.search(pattern, before)), None) if value else None
     if value is None or said is None:
         return demand

@@ -12,7 +12,7 @@ from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import SetField, SetSpec
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, Trigger
 
 
 def _table() -> dict[str, Any]:
@@ -51,7 +51,7 @@ def distance(clause: str, structure: Structure) -> Found | None:
         edit = SetField(component=component.id, path="spacing", value=value_of(quantity))
         return [edit], f"{name_of(component)}: {quantity['low']:g} m between them"
     if quantity is not None and not re.search(_table()["so_much_further"], clause):
-        relative = None  # a distance to have, not one more or less
+        relative = wider = None  # a distance to have, not one more or less
     factor = relative or _moved(clause, spec.placement) or wider
     now = spec.placement.gap
     base = middle(now) if now is not None else 25.0
@@ -218,7 +218,9 @@ def rate(clause: str, structure: Structure) -> Found | None:
     if component is None:
         return None
     goal = quantity_of(clause, "speed") if re.search(r"\bto (?:about |around )?\d", clause) else None
-    reached = {"speed": value_of(goal)} if goal else {}
+    reached: dict[str, Any] = {"speed": value_of(goal)} if goal else {}
+    if moment := re.search(r"\b(?:after|at) (\d[\d.]*) ?s(?:ec\w*)?\b", clause):
+        reached["trigger"] = Trigger(kind="time", value=float(moment[1]))
     phases = tuple(
         p.model_copy(update={"rate": value_of(wanted) if wanted else _times(p, change or 1.0), **reached})
         if p.action in actions

@@ -39,6 +39,9 @@ def remove(clause: str, structure: Structure) -> Found | None:
     if len(names) > 1 and len({c.id for c in several}) == len(names):
         return _gone(several, structure), f"{', '.join(name_of(c) for c in several)} removed"
     component = refer(rest, structure)
+    head = re.split(r"\b(?:for|by|between|to)\b", rest)[0]
+    if head != rest and refer(head, structure) is None:
+        return None  # something that he does
     if component is None or component.id == "E" or re.search(r"\bother (traffic|vehicles|cars|road users)\b", rest):
         return None
     return _gone([component], structure), f"{name_of(component)} removed"

@@ -7,7 +7,7 @@ from c2s_engine.interpret.changes.motion import distance, rate, reaction, sides
 from c2s_engine.interpret.changes.objects import count, remove, retype
 from c2s_engine.interpret.changes.scene import ending, length, own_lane, road, setting
 from c2s_engine.interpret.changes.signs import sign
-from c2s_engine.interpret.changes.speed import speed, speed_difference, walked
+from c2s_engine.interpret.changes.speed import speed, speed_difference, still, walked
 from c2s_engine.interpret.changes.timing import shifted
 from c2s_engine.interpret.changes.told import acting, standing
 
@@ -22,6 +22,7 @@ FORMS: tuple[Form, ...] = (
     count,
     retype,
     remove,
+    still,
     shifted,
     speed_difference,
     rate,

@@ -10,14 +10,14 @@ from c2s_engine.interpret.reading import amounts, scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, SetField, SetSpec
-from c2s_engine.structure.specs import Condition, PlaceSpec, RestrictionsSpec
+from c2s_engine.structure.specs import Condition, PlaceSpec, RestrictionsSpec, SettingsSpec
 
 
 def setting(clause: str, structure: Structure) -> Found | None:
     """ "At night", "in heavy rain", "add fog", "in Town03", "the light is red"."""
     edits: list[Edit] = []
     said = []
-    clause = _instead(clause)
+    told, clause = clause, _instead(clause)
     whole = [(0, len(clause))]
     named = environment.named(clause)
     if "map" in named:
@@ -56,6 +56,10 @@ def setting(clause: str, structure: Structure) -> Found | None:
             new.remove("rain")
         edits.append(SetField(component="G", path="weather", value=new))
         said.append(", ".join(w.replace("_", " ") for w in new))
+    left = _given_up(told, structure) if time is not None and not sky else None
+    if left is not None:
+        edits.append(SetField(component="G", path="weather", value=left))
+        said.append("no " + told.split()[-1])
     if time is not None and "preset" not in named:
         edits.append(SetField(component="G", path="time", value=time.value))
         said.append(time.value)
@@ -67,6 +71,17 @@ def setting(clause: str, structure: Structure) -> Found | None:
             edits.append(SetField(component="R", path="control", value="signal"))
         said.append(f"ego's light {light[0].value}")
     return (edits, "; ".join(said)) if edits else None
+
+
+def _given_up(told: str, structure: Structure) -> list[str] | None:
+    """The weather without what is given up for a time of day: the rain of "night instead of rain"."""
+    old = next((m["old"] for p in language.table("refine")["given_up"] if (m := re.match(p, told))), "")
+    values = {f.value for f in environment.weather(old, [(0, len(old))])}
+    if values & {"rain", "heavy_rain"}:
+        values |= {"rain", "heavy_rain", "wet"}
+    assert isinstance(structure.settings.spec, SettingsSpec)
+    now = structure.settings.spec.weather
+    return [w for w in now if w not in values] if values & set(now) else None
 
 
 def _instead(clause: str) -> str:
@@ -81,6 +96,8 @@ def road(clause: str, structure: Structure) -> Found | None:
     """ "On a motorway", "at a T-junction with traffic lights", "three lanes", "in a left bend", "limit 50 km/h"."""
     from c2s_engine.interpret.surroundings import place
 
+    if re.search(r"\bo\d\b", clause):
+        return None
     if len(scan.names(clause)) > 0 and not re.search(r"^(on|at|in|put it|move it|make it|let it|it )", clause):
         return None
     numbers = amounts.quantities(clause) or amounts.bare_speeds(clause)

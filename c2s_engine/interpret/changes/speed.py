@@ -10,6 +10,7 @@ from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, SetField
 from c2s_engine.structure.quantity import high, middle
+from c2s_engine.structure.specs import Phase
 
 
 def _table() -> dict[str, Any]:
@@ -30,6 +31,8 @@ def speed(clause: str, structure: Structure) -> Found | None:
     """ "Ego at 50 km/h", "the lead drives 20 km/h", "faster", "10 km/h slower", "twice as fast"."""
     table = _table()
     if re.search(table["denied"], clause) and quantity_of(clause, "speed") is None:
+        return None
+    if re.search(table["between_two"], clause):
         return None
     if re.search(r"\blimit\b", clause) or re.search(table["of_distance"], clause) and "speed" not in clause:
         return None
@@ -121,3 +124,16 @@ def walked(clause: str, structure: Structure) -> Found | None:
             edit = SetField(component=component.id, path="speed", value=float(value))
             return [edit], f"{name_of(component)} at {value * 3.6:.0f} km/h"
     return None
+
+
+def still(clause: str, structure: Structure) -> Found | None:
+    """ "The pedestrian stands still": from the start, and to the end."""
+    match = re.match(r"(?P<who>.+) stands still$", clause)
+    component = refer(match["who"], structure, alone=False) if match else None
+    if component is None or component.id == "E":
+        return None
+    edits: list[Edit] = [
+        SetField(component=component.id, path="speed", value=0.0),
+        SetField(component=component.id, path="phases", value=(Phase(action="stationary"),)),
+    ]
+    return edits, f"{name_of(component)} stands still"

@@ -5,9 +5,10 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of
 from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import Edit, SetField
-from c2s_engine.structure.specs import PlaceSpec
+from c2s_engine.structure.edits import AddObject, Edit, SetField
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Placement, PlaceSpec
 
 LANES = {"left": "left_lane", "right": "right_lane"}
 
@@ -50,3 +51,26 @@ def _oncoming(who: str, other: str | None, structure: Structure) -> Found | None
     placement = spec_of(component).placement.model_copy(update=update)
     edit = SetField(component=component.id, path="placement", value=placement)
     return [edit], f"{name_of(component)} in the oncoming lane"
+
+
+def each_lane(clause: str, structure: Structure) -> Found | None:
+    """ "One truck in each lane": a new one in those lanes beside ego's, and in its own, that have none ahead."""
+    match = re.match(language.table("refine")["each_lane"], clause)
+    named = [s for s in scan.names(match["what"]) if s.kind == "actor"] if match else []
+    place = structure.place.spec
+    assert isinstance(place, PlaceSpec) and isinstance(structure.ego.spec, EgoSpec)
+    if not named or named[0].data["type"] not in VEHICLES or (place.lanes or 1) < 2:
+        return None
+    kind = named[0].data["type"]
+    edge = {"leftmost": "left_lane", "rightmost": "right_lane"}.get(place.ego_lane or "")
+    lanes = [lane for lane in ("left_lane", "ahead", "right_lane") if lane != edge]
+    alike = [spec_of(c).placement for c in structure.objects if spec_of(c).type == kind]
+    there = {p.position for p in alike if p.along != "behind"}
+    number = int(structure.next_object_id()[1:])
+    edits: list[Edit] = []
+    for position in (lane for lane in lanes if lane not in there):
+        cid = f"O{number + len(edits)}"
+        placement = Placement.model_validate({"position": position, "along": None if position == "ahead" else "ahead"})
+        spec = ObjectSpec(name=f"{kind}_{cid[1:]}", type=kind, placement=placement, speed=structure.ego.spec.speed)
+        edits.append(AddObject(spec=spec, component=cid))
+    return edits, f"one {kind.replace('_', ' ')} in each lane"

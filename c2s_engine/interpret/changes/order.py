@@ -1,6 +1,6 @@
 """The forms of change that a turn may have, in the order in which they are tried."""
 
-from c2s_engine.interpret.changes.beside import abreast
+from c2s_engine.interpret.changes.beside import abreast, each_lane
 from c2s_engine.interpret.changes.forms import Form
 from c2s_engine.interpret.changes.looks import blueprint, uncovered
 from c2s_engine.interpret.changes.motion import distance, rate, reaction, sides
@@ -17,6 +17,7 @@ FORMS: tuple[Form, ...] = (
     blueprint,
     uncovered,
     own_lane,
+    each_lane,
     abreast,
     sign,
     count,
@@ -37,5 +38,5 @@ FORMS: tuple[Form, ...] = (
     reaction,
 )
 
-ADDING: tuple[Form, ...] = (abreast, sign, acting, setting, road, standing)
+ADDING: tuple[Form, ...] = (each_lane, abreast, sign, acting, setting, road, standing)
 """The forms that a demand for somebody new may have."""

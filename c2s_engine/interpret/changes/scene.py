@@ -179,7 +179,7 @@ def length(clause: str, structure: Structure) -> Found | None:
     quantity = quantity_of(clause, "time")
     if (
         quantity is None
-        or not re.search(r"\b(run|last|simulate|simulation|duration|end|terminate|stop|length|scenario)\b|^[\d.]+ ?\w+$", clause)
+        or not re.search(r"\b(run|last|simulat\w+|duration|end|terminate|stop|length|scenario)\b|^[\d.]+ ?\w+$", clause)
         or scan.names(clause)
     ):
         return None

@@ -10,7 +10,8 @@ from itertools import pairwise
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes.refer import refer
+from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import ComponentId, Structure
 
@@ -95,6 +96,16 @@ def topic_of(demand: str, structure: Structure) -> ComponentId | None:
     """Whom a demand is about."""
     found = refer(demand, structure, alone=False)
     return found.id if found is not None else None
+
+
+def only_one(text: str, structure: Structure) -> ComponentId | None:
+    """Whom a pronoun at the head of a text means, where only one can be meant: a person, or all that is there."""
+    pronoun = re.match(r"(?:please |now |and |but |no,? |then |let |make )*(he|she|him|her|it|they|them)\b", text)
+    if pronoun is None:
+        return None
+    persons = [c for c in structure.objects if spec_of(c).type in PERSONS]
+    meant = list(structure.objects) if pronoun[1] in ("it", "they", "them") else persons
+    return meant[0].id if len(meant) == 1 else None
 
 
 def _parts(sentence: str) -> list[str]:

@@ -7,6 +7,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.refer import actions_of, doing, objects_of, refer, spec_of
+from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, Structure
 
 
@@ -33,6 +34,13 @@ def called(plain: str, structure: Structure) -> str:
         if there:
             found = rf"{_table()['definite']}\b(?:the |that |this |our )?(?:{noun})(?![\w-])"
             plain = re.sub(found, called_by(there[0], structure), plain)
+    for component in structure.objects:
+        name = spec_of(component).name.replace("_", " ")
+        if len(name) > 3 and not scan.names(name):
+            plain = re.sub(rf"\b(?:the )?{re.escape(name)}(?![\w-])", called_by(component, structure), plain)
+    if denied := re.match(_table()["denied"], plain):
+        who = _agent(denied, structure)
+        plain = plain if who == denied[0] else f"{who} should not {_table()['verbs'][denied['act']]}"
     plain = re.sub(rf"\b(?:the |that |this )?{_table()['agents']}", lambda m: _agent(m, structure), plain)
     plain = re.sub(_table()["acts"], lambda m: _actor(m, structure), plain)
     plain = re.sub(_table()["beside_another"], lambda m: _by_another(m, structure), plain)
@@ -59,7 +67,7 @@ def _agent(match: re.Match[str], structure: Structure) -> str:
 def _actor(match: re.Match[str], structure: Structure) -> str:
     """One whose act begins: "start the overtaking", "the overtaking"."""
     who = _agent(match, structure)
-    return f"{who} should start" if who != match[0] and match["begin"] else who
+    return f"{who} should start" if who != match[0] and (match["begin"] or match["starts"]) else who
 
 
 def _by_another(match: re.Match[str], structure: Structure) -> str:

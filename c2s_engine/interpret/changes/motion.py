@@ -10,7 +10,7 @@ from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.edits import SetField, SetSpec
+from c2s_engine.structure.edits import Edit, SetField, SetSpec
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, Trigger
 
@@ -62,9 +62,22 @@ def distance(clause: str, structure: Structure) -> Found | None:
         value = value_of(quantity)
     else:
         value = round(max(2.0, base + quantity["low"] * (1 if factor > 1 else -1)), 1)
-    return [
-        SetField(component=component.id, path="placement.gap", value=value)
-    ], f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
+    edits = [SetField(component=component.id, path="placement.gap", value=value), *_lengthwise(told, component)]
+    return edits, f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
+
+
+def _lengthwise(clause: str, component: Component) -> list[Edit]:
+    """Whether it is now on the other side of ego, where that is told with the distance: "30 m behind ego"."""
+    told = re.search(r"\b(behind|ahead of|in front of) (?:ego|us|me)\b", clause)
+    place = spec_of(component).placement
+    if told is None or place.of != "ego":
+        return []
+    along = "behind" if told[1] == "behind" else "ahead"
+    if place.position in ("ahead", "behind") and place.position != along:
+        return [SetField(component=component.id, path="placement.position", value=along)]
+    if place.position in ("left_lane", "right_lane") and (place.along or "ahead") != along:
+        return [SetField(component=component.id, path="placement.along", value=along)]
+    return []
 
 
 def _in_time(clause: str, structure: Structure) -> Found | None:

@@ -10,7 +10,7 @@ from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, RemoveObject, SetField, SetSpec, apply
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
 
 
 def remove(clause: str, structure: Structure) -> Found | None:
@@ -28,6 +28,8 @@ def remove(clause: str, structure: Structure) -> Found | None:
         return [SetField(component="R", path="control", value="none")], "no traffic lights"
     if re.match(r"(?:stop|yield|give[- ]way) signs?$", rest) and not refer(rest, structure, alone=False):
         return [SetField(component="R", path="control", value="none")], "no signs"
+    if crossing := _without_crossing(rest, structure):
+        return crossing
     if re.match(r"weather", rest):
         return [SetField(component="G", path="weather", value=[])], "clear weather"
     coming = [c for c in structure.objects if spec_of(c).placement.position in ("oncoming_lane", "opposite_approach")]
@@ -56,6 +58,16 @@ def _gone(components: list[Component], structure: Structure) -> list[Edit]:
             structure = apply(structure, edit)
         edits += gone
     return edits
+
+
+def _without_crossing(rest: str, structure: Structure) -> Found | None:
+    """The place without the crosswalk that it has."""
+    place = structure.place.spec
+    assert isinstance(place, PlaceSpec)
+    if not re.match(r"(?:zebra(?: crossing)?|crosswalk|pedestrian crossing)$", rest):
+        return None
+    gone: list[Edit] = [SetField(component="R", path="kind", value="road")] if place.kind == "crosswalk" else []
+    return [*gone, SetField(component="R", path="crosswalk", value=None)], "no crosswalk"
 
 
 def _all_but(clause: str, structure: Structure) -> Found | None:

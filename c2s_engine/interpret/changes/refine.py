@@ -5,7 +5,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import notes, order
-from c2s_engine.interpret.changes.demands import demands, topic_of, whole
+from c2s_engine.interpret.changes.demands import demands, only_one, topic_of, whole
 from c2s_engine.interpret.changes.speed import walked
 from c2s_engine.interpret.changes.told import introduced
 from c2s_engine.interpret.changes.unshown import unshown
@@ -23,7 +23,7 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     said: list[str] = []
     current = structure
     told, text = text, notes.text_of(text, structure)
-    before, topic = "", topic_of(text, structure) or topic_of(told, structure)
+    before, topic = "", topic_of(text, structure) or topic_of(told, structure) or only_one(text, structure)
     parts = demands(text)
     if len(parts) > 1 and not order.retype(parts[0], structure) and (new := introduced(parts, structure)):
         return _all(new, structure)

@@ -9,7 +9,7 @@ from typing import Any
 
 from c2s_engine.interpret.changes.forms import Found, name_of
 from c2s_engine.interpret.changes.phases import WAYS, afterwards, awaited, joined, mapped
-from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, ComponentId, Structure
@@ -164,6 +164,7 @@ def _denied(clause: str, structure: Structure) -> Found | None:
         if doer is not None and doer.id != edit.component:
             continue
         denied = {p.action for p in edit.value} - {"go_straight"}
+        denied = {a for a in denied if doing(re.sub(table()["meanwhile"], "", clause), (a,))} or denied
         phases = spec_of(structure[edit.component]).phases
         kept = tuple(p for p in phases if p.action not in denied)
         if kept != phases:
@@ -229,6 +230,7 @@ def _changes(
             same = not moves or not value
         if path == "speed" and getattr(there.spec, "speed", None) and any(a.field == "speed" for a in now.assumed):
             same = True
+        same = same or path == "speed" and not value and bool(re.search(table()["besides"], clause))
         same = same and not (path == "phases" and value and re.search(table()["besides"], clause))
         if same or path in ("name", "component", "model") or (there.id == "R" and path not in PLACE):
             continue

@@ -1,4 +1,5 @@
 """Changes as they are noted in a hurry: bare values, short orders, complaints, slips and corrections."""
+# ruff: noqa: E501  (tables of cases stay on one line)
 
 from typing import Any
 
@@ -209,3 +210,37 @@ def test_at_the_junction(read, text: str, expected: dict[str, Any]) -> None:
 def test_level_with_ego(read, text: str) -> None:
     place = after(read(FAST), text)["O2"].spec.placement
     assert (place.position, place.along) == ("left_lane", "abreast")
+
+
+@pytest.mark.parametrize(
+    ("scene", "text", "expected"),
+    [
+        (TOWN, "the ego should not react to the man but to the lorry", {"E.react_to": "O1"}),
+        (TOWN, "raise speed of both by 10", {"E.speed": 16.67, "O1.speed": 16.67}),
+        (TOWN, "the lorry shall not brake so hard. 3 m/s^2 is what we see in normal traffic", {"O1.phases.0.rate": 3.0}),
+        (TOWN, "man does not move", {"O2.actions": ["stationary"], "O2.speed": 0.0}),
+        (TOWN, "not a man but a dog", {"O2.type": "animal"}),
+        (TOWN, "night instead of rain", {"G.weather": (), "G.time": "night"}),
+        (TOWN, "rain ok, but at night", {"G.weather": ("heavy_rain",), "G.time": "night"}),
+        (FAST, "please increase the gap by 15 m", {"O1.placement.gap": 45.0}),
+        (FAST, "van brakes after 3s with 5 m/s2 to 50 km/h", {"O1.phases.0.speed": 13.89, "O1.trigger.value": 3.0}),
+        (FAST, "the van is too near for 120 km/h. In real life nobody drives like that. Give it 60 m.", {"O1.placement.gap": 60.0}),
+        (CROSS, "police car must wait at red", {"O1.actions": ["stationary"], "O1.speed": 0.0}),
+        (ROW, "when the boy starts, the bus brakes", {"O3.trigger.of": "O2", "O3.trigger.action": "cross_road"}),
+    ],
+)  # fmt: skip
+def test_what_else_is_demanded(read, scene: str, text: str, expected: dict[str, Any]) -> None:
+    becomes(read(scene), text, expected)
+
+
+def test_what_somebody_does_is_not_himself(read) -> None:
+    before = read(FAST)
+    assert not route("no lane change for the van please", before).edits
+    assert [p.action for p in after(before, "no overtaking")["O2"].spec.phases] == []
+
+
+def test_one_in_each_lane(read) -> None:
+    before = read(FAST)
+    now = after(before, "one truck in each lane")
+    new = [now[cid].spec.placement.position for cid in now.ids if cid not in before]
+    assert new == ["left_lane", "ahead", "right_lane"]

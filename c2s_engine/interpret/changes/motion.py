@@ -141,7 +141,7 @@ def sides(clause: str, structure: Structure) -> Found | None:
     match = re.search(
         r"\b(?:from|on|to|at|in)(?: the| its)? (left|right|other|opposite)(?:-hand)?(?: side| lane| hand)?\b", clause
     )
-    if not match or re.search(r"\b(?:turn|change|steer|swerv|avoid|evad|cuts?\b|cutt|merg|overtak|drift|pull)", clause):
+    if not match or re.search(_table()["no_side"], clause):
         return None
     component = refer(clause, structure)
     own = component is not None and component.id == "E" and re.match(r"(?:put |move )?ego\b", clause)
@@ -188,6 +188,8 @@ def sides(clause: str, structure: Structure) -> Found | None:
 
 def reaction(clause: str, structure: Structure) -> Found | None:
     """ "Ego does not brake", "ego swerves": how ego reacts."""
+    if only := re.search(_table()["reacts_to"], clause):
+        return _reacting_to(only["whom"], structure)
     body = re.sub(r"^(?:let|have|make)\s+", "", clause)
     body = re.sub(r"\b(should|shall|must|has to|is to|will|now|instead)\b ?", "", body).strip()
     component = refer(body, structure)
@@ -212,6 +214,17 @@ def reaction(clause: str, structure: Structure) -> Found | None:
         if re.search(r"yield|give way|wait", body):
             return [SetField(component="E", path="reaction", value="yield")], "ego yields"
     return None
+
+
+def _reacting_to(whom: str, structure: Structure) -> Found | None:
+    """To whom ego reacts; it brakes for him where it did not react."""
+    other = refer(whom, structure, alone=False)
+    if other is None or other.id == "E" or not isinstance(structure.ego.spec, EgoSpec):
+        return None
+    edits: list[Edit] = [SetField(component="E", path="react_to", value=other.id)]
+    if structure.ego.spec.reaction == "none":
+        edits.append(SetField(component="E", path="reaction", value="brake"))
+    return edits, f"ego reacts to {name_of(other)}"
 
 
 def rate(clause: str, structure: Structure) -> Found | None:

@@ -65,6 +65,9 @@ def setting(clause: str, structure: Structure) -> Found | None:
         said.append(time.value)
     if (sky or time is not None) and structure.settings.spec.preset and "preset" not in named:  # type: ignore[union-attr]
         edits.append(SetField(component="G", path="preset", value=None))
+    other = refer(clause, structure, alone=False) if light else None
+    if other is not None and other.id != "E" and not re.search(r"\b(?:ego|our|us|my|me)\b", clause):
+        light = []  # it is another's
     if light and re.search(r"light|signal|red|green", clause) and structure.place.spec.kind == "intersection":  # type: ignore[union-attr]
         edits.append(SetField(component="G", path="light", value=light[0].value))
         if structure.place.spec.control != "signal":  # type: ignore[union-attr]

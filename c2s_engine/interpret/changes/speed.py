@@ -77,13 +77,13 @@ def _who(clause: str, structure: Structure) -> list[Component]:
     if re.search(table["all"], clause):
         return [structure.ego, *(c for c in _moving(structure) if spec_of(c).type not in PERSONS)]
     vehicles = [c for c in structure.objects if spec_of(c).type not in PERSONS and spec_of(c).speed]
-    if re.search(r"\bboth (?:vehicles|cars|of them|speeds|at|with)\b", clause) and vehicles:
-        return [structure.ego, vehicles[0]] if len(vehicles) == 1 else vehicles[:2]
     joint = re.match(table["joint"], clause)
     both = [refer(joint[name], structure, alone=False) for name in ("one", "other")] if joint else []
     found = [c for c in both if c is not None]
     if len(found) == 2:
         return found
+    if re.search(r"\bboth\b", clause) and vehicles:
+        return [structure.ego, vehicles[0]] if len(vehicles) == 1 else vehicles[:2]
     one = refer(clause, structure, alone=True)
     unclear = structure.objects and re.search(r"\b(it|its)\b", clause) or names_a_stranger(clause, structure)
     if one is None and not unclear:

@@ -124,7 +124,9 @@ def _light(clause: str, now: Structure, structure: Structure) -> list[Edit]:
     """The light that ego faces, where the clause says it besides."""
     new, old = now.settings.spec, structure.settings.spec
     assert isinstance(new, SettingsSpec) and isinstance(old, SettingsSpec)
-    told = new.light is not None and new.light != old.light and new.light in clause
+    first = refer(clause, structure, alone=False)
+    own = first is None or first.id == "E" or bool(re.search(r"\b(?:ego|our|us|my|me)\b", clause))
+    told = own and new.light is not None and new.light != old.light and new.light in clause
     return [SetField(component="G", path="light", value=new.light)] if told else []
 
 

@@ -225,7 +225,10 @@ def test_level_with_ego(read, text: str) -> None:
         (FAST, "please increase the gap by 15 m", {"O1.placement.gap": 45.0}),
         (FAST, "van brakes after 3s with 5 m/s2 to 50 km/h", {"O1.phases.0.speed": 13.89, "O1.trigger.value": 3.0}),
         (FAST, "the van is too near for 120 km/h. In real life nobody drives like that. Give it 60 m.", {"O1.placement.gap": 60.0}),
-        (CROSS, "police car must wait at red", {"O1.actions": ["stationary"], "O1.speed": 0.0}),
+        (CROSS, "taxi instead, speed 45", {"O1.type": "car", "O1.speed": 12.5}),
+        (TOWN, "lead = motorcycle @ 45 km/h", {"O1.type": "motorcycle", "O1.speed": 12.5}),
+        (TOWN, "the rain makes no sense for this test. remove it", {"G.weather": ()}),
+        (TOWN, "ego +10 km/h", {"E.speed": 16.67}),
         (ROW, "when the boy starts, the bus brakes", {"O3.trigger.of": "O2", "O3.trigger.action": "cross_road"}),
     ],
 )  # fmt: skip

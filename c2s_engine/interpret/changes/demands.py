@@ -43,6 +43,8 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
         demand = re.sub(pattern, said, demand)
     demand = _value(demand, before, who or "ego")
     if who:
+        if before:
+            demand = re.sub(table["its_speed"], f"{who} at speed ", demand)
         if not re.search(r"\b(?:distance|gap|headway)\b", f"{before} {demand}"):
             demand = re.sub(table["paced"], f"change {who}'s speed ", demand)
         if re.search(r"\b(?:brak|stop|slow|decelerat)", before):

@@ -40,7 +40,7 @@ def remove(clause: str, structure: Structure) -> Found | None:
     several = [c for c in found if c is not None and c.id != "E"]
     if len(names) > 1 and len({c.id for c in several}) == len(names):
         return _gone(several, structure), f"{', '.join(name_of(c) for c in several)} removed"
-    component = refer(rest, structure)
+    component = refer(rest, structure, alone=len(structure.objects) == 1)
     head = re.split(r"\b(?:for|by|between|to)\b", rest)[0]
     if head != rest and refer(head, structure) is None:
         return None  # something that he does

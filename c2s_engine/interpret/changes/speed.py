@@ -83,7 +83,7 @@ def _who(clause: str, structure: Structure) -> list[Component]:
     if len(found) == 2:
         return found
     if re.search(r"\bboth\b", clause) and vehicles:
-        return [structure.ego, vehicles[0]] if len(vehicles) == 1 else vehicles[:2]
+        return [structure.ego, vehicles[0]] if len(vehicles) == 1 else vehicles if len(vehicles) == 2 else []
     one = refer(clause, structure, alone=True)
     unclear = structure.objects and re.search(r"\b(it|its)\b", clause) or names_a_stranger(clause, structure)
     if one is None and not unclear:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes import refine, retold
+from c2s_engine.interpret.changes import asked, notes, refine, retold
 from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.reading.spelling import Mended
@@ -39,37 +39,48 @@ def route(text: str, structure: Structure | None) -> Turn:
 def _route(text: str, structure: Structure | None) -> Turn:
     table = language.table("refine")
     text = Mended(re.sub(table["arrows"], " becomes ", text), scene=False).text
+    text = re.sub(table["lines"], ". ", text.strip())
     plain = " ".join(scan.normalised(text).split())
     whole = (0, len(text))
     if not plain:
         return Turn("edit", reply="Say what the scene is, or what to change in it.", span=whole)
     if (back := _taken_back(plain)) is not None:
         return Turn(back, span=whole)
-    if structure is not None and (asked := _requested(plain) or _supposed(plain)):
-        edits, said = refine.edits_of(asked, structure)
+    if _anew(plain):
+        return Turn("scenario", span=whole)
+    for wish in (asked.requested(plain), asked.supposed(plain)) if structure is not None else ():
+        edits, said = refine.edits_of(wish, structure) if wish and structure is not None else ([], [])
         if edits:
             return Turn("edit", edits, "; ".join(said), whole)
-    if _asks(plain, table):
+    if asked.asks(plain):
         return Turn("question", span=whole)
     if structure is None or not structure.text and not structure.objects:
         return Turn("scenario", span=whole)
+    demanded = asked.demanded(plain)
+    plain = notes.text_of(demanded, structure)
     commanding = bool(re.match(table["commands"], plain)) or bool(re.search(table["marks"], plain))
     if len(plain.split()) > 45 or _tells(plain, commanding) and not _adds(plain) and not _goes_on(plain, structure):
         return Turn("scenario", span=whole)
-    edits, said = refine.edits_of(text, structure)
+    edits, said = refine.edits_of(demanded, structure)
     if edits:
         return Turn("edit", edits, "; ".join(said), whole)
-    if commanding or len(plain.split()) < 5 or _of_those_there(plain, structure):
-        return Turn(
-            "edit",
-            [],
-            (
-                f"I did not understand “{text.strip()[:80]}” as a change: name what is to change and how, "
-                f"such as “make the lead a truck”."
-            ),
-            whole,
-        )
+    if said:
+        return Turn("edit", reply=_not_understood(text, "; ".join(said)), span=whole)
+    short = len(plain.split()) < 9 and not re.search(r"[.;] \w", plain)
+    if commanding or short or not _of_strangers(plain, structure) or _of_those_there(plain, structure):
+        return Turn("edit", reply=_not_understood(text), span=whole)
     return Turn("scenario", span=whole)
+
+
+def _not_understood(text: str, why: str = "") -> str:
+    """The answer to a change that is not understood, or that cannot be made, with what would do."""
+    how = why or "name what is to change and how, such as “make the lead a truck”"
+    return f"I did not understand “{text.strip()[:80]}” as a change{' that can be made' if why else ''}: {how}."
+
+
+def _anew(plain: str) -> bool:
+    """Whether a text says that a new scenario follows."""
+    return any(re.match(pattern, plain) for pattern in language.table("refine")["anew"])
 
 
 def _taken_back(plain: str) -> Literal["undo", "redo"] | None:
@@ -84,44 +95,16 @@ def _taken_back(plain: str) -> Literal["undo", "redo"] | None:
     return None
 
 
-def _supposed(plain: str) -> str:
-    """What a "what if" supposes, as a demand; empty where the text is none."""
-    table = language.table("refine")
-    match = next((m for pattern in table["supposed"] if (m := re.match(pattern, plain))), None)
-    if not match:
-        return ""
-    said = re.sub(r"^there (?:were|was|is|are) (?:also )?", "add ", match["said"].strip())
-    return re.sub(r"^(?!add )(?P<what>.+?) (?:were|was|is|are|be) (?P<how>.+)$", r"make \g<what> \g<how>", said)
-
-
-def _requested(plain: str) -> str:
-    """What is asked for politely, as an order: "would you mind removing the van?"; empty where the text is none."""
-    table = language.table("refine")
-    for pattern, new in table["requested"]:
-        said, number = re.subn(rf"^(?:please |and |so |ok,? )?(?:{pattern})", new, plain)
-        if number:
-            first, _, rest = said.rstrip("? ").partition(" ")
-            return f"{table['orders'].get(first, first)} {rest}"
-    return ""
-
-
-def _asks(plain: str, table: dict[str, str]) -> bool:
-    if re.search(table["asked_for"], plain):
-        return False
-    if plain.endswith("?"):
-        return not re.match(
-            r"(can|could|would|will) (you|we) (please )?(make|change|add|remove|put|set|move|let|replace|turn|have)\b",
-            plain,
-        )
-    return bool(re.match(table["question"], plain)) and not re.match(
-        r"(is|are|do|does|have|will)\b(?!.*\?)|.*\b(instead)\b", plain
-    )
-
-
 def _introduces(plain: str) -> bool:
     """Whether somebody is told of for the first time ("a car", "two cyclists"), not only become or replaced."""
     new = language.table("refine")["introduces"]
     return any(s.kind == "actor" and re.search(new, plain[: s.start]) for s in scan.names(plain))
+
+
+def _of_strangers(plain: str, structure: Structure) -> bool:
+    """Whether a text tells of somebody who is not there."""
+    labels = [s for s in scan.names(plain) if s.kind == "label"]
+    return _introduces(plain) or any(refer(plain[s.start : s.end], structure, alone=False) is None for s in labels)
 
 
 def _of_those_there(plain: str, structure: Structure) -> bool:
@@ -147,8 +130,6 @@ def _goes_on(plain: str, structure: Structure) -> bool:
 
 def _tells(plain: str, commanding: bool) -> bool:
     """Whether a text tells a scene of its own: ego and another, doing something, at length, and no command."""
-    if re.match(r"(a )?new (scenario|scene)\b", plain):
-        return True
     opens = re.match(
         r"(an?|two|three|the ego|ego|the vehicle|on|at|in|while|when|during|night|day|it is|vehicle|unit|v)\b", plain
     )
@@ -164,6 +145,8 @@ def _tells(plain: str, commanding: bool) -> bool:
     if commanding and not re.search(r"[.;] \w+.*[.;] \w+", plain):
         return False
     words = len(plain.split())
+    if words >= 9 and any(s.kind == "label" for s in scan.names(plain)) and not commanding:
+        return True
     names = [s for s in scan.names(plain) if s.kind in ("actor", "ego", "label")]
     return (
         words >= 9

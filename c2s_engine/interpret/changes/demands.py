@@ -6,10 +6,12 @@
 
 import re
 from functools import cache
+from itertools import pairwise
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes.refer import refer
+from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import ComponentId, Structure
 
@@ -21,7 +23,7 @@ def _table() -> dict[str, Any]:
 
 def demands(text: str) -> list[str]:
     """The demands of a text, in order, as plain text."""
-    plain = " ".join(scan.normalised(text).replace("?", " ").replace("!", " ").split())
+    plain = " ".join(re.sub(r"[?!.]+(?=\s)", ".", scan.normalised(text).rstrip("?!. ")).split())
     plain = re.sub(_table()["moment"], "when ", plain)
     found: list[str] = []
     for sentence in re.split(r"(?:[.;:]\s+|\.$)", plain):
@@ -39,7 +41,14 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
         demand = re.sub(table["objects"], rf"\g<1>{who}", demand)
     for pattern, said in table["told_as"]:
         demand = re.sub(pattern, said, demand)
+    demand = _value(demand, before, who or "ego")
     if who:
+        if before:
+            demand = re.sub(table["its_speed"], f"{who} at speed ", demand)
+        if not re.search(r"\b(?:distance|gap|headway)\b", f"{before} {demand}"):
+            demand = re.sub(table["paced"], f"change {who}'s speed ", demand)
+        if re.search(r"\b(?:brak|stop|slow|decelerat)", before):
+            demand = re.sub(table["slowed"], f"{who} brakes down to ", demand)
         demand = re.sub(r"^to (?=down to )", f"{who} brakes ", re.sub(r"^to (?=up to )", f"{who} accelerates ", demand))
         if re.match(r"(?:about |around )?\d[\d.]* ?[a-z]+ (?:between|apart|of space)", demand):
             demand = f"{who} with {demand}"
@@ -48,6 +57,7 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
             demand = re.sub(table["owned"], f"{who}'s", demand)
         demand = re.sub(r"\b(for|of|with|by|to) (?:it|them|him|her)$", rf"\g<1> {who}", demand)
         demand = re.sub(table["made"], f"{who} will ", demand)
+        demand = re.sub(table["counted"], rf"\g<1> {who} ", demand)
         demand = re.sub(table["moved"], rf"\g<1>{who}", demand)
         if who == "ego":
             demand = re.sub(table["lets"], "ego lets ", demand)
@@ -72,10 +82,32 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
     return f"{demand} {unit[1]}" if unit and re.search(r"[a-z] \d+$", demand) else demand
 
 
+def _value(demand: str, before: str, who: str) -> str:
+    """A bare value ("ego is too slow. 50") with what it is one of."""
+    value = re.match(_table()["value"], demand)
+    if value is not None and value["unit"] and re.fullmatch(r" ?(?:m|met\w+)", value["unit"]):
+        before = "gap"
+    said = next((new for pattern, new in _table()["value_of"] if re.search(pattern, before)), None) if value else None
+    if value is None or said is None:
+        return demand
+    told = said.format(who=who, value=value["value"])
+    return re.sub(r" (?:km/h|m)$", f" {value['unit'].strip()}", told) if value["unit"] else told
+
+
 def topic_of(demand: str, structure: Structure) -> ComponentId | None:
     """Whom a demand is about."""
     found = refer(demand, structure, alone=False)
     return found.id if found is not None else None
+
+
+def only_one(text: str, structure: Structure) -> ComponentId | None:
+    """Whom a pronoun at the head of a text means, where only one can be meant: a person, or all that is there."""
+    pronoun = re.match(r"(?:please |now |and |but |no,? |then |let |make )*(he|she|him|her|it|they|them)\b", text)
+    if pronoun is None:
+        return None
+    persons = [c for c in structure.objects if spec_of(c).type in PERSONS]
+    meant = list(structure.objects) if pronoun[1] in ("it", "they", "them") else persons
+    return meant[0].id if len(meant) == 1 else None
 
 
 def _parts(sentence: str) -> list[str]:
@@ -90,6 +122,7 @@ def _parts(sentence: str) -> list[str]:
         r"\s*,\s+(?:and |but )?",
         rf"\s+(?:and|but)\s+(?=(?:then )?{starts})",
         rf"\s+but\s+(?={contrast})",
+        table["alone"],
         rf"(?<!only)\s+(?=then {starts})",
         rf"\s+{there}",
     )
@@ -116,20 +149,23 @@ def _folded(parts: list[str]) -> list[str]:
         if re.match(table["subordinate"], part) and not found or re.match(table["in_place"], part):
             ahead = f"{ahead}{part}, "
         elif found and (enough := re.match(table["enough"], part)):
-            found[-1] = f"{found[-1]}, {enough['what']}"
+            judged = re.search(table["judges"], found[-1])
+            found = [*found, enough["what"]] if judged else [*found[:-1], f"{found[-1]}, {enough['what']}"]
         elif found and (
             re.match(table["continues"], part)
             or re.match(table["infinitive"], part)
             and not part.startswith("then")
             and re.search(table["does"], found[-1])
         ):
-            found[-1] = f"{found[-1]}, {part}"
+            moment = re.match(table["moments"], part)
+            found[-1] = f"{found[-1]} {part}" if moment else f"{found[-1]}, {part}"
         else:
             found.append(ahead + part)
             ahead = ""
     demanded = [d for d in found if re.search(table["demanding"], d)]
     if demanded:
-        found = [d for d in found if d in demanded or not re.search(table["judges"], d)]
+        valued = [d for d, then in pairwise(found) if re.match(table["value"], then)]
+        found = [d for d in found if d in demanded or d in valued or not re.search(table["judges"], d)]
     return found or ([ahead.strip(", ")] if ahead else [])
 
 

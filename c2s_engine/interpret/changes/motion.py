@@ -7,11 +7,12 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of, quantity_of, value_of, without_unit
 from c2s_engine.interpret.changes.refer import names_a_stranger, refer, spec_of
 from c2s_engine.interpret.reading import scan
+from c2s_engine.interpret.surroundings import environment
 from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.edits import SetField, SetSpec
+from c2s_engine.structure.edits import Edit, SetField, SetSpec
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, Trigger
 
 
 def _table() -> dict[str, Any]:
@@ -50,7 +51,7 @@ def distance(clause: str, structure: Structure) -> Found | None:
         edit = SetField(component=component.id, path="spacing", value=value_of(quantity))
         return [edit], f"{name_of(component)}: {quantity['low']:g} m between them"
     if quantity is not None and not re.search(_table()["so_much_further"], clause):
-        relative = None  # a distance to have, not one more or less
+        relative = wider = None  # a distance to have, not one more or less
     factor = relative or _moved(clause, spec.placement) or wider
     now = spec.placement.gap
     base = middle(now) if now is not None else 25.0
@@ -61,9 +62,22 @@ def distance(clause: str, structure: Structure) -> Found | None:
         value = value_of(quantity)
     else:
         value = round(max(2.0, base + quantity["low"] * (1 if factor > 1 else -1)), 1)
-    return [
-        SetField(component=component.id, path="placement.gap", value=value)
-    ], f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
+    edits = [SetField(component=component.id, path="placement.gap", value=value), *_lengthwise(told, component)]
+    return edits, f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
+
+
+def _lengthwise(clause: str, component: Component) -> list[Edit]:
+    """Whether it is now on the other side of ego, where that is told with the distance: "30 m behind ego"."""
+    told = re.search(r"\b(behind|ahead of|in front of) (?:ego|us|me)\b", clause)
+    place = spec_of(component).placement
+    if told is None or place.of != "ego":
+        return []
+    along = "behind" if told[1] == "behind" else "ahead"
+    if place.position in ("ahead", "behind") and place.position != along:
+        return [SetField(component=component.id, path="placement.position", value=along)]
+    if place.position in ("left_lane", "right_lane") and (place.along or "ahead") != along:
+        return [SetField(component=component.id, path="placement.along", value=along)]
+    return []
 
 
 def _in_time(clause: str, structure: Structure) -> Found | None:
@@ -127,11 +141,13 @@ def sides(clause: str, structure: Structure) -> Found | None:
     match = re.search(
         r"\b(?:from|on|to|at|in)(?: the| its)? (left|right|other|opposite)(?:-hand)?(?: side| lane| hand)?\b", clause
     )
-    if not match or re.search(r"\bturn|\bchange|\bsteer|\bswerv|\bavoid|\bevad", clause):
+    if not match or re.search(_table()["no_side"], clause):
         return None
     component = refer(clause, structure)
     own = component is not None and component.id == "E" and re.match(r"(?:put |move )?ego\b", clause)
     if own or names_a_stranger(clause, structure):
+        return None
+    if component is None and not re.fullmatch(_table()["only_a_side"], clause):
         return None
     if component is None or component.id == "E":
         sided = [
@@ -172,6 +188,8 @@ def sides(clause: str, structure: Structure) -> Found | None:
 
 def reaction(clause: str, structure: Structure) -> Found | None:
     """ "Ego does not brake", "ego swerves": how ego reacts."""
+    if only := re.search(_table()["reacts_to"], clause):
+        return _reacting_to(only["whom"], structure)
     body = re.sub(r"^(?:let|have|make)\s+", "", clause)
     body = re.sub(r"\b(should|shall|must|has to|is to|will|now|instead)\b ?", "", body).strip()
     component = refer(body, structure)
@@ -198,13 +216,25 @@ def reaction(clause: str, structure: Structure) -> Found | None:
     return None
 
 
+def _reacting_to(whom: str, structure: Structure) -> Found | None:
+    """To whom ego reacts; it brakes for him where it did not react."""
+    other = refer(whom, structure, alone=False)
+    if other is None or other.id == "E" or not isinstance(structure.ego.spec, EgoSpec):
+        return None
+    edits: list[Edit] = [SetField(component="E", path="react_to", value=other.id)]
+    if structure.ego.spec.reaction == "none":
+        edits.append(SetField(component="E", path="reaction", value="brake"))
+    return edits, f"ego reacts to {name_of(other)}"
+
+
 def rate(clause: str, structure: Structure) -> Found | None:
     """ "Brake rate 8 m/s2", "make the car brake harder": how hard somebody does what he does."""
     table = _table()["rates"]
     wanted = quantity_of(clause, "acceleration")
     change = next((f for pattern, f in table["factors"] if re.search(pattern, clause)), None)
     actions = next((a for pattern, a in table["actions"] if re.search(pattern, clause)), ())
-    if not actions and not scan.names(clause):
+    weather = environment.weather(clause, [(0, len(clause))])
+    if not actions and not scan.names(clause) and not weather:
         actions = table["actions"][0][1]
     if not actions or wanted is None and change is None:
         return None
@@ -213,8 +243,12 @@ def rate(clause: str, structure: Structure) -> Found | None:
     component = named if named in doing else doing[0] if doing and named is None else None
     if component is None:
         return None
+    goal = quantity_of(clause, "speed") if re.search(r"\bto (?:about |around )?\d", clause) else None
+    reached: dict[str, Any] = {"speed": value_of(goal)} if goal else {}
+    if moment := re.search(r"\b(?:after|at) (\d[\d.]*) ?s(?:ec\w*)?\b", clause):
+        reached["trigger"] = Trigger(kind="time", value=float(moment[1]))
     phases = tuple(
-        p.model_copy(update={"rate": value_of(wanted) if wanted else _times(p, change or 1.0)})
+        p.model_copy(update={"rate": value_of(wanted) if wanted else _times(p, change or 1.0), **reached})
         if p.action in actions
         else p
         for p in _phases(component)

@@ -5,12 +5,12 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of
-from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
+from c2s_engine.interpret.changes.refer import ORDINALS, objects_of, refer, spec_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, RemoveObject, SetField, SetSpec, apply
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
 
 
 def remove(clause: str, structure: Structure) -> Found | None:
@@ -26,12 +26,48 @@ def remove(clause: str, structure: Structure) -> Found | None:
         return _without_weather([f.value for f in sky], structure)
     if re.match(r"(traffic )?lights?|signals?$", rest):
         return [SetField(component="R", path="control", value="none")], "no traffic lights"
+    if re.match(r"(?:stop|yield|give[- ]way) signs?$", rest) and not refer(rest, structure, alone=False):
+        return [SetField(component="R", path="control", value="none")], "no signs"
+    if crossing := _without_crossing(rest, structure):
+        return crossing
     if re.match(r"weather", rest):
         return [SetField(component="G", path="weather", value=[])], "clear weather"
-    component = refer(rest, structure)
+    coming = [c for c in structure.objects if spec_of(c).placement.position in ("oncoming_lane", "opposite_approach")]
+    if coming and re.match(r"oncoming (?:traffic|vehicles|cars)$", rest):
+        return _gone(coming, structure), "no oncoming traffic"
+    names = [n for n in re.split(r",? and |, | or ", rest) if n]
+    found = [refer(name, structure, alone=len(names) == 1) for name in names]
+    several = [c for c in found if c is not None and c.id != "E"]
+    if len(names) > 1 and len({c.id for c in several}) == len(names):
+        return _gone(several, structure), f"{', '.join(name_of(c) for c in several)} removed"
+    component = refer(rest, structure, alone=len(structure.objects) == 1)
+    head = re.split(r"\b(?:for|by|between|to)\b", rest)[0]
+    if head != rest and refer(head, structure) is None:
+        return None  # something that he does
     if component is None or component.id == "E" or re.search(r"\bother (traffic|vehicles|cars|road users)\b", rest):
         return None
-    return [*_release(component, structure), RemoveObject(component=component.id)], f"{name_of(component)} removed"
+    return _gone([component], structure), f"{name_of(component)} removed"
+
+
+def _gone(components: list[Component], structure: Structure) -> list[Edit]:
+    """Edits after which these are there no longer, and nobody refers to them."""
+    edits: list[Edit] = []
+    for component in components:
+        gone = [*_release(structure[component.id], structure), RemoveObject(component=component.id)]
+        for edit in gone:
+            structure = apply(structure, edit)
+        edits += gone
+    return edits
+
+
+def _without_crossing(rest: str, structure: Structure) -> Found | None:
+    """The place without the crosswalk that it has."""
+    place = structure.place.spec
+    assert isinstance(place, PlaceSpec)
+    if not re.match(r"(?:zebra(?: crossing)?|crosswalk|pedestrian crossing)$", rest):
+        return None
+    gone: list[Edit] = [SetField(component="R", path="kind", value="road")] if place.kind == "crosswalk" else []
+    return [*gone, SetField(component="R", path="crosswalk", value=None)], "no crosswalk"
 
 
 def _all_but(clause: str, structure: Structure) -> Found | None:
@@ -41,13 +77,7 @@ def _all_but(clause: str, structure: Structure) -> Found | None:
     if not kept or None in kept:
         return None
     stay = {c.id for c in kept if c is not None}
-    edits: list[Edit] = []
-    for component in structure.objects:
-        if component.id not in stay:
-            gone = [*_release(component, structure), RemoveObject(component=component.id)]
-            for edit in gone:
-                structure = apply(structure, edit)
-            edits += gone
+    edits = _gone([c for c in structure.objects if c.id not in stay], structure)
     said = ", ".join(name_of(c) for c in kept if c is not None and c.id != "E")
     return (edits, f"only {said} stays" if said else "only ego stays") if edits else None
 
@@ -116,6 +146,8 @@ def retype(clause: str, structure: Structure) -> Found | None:
             continue
         alike = not who or who in ("it", "that", "this", "one", "just one", "only one", "a single one")
         component = _akin(kind, structure) if alike else refer(who, structure)
+        if component is None and who and re.search(rf"\b(?:{'|'.join(ORDINALS)})\b", who):
+            return [], "they are told of together: say how many stay and add another one"
         if component is None:
             return None
         if component.id == "E":
@@ -165,6 +197,16 @@ def _rest(rest: str | None, who: str, edits: list[Edit], structure: Structure) -
     return edits_of(f"{who} {verb}{re.sub(r'^(?:that|which|who) ', '', rest)}", structure) if rest else ([], [])
 
 
+def count(clause: str, structure: Structure) -> Found | None:
+    """ "Make the dog two": how many there are of somebody."""
+    match = re.match(language.table("refine")["count"], clause)
+    component = refer(match["who"], structure, alone=False) if match else None
+    if match is None or component is None or component.id == "E":
+        return None
+    value = _count_of(match["number"], 1)
+    return [SetField(component=component.id, path="count", value=value)], f"{name_of(component)}: {value}"
+
+
 def _count_of(what: str, now: int) -> int:
     """How many a noun phrase in the plural asks for; as many as now where it gives no number."""
     if not re.match(r"\d|an?\b|one|two|three|four|five|six", what):
@@ -178,6 +220,9 @@ def _akin(kind: str, structure: Structure) -> Component | None:
     same = objects_of(structure, kind)
     if same:
         return same[0]
+    wheels = ("bicycle", "motorcycle")
+    if kind in wheels and (riders := [c for c in structure.objects if spec_of(c).type in wheels]):
+        return riders[0]
     persons = ("pedestrian", "child", "animal", "bicycle")
     sort = [c for c in structure.objects if (spec_of(c).type in persons) == (kind in persons)]
     pick = sort or list(structure.objects)
@@ -208,7 +253,7 @@ def _typed(spec: ObjectSpec, kind: str) -> ObjectSpec:
                 "go_straight": "cross_road",
             }
         )
-        keep = {"stationary", "wait", "stop", "start", "collide"}
+        keep = {"stationary", "wait", "stop", "start", "collide", "move_along"}
         phases = tuple(
             p.model_copy(update={"action": turned.get(p.action, p.action)})
             for p in spec.phases

@@ -1,11 +1,14 @@
 """The forms of change that a turn may have, in the order in which they are tried."""
 
+from c2s_engine.interpret.changes.beside import abreast, each_lane
 from c2s_engine.interpret.changes.forms import Form
 from c2s_engine.interpret.changes.looks import blueprint, uncovered
 from c2s_engine.interpret.changes.motion import distance, rate, reaction, sides
-from c2s_engine.interpret.changes.objects import remove, retype
+from c2s_engine.interpret.changes.objects import count, remove, retype
 from c2s_engine.interpret.changes.scene import ending, length, own_lane, road, setting
-from c2s_engine.interpret.changes.speed import speed, speed_difference, walked
+from c2s_engine.interpret.changes.signs import sign
+from c2s_engine.interpret.changes.speed import speed, speed_difference, still, walked
+from c2s_engine.interpret.changes.timing import shifted
 from c2s_engine.interpret.changes.told import acting, standing
 
 FORMS: tuple[Form, ...] = (
@@ -14,8 +17,14 @@ FORMS: tuple[Form, ...] = (
     blueprint,
     uncovered,
     own_lane,
+    each_lane,
+    abreast,
+    sign,
+    count,
     retype,
     remove,
+    still,
+    shifted,
     speed_difference,
     rate,
     acting,
@@ -28,3 +37,6 @@ FORMS: tuple[Form, ...] = (
     sides,
     reaction,
 )
+
+ADDING: tuple[Form, ...] = (each_lane, abreast, sign, acting, setting, road, standing)
+"""The forms that a demand for somebody new may have."""

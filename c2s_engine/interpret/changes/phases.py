@@ -3,25 +3,31 @@
 import re
 from collections.abc import Sequence
 
-from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import table
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, SetField
 from c2s_engine.structure.specs import Phase, Trigger
 
 WAYS = {"go_straight": "straight", "turn_left": "left", "turn_right": "right", "u_turn": "u_turn"}
+PASSING = frozenset(("run_red", "run_stop"))
 """Ways through an intersection, as actions and as ego's manoeuvre."""
 
 
 def awaited(told: str, structure: Structure) -> Trigger | None:
     """ "As soon as the child starts to cross, the bus stops": what another does, for which it is waited."""
+    if moment := re.match(table()["at_a_time"], told):
+        return Trigger(kind="time", value=float(moment["seconds"]))
     match = re.match(table()["awaits"], told)
     if match is None or re.search(r"\d", condition := match["before"] or match["after"]):
         return None
     other = refer(condition, structure, alone=False)
-    if other is None or other.id == "E" or not (phases := spec_of(other).phases):
+    if other is None or not (actions := [p.action for p in getattr(other.spec, "phases", ())]):
         return None
-    return Trigger(kind="action", of=other.id, action=phases[0].action)
+    said = [a for a in actions if doing(condition, (a,))]
+    if other.id == "E":
+        return Trigger(kind="action", of="ego", action=said[0]) if said else None
+    return Trigger(kind="action", of=other.id, action=(said or actions)[0])
 
 
 def afterwards(clause: str, edits: Sequence[Edit], structure: Structure) -> list[Edit]:
@@ -55,18 +61,29 @@ def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple
         turns = any(p.action in WAYS for p in new)
         if old and new and old[-1].action == new[0].action:
             new = new[1:]
+        if new and new[0].action in PASSING:
+            return (*new, *old)
         return (*(p for p in old if not (turns and p.action in WAYS)), *new)
     if re.search(r"\bfirst\b", clause) and len(new) == 1 and new[0].action not in WAYS:
         return (*new, *(p for p in old if p.action in WAYS))
     if old and [p.action for p in new] == ["move_along"] and not re.search(r"\balong\b", clause):
         return old  # how fast it goes, not what it does
-    passed = [p for p in old if p.action in ("run_red", "run_stop")]
-    if passed and {p.action for p in new} - WAYS.keys() <= {"stop", "wait", "yield"}:  # it obeys what it passed
-        return (*(p for p in new if p.action not in WAYS), *(p for p in old if p.action in WAYS))
+    crosses = bool(old) and old[-1].action == "cross_road"
+    if crosses and [p.action for p in new] == ["stop"] and re.search(table()["midway"], clause):
+        return (*old, *new)
+    ways = [p for p in old if p.action in WAYS]
+    passed = [p for p in old if p.action in PASSING]
+    others = {p.action for p in new} - WAYS.keys()
+    obeys = bool(others) and others <= {"stop", "wait", "yield"}
+    if obeys and ways and (passed or re.search(table()["at_the_line"], clause)):
+        told = [p for p in new if p.action in WAYS and p.action != "go_straight"]
+        return (*(p for p in new if p.action not in WAYS), *(told or ways))
+    if passed and not obeys and not others & {*PASSING, "stationary"} and not any(p.target for p in new):
+        new = (*passed, *new)
     same = [i for i, p in enumerate(old) if len(new) == 1 and p.action == new[0].action]
     if not same:
         return new
     said = {k: v for k, v in new[0].model_dump().items() if v is not None}
-    said |= {} if len(said) > 1 else {"rate": None}
+    said |= {} if len(said) > 1 or not re.search(table()["plainly"], clause) else {"rate": None}
     merged = Phase.model_validate(old[same[0]].model_dump() | said)
     return (*old[: same[0]], merged, *old[same[0] + 1 :])

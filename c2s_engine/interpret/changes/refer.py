@@ -1,6 +1,7 @@
 """Which component of S a phrase means: "the lead", "O2", "the second car", "the pedestrian's", "it"."""
 
 import re
+from collections.abc import Iterable
 from typing import get_args
 
 from c2s_engine.interpret import language
@@ -62,6 +63,8 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
             found = [c for c in structure.objects if spec_of(c).name == f"v{span.data['label']}"]
             return found[0] if found else None
         found = objects_of(structure, span.data["type"])
+        if span.data.get("noun") in language.words("adults"):
+            found = [c for c in found if spec_of(c).type != "child"]
         if "lead" in span.data["roles"] and len(found) != 1:
             ahead = [c for c in structure.objects if spec_of(c).placement.position == "ahead"]
             return ahead[0] if ahead else None
@@ -86,6 +89,8 @@ def _ordinal(
     found = found or objects_of(structure, spec_of(first).type)
     for word, index in ORDINALS.items():
         if re.search(rf"\b{word}\b", plain):
+            if len(found) == 1 and spec_of(found[0]).count > 1:
+                return None  # one of those who are told of together
             return found[index] if -len(found) <= index < len(found) else None
     if re.search(r"\bother\b", plain) and len(found) > 1:
         return found[1]
@@ -117,8 +122,20 @@ def _alias(plain: str, structure: Structure) -> Component | None:
 
 def _doer(plain: str, structure: Structure) -> Component | None:
     """Whom a noun or participle of doing means: "the overtaker", "the overtaking one"."""
-    for doing, actions in language.table("refine")["doers"].items():
-        if re.search(rf"\b(?:{doing})(?:e?rs?\b|ing (?:one|vehicle|road user)s?\b)", plain):
-            found = [c for c in structure.objects if any(p.action in actions for p in spec_of(c).phases)]
-            return found[0] if found else None
+    for stem in language.table("refine")["doers"]:
+        if named := re.search(rf"\b(?:{stem})(?:e?rs?\b|ing (?:one|vehicle|road user)s?\b)", plain):
+            return next((c for c in structure.objects if doing(named[0], actions_of(c))), None)
     return None
+
+
+def actions_of(component: Component) -> list[str]:
+    """What an object does, in order."""
+    return [p.action for p in spec_of(component).phases]
+
+
+def doing(words: str, actions: Iterable[str]) -> bool:
+    """Whether one of the actions is what the words say that begin with a stem of doing."""
+    for stem, done in language.table("refine")["doers"].items():
+        if re.search(rf"\b(?:{stem})", words) and any(action in done for action in actions):
+            return True
+    return False

@@ -4,10 +4,11 @@ import re
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes import order
-from c2s_engine.interpret.changes.demands import demands, topic_of, whole
+from c2s_engine.interpret.changes import notes, order
+from c2s_engine.interpret.changes.demands import demands, only_one, topic_of, whole
 from c2s_engine.interpret.changes.speed import walked
 from c2s_engine.interpret.changes.told import introduced
+from c2s_engine.interpret.changes.unshown import unshown
 from c2s_engine.interpret.composing import describe
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Structure
@@ -21,18 +22,19 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     edits: list[Edit] = []
     said: list[str] = []
     current = structure
-    before, topic = "", topic_of(text, structure)
+    told, text = text, notes.text_of(text, structure)
+    before, topic = "", topic_of(text, structure) or topic_of(told, structure) or only_one(text, structure)
     parts = demands(text)
     if len(parts) > 1 and not order.retype(parts[0], structure) and (new := introduced(parts, structure)):
         return _all(new, structure)
     while parts:
         part = parts.pop(0)
-        demand = whole(part, before, topic)
+        demand = notes.demand_of(whole(part, before, topic), current)
         if parts and (both := _in_a_row(demand, parts[0], current)):
             demand = both
             parts.pop(0)
         before, topic = demand, topic_of(demand, current) or topic
-        found = _found(demand, current)
+        found = unshown(demand) or _found(demand, current)
         if found is None:
             continue
         try:
@@ -66,15 +68,18 @@ def _in_a_row(first: str, then: str, structure: Structure) -> str | None:
 
 def _found(demand: str, structure: Structure) -> Found | None:
     """What the first form that fits asks for; where somebody does that already, how fast he is to do it."""
-    for form in order.FORMS:
+    table = language.table("refine")["told"]
+    forms = order.ADDING if notes.adds(demand, structure) else order.FORMS
+    for form in forms:
         found = form(demand, structure)
         if found is None:
             continue
         if form is order.setting and not scan.names(demand) and (where := order.road(demand, structure)):
             return [*found[0], *where[0]], f"{found[1]}; {where[1]}"
-        denied = re.search(language.table("refine")["told"]["denies"], demand)
+        denied = re.search(table["denies"], demand)
         if form is order.acting and not denied and all(_already(e, structure) for e in found[0]):
-            return walked(demand, structure) or found
+            waits = re.search(table["meanwhile"], demand)
+            return None if waits else walked(demand, structure) or ([], f"that is so already ({found[1]})")
         return found
     return None
 

@@ -11,6 +11,8 @@ from c2s_engine.interpret.reading import amounts, scan
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.specs import EgoSpec, PlaceSpec, SettingsSpec
 
+WALKERS = ("pedestrian", "child", "animal")
+
 
 def table() -> dict[str, str]:
     """The patterns of demands that are told like a scene."""
@@ -23,7 +25,7 @@ def indicative(clause: str, structure: Structure) -> str | None:
     forms = table()
     said = re.sub(forms["beside_the_point"], " ", clause).strip(" ,")
     said = re.sub(r"\bo(\d+)\b", lambda m: _called(f"O{m[1]}", structure), said)
-    said = re.sub(r"\bi\b", "I", said)
+    said = re.sub(r"\bi\b", "I", _settled(said, structure))
     if (begins := re.match(forms["begins"], said)) and (who := refer(begins["who"], structure, alone=False)):
         first = next(iter(getattr(who.spec, "phases", ())), None)
         if first is not None:
@@ -44,7 +46,7 @@ def indicative(clause: str, structure: Structure) -> str | None:
     if not named:
         return None
     first = named[0]
-    bare = first.kind == "actor" and first.start == 0 and not first.data["plural"] and " " in said[first.end - 1 :]
+    bare = first.kind == "actor" and first.start == 0 and not first.data.get("plural") and " " in said[first.end - 1 :]
     if bare and refer(said[: first.end], structure, alone=False) is not None:
         said = f"the {said}"
     if match := re.match(forms["causes"], said):
@@ -56,12 +58,32 @@ def indicative(clause: str, structure: Structure) -> str | None:
     return re.sub(forms["beside_on"], r"the \g<who>\g<where> on the \g<side>", said)
 
 
+def _settled(said: str, structure: Structure) -> str:
+    """The demand with the nouns by which the scene calls those who are there: an animal for "the dog"."""
+    for span in reversed(scan.names(said)):
+        before = said[: span.start]
+        if span.kind != "actor" or span.data.get("plural") or span.data.get("roles") or re.search(r"\ban? $", before):
+            continue
+        meant = refer(f"the {said[span.start : span.end]}", structure, alone=False)
+        same = meant is not None and meant.id != "E" and spec_of(meant).count == 1
+        if meant is None or not same or span.data["type"] != spec_of(meant).type or span.data["type"] not in WALKERS:
+            continue
+        article = "" if re.search(r"\b(?:the|that|this|second|other|another|more)(?: \w+)? $", before) else "the "
+        said = f"{before}{article}{_noun(meant)}{said[span.end :]}"
+    return said
+
+
 def _called(cid: ComponentId, structure: Structure) -> str:
     return f"the {_noun(structure[cid])}" if cid in structure else cid
 
 
 def _noun(component: Component) -> str:
     return spec_of(component).type.replace("_", " ")
+
+
+def located_in(told: str) -> bool:
+    """Whether a sentence tells where somebody is, apart from when something happens."""
+    return bool(re.match(table()["located"], re.sub(table()["meanwhile"], "", told)))
 
 
 def scene(structure: Structure, told: str) -> str:
@@ -74,7 +96,7 @@ def scene(structure: Structure, told: str) -> str:
         place = place.model_copy(update={"manoeuvre": None, "ego_lane": None})
     told_speed = any(q.data["dimension"] == "speed" for q in amounts.quantities(told))
     mover = refer(told, structure, alone=False) if told_speed else None
-    placed = re.match(table()["located"], told) and not re.match(table()["adds"], told)
+    placed = located_in(told) and not re.match(table()["adds"], told)
     located = refer(told, structure, alone=False) if placed else None
     names = {c.id: spec_of(c).name for c in structure.objects}
     ego = structure.ego.spec

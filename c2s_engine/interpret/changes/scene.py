@@ -10,14 +10,14 @@ from c2s_engine.interpret.reading import amounts, scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, SetField, SetSpec
-from c2s_engine.structure.specs import Condition, PlaceSpec, RestrictionsSpec
+from c2s_engine.structure.specs import Condition, PlaceSpec, RestrictionsSpec, SettingsSpec
 
 
 def setting(clause: str, structure: Structure) -> Found | None:
     """ "At night", "in heavy rain", "add fog", "in Town03", "the light is red"."""
     edits: list[Edit] = []
     said = []
-    clause = _instead(clause)
+    told, clause = clause, _instead(clause)
     whole = [(0, len(clause))]
     named = environment.named(clause)
     if "map" in named:
@@ -35,7 +35,7 @@ def setting(clause: str, structure: Structure) -> Found | None:
     if colour and not light:
         state = "yellow" if colour[1] == "amber" else colour[1]
         light = [environment.Found(state, 0.9, colour.span())]
-    if re.search(r"\b(clear|sunny|dry|fine|nice)\b", clause) and not sky:
+    if re.search(language.table("refine")["fair"], clause) and not sky:
         sky = [environment.Found("clear", 0.9, (0, 1))]
     if len(scan.names(clause)) > 1 or (
         scan.names(clause) and not light and not re.search(r"weather|rain|fog|night|day|snow", clause)
@@ -47,6 +47,8 @@ def setting(clause: str, structure: Structure) -> Found | None:
         also = re.search(r"\b(add|also|and|plus|as well|too)\b", clause)
         if re.search(language.table("refine")["weaker"], clause):
             values = list(dict.fromkeys("rain" if v == "heavy_rain" else v for v in values))
+        elif "heavy_rain" in old and not re.search(language.table("refine")["as_it_is"], clause):
+            values = ["heavy_rain" if v == "rain" else v for v in values]
         rains = language.table("refine")["rains"]
         old = [w for w in old if not (w in rains and set(values) & set(rains))]
         new = ["clear"] if values == ["clear"] else list(dict.fromkeys([*(old if also else []), *values]))
@@ -54,17 +56,35 @@ def setting(clause: str, structure: Structure) -> Found | None:
             new.remove("rain")
         edits.append(SetField(component="G", path="weather", value=new))
         said.append(", ".join(w.replace("_", " ") for w in new))
+    left = _given_up(told, structure) if time is not None and not sky else None
+    if left is not None:
+        edits.append(SetField(component="G", path="weather", value=left))
+        said.append("no " + told.split()[-1])
     if time is not None and "preset" not in named:
         edits.append(SetField(component="G", path="time", value=time.value))
         said.append(time.value)
     if (sky or time is not None) and structure.settings.spec.preset and "preset" not in named:  # type: ignore[union-attr]
         edits.append(SetField(component="G", path="preset", value=None))
+    other = refer(clause, structure, alone=False) if light else None
+    if other is not None and other.id != "E" and not re.search(r"\b(?:ego|our|us|my|me)\b", clause):
+        light = []  # it is another's
     if light and re.search(r"light|signal|red|green", clause) and structure.place.spec.kind == "intersection":  # type: ignore[union-attr]
         edits.append(SetField(component="G", path="light", value=light[0].value))
         if structure.place.spec.control != "signal":  # type: ignore[union-attr]
             edits.append(SetField(component="R", path="control", value="signal"))
         said.append(f"ego's light {light[0].value}")
     return (edits, "; ".join(said)) if edits else None
+
+
+def _given_up(told: str, structure: Structure) -> list[str] | None:
+    """The weather without what is given up for a time of day: the rain of "night instead of rain"."""
+    old = next((m["old"] for p in language.table("refine")["given_up"] if (m := re.match(p, told))), "")
+    values = {f.value for f in environment.weather(old, [(0, len(old))])}
+    if values & {"rain", "heavy_rain"}:
+        values |= {"rain", "heavy_rain", "wet"}
+    assert isinstance(structure.settings.spec, SettingsSpec)
+    now = structure.settings.spec.weather
+    return [w for w in now if w not in values] if values & set(now) else None
 
 
 def _instead(clause: str) -> str:
@@ -79,6 +99,8 @@ def road(clause: str, structure: Structure) -> Found | None:
     """ "On a motorway", "at a T-junction with traffic lights", "three lanes", "in a left bend", "limit 50 km/h"."""
     from c2s_engine.interpret.surroundings import place
 
+    if re.search(r"\bo\d\b", clause):
+        return None
     if len(scan.names(clause)) > 0 and not re.search(r"^(on|at|in|put it|move it|make it|let it|it )", clause):
         return None
     numbers = amounts.quantities(clause) or amounts.bare_speeds(clause)
@@ -160,7 +182,7 @@ def length(clause: str, structure: Structure) -> Found | None:
     quantity = quantity_of(clause, "time")
     if (
         quantity is None
-        or not re.search(r"\b(run|last|simulate|duration|end|terminate|stop|length|scenario)\b|^[\d.]+ ?\w+$", clause)
+        or not re.search(r"\b(run|last|simulat\w+|duration|end|terminate|stop|length|scenario)\b|^[\d.]+ ?\w+$", clause)
         or scan.names(clause)
     ):
         return None

@@ -10,6 +10,7 @@ from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, SetField
 from c2s_engine.structure.quantity import high, middle
+from c2s_engine.structure.specs import Phase
 
 
 def _table() -> dict[str, Any]:
@@ -30,6 +31,8 @@ def speed(clause: str, structure: Structure) -> Found | None:
     """ "Ego at 50 km/h", "the lead drives 20 km/h", "faster", "10 km/h slower", "twice as fast"."""
     table = _table()
     if re.search(table["denied"], clause) and quantity_of(clause, "speed") is None:
+        return None
+    if re.search(table["between_two"], clause):
         return None
     if re.search(r"\blimit\b", clause) or re.search(table["of_distance"], clause) and "speed" not in clause:
         return None
@@ -74,13 +77,13 @@ def _who(clause: str, structure: Structure) -> list[Component]:
     if re.search(table["all"], clause):
         return [structure.ego, *(c for c in _moving(structure) if spec_of(c).type not in PERSONS)]
     vehicles = [c for c in structure.objects if spec_of(c).type not in PERSONS and spec_of(c).speed]
-    if re.search(r"\bboth (?:vehicles|cars|of them|speeds|at|with)\b", clause) and vehicles:
-        return [structure.ego, vehicles[0]] if len(vehicles) == 1 else vehicles[:2]
     joint = re.match(table["joint"], clause)
     both = [refer(joint[name], structure, alone=False) for name in ("one", "other")] if joint else []
     found = [c for c in both if c is not None]
     if len(found) == 2:
         return found
+    if re.search(r"\bboth\b", clause) and vehicles:
+        return [structure.ego, vehicles[0]] if len(vehicles) == 1 else vehicles if len(vehicles) == 2 else []
     one = refer(clause, structure, alone=True)
     unclear = structure.objects and re.search(r"\b(it|its)\b", clause) or names_a_stranger(clause, structure)
     if one is None and not unclear:
@@ -113,7 +116,7 @@ def _at_speed(
 def walked(clause: str, structure: Structure) -> Found | None:
     """ "The boy runs", "let the car roll at walking pace"."""
     component = refer(clause, structure, alone=False)
-    if component is None:
+    if component is None or re.search(_table()["no_pace"], clause):
         return None
     walks = component.id != "E" and spec_of(component).type in PERSONS
     for pattern, value, anybody in _table()["paces"]:
@@ -121,3 +124,16 @@ def walked(clause: str, structure: Structure) -> Found | None:
             edit = SetField(component=component.id, path="speed", value=float(value))
             return [edit], f"{name_of(component)} at {value * 3.6:.0f} km/h"
     return None
+
+
+def still(clause: str, structure: Structure) -> Found | None:
+    """ "The pedestrian stands still": from the start, and to the end."""
+    match = re.match(r"(?P<who>.+) stands still$", clause)
+    component = refer(match["who"], structure, alone=False) if match else None
+    if component is None or component.id == "E":
+        return None
+    edits: list[Edit] = [
+        SetField(component=component.id, path="speed", value=0.0),
+        SetField(component=component.id, path="phases", value=(Phase(action="stationary"),)),
+    ]
+    return edits, f"{name_of(component)} stands still"

@@ -9,8 +9,8 @@ from typing import Any
 
 from c2s_engine.interpret.changes.forms import Found, name_of
 from c2s_engine.interpret.changes.phases import WAYS, afterwards, awaited, joined, mapped
-from c2s_engine.interpret.changes.refer import refer, spec_of
-from c2s_engine.interpret.changes.retold import indicative, read, scene, table
+from c2s_engine.interpret.changes.refer import doing, refer, spec_of
+from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField
@@ -95,6 +95,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
                 changed = [c for c in changed if c[0] != "ego_lane"]
             if added and new and cid.startswith("O"):
                 changed = [c for c in changed if c[0] == "placement.hidden_by"]
+            changed = _without_awaited(changed)
             edits += [SetField(component=cid, path=path, value=value) for path, value in changed]
             paths += [path for path, _ in changed]
     if not any(wanted(path) for path in paths):
@@ -103,6 +104,12 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
     edits = _one_way(edits, structure)
     said = _in_words(edits, structure)
     return [*sorted(edits, key=lambda e: not isinstance(e, AddObject)), *_moves(now, ids, structure)], said
+
+
+def _without_awaited(changed: list[tuple[str, Any]]) -> list[tuple[str, Any]]:
+    """The changes without a gap that is only the one for which somebody waits."""
+    awaited_at = {p.trigger.value for path, value in changed if path == "phases" for p in value if p.trigger}
+    return [(path, value) for path, value in changed if path != "placement.gap" or value not in awaited_at]
 
 
 def _there_already(component: Component, was: Structure, both: bool) -> bool:
@@ -117,7 +124,9 @@ def _light(clause: str, now: Structure, structure: Structure) -> list[Edit]:
     """The light that ego faces, where the clause says it besides."""
     new, old = now.settings.spec, structure.settings.spec
     assert isinstance(new, SettingsSpec) and isinstance(old, SettingsSpec)
-    told = new.light is not None and new.light != old.light and new.light in clause
+    first = refer(clause, structure, alone=False)
+    own = first is None or first.id == "E" or bool(re.search(r"\b(?:ego|our|us|my|me)\b", clause))
+    told = own and new.light is not None and new.light != old.light and new.light in clause
     return [SetField(component="G", path="light", value=new.light)] if told else []
 
 
@@ -157,6 +166,7 @@ def _denied(clause: str, structure: Structure) -> Found | None:
         if doer is not None and doer.id != edit.component:
             continue
         denied = {p.action for p in edit.value} - {"go_straight"}
+        denied = {a for a in denied if doing(re.sub(table()["meanwhile"], "", clause), (a,))} or denied
         phases = spec_of(structure[edit.component]).phases
         kept = tuple(p for p in phases if p.action not in denied)
         if kept != phases:
@@ -220,6 +230,9 @@ def _changes(
         if path == "speed" and not re.search(table()["paces"], clause):
             moves = getattr(there.spec, "speed", None) == 0.0 and bool(new["phases"])
             same = not moves or not value
+        if path == "speed" and getattr(there.spec, "speed", None) and any(a.field == "speed" for a in now.assumed):
+            same = True
+        same = same or path == "speed" and not value and bool(re.search(table()["besides"], clause))
         same = same and not (path == "phases" and value and re.search(table()["besides"], clause))
         if same or path in ("name", "component", "model") or (there.id == "R" and path not in PLACE):
             continue
@@ -228,11 +241,14 @@ def _changes(
             turns = any(p.action in ("turn_left", "turn_right", "u_turn") for p in now.spec.phases)
             phases = tuple(mapped(p, ids) for p in now.spec.phases if not (turns and p.action == "go_straight"))
             phases = tuple(sorted(phases, key=lambda p: p.action not in ("run_red", "run_stop")))
-            if waited is not None and phases and phases[0].trigger is None:
+            if waited is not None and phases and (phases[0].trigger is None or phases[0].trigger.kind == waited.kind):
                 phases = (phases[0].model_copy(update={"trigger": waited}), *phases[1:])
             found.append((path, joined(there.spec.phases, phases, clause)))
         elif path == "placement":
             place = _placed_before(was, now, there, clause)
+            walks = spec_of(there).placement.position == "sidewalk" and value["position"] == "roadside"
+            if walks and not re.search(table()["roadside"], clause):
+                value["position"] = place["position"]
             found += [
                 (f"placement.{key}", ids.get(part, part) if key in ("of", "hidden_by") else part)
                 for key, part in value.items()
@@ -249,7 +265,7 @@ def _placed_before(was: Component, now: Component, there: Component, clause: str
     """Where it was: of one whose place the clause tells anew, where it really is, but for what is not told."""
     old, new = spec_of(was).placement.model_dump(), spec_of(now).placement.model_dump()
     assumed = any(a.field == "placement.position" for a in now.assumed)
-    if assumed or not re.match(table()["located"], clause):
+    if assumed or not located_in(clause):
         return old
     real = spec_of(there).placement.model_dump()
     return real | {key: new[key] for key in ("gap", "hidden_by") if new[key] is None}

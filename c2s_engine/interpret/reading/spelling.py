@@ -44,6 +44,7 @@ def _repairs(text: str) -> list[Replacement]:
     found: list[Replacement] = []
     for pattern, new in language.table("spelling")["patterns"]:
         found += [(m.start(), m.end(), m.expand(new)) for m in re.finditer(pattern, text, re.IGNORECASE)]
+    spelt = [(start, end) for start, end, _ in found]
     loud = text.isupper()
     for match in WORD.finditer(text):
         word = match[0]
@@ -51,7 +52,7 @@ def _repairs(text: str) -> list[Replacement]:
         if word[0].isupper() and inner and not loud or word.isupper() and not loud or known(word.lower()):
             continue
         better = nearest(word.lower())
-        if better is not None:
+        if better is not None and not any(s < match.end() and match.start() < e for s, e in spelt):
             found.append((match.start(), match.end(), better))
     return found
 

@@ -1,0 +1,77 @@
+"""What is asked: a question, and a demand that is put as one ("could the van be a bus?", "would you mind ...?")."""
+
+import re
+from typing import Any
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.reading import scan
+
+
+def _table() -> dict[str, Any]:
+    found: dict[str, Any] = language.table("refine")
+    return found
+
+
+def supposed(plain: str) -> str:
+    """What a "what if" supposes, as a demand; empty where the text is none."""
+    match = next((m for pattern in _table()["supposed"] if (m := re.match(pattern, plain))), None)
+    if not match:
+        return ""
+    said = re.sub(r"^there (?:were|was|is|are) (?:also )?", "add ", match["said"].strip())
+    return re.sub(r"^(?!add )(?P<what>.+?) (?:were|was|is|are|be) (?P<how>.+)$", r"make \g<what> \g<how>", said)
+
+
+def requested(plain: str) -> str:
+    """What is asked for politely, as an order: "would you mind removing the van?"; empty where the text is none."""
+    table = _table()
+    for pattern, new in table["requested"]:
+        said, number = re.subn(rf"^(?:please |and |so |ok,? )?(?:{pattern})", new, plain)
+        if number:
+            first, _, rest = said.rstrip("? ").partition(" ")
+            return re.sub(r"\bdid not\b", "does not", f"{table['orders'].get(first, first)} {rest}")
+    return ""
+
+
+def asks(plain: str) -> bool:
+    """Whether a text only asks; a demand behind the question ("why so slow? make it 50") makes it none."""
+    sentences = _sentences(plain)
+    return any(map(_asks, sentences)) and all(_asks(s) or _remarks(s) for s in sentences)
+
+
+def demanded(plain: str) -> str:
+    """The text without the questions in it, where it asks and demands."""
+    sentences = _sentences(plain)
+    rest = [s for s in sentences if not _asks(s)]
+    demands = any(re.search(_table()["asking"]["demands"], s) for s in rest)
+    if not rest or not demands or len(rest) == len(sentences):
+        return plain
+    named = [s[n.start : n.end] for s in sentences if s not in rest for n in scan.names(s) if n.kind == "actor"]
+    said = ". ".join(rest)
+    return re.sub(r"\b(?:it|he|she|they|him|them)\b", f"the {named[0]}", said, count=1) if named else said
+
+
+def _sentences(plain: str) -> list[str]:
+    plain = re.sub(_table()["asking"]["tags"], "", plain)
+    return [s for part in re.split(r"(?<=[.?!])\s+|(?<=\?)(?=\w)", plain) if (s := part.strip(" .!"))]
+
+
+def _remarks(sentence: str) -> bool:
+    """Whether a sentence beside a question only says why it is asked."""
+    return not re.search(_table()["asking"]["demands"], sentence)
+
+
+def _asks(sentence: str) -> bool:
+    table = _table()
+    sentence = re.sub(table["asking"]["before"], "", sentence)
+    if re.search(table["asked_for"], sentence) and not re.match(r"(?:what|which|who|where|when|how)\b", sentence):
+        return False
+    if any(re.match(pattern, sentence) for pattern in table["asking"]["shapes"]):
+        return True
+    if sentence.endswith("?"):
+        return not re.match(
+            r"(can|could|would|will) (you|we) (please )?(make|change|add|remove|put|set|move|let|replace|turn|have)\b",
+            sentence,
+        )
+    return bool(re.match(table["question"], sentence)) and not re.match(
+        r"(is|are|do|does|have|will)\b(?!.*\?)|.*\b(instead)\b", sentence
+    )

@@ -1,0 +1,124 @@
+"""Who is meant by a phrase without a noun of his own: "the thing in front of us", "the left one", "the overtaker", "the
+guy on the bike": called by his noun instead, where only one who is there fits."""
+
+import re
+from functools import cache
+from typing import Any
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.changes.refer import actions_of, doing, objects_of, refer, spec_of
+from c2s_engine.interpret.reading import scan
+from c2s_engine.structure.components import Component, Structure
+
+
+@cache
+def _table() -> dict[str, Any]:
+    return {**language.table("notes")["meant"]}
+
+
+@cache
+def _described() -> re.Pattern[str]:
+    table = _table()
+    before = "|".join(row["before"] for row in table["where"] if row.get("before"))
+    behind = "|".join(row["behind"] for row in table["where"] if row.get("behind"))
+    return re.compile(
+        rf"(?:\b(?:the|that|this|our|my) |^)(?:(?P<before>{before}) )?(?P<head>{table['heads']})"
+        rf"(?:(?: (?:{table['relative']}))? (?P<behind>{behind})(?: {table['of_ego']})?)?(?![\w-])"
+    )
+
+
+def called(plain: str, structure: Structure) -> str:
+    """The text in which those who are only described are called by their nouns."""
+    for noun, kinds in _table()["nouns"]:
+        there = next((found for kind in kinds if (found := _of_type(structure, kind))), None)
+        if there:
+            found = rf"{_table()['definite']}\b(?:the |that |this |our )?(?:{noun})(?![\w-])"
+            plain = re.sub(found, called_by(there[0], structure), plain)
+    for component in structure.objects:
+        name = spec_of(component).name.replace("_", " ")
+        if len(name) > 3 and not scan.names(name):
+            plain = re.sub(rf"\b(?:the )?{re.escape(name)}(?![\w-])", called_by(component, structure), plain)
+    if denied := re.match(_table()["denied"], plain):
+        who = _agent(denied, structure)
+        plain = plain if who == denied[0] else f"{who} should not {_table()['verbs'][denied['act']]}"
+    plain = re.sub(rf"\b(?:the |that |this )?{_table()['agents']}", lambda m: _agent(m, structure), plain)
+    plain = re.sub(_table()["acts"], lambda m: _actor(m, structure), plain)
+    plain = re.sub(_table()["beside_another"], lambda m: _by_another(m, structure), plain)
+    return _described().sub(lambda m: _fitting(m, structure), plain)
+
+
+def called_by(component: Component, structure: Structure) -> str:
+    """A name for somebody that means nobody else."""
+    name = f"the {spec_of(component).type.replace('_', ' ')}"
+    found = refer(name, structure, alone=False)
+    return name if found is not None and found.id == component.id else component.id.lower()
+
+
+def _of_type(structure: Structure, kind: str) -> list[Component]:
+    return [c for c in structure.objects if spec_of(c).type == kind]
+
+
+def _agent(match: re.Match[str], structure: Structure) -> str:
+    """One whom a noun of doing means: "the overtaker"."""
+    found = [c for c in structure.objects if doing(match[0], actions_of(c))]
+    return called_by(found[0], structure) if len(found) == 1 else match[0]
+
+
+def _actor(match: re.Match[str], structure: Structure) -> str:
+    """One whose act begins: "start the overtaking", "the overtaking"."""
+    who = _agent(match, structure)
+    return f"{who} should start" if who != match[0] and (match["begin"] or match["starts"]) else who
+
+
+def _by_another(match: re.Match[str], structure: Structure) -> str:
+    """One who is behind or before somebody else: "the thing behind the oncoming car"; nobody where there is none."""
+    other = refer(match["other"], structure, alone=False)
+    if other is None or other.id == "E":
+        return match[0]
+    follows = "follow" if re.match(r"behind|after|follow", match["where"]) else ""
+    found = [
+        c
+        for c in structure.objects
+        if c.id != other.id
+        and (
+            spec_of(c).placement.of == other.id
+            or any(p.target == other.id and p.action == follows for p in spec_of(c).phases)
+        )
+    ]
+    return f"{called_by(found[0], structure)}{match['rest']}" if len(found) == 1 else f"somebody{match['rest']}"
+
+
+def _fitting(match: re.Match[str], structure: Structure) -> str:
+    """The only one whom a description fits; the description itself where nobody or more than one does."""
+    said = [w for w in (match["before"], match["behind"]) if w]
+    kind = next((k for pattern, k in _table()["kinds"] if re.fullmatch(pattern, match["head"])), None)
+    found = objects_of(structure, kind) if kind else list(structure.objects)
+    if not said or kind and len(found) == 1:
+        return match[0]
+    for words in said:
+        found = _where(words, found)
+    return called_by(found[0], structure) if len(found) == 1 else match[0]
+
+
+def _where(words: str, components: list[Component]) -> list[Component]:
+    """Those who are where the words say, or do what they say."""
+    for row in _table()["where"]:
+        if any(re.fullmatch(row[key], words) for key in ("before", "behind") if row.get(key)):
+            for fits in row["is"]:
+                if found := [c for c in components if _is(fits, c)]:
+                    return found
+            return []
+    return []
+
+
+def _is(fits: dict[str, list[str]], component: Component) -> bool:
+    """Whether the fields of a component have one of the values."""
+    spec = spec_of(component)
+    values: dict[str, set[str | None]] = {
+        "position": {spec.placement.position},
+        "side": {spec.placement.side},
+        "along": {spec.placement.along},
+        "type": {spec.type},
+        "action": set(actions_of(component)),
+    }
+    return all(values[key] & set(wanted) for key, wanted in fits.items())

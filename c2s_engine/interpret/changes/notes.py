@@ -1,0 +1,81 @@
+"""Notes of a hurry spelt out: "lead car 70 not 50", "ego = truck", "dog is useless, del", "a van, no, a pickup".
+
+Names are marked before the patterns of data/language/notes.yaml are tried, so that these tell names from other words.
+"""
+
+import re
+from functools import cache
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.changes.meant import called
+from c2s_engine.interpret.changes.refer import refer
+from c2s_engine.interpret.reading import scan
+from c2s_engine.interpret.spans import Span
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.specs import PlaceSpec
+
+WALKERS = ("pedestrian", "child", "animal")
+SPEAKERS = ("i", "we", "me", "us")
+"""Words for ego that may mean who types."""
+MARK = "‹{}{}{}{}›"
+"""Its number; p: several, s: one; i: an id, e: ego, t: somebody who is there, n: somebody new; w: a walker."""
+
+
+def text_of(text: str, structure: Structure) -> str:
+    """A whole turn in plain words."""
+    return _rewritten(called(scan.normalised(text), structure), "turns", structure)
+
+
+def demand_of(demand: str, structure: Structure) -> str:
+    """A single demand in plain words."""
+    demand = _rewritten(called(demand, structure), "demands", structure)
+    assert isinstance(structure.place.spec, PlaceSpec)
+    return _rewritten(demand, "junction", structure) if structure.place.spec.kind == "intersection" else demand
+
+
+def adds(demand: str, structure: Structure) -> bool:
+    """Whether a demand asks for somebody new in so many words: "add a car that tailgates ego"."""
+    marked, _ = _marked(demand, structure)
+    return any(pattern.match(marked) for pattern, _ in _patterns("adding"))
+
+
+def _rewritten(plain: str, section: str, structure: Structure) -> str:
+    marked, names = _marked(plain, structure)
+    for pattern, new in _patterns(section):
+        marked = pattern.sub(new, marked)
+    for mark, name in names.items():
+        marked = marked.replace(mark, name)
+    return " ".join(marked.split())
+
+
+def _marked(plain: str, structure: Structure) -> tuple[str, dict[str, str]]:
+    """The text with marks for the names in it, and these by their marks."""
+    spans = [s for s in scan.names(plain) if s.kind in ("actor", "ego", "label")]
+    spans = [s for s in spans if plain[s.start : s.end] not in SPEAKERS]
+    spans += [Span("id", *m.span()) for m in re.finditer(r"\bo[1-9]\b", plain)]
+    names: dict[str, str] = {}
+    marked, at = "", 0
+    for span in sorted(spans, key=lambda s: s.start):
+        if span.start < at:
+            continue
+        name = plain[span.start : span.end]
+        there = "t" if refer(f"the {name}", structure, alone=False) else "n"
+        sort = {"ego": "e", "id": "i"}.get(span.kind, there)
+        walks = "w" if span.data.get("type") in WALKERS else "v"
+        mark = MARK.format(len(names), "p" if span.data.get("plural") else "s", sort, walks)
+        marked += plain[at : span.start] + mark
+        names[mark] = name
+        at = span.end
+    return marked + plain[at:], names
+
+
+@cache
+def _patterns(section: str) -> list[tuple[re.Pattern[str], str]]:
+    table = language.table("notes")
+    names = {name: said.replace("{mark", r"‹\d").replace("}", "›") for name, said in table["names"].items()}
+    words = {**table["words"], **names}
+    return [(re.compile(_filled(find, words)), new) for find, new in table[section]]
+
+
+def _filled(pattern: str, words: dict[str, str]) -> str:
+    return re.sub(r"(?<!\?P)(?<!\\g)<(\w+)>", lambda m: words[m[1]], pattern)

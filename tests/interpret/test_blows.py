@@ -100,3 +100,18 @@ def test_waiting_for_a_space_is_not_parked(read) -> None:
     assert (
         read("V2 stopped to wait for a parking space. V1 ran into its rear.")["O1"].spec.placement.position == "ahead"
     )
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V3 stopped and V2 stopped behind it. V1 struck the back of V2, and V2 was pushed into the back of V3.",
+        "V2 stopped behind V3. V1 ran into the rear of V2, which was pushed into V3.",
+        "Unit 2 was stopped behind Unit 3. Unit 1 hit the rear of Unit 2. Unit 2 was pushed into the rear of Unit 3.",
+    ],
+)
+def test_who_is_only_pushed_on_stands(read, text: str) -> None:
+    s = read(text)
+    v2 = next(o for o in s.objects if o.spec.name == "v2")
+    assert actions(v2.spec)[:1] in (["stop"], ["stationary"]) and "collide" not in actions(v2.spec)
+    assert s.ego.spec.phases[-1].target == v2.id

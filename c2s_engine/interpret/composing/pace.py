@@ -121,6 +121,7 @@ def pace_of(
         and not _passes_what_stands(scene, entity)
         and not (placement.along == "ahead" and _passes_others(scene, entity))
         or placement.position == "behind"
+        and placement.of == "ego"
         and any(p.action == "collide" for p in phases)
     ):
         factor = "fast"

@@ -44,6 +44,8 @@ def phases_of(
         found = [Phase(action="cross_road")]
     if "parked" in entity.roles and not found:
         found = [Phase(action="stationary")]
+    if {"stop", "stationary"} & {p.action for p in found} and _run_into(scene, entity):
+        found = [p for p in found if p.action != "collide" or p.target == ego_key]  # it is only pushed on
     found = _merged(found)
     found = [p for p in found if p.action != "overtake" or not _backed_into(scene, entity)]
     if crossing and [p.action for p in found[:2]] == ["go_straight", "stop"] and _at_the_line(events):
@@ -91,11 +93,14 @@ def phases_of(
     return found[:8]
 
 
+def _run_into(scene: Scene, entity: Entity) -> bool:
+    """Whether ego runs into it."""
+    return any(e.act == "collide" and e.patient is entity for e in scene.events(scene.cast.ego))
+
+
 def _backed_into(scene: Scene, entity: Entity) -> bool:
     """Whether ego hits it in reverse: it does not get by."""
-    own = scene.events(scene.cast.ego)
-    backs = any(e.act == "reverse" for e in own)
-    return backs and any(e.act == "collide" and e.patient is entity for e in own)
+    return scene.does(scene.cast.ego, "reverse") is not None and _run_into(scene, entity)
 
 
 def _at_the_line(events: list[Event]) -> bool:

@@ -3,6 +3,7 @@
 import itertools
 import re
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.surroundings.whereabouts import FRONTED, FRONTED_FAR, STATES, Where, read, side_of_text
 from c2s_engine.interpret.what.clauses import Clauses
@@ -162,6 +163,8 @@ class Places(OwnWords, Inferred):
                 and event.mode != "hypothetical"
             ):
                 self._gap(event.words, where, only_ahead=event.act != "follow")
+        if where.lane == "parked" and entity.noun in language.table("actors")["queues"]:
+            where.lane = None  # "they were parked", of a queue
         return where
 
     def _from_phrase(self, i: int, where: Where, entity: Entity) -> None:

@@ -12,7 +12,6 @@ from c2s_engine.interpret.who.mentions import Cast, Entity
 if TYPE_CHECKING:
     from c2s_engine.interpret.what.event import Event
 CAUSES = language.words("causes")
-ON_FOOT = language.words("on_foot")
 ALONG = frozenset(("past", "across", "along", "through", "around", "round"))
 UNCHANGED = frozenset(("hit", "cut", "put", "let", "shut"))
 """Verbs whose past is like their base form."""
@@ -196,11 +195,7 @@ class Agents(Subjectless):
                     and self.words[word.i - 1].norm == "then"
                 ):
                     above = self._governor(above) or above
-            bare = word.dep == "conj" and word.tag == "VB" and above is not None
-            if bare and above is not None and above.tag in ("VBG", "VBN") and above.dep in ("acl", "ccomp"):
-                above = self._governor(above) or above  # "shall detect a truck blocking its lane and pass it"
-            if word.dep == "conj" and above is not None and (walker := self._walks_on(word, above)) is not None:
-                above = walker
+            above = self._joined_verb(word, above)
             if word.dep == "conj" and above is not None:
                 nearer = [
                     c
@@ -239,16 +234,6 @@ class Agents(Subjectless):
                         return None, None, False
                 return agent, at, False
         return self._inverted(word)
-
-    def _walks_on(self, word: Word, above: Word) -> Word | None:
-        """The main verb whose subject, on foot, goes on after a clause of time about a vehicle: "a boy steps out when
-        ego is near and runs across"."""
-        main = self._governor(above)
-        if above.dep != "advcl" or main is None or self._lemma(word) not in ON_FOOT:
-            return None
-        inner, outer = self._subject(above)[0], self._subject(main)[0]
-        on_foot = outer is not None and outer.person and inner is not None and not inner.person
-        return main if on_foot else None
 
     def _went(self, word: Word, head: Word) -> bool:
         """Whether a past tense was taken for a participle: "a scooter squeezed past ego"."""

@@ -11,6 +11,7 @@ CONTACT = language.words("contact")
 DRIVES = language.words("drives")
 REACTS = language.words("reacts")
 HINDERS = language.words("hinders")
+ON_FOOT = language.words("on_foot")
 STANDS_STILL = language.words("stands_still")
 
 
@@ -210,3 +211,21 @@ class Subjectless(Patients):
         if first is None or first < 2 or self.words[first - 1].norm != "," or self.words[first - 2].span is None:
             return None
         return first - 2 if first - 2 in self.cast.of and self.words[first - 2].sentence == word.sentence else None
+
+    def _joined_verb(self, word: Word, above: Word | None) -> Word | None:
+        """The verb that one after "and" goes on with, where the tree takes a clause inside it for that."""
+        if word.dep != "conj" or above is None:
+            return above
+        if word.tag == "VB" and above.tag in ("VBG", "VBN") and above.dep in ("acl", "ccomp"):
+            return self._governor(above) or above  # "shall detect a truck blocking its lane and pass it"
+        return self._walks_on(word, above) or above
+
+    def _walks_on(self, word: Word, above: Word) -> Word | None:
+        """The main verb whose subject, on foot, goes on after a clause of time about a vehicle: "a boy steps out when
+        ego is near and runs across"."""
+        main = self._governor(above)
+        if above.dep != "advcl" or main is None or self._lemma(word) not in ON_FOOT:
+            return None
+        inner, outer = self._subject(above)[0], self._subject(main)[0]
+        on_foot = outer is not None and outer.person and inner is not None and not inner.person
+        return main if on_foot else None

@@ -4,7 +4,7 @@ import re
 
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.placing.compass import compass
-from c2s_engine.interpret.placing.flanks import comes_from
+from c2s_engine.interpret.placing.implied_starts import implied_start
 from c2s_engine.interpret.placing.lengthwise import (
     CIRCULATES,
     along_of,
@@ -15,11 +15,9 @@ from c2s_engine.interpret.placing.lengthwise import (
     wrong_way,
 )
 from c2s_engine.interpret.scene import Scene, side
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.overtakings import PART
 from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.interpret.where.relations import Where, side_of_text
-from c2s_engine.interpret.where.struck import SIDE
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import PlaceSpec
 
@@ -206,7 +204,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         return {"position": "ahead", "said": True}
     if "following" in roles:
         return {"position": "behind", "said": True}
-    return _implied(scene, entity, acts, place, first)
+    return implied_start(scene, entity, acts, place, first)
 
 
 def _kerbside(scene: Scene, entity: Entity) -> str | None:
@@ -233,72 +231,6 @@ def facing_ego(where: Where, place: PlaceSpec) -> dict:
     if lane not in ("left", "right") or lane == own:
         return {"position": "ahead", "facing": "against", "said": True}
     return {"position": f"{lane}_lane", "along": "ahead", "facing": "against", "said": True}
-
-
-def _implied(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, first: Event | None) -> dict:
-    """The start that what happens implies."""
-    junction = place.kind == "intersection"
-    hit = scene.does(entity, "collide")
-    ego_hits = next((e for e in scene.events(scene.cast.ego) if e.act == "collide" and e.patient is entity), None)
-    direction = compass(scene, entity)
-    if direction in ("left", "right") and junction:
-        return {"position": f"crossing_{direction}", "said": True}
-    if direction == "opposite":
-        return {"position": "opposite_approach" if junction else "oncoming_lane", "said": True}
-    if "oncoming" in acts:
-        return {"position": "oncoming_lane", "said": True}
-    if any(e.patient is entity and e.act in ("follow", "overtake", "held_up") for e in scene.events(scene.cast.ego)):
-        return {"position": "ahead", "said": True}
-    struck = comes_from(scene, entity) if junction and "turn" not in acts else None
-    if struck is not None and place.manoeuvre not in ("left", "right"):
-        return {"position": f"crossing_{struck}", "said": True}
-    if junction and {"run_red", "run_stop"} & set(acts):
-        return {"position": "crossing_left"}
-    if junction and "turning" in entity.roles and place.manoeuvre == "straight" and "turn" not in acts:
-        named = " ".join(scene.words[m.word].norm for m in entity.mentions)
-        return {"position": "crossing_right" if "right" in named else "opposite_approach"}
-    if junction and "turn" in acts:
-        event = scene.does(entity, "turn")
-        across = re.search(r"across|in front of|into the path|path of|cut", event.whole if event else "")
-        across = across or "adversary" in entity.roles  # it turns so that ego has to answer
-        if event is not None and side(event) == "left" and (across or place.manoeuvre == "straight"):
-            return {"position": "opposite_approach"}
-        return (
-            {"position": "crossing_right" if side(event) == "right" else "crossing_left"}
-            if event and across
-            else {"position": "ahead"}
-        )
-    if junction and {"cross_path", "go_straight"} & set(acts):
-        if place.manoeuvre == "left" and not re.search("cross", first.whole if first else ""):
-            return {"position": "opposite_approach"}
-        return {"position": "crossing_left"}
-    if hit is not None and (hit.patient is None or hit.patient.ego):
-        if (
-            re.search(rf"(rear|back|tail)(?! {SIDE})|from behind", hit.whole)
-            and not hit.passive
-            or re.search(r"from behind|rear-end", hit.whole)
-        ):
-            return {"position": "behind", "said": True}
-        if re.search(r"rear-end", hit.whole):
-            return {"position": "behind", "said": True}
-        if junction or place.kind == "roundabout":
-            return {"position": "crossing_left"}
-        return {"position": "behind"}
-    if any(e.act == "follow" and e.patient is not None and e.patient.ego for e in scene.events(entity)):
-        return {"position": "behind", "said": True}
-    if (
-        ego_hits is not None
-        and junction
-        and not re.search(r"rear|back|behind", ego_hits.whole)
-        and acts
-        and "stop" not in acts
-        and "stationary" not in acts
-        and "brake" not in acts
-    ):
-        return {"position": "crossing_left"}
-    if junction and any(e.act == "yield" and e.patient is entity for e in scene.events(scene.cast.ego)):
-        return {"position": "opposite_approach" if place.manoeuvre == "left" else "crossing_left"}
-    return {"position": "ahead"}
 
 
 def _runs_into_ego(scene: Scene, entity: Entity) -> bool:

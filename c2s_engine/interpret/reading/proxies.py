@@ -87,7 +87,7 @@ MODAL = regex.compile(
 )
 VERB_BEFORE = regex.compile(
     r"(?:in front|ahead|behind|on the (?:left|right)|of (?:me|us|it|him|her)|lane|,|\band|\bthen|\bbut|ly|\bfirst"
-    r"|\blater|\bsoon|\bagain|\bjust \w+ed(?: hard)?"
+    r"|\b(?:it|he|she)|\blater|\bsoon|\bagain|\bjust \w+ed(?: hard)?"
     r"|\bwith (?:an?|his|her|its|their) (?:[\w-]+ )?[\w-]+)\s*$"
 )
 HAVING = regex.compile(r"\b(?:has|have|had|having)\s+(?:just\s+|already\s+|now\s+|\w+ly\s+)?$")

@@ -16,6 +16,8 @@ SIDE = r"(?:passenger |driver )?(?:doors?|side|quarter|panel|wheel|fender|tires?
 """What follows "rear" in a part of the side."""
 END = rf"(?:(?:rear|back)(?:[- ](?:end|bumper|plane))?(?! (?:{SIDE})\b)|tail|boot|trunk|tailgate)"
 HEAD_ON = re.compile(r"\bhead[- ]?on\b|\bfront to front\b|\bfrontally\b")
+RESTS = re.compile(r"(?:come|coming|end up|finish) (?:finally )?(?:to (?:a |final )?rest|against)\b")
+"""Where one is found after a collision."""
 PUSHES = language.words("pushes")
 IN_ORDER = re.compile(r"\bin (?:that|this|the same|numerical|the following) order\b")
 BACKS_INTO = (6.0, 12.0)
@@ -36,11 +38,15 @@ def pushed(clauses: Clauses) -> None:
 
 
 def twice(clauses: Clauses) -> None:
-    """Who cannot stop in time and then hits somebody hits once: the blow without a party is left out."""
+    """Who cannot stop in time and then hits somebody hits once: the blow without a party is left out, as is what one
+    that was struck comes to rest against."""
     hits = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in hits:
         later = [e for e in hits if e is not event and e.agent is event.agent and e.patient is not None]
         if event.patient is None and any(0 < e.word - event.word < 16 for e in later):
+            event.mode = "hypothetical"
+        struck = any(e.word < event.word and event.agent in (e.agent, e.patient) for e in hits if e is not event)
+        if RESTS.match(event.text) and not event.agent.ego and struck:
             event.mode = "hypothetical"
 
 

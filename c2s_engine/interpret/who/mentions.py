@@ -54,7 +54,7 @@ class Cast(Labels):
         self.trailing: dict[str, Entity] = {}
         self.both: dict[int, list[Entity]] = {}  # whom else a word means that means several
         self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
-        self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD")}
+        self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD") and not _by(words, w)}
         self.me = self._narrator()
         self.strong_ego = any(self._strong(w) for w in words)
         self.ego_named = self.strong_ego or any(
@@ -100,8 +100,13 @@ class Cast(Labels):
                 self.of[word.i] = entity
                 self._man(word, entity)
                 entity.mentions.append(Mention(word.i, word.start, word.end, kind=span.kind if span else "pronoun"))
-                if word.dep in ("nsubj", "nsubjpass") or self._fronted(word) or self._is_there(word):
+                if word.dep in ("nsubj", "nsubjpass") or self._owns_subject(word) or self._is_there(word):
                     self.subjects.append((word.i, entity))
+
+    def _owns_subject(self, word: Word) -> bool:
+        """Whether it stands before a finite verb without being its subject: "the truck's lights came on"."""
+        whose = self.words[word.head] if word.dep == "poss" else None
+        return self._fronted(word) or whose is not None and whose.dep == "nsubj" and whose.span is None
 
     def _carries_me(self, word: Word) -> bool:
         """Whether it is said to be what the first person is in: "I was a passenger in a taxi"."""
@@ -192,6 +197,11 @@ class Cast(Labels):
             kind = nouns.get(noun, ("", False, False))[0]
             if kind in MOTOR - {"vehicle", "car"}:
                 self.ego.type, self.ego.typed = kind, True
+
+
+def _by(words: list[Word], verb: Word) -> bool:
+    """Whether a past form is a participle, as what did it follows: "oncoming motorcycle masked by a bus"."""
+    return verb.tag == "VBD" and verb.i + 1 < len(words) and words[verb.i + 1].norm == "by"
 
 
 def _asking(words: list[Word]) -> frozenset[int]:

@@ -167,7 +167,13 @@ class Nouns(Attached, NotThere):
         if not other and not ordinal:
             for entity in self.entities:
                 if (
-                    (entity.type == kind or {entity.type, kind} <= PERSONS - {"animal"})
+                    (
+                        entity.type == kind
+                        or {entity.type, kind} <= PERSONS - {"animal"}
+                        or entity.type == "vehicle"
+                        and kind in MOTOR
+                        and bool(roles & entity.roles)
+                    )
                     and len(entity.mentions) == 1
                     and count == entity.count
                     and self._heading(self.words[entity.mentions[0].word].sentence)

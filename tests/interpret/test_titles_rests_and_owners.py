@@ -1,4 +1,4 @@
-"""Titles that a text tells again, what is found after a crash, whose lights come on, animals that graze, bare speeds."""
+"""Titles told again, what is found after a crash, whose lights come on, animals that graze, bare speeds."""
 
 import pytest
 

@@ -52,9 +52,23 @@ def settle(scene: Scene, ego: EgoSpec, place: PlaceSpec, drafts: list[Draft], id
         if draft.spec.placement.position == "behind" and draft.spec.placement.of == "ego" and not pulls_out:
             kept = tuple(p for p in draft.spec.phases if not (p.action == "overtake" and p.target == "ego"))
             draft.spec = draft.spec.model_copy(update={"phases": kept})
+    _open_circles(drafts)
     ego = _brakes_for_nobody(scene, ego, drafts)
     react = ego.react_to if ego.react_to in known else None
     return ego.model_copy(update={"react_to": react})
+
+
+def _open_circles(drafts: list[Draft]) -> None:
+    """Place by ego, or hide by nobody, who would be placed by one that is placed by it in turn."""
+    before = {"ego"}
+    for number, draft in enumerate(drafts, start=1):
+        at = draft.spec.placement
+        of = at.of if at.of in before else "ego"
+        hidden_by = at.hidden_by if at.hidden_by in before else None
+        if (of, hidden_by) != (at.of, at.hidden_by):
+            moved = at.model_copy(update={"of": of, "hidden_by": hidden_by})
+            draft.spec = draft.spec.model_copy(update={"placement": moved})
+        before.add(f"O{number}")
 
 
 def _brakes_for_nobody(scene: Scene, ego: EgoSpec, drafts: list[Draft]) -> EgoSpec:

@@ -41,3 +41,17 @@ def test_the_last_change(read, text: str, kind: str) -> None:
 )
 def test_what_only_sounds_like_it(read, text: str) -> None:
     assert route(text, read(SCENE)).kind not in ("undo", "redo")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "ok drop this whole thing, next one: ego follows a van that brakes.",
+        "Forget all that. New scenario: ego follows a van that brakes.",
+        "Scrap this, a new one: ego follows a van that brakes.",
+    ],
+)
+def test_what_only_begins_anew_is_no_part_of_the_scene(read, text: str) -> None:
+    s = read(text)
+    assert [o.spec.type for o in s.objects] == ["van"]
+    assert not [u for c in s.components for u in c.unmet]

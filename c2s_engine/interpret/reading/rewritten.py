@@ -8,7 +8,8 @@ Replacement = tuple[int, int, str]
 
 
 class Rewritten:
-    """The text after one pass of replacements; those that overlap an earlier one are left out."""
+    """The text after one pass of replacements; those that overlap an earlier one are left out, the first of those given
+    wins at one place."""
 
     def __init__(self, text: str, replacements: Iterable[Replacement]) -> None:
         self.original = text
@@ -16,7 +17,7 @@ class Rewritten:
         self.shifts: list[int] = [0]
         pieces: list[str] = []
         at = length = 0
-        for start, end, new in sorted(replacements):
+        for start, end, new in sorted(replacements, key=lambda found: found[0]):
             if start < at:
                 continue
             pieces += [text[at:start], new]

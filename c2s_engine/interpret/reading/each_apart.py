@@ -9,8 +9,6 @@ from c2s_engine.interpret.reading.rewritten import Replacement
 
 SEVERAL = re.compile(r"\b(?:two|three|four|both|several|a pair|pair of|2|3|4)\b", re.IGNORECASE)
 NAMES = ("One", "The second", "The third", "The fourth")
-
-
 THEN = (
     r"\s?[,;]?(?: and| while| whereas)? (?:(?:the|an?|the one) )?(?:other|another|second|third|last|one|fourth)"
     r"(?: one)?(?: of them)? (?:is )?"
@@ -18,9 +16,14 @@ THEN = (
 FOLLOWED = r"(?:\)|(?=\s*(?:[.,;:]|$| while\b| and\b| when\b| as\b)))"
 
 
+def _words() -> dict[str, list[str]]:
+    found: dict[str, list[str]] = language.table("rephrased")["each_apart"]
+    return found
+
+
 @cache
 def _listed() -> re.Pattern[str]:
-    data = language.table("elided")["apart"]
+    data = _words()
     word = rf"(?:{language.alternatives(data['where'])}|\d+(?:\.\d+)?(?: ?(?:m|ft|metres|meters|feet|yards))?)"
     place = rf"(?:(?:{language.alternatives(data['doing'])}) )?{word}(?: {word}){{0,9}}"
     first = r"\s?[,;:(-]+ ?(?:with )?(?:the first|one|a first)(?: of them)? (?:is )?"
@@ -29,7 +32,7 @@ def _listed() -> re.Pattern[str]:
 
 @cache
 def _another() -> re.Pattern[str]:
-    where = rf"(?:{language.alternatives(language.table('elided')['apart']['where'])})"
+    where = rf"(?:{language.alternatives(_words()['where'])})"
     of_its = r"(?![^.;]*\b(?:its?|their|his|her|him)\b)"
     place = rf"(?P<place>(?:on|in|from|at) {where}(?: {where}){{0,6}})"
     another = r"(?<=[a-z]), (?:and |while )?another(?: one)? "

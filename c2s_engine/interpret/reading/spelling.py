@@ -4,7 +4,7 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.reading import each_apart, elided, grids, notation, telegraphic
+from c2s_engine.interpret.reading import each_apart, grids, notation, rephrased, telegraphic
 from c2s_engine.interpret.reading.motions import irregular
 from c2s_engine.interpret.reading.rewritten import Replacement, Rewritten
 
@@ -25,7 +25,7 @@ class Mended:
             *unneeded,
             notation.signs,
             _repairs,
-            elided.elided,
+            rephrased.rephrased,
             each_apart.each_apart,
             telegraphic.spelt_out,
         ):

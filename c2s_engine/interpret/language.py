@@ -21,6 +21,11 @@ def words(name: str) -> frozenset[str]:
     return frozenset(table("words")[name])
 
 
+def with_plurals(name: str) -> frozenset[str]:
+    """The nouns of a list of data/language/words.yaml in singular and plural."""
+    return frozenset(form for noun in words(name) for form in (noun, *plurals(noun)))
+
+
 def plurals(noun: str) -> list[str]:
     """The plural forms of a noun phrase, by rule (its last word takes the ending)."""
     head, _, last = noun.rpartition(" ")

@@ -10,9 +10,9 @@ from functools import cache
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOVERS
-from c2s_engine.interpret.reading.motions import third_persons, verb_lemmas
+from c2s_engine.interpret.reading.motions import participles, third_persons, verb_lemmas
 from c2s_engine.interpret.reading.proxies import FOLLOWS
-from c2s_engine.interpret.reading.scan import Span
+from c2s_engine.interpret.spans import Span, names_one
 
 OF_ROADS = language.words("done_by_roads")
 AUXILIARY = frozenset(("is", "was", "are", "were", "has", "had", "have", "been", "being", "then", "just"))
@@ -26,22 +26,7 @@ Piece = tuple[str, int, int, Span | None]
 
 @cache
 def _place() -> re.Pattern[str]:
-    return re.compile(language.table("parsing")["placed_before_participle"].strip().replace("\n", " ") + " ")
-
-
-@cache
-def participles() -> dict[str, str]:
-    """The verb of motion of each present participle."""
-    return {form: verb for verb in sorted(verb_lemmas()) for form in _participles(verb)}
-
-
-def _participles(verb: str) -> tuple[str, ...]:
-    if verb.endswith("ie"):
-        return (f"{verb[:-2]}ying",)
-    if verb.endswith("e") and not verb.endswith(("ee", "oe", "ye")):
-        return (f"{verb[:-1]}ing",)
-    doubled = re.search("[^aeiou][aeiou][bdglmnprt]$", verb) is not None
-    return (f"{verb}ing", f"{verb}{verb[-1]}ing") if doubled else (f"{verb}ing",)
+    return re.compile(language.table("parsing")["placed_before_participle"] + " ")
 
 
 @dataclass
@@ -60,7 +45,7 @@ def parts(piece: list[Piece], plain: str) -> Parts:
     at = 0
     while at < len(piece):
         end = _bracket(piece, at)
-        if not end and at and _road_user(piece[at - 1]):
+        if not end and at and _other(piece[at - 1][3]):
             end = _placed(piece, at, plain)
             _note_deed(piece, at - 1, end or at, plain, found)
         if end:
@@ -71,16 +56,16 @@ def parts(piece: list[Piece], plain: str) -> Parts:
     return found
 
 
-def _road_user(piece: Piece) -> bool:
-    span = piece[3]
-    return span is not None and (span.kind == "label" or span.kind == "actor" and span.data["type"] in MOVERS)
+def _other(span: Span | None) -> bool:
+    """Whether a span names a road user that is not ego."""
+    return names_one(span, MOVERS) and span is not None and span.kind != "ego"
 
 
 def _note_deed(piece: list[Piece], who: int, at: int, plain: str, found: Parts) -> None:
     """Note what a road user does, as a participle or after "let" or "need", and show the parser a plain verb for it."""
     if at >= len(piece):
         return
-    verb = next_verb(piece, at)
+    verb = _next_verb(piece, at)
     if _told(piece, verb, plain) in participles() and _goes_on(piece, verb + 1, plain):
         _show(piece, verb, PLAIN)
         found.doing.append((who, verb))
@@ -134,10 +119,9 @@ def _placed(piece: list[Piece], at: int, plain: str) -> int:
     found = _place().match(" ".join(told) + " ")
     if found is not None:
         end = at + len(found["place"].split())
-        return end if end < len(piece) and _does(piece, next_verb(piece, end), plain) else 0
+        return end if end < len(piece) and _does(piece, _next_verb(piece, end), plain) else 0
     if told[:1] == ["with"] and told[1:2] and told[1] in WITH:
-        own = participles().keys() | third_persons()
-        ends = (i for i in range(at + 3, min(at + 6, len(piece))) if _told(piece, i, plain) in own)
+        ends = (i for i in range(at + 3, min(at + 6, len(piece))) if _moves(_told(piece, i, plain)))
         return next(ends, 0)
     return 0
 
@@ -149,9 +133,14 @@ def _does(piece: list[Piece], at: int, plain: str) -> bool:
         told = (_told(piece, i, plain) for i in range(at + 1, at + 6))
         does = next((w for w in told if w not in AUXILIARY and not w.endswith("ly")), "")
         return does not in OF_ROADS
-    return word in participles() or word in third_persons() or word == "to" or word in verb_lemmas()
+    return _moves(word) or word == "to" or word in verb_lemmas()
 
 
-def next_verb(piece: list[Piece], at: int) -> int:
+def _moves(word: str) -> bool:
+    """Whether a word is a verb of motion in a form that goes on with who moves."""
+    return word in participles() or word in third_persons()
+
+
+def _next_verb(piece: list[Piece], at: int) -> int:
     """Where the verb stands at a place, behind an adverb."""
     return at + (piece[at][0].endswith("ly") and at + 1 < len(piece))

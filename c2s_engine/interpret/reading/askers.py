@@ -31,14 +31,15 @@ def numbering(plain: str) -> bool:
     return re.search(told["labels"], plain) is not None and re.search(told["own"], plain) is None
 
 
+def told_by_others(plain: str) -> bool:
+    """Whether nobody in the scene tells the whole text."""
+    return bystanding(plain) or numbering(plain)
+
+
 def asked(plain: str) -> list[tuple[int, int]]:
     """The stretches of a text in which first and second persons are nobody on the road: somebody asks for it there, or
     tells of the work that it is for; the whole text where a bystander tells it."""
-    return (
-        [(0, len(plain))]
-        if bystanding(plain) or numbering(plain)
-        else [m.span() for m in _asks().finditer(plain)] + quoted(plain)
-    )
+    return [(0, len(plain))] if told_by_others(plain) else [m.span() for m in _asks().finditer(plain)] + quoted(plain)
 
 
 QUOTED = re.compile(r'"[^"]{2,400}"')

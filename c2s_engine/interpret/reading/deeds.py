@@ -13,12 +13,14 @@ def hang(words: list[Word], doing: list[tuple[int, int]], made: list[tuple[int, 
     """Hang what road users do (as a participle, or after "let") on who does it, where a tree remains."""
     for change, pairs in ((_participle, doing), (_subject, made)):
         for who, what in pairs:
-            before = [(w.head, w.dep) for w in words]
+            sentence = [w for w in words if w.sentence == words[what].sentence]
+            before = [(w.head, w.dep) for w in sentence]
             change(words, who, what)
-            if any(_circles(words, w) for w in words if w.sentence == words[what].sentence):
-                for word, (head, dep) in zip(words, before, strict=True):
+            if any(_circles(words, w) for w in sentence):
+                for word, (head, dep) in zip(sentence, before, strict=True):
                     word.head, word.dep = head, dep
-            _children(words)
+            elif before != [(w.head, w.dep) for w in sentence]:
+                hold_children(words, sentence)
 
 
 def _circles(words: list[Word], word: Word) -> bool:
@@ -59,10 +61,10 @@ def _subject(words: list[Word], who: int, doing: int) -> None:
     actor.head, actor.dep = verb.i, "nsubj"
 
 
-def _children(words: list[Word]) -> None:
-    """Who hangs on whom, anew."""
-    for word in words:
+def hold_children(words: list[Word], sentence: list[Word]) -> None:
+    """Note with each word of a sentence which others hang on it."""
+    for word in sentence:
         word.children.clear()
-    for word in words:
+    for word in sentence:
         if word.head != word.i:
             words[word.head].children.append(word.i)

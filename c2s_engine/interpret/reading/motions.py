@@ -44,3 +44,19 @@ def third_person(verb: str) -> str:
 def third_persons() -> frozenset[str]:
     """The third person singular of every verb of motion."""
     return frozenset(third_person(verb) for verb in verb_lemmas())
+
+
+@cache
+def participles() -> dict[str, str]:
+    """The verb of motion of each present participle."""
+    return {form: verb for verb in sorted(verb_lemmas()) for form in _participles(verb)}
+
+
+def _participles(verb: str) -> tuple[str, ...]:
+    """The present participle of a verb by rule, in both spellings where the last letter may be doubled."""
+    if verb.endswith("ie"):
+        return (f"{verb[:-2]}ying",)
+    if verb.endswith("e") and not verb.endswith(("ee", "oe", "ye")):
+        return (f"{verb[:-1]}ing",)
+    doubled = re.search("[^aeiou][aeiou][bdglmnprt]$", verb) is not None
+    return (f"{verb}ing", f"{verb}{verb[-1]}ing") if doubled else (f"{verb}ing",)

@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOVERS
 from c2s_engine.interpret.reading.motions import third_person
+from c2s_engine.interpret.spans import names_one
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
 
 OBJECTS = frozenset(("it", "him", "her", "them"))
-TOWED, SEES = language.words("towed"), language.words("notices")
+TOWED, SEES = language.with_plurals("towed"), language.words("notices")
 
 
 def reattach(words: list[Word]) -> None:
@@ -118,9 +119,7 @@ def _resumed(words: list[Word], word: Word) -> Word | None:
 def _road_user(word: Word) -> bool:
     """Whether a word names one who moves, and not a trailer."""
     span = word.span
-    if span is None or span.kind != "actor":
-        return span is not None and span.kind in ("ego", "label")
-    return span.data["type"] in MOVERS and span.data.get("noun") not in TOWED
+    return names_one(span, MOVERS) and span is not None and span.data.get("noun") not in TOWED
 
 
 def _takes_pronoun(words: list[Word], verb: Word) -> bool:

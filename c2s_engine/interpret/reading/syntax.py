@@ -11,8 +11,8 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading import apart
-from c2s_engine.interpret.reading.deeds import hang
-from c2s_engine.interpret.reading.motions import third_persons
+from c2s_engine.interpret.reading.deeds import hang, hold_children
+from c2s_engine.interpret.reading.motions import participles, third_persons
 from c2s_engine.interpret.reading.proxies import FOLLOWS, pieces_of
 from c2s_engine.interpret.reading.reattached import reattach
 from c2s_engine.interpret.reading.scan import Span
@@ -95,7 +95,7 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
             for token, i in zip(doc, part, strict=True):
                 proxy, start, end, span = piece[i]
                 norm = plain[start:end]
-                lemma = apart.participles().get(norm, norm) if token.text != norm else token.lemma_.lower()
+                lemma = participles().get(norm, norm) if token.text != norm else token.lemma_.lower()
                 head, dep = part[token.head.i], token.dep_
                 inner = part is not parsed[number][0][0]
                 if inner and (proxy == "(" and i == part[0] or dep == "ROOT"):
@@ -104,9 +104,7 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
                     base + i, text[start:end], norm, lemma, token.tag_, dep, base + head, start, end, number, span
                 )
         words += [found[i] for i in range(len(piece))]
-    for word in words:
-        if word.head != word.i:
-            words[word.head].children.append(word.i)
+    hold_children(words, words)
     hang(words, doing, made)
     reattach(words)
     return words

@@ -16,7 +16,7 @@ from c2s_engine.interpret.entities import (
     Mention,
     fits,
 )
-from c2s_engine.interpret.reading.askers import asked, bystanding, narrator, numbering, quoted
+from c2s_engine.interpret.reading.askers import asked, narrator, quoted, told_by_others
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.labels import Labels
 
@@ -100,13 +100,15 @@ class Cast(Labels):
                 self.of[word.i] = entity
                 self._man(word, entity)
                 entity.mentions.append(Mention(word.i, word.start, word.end, kind=span.kind if span else "pronoun"))
-                if word.dep in ("nsubj", "nsubjpass") or self._owns_subject(word) or self._is_there(word):
+                if word.dep in ("nsubj", "nsubjpass") or any(
+                    told(word) for told in (self._fronted, self._owns_subject, self._is_there)
+                ):
                     self.subjects.append((word.i, entity))
 
     def _owns_subject(self, word: Word) -> bool:
-        """Whether it stands before a finite verb without being its subject: "the truck's lights came on"."""
+        """Whether the subject is only something of its own: "the truck's lights came on"."""
         whose = self.words[word.head] if word.dep == "poss" else None
-        return self._fronted(word) or whose is not None and whose.dep == "nsubj" and whose.span is None
+        return whose is not None and whose.dep == "nsubj" and whose.span is None
 
     def _carries_me(self, word: Word) -> bool:
         """Whether it is said to be what the first person is in: "I was a passenger in a taxi"."""
@@ -207,7 +209,7 @@ def _by(words: list[Word], verb: Word) -> bool:
 def _asking(words: list[Word]) -> frozenset[int]:
     """The words in which first persons are nobody on the road ("please write me a scene", "I saw it from here")."""
     whole = " ".join(w.norm for w in words)
-    if bystanding(whole) or numbering(whole):
+    if told_by_others(whole):
         return frozenset(w.i for w in words)
     found = _within(words, quoted)
     for number in {w.sentence for w in words}:

@@ -36,7 +36,7 @@ class Nouns(Attached, NotThere):
         if data.get("names"):
             return self._by_name(word)
         if data.get("label"):
-            roles |= {language.roles()[b] for b in self._modifiers(word) if b in language.roles()}  # "a stationary GVT"
+            roles = self._parts(word)  # "a stationary GVT"
             host = self.of.get(word.i - 2) if word.i > 1 and self.words[word.i - 1].norm == "(" else None
             if host is not None and not host.ego and not host.label and host.mover:  # "the lead (GVT)"
                 host.label = data["label"]

@@ -5,9 +5,10 @@ from __future__ import annotations
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import DEFINITE, VEHICLES, Entity
 from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.spans import names_one
 from c2s_engine.interpret.who.writers import Writers
 
-TOWED = frozenset(form for word in language.words("towed") for form in (word, *language.plurals(word)))
+TOWED = language.with_plurals("towed")
 TOWS, UNHITCHED = language.words("tows"), language.words("unhitched")
 
 
@@ -30,7 +31,9 @@ class Trailers(Writers):
         puller = self._puller(word)
         found = self.of.get(puller.i) if puller is not None else None
         if puller is not None and puller.i > word.i and puller.span is not None:
-            found = self.wheels[puller.i] = self._named(puller) or self.ego
+            found = self._named(puller)
+            if found is not None:
+                self.wheels[puller.i] = found
         the = DEFINITE & {self.words[c].norm for c in word.children}
         if found is None and puller is None and the:
             found = self.trailing.get(noun.split(" ")[-1])
@@ -59,7 +62,7 @@ class Trailers(Writers):
             return self._road_user(self.words[max(0, word.i - 2)])  # "a truck and trailer"
         verb = next((self.words[c] for c in word.children if self._tows(self.words[c])), above)
         agent = self._child(verb, "agent") if self._tows(verb) else None
-        owner = self._child(word, "of", "prep") if agent is None else agent
+        owner = next((c for c in self._children(word) if c.norm == "of"), None) if agent is None else agent
         if owner is not None:
             return self._road_user(self._child(owner, "pobj"))
         return self._child(word, "poss")
@@ -78,18 +81,15 @@ class Trailers(Writers):
     def _tows(self, word: Word) -> bool:
         return word.verb and word.lemma in TOWS
 
-    def _child(self, word: Word, name: str, dep: str = "") -> Word | None:
-        """The child in a grammatical relation, or with that word and relation."""
-        for child in (self.words[c] for c in word.children):
-            if (child.norm, child.dep) == (name, dep) if dep else child.dep == name:
-                return child
-        return None
+    def _children(self, word: Word) -> list[Word]:
+        return [self.words[c] for c in word.children]
+
+    def _child(self, word: Word, relation: str) -> Word | None:
+        """The first child in a grammatical relation."""
+        return next((c for c in self._children(word) if c.dep == relation), None)
 
     def _road_user(self, word: Word | None) -> Word | None:
-        span = word.span if word is not None else None
-        if span is None or span.kind not in ("ego", "label", "actor"):
-            return None
-        return word if span.kind != "actor" or span.data["type"] in VEHICLES else None
+        return word if word is not None and names_one(word.span, VEHICLES) else None
 
     def tows(self, word: Word) -> bool:
         """Whether a verb only tells that somebody pulls a trailer."""

@@ -9,12 +9,12 @@ from functools import cache
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.meant import called
 from c2s_engine.interpret.changes.refer import refer
+from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.spans import Span
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import PlaceSpec
 
-WALKERS = ("pedestrian", "child", "animal")
 SPEAKERS = ("i", "we", "me", "us")
 """Words for ego that may mean who types."""
 MARK = "‹{}{}{}{}›"
@@ -61,7 +61,7 @@ def _marked(plain: str, structure: Structure) -> tuple[str, dict[str, str]]:
         name = plain[span.start : span.end]
         there = "t" if refer(f"the {name}", structure, alone=False) else "n"
         sort = {"ego": "e", "id": "i"}.get(span.kind, there)
-        walks = "w" if span.data.get("type") in WALKERS else "v"
+        walks = "w" if span.data.get("type") in PERSONS else "v"
         mark = MARK.format(len(names), "p" if span.data.get("plural") else "s", sort, walks)
         marked += plain[at : span.start] + mark
         names[mark] = name

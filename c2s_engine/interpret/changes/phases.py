@@ -10,8 +10,9 @@ from c2s_engine.structure.edits import Edit, SetField
 from c2s_engine.structure.specs import Phase, Trigger
 
 WAYS = {"go_straight": "straight", "turn_left": "left", "turn_right": "right", "u_turn": "u_turn"}
-PASSING = frozenset(("run_red", "run_stop"))
 """Ways through an intersection, as actions and as ego's manoeuvre."""
+PASSING = frozenset(("run_red", "run_stop"))
+"""What one does against its light or sign."""
 
 
 def awaited(told: str, structure: Structure) -> Trigger | None:

@@ -11,8 +11,6 @@ from c2s_engine.interpret.reading import amounts, scan
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.specs import EgoSpec, PlaceSpec, SettingsSpec
 
-WALKERS = ("pedestrian", "child", "animal")
-
 
 def table() -> dict[str, str]:
     """The patterns of demands that are told like a scene."""
@@ -66,7 +64,7 @@ def _settled(said: str, structure: Structure) -> str:
             continue
         meant = refer(f"the {said[span.start : span.end]}", structure, alone=False)
         same = meant is not None and meant.id != "E" and spec_of(meant).count == 1
-        if meant is None or not same or span.data["type"] != spec_of(meant).type or span.data["type"] not in WALKERS:
+        if meant is None or not same or span.data["type"] != spec_of(meant).type or span.data["type"] not in PERSONS:
             continue
         article = "" if re.search(r"\b(?:the|that|this|second|other|another|more)(?: \w+)? $", before) else "the "
         said = f"{before}{article}{_noun(meant)}{said[span.end :]}"

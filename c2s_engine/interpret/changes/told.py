@@ -8,7 +8,7 @@ import re
 from typing import Any
 
 from c2s_engine.interpret.changes.forms import Found, name_of
-from c2s_engine.interpret.changes.phases import WAYS, afterwards, awaited, joined, mapped
+from c2s_engine.interpret.changes.phases import PASSING, WAYS, afterwards, awaited, joined, mapped
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
 from c2s_engine.interpret.reading import scan
@@ -240,7 +240,7 @@ def _changes(
             assert isinstance(there.spec, EgoSpec | ObjectSpec) and isinstance(now.spec, EgoSpec | ObjectSpec)
             turns = any(p.action in ("turn_left", "turn_right", "u_turn") for p in now.spec.phases)
             phases = tuple(mapped(p, ids) for p in now.spec.phases if not (turns and p.action == "go_straight"))
-            phases = tuple(sorted(phases, key=lambda p: p.action not in ("run_red", "run_stop")))
+            phases = tuple(sorted(phases, key=lambda p: p.action not in PASSING))
             if waited is not None and phases and (phases[0].trigger is None or phases[0].trigger.kind == waited.kind):
                 phases = (phases[0].model_copy(update={"trigger": waited}), *phases[1:])
             found.append((path, joined(there.spec.phases, phases, clause)))

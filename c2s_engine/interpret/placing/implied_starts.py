@@ -10,10 +10,13 @@ from c2s_engine.interpret.where.struck import SIDE
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import PlaceSpec
 
-STOPS_BEHIND = re.compile(
-    r"(?:stop|wait|halt|stand|queue|sit|park|come to a stop) (?:[\w#]+ ){0,4}?"
-    r"behind (?:the |a |an )?@"
-)
+BEHIND_ONE = re.compile(r"[\w ]+? behind (?:the |a |an )?@")
+STANDS = ("stop", "stationary", "brake_stop")
+
+
+def _comes_up_behind(event: Event) -> bool:
+    """Whether who does this has the other ahead: follows or passes it, or stops behind it."""
+    return event.act in ("follow", "overtake", "held_up") or event.act in STANDS and bool(BEHIND_ONE.match(event.text))
 
 
 def implied_start(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, first: Event | None) -> dict:
@@ -28,9 +31,7 @@ def implied_start(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpe
         return {"position": "opposite_approach" if junction else "oncoming_lane", "said": True}
     if "oncoming" in acts:
         return {"position": "oncoming_lane", "said": True}
-    if any(e.patient is entity and e.act in ("follow", "overtake", "held_up") for e in scene.events(scene.cast.ego)):
-        return {"position": "ahead", "said": True}
-    if any(e.patient is entity and STOPS_BEHIND.match(e.text) for e in scene.events(scene.cast.ego)):
+    if any(e.patient is entity and _comes_up_behind(e) for e in scene.events(scene.cast.ego)):
         return {"position": "ahead", "said": True}
     struck = comes_from(scene, entity) if junction and "turn" not in acts else None
     if struck is not None and place.manoeuvre not in ("left", "right"):
@@ -61,8 +62,6 @@ def implied_start(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpe
             and not hit.passive
             or re.search(r"from behind|rear-end", hit.whole)
         ):
-            return {"position": "behind", "said": True}
-        if re.search(r"rear-end", hit.whole):
             return {"position": "behind", "said": True}
         if junction or place.kind == "roundabout":
             return {"position": "crossing_left"}

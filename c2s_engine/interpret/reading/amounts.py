@@ -126,7 +126,7 @@ def _exactly(dimension: str, value: float) -> dict[str, Any]:
 def quantities(text: str) -> list[Span]:
     """Numbers with a unit, in SI, without those that only say the one before again: "72 km/h (45 mph)"."""
     found = _measured(text)
-    return [q for n, q in enumerate(found) if not any(_again(text, other, q) for other in found[max(0, n - 1) : n])]
+    return found[:1] + [q for before, q in zip(found, found[1:], strict=False) if not _again(text, before, q)]
 
 
 def _again(text: str, first: Span, second: Span) -> bool:

@@ -208,8 +208,7 @@ def _limit(plain: str, road: Road, data: dict[str, Any], quantities: list[Span])
         before = re.split(r"[.;]\s", before)[-1]
         after = re.split(r"[.;,]\s", after)[0]
         if is_limit(before, after):
-            again = before.endswith("(") and road.speed_limit is not None  # "72 km/h (45 mph)"
-            road.speed_limit = road.speed_limit if again else span.data["low"]
+            road.speed_limit = span.data["low"]
             road.spans["speed_limit"] = (span.start, span.end)
             span.data["role"] = "limit"
         elif re.search(r"(city|urban|town|country|rural|residential)\s(street|road)", after[:25]) and re.search(

@@ -95,15 +95,11 @@ def collides(c: Course, p: Phase) -> list[Step]:
     other = c.actor.ref(p.target)
     goal = c.wanted(p, c.value)
     c.set(goal)
-    spec = c.actor.spec
-    if isinstance(spec, ObjectSpec) and spec.placement.position == "oncoming_lane":  # head-on, in the other's lane
+    beside = _beside_the_lane(c, p) if c.actor.is_ego else ""
+    if _over_the_middle(c) or beside == "oncoming_lane":
         return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], "")]
-    if c.actor.is_ego and (at := _beside_the_lane(c, p)):
-        if at == "oncoming_lane":  # over the middle of the road, as nothing says who was
-            return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], "")]
+    if beside:
         return _straight_for(c, p, p.target or "")
-    if c.actor.is_ego and any(q.action == "oncoming" for q in spec.phases):  # it stays there
-        return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], "")]
     if c.lane is None and not c.actor.is_ego:
         turn = ", egoTurn" if c.actor.plan.turning else ""
         spot = f"spot = meeting(line, way(egoLane{turn}))"
@@ -121,6 +117,14 @@ def collides(c: Course, p: Phase) -> list[Step]:
     if c.lane is not None and not c.actor.is_ego:  # beside it: close behind until it comes over
         return [([f"do Drive(line, lambda: lurk(self, {other}, {c.speed}))"], "")]
     return [([c.drive()], "")]
+
+
+def _over_the_middle(c: Course) -> bool:
+    """Whether it drives in the lane of those that come towards it, from where it starts or later."""
+    spec = c.actor.spec
+    if isinstance(spec, ObjectSpec):
+        return spec.placement.position == "oncoming_lane"
+    return any(q.action == "oncoming" for q in spec.phases)
 
 
 def _beside_the_lane(c: Course, p: Phase) -> str:

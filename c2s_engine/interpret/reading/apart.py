@@ -16,6 +16,7 @@ from c2s_engine.interpret.spans import Span, names_one
 
 OF_ROADS = language.words("done_by_roads")
 AUXILIARY = frozenset(("is", "was", "are", "were", "has", "had", "have", "been", "being", "then", "just"))
+ADVERBS = language.words("adverbs_of_time")
 DETERMINERS = language.word_list("determiners")
 WITH = frozenset(("a", "an", "his", "her", "its", "their"))
 MAKES = language.words("makes_do")
@@ -26,7 +27,8 @@ Piece = tuple[str, int, int, Span | None]
 
 @cache
 def _place() -> re.Pattern[str]:
-    return re.compile(language.table("parsing")["placed_before_participle"] + " ")
+    place = language.table("parsing")["placed_before_participle"]
+    return re.compile(rf"(?P<place>{place}(?: {place})?) ")
 
 
 @dataclass
@@ -119,7 +121,11 @@ def _placed(piece: list[Piece], at: int, plain: str) -> int:
     found = _place().match(" ".join(told) + " ")
     if found is not None:
         end = at + len(found["place"].split())
-        return end if end < len(piece) and _does(piece, _next_verb(piece, end), plain) else 0
+        if end == len(piece):
+            return 0
+        verb = _next_verb(piece, end)
+        noun = _told(piece, verb, plain) in participles() and not _goes_on(piece, verb + 1, plain)
+        return end if _does(piece, verb, plain) and not noun else 0  # "on the right parking strip"
     if told[:1] == ["with"] and told[1:2] and told[1] in WITH:
         ends = (i for i in range(at + 3, min(at + 6, len(piece))) if _moves(_told(piece, i, plain)))
         return next(ends, 0)
@@ -143,4 +149,5 @@ def _moves(word: str) -> bool:
 
 def _next_verb(piece: list[Piece], at: int) -> int:
     """Where the verb stands at a place, behind an adverb."""
-    return at + (piece[at][0].endswith("ly") and at + 1 < len(piece))
+    adverb = piece[at][0].endswith("ly") or piece[at][0] in ADVERBS
+    return at + (adverb and at + 1 < len(piece))

@@ -9,9 +9,11 @@ if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
 
 
-def hang(words: list[Word], doing: list[tuple[int, int]], made: list[tuple[int, int]]) -> None:
-    """Hang what road users do (as a participle, or after "let") on who does it, where a tree remains."""
-    for change, pairs in ((_participle, doing), (_subject, made)):
+def hang(
+    words: list[Word], doing: list[tuple[int, int]], made: list[tuple[int, int]], named: list[tuple[int, int]]
+) -> None:
+    """Hang what road users do (a participle, after "let", behind a colon) on who does it, if a tree remains."""
+    for change, pairs in ((_participle, doing), (_made, made), (_subject, named)):
         for who, what in pairs:
             sentence = [w for w in words if w.sentence == words[what].sentence]
             before = [(w.head, w.dep) for w in sentence]
@@ -36,8 +38,12 @@ def _participle(words: list[Word], who: int, doing: int) -> None:
     """Hang a participle on the road user that it tells of, unless the tree has that one for its subject."""
     actor, verb = words[who], words[doing]
     verb.tag = "VBG"
-    if actor.head == verb.i and actor.dep.startswith("nsubj") or verb.head == actor.i:
+    if verb.head == actor.i:
+        verb.dep = "acl" if verb.dep in ("conj", "advcl") else verb.dep
         return
+    if actor.head == verb.i and actor.dep.startswith("nsubj"):
+        return
+    _unroot(words, actor, verb)
     noun = words[actor.head] if actor.dep in ("compound", "nmod", "amod") and actor.head > actor.i else None
     if noun is not None:  # "a [van overtaking] ego": the one further on was taken for the noun that both qualify
         actor.head, actor.dep = (actor.i if noun.head == noun.i else noun.head), noun.dep
@@ -49,15 +55,40 @@ def _participle(words: list[Word], who: int, doing: int) -> None:
         subject.dep = "dep"
 
 
-def _subject(words: list[Word], who: int, doing: int) -> None:
+def _unroot(words: list[Word], actor: Word, verb: Word) -> None:
+    """Hang who stands before a comma and what is told there where its verb hung, that is none of the clause before."""
+    if not any(w.norm == "," for w in words[actor.i : verb.i]) or not _under(words, actor, verb):
+        return
+    actor.head, actor.dep = (actor.i, "ROOT") if verb.head == verb.i else (verb.head, verb.dep)
+    for child in [words[c] for c in verb.children if c < verb.i and c != actor.i]:
+        child.head = actor.i
+
+
+def _under(words: list[Word], word: Word, above: Word) -> bool:
+    """Whether the way up from a word leads to another one."""
+    for _ in words:
+        if word.head in (above.i, word.i):
+            return word.head == above.i
+        word = words[word.head]
+    return False
+
+
+def _made(words: list[Word], who: int, doing: int) -> None:
     """Make a road user the subject of what it is let or made to do: "have a van brake"."""
+    words[doing].tag = "VB"
+    _subject(words, who, doing)
+
+
+def _subject(words: list[Word], who: int, doing: int) -> None:
+    """Make a road user the subject of a verb."""
     actor, verb = words[who], words[doing]
-    verb.tag = "VB"
     if actor.head == verb.i and actor.dep.startswith("nsubj"):
         return
     above = words[actor.head]
     if verb.head != verb.i and above.i < actor.i and above.verb:
         verb.head, verb.dep = above.i, "ccomp"
+    if verb.head == actor.i:  # "van ahead: brakes", of which the tree makes two names
+        verb.head, verb.dep = (verb.i if actor.head == actor.i else actor.head), actor.dep
     actor.head, actor.dep = verb.i, "nsubj"
 
 

@@ -12,6 +12,7 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading import apart
 from c2s_engine.interpret.reading.deeds import hang, hold_children
+from c2s_engine.interpret.reading.fragments import participles_of_named, verbs_of_named
 from c2s_engine.interpret.reading.motions import participles, third_persons
 from c2s_engine.interpret.reading.proxies import FOLLOWS, pieces_of
 from c2s_engine.interpret.reading.reattached import reattach
@@ -105,7 +106,12 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
                 )
         words += [found[i] for i in range(len(piece))]
     hold_children(words, words)
-    hang(words, doing, made)
+    named: list[tuple[int, int]] = []
+    for number in range(len(pieces)):
+        sentence = [w for w in words if w.sentence == number]
+        doing += participles_of_named(words, sentence)
+        named += verbs_of_named(words, sentence)
+    hang(words, doing, made, named)
     reattach(words)
     return words
 

@@ -161,6 +161,8 @@ def _title_only(scene: Scene, entity: Entity) -> bool:
         last is None
         or first > last
         or not entity.mover
+        or scene.words[first].dep == "nsubj"
+        and scene.words[first].head > last  # "car on the right: pulls out"
         or any(m.word > last and m.kind != "pronoun" for m in entity.mentions)
     ):
         return False

@@ -37,9 +37,15 @@ class Writers(Titles):
             here = BEFORE.search(before) is not None and AFTER.match(after) is not None
             return HEADED.search(self._headings(word)) is not None or here and ROUTE.search(told) is not None
         bare = kind in ("bus", "truck") and word.dep in ("nsubj", "nsubjpass") and not word.children
+        bare = bare and not self._now(word)
         the = [self.words[c].norm for c in word.children] == ["the"]
         passengers = ABOARD.search(" ".join(w.norm for w in self.words)) is not None
         return bare or the and kind == "bus" and passengers
+
+    def _now(self, word: Word) -> bool:
+        """Whether a subject's verb tells what somebody watches: "Bus is at the stop. We brake", no report."""
+        verb = self.words[word.head]
+        return any(w.tag == "VBZ" for w in (verb, *(self.words[c] for c in verb.children)))
 
     def _steered(self, word: Word) -> bool:
         """Whether it is driven by the first person, or by nobody who is named: "Driving an artic when a van hit me"."""

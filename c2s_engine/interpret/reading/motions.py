@@ -60,3 +60,20 @@ def _participles(verb: str) -> tuple[str, ...]:
         return (f"{verb[:-1]}ing",)
     doubled = re.search("[^aeiou][aeiou][bdglmnprt]$", verb) is not None
     return (f"{verb}ing", f"{verb}{verb[-1]}ing") if doubled else (f"{verb}ing",)
+
+
+@cache
+def past_forms() -> dict[str, str]:
+    """The verb of motion of each past tense or past participle."""
+    found = {form: verb for verb in sorted(verb_lemmas()) for form in _past(verb)}
+    return found | {form: verb for form, verb in irregular().items() if not form.endswith(("s", "ing"))}
+
+
+def _past(verb: str) -> tuple[str, ...]:
+    """The past tense of a verb by rule, in both spellings where the last letter may be doubled."""
+    if verb.endswith("e"):
+        return (f"{verb}d",)
+    if re.search("[^aeiou]y$", verb):
+        return (f"{verb[:-1]}ied",)
+    doubled = re.search("[^aeiou][aeiou][bdglmnprt]$", verb) is not None
+    return (f"{verb}ed", f"{verb}{verb[-1]}ed") if doubled else (f"{verb}ed",)

@@ -3,22 +3,19 @@
 Spans that mean one thing (a name, a road user, a unit) reach the parser as one plain word, which makes it robust
 against the shorthand of the trade."""
 
-import re
 import sys
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-from c2s_engine.interpret import language
 from c2s_engine.interpret.reading import apart
 from c2s_engine.interpret.reading.deeds import hang, hold_children
 from c2s_engine.interpret.reading.fragments import participles_of_named, verbs_of_named
-from c2s_engine.interpret.reading.motions import participles, third_persons
-from c2s_engine.interpret.reading.proxies import FOLLOWS, pieces_of
+from c2s_engine.interpret.reading.mistaken import mistaken
+from c2s_engine.interpret.reading.motions import participles, past_forms
+from c2s_engine.interpret.reading.proxies import pieces_of
 from c2s_engine.interpret.reading.reattached import reattach
 from c2s_engine.interpret.reading.scan import Span
-
-LANE_NUMBER = re.compile(r"\blane (?:number |no\.? )?(?:\d|one|two|three|four)$")
 
 
 @dataclass
@@ -75,7 +72,7 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
     docs = list(nlp.pipe([Doc(nlp.vocab, words=[pieces[number][i][0] for i in part]) for number, part in parts]))
     again = {}
     for at, ((number, part), doc) in enumerate(zip(parts, docs, strict=True)):
-        verbs = _mistaken(doc, [pieces[number][i] for i in part], plain)
+        verbs = mistaken(doc, [pieces[number][i] for i in part], plain)
         if verbs:
             again[at] = Doc(nlp.vocab, words=[verbs.get(t.i, t.text) for t in doc])
     for at, doc in zip(again, nlp.pipe(again.values()), strict=True):
@@ -96,7 +93,7 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
             for token, i in zip(doc, part, strict=True):
                 proxy, start, end, span = piece[i]
                 norm = plain[start:end]
-                lemma = participles().get(norm, norm) if token.text != norm else token.lemma_.lower()
+                lemma = _verb_of(norm) if token.text != norm else token.lemma_.lower()
                 head, dep = part[token.head.i], token.dep_
                 inner = part is not parsed[number][0][0]
                 if inner and (proxy == "(" and i == part[0] or dep == "ROOT"):
@@ -116,6 +113,11 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
     return words
 
 
+def _verb_of(form: str) -> str:
+    """The verb of a form that the parser was not shown."""
+    return participles().get(form) or past_forms().get(form, form)
+
+
 def _relation(proxy: str, tag: str, span: Span | None, bracket: bool) -> str:
     """How the head of what was parsed apart belongs to the word before."""
     if proxy == "(":
@@ -125,54 +127,3 @@ def _relation(proxy: str, tag: str, span: Span | None, bracket: bool) -> str:
     if span is not None and span.kind != "quantity":
         return "appos"
     return "nmod" if bracket else "advmod" if tag == "RB" else "prep"
-
-
-def _mistaken(doc: Any, piece: list[tuple[str, int, int, Span | None]], plain: str) -> dict[int, str]:
-    """Words taken for nouns that can only be the verb of the road user before ("the car ahead decelerates"), each
-    with a verb that the parser knows."""
-    found: dict[int, str] = {}
-    for token in doc:
-        _, start, end, span = piece[token.i]
-        if (
-            token.tag_ not in ("NNS", "NN", "NNP", "NNPS")
-            or span is not None
-            or plain[start:end] not in third_persons() | language.word_list("idle")
-        ):
-            continue
-        before = piece[token.i - 1] if token.i else None
-        spoken = any(p[3] is not None and p[3].kind in ("ego", "label", "actor") for p in piece[: token.i])
-        if (
-            before is None
-            or not spoken
-            or not (
-                before[3] is not None
-                or before[0].endswith("ly")
-                or plain[before[1] : before[2]] in language.word_list("subject_ends")
-                or LANE_NUMBER.search(plain[: before[2]]) is not None
-            )
-        ):
-            continue
-        if (
-            before[3] is not None
-            and before[3].data.get("plural")
-            or any(t.tag_ in ("VBZ", "VBD", "MD") and t.head.i == token.i and t.dep_ != "conj" for t in doc)
-        ):
-            continue
-        finite = [t for t in doc[: token.i] if t.tag_ in ("VBZ", "VBD", "VBP", "MD") and not _relative(t)]
-        if any(not _closed(doc, t.i, token.i) for t in finite):
-            continue
-        found[token.i] = "goes" if FOLLOWS.match(plain[end : end + 16]) else "takes"
-    return found
-
-
-def _relative(token: Any) -> bool:
-    """Whether a finite verb belongs to a relative clause: the verb of its noun is still to come."""
-    return "relcl" in (token.dep_, token.head.dep_ if token.dep_ in ("aux", "auxpass") else "")
-
-
-def _closed(doc: Any, verb: int, at: int) -> bool:
-    """Whether a new clause begins between a verb and a later word."""
-    return any(
-        t.text in (",", "and", "but", "then", ";", "while", "when", "as", "because", "who", "which", "that")
-        for t in doc[verb + 1 : at]
-    )

@@ -100,7 +100,8 @@ def clock(plain: str) -> Found | None:
         match["hour"]
         and not half
         and not re.search(
-            r"(?:at|around|about|approximately|approx\.?|by|was|is|time:?|hours?:?)\s+$",
+            r"(?:at|around|about|approximately|approx\.?|by|was|is|says|said|reads?|shows?|(?:clock|stamp|time) ?:?"
+            r"|hours?:?)\s+$",
             plain[max(0, match.start() - 16) : match.start()],
         )
         and not re.match(r"\s?(?:hours|hrs|h|local|on|in the)\b", plain[match.end() : match.end() + 8])

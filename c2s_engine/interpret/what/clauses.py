@@ -289,6 +289,8 @@ class Clauses(Deverbal):
                 actor = agent if agent is not None and agent is not patient else self.cast.ego
             if actor is None:
                 actor = self._default_agent(word, rule["act"])
+                if actor is None and rule.get("who") == "person":
+                    continue  # of whoever is not named no person is made
                 if actor is None:
                     return None
                 if rule["act"] == "collide":

@@ -124,6 +124,7 @@ class Nouns(Attached, NotThere):
             and word.head in self.of
             and self.of[word.head].type in ("vehicle", kind)
             and {"a", "an"} & set(before)
+            and not self._elsewhere(word)
         ):
             host = self.of[word.head]
         if (

@@ -63,6 +63,12 @@ class Titles(Named):
             return False  # "Vehicle changing lanes. The host moves over although a car ..."
         return sum(w.i in self.of for w in title) == 1
 
+    def _elsewhere(self, word: Word) -> bool:
+        """Whether a noun behind another's place has a place of its own: "ego in the right lane, a van behind it"."""
+        first = self.words[word.head]
+        placed = any(self.words[c].dep == "prep" and first.i < c < word.i for c in first.children)
+        return placed and any(self.words[c].dep in ("prep", "advmod") and c > word.i for c in word.children)
+
     def _heading(self, sentence: int) -> bool:
         """Whether a sentence is a title: without a finite verb."""
         return sentence not in self.told

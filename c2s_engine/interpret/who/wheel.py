@@ -8,6 +8,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import VEHICLES, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.reference import OWNERS, Reference
+from c2s_engine.interpret.who.strangers import WALKS
 
 DRIVES = language.words("at_the_wheel")
 STEERS = language.words("steers")
@@ -29,6 +30,11 @@ MANOEUVRE = re.compile(
     r"(?:cuts?|cut|cutting) (?:me|us|him|her|it|\w+) (?:off|up)\b|(?:cuts?|cutting) in\b"
     r"|(?:pulls?|pulled|pulling) (?:out|over|in|away)\b"
     r"|(?:changes?|changed|changing|switch\w*) lanes?\b|(?:runs?|ran|running) (?:a |the )?(?:red|stop|light)"
+)
+
+LANE = re.compile(
+    r"(?:who (?:is|was) )?in (?:the|my|our) (?:(?:left|right|next|other|adjacent|middle|fast|slow|inside|outside"
+    r"|oncoming|opposite|neighbou?ring)(?:[- ]hand)? lane\b|lane (?:next to|beside|to (?:my|our|the) (?:left|right)))"
 )
 
 
@@ -79,7 +85,8 @@ class AtWheel(Reference):
         """A person who does what only vehicles do: "a lady reversed out of her drive", "this guy cut me off"."""
         verb = self.words[word.head]
         after = " ".join(w.norm for w in self.words[verb.i : verb.i + 4])
-        if word.dep != "nsubj" or not (verb.lemma in VEHICULAR or MANOEUVRE.match(after)):
+        drives = verb.lemma in VEHICULAR or MANOEUVRE.match(after) or self._in_a_lane(word) and not WALKS.match(after)
+        if word.dep != "nsubj" or not drives:
             return None
         noun = word.norm.split(" ")[-1]
         told = {self.words[c].norm for c in word.children} & {"the", "this", "that"}
@@ -87,6 +94,10 @@ class AtWheel(Reference):
         if known is not None:
             return None if known.person else known
         return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))
+
+    def _in_a_lane(self, word: Word) -> bool:
+        """Whether a person is placed as only drivers are: "the guy in the left lane"."""
+        return LANE.match(" ".join(w.norm for w in self.words[word.i + 1 : word.i + 8])) is not None
 
     def _heads(self, word: Word, verb: Word) -> bool:
         """Whether a word is the subject of a verb, or what its participle describes."""

@@ -1,0 +1,96 @@
+"""Verbs that the parser takes for something else, each with one that it knows: it parses the sentence once more."""
+
+import re
+from typing import Any
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import MOVERS
+from c2s_engine.interpret.reading.motions import past_forms, third_persons
+from c2s_engine.interpret.reading.proxies import FOLLOWS
+from c2s_engine.interpret.spans import Span, names_one
+
+LANE_NUMBER = re.compile(r"\blane (?:number |no\.? )?(?:\d|one|two|three|four)$")
+DIRECTED = re.compile(
+    r"\s+(?:(?:right|straight|just|directly|suddenly|back|clean) )?(?:in|into|onto|out|off|past|across|over"
+    r"|through|towards?|away|around|down|up|along|back|in front|left|right|straight)\b"
+)
+"""What tells where one goes, behind the past tense of a verb of motion."""
+OBJECT = re.compile(r"\s+(?:me|us|him|her|it|them|my|our|his|its|their|the|an?|another|ego|control)\b")
+STATES = language.words("states_as_participles")
+Piece = tuple[str, int, int, Span | None]
+
+
+def mistaken(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
+    """The places of such verbs in a parsed sentence, and what the parser is shown there."""
+    return {**_participles(doc, piece, plain), **_nouns(doc, piece, plain)}
+
+
+def _participles(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
+    """Past tenses taken for participles of the road user right before, in a sentence without another verb: "a taxi
+    swept past us"."""
+    found: dict[int, str] = {}
+    for token in doc:
+        _, start, end, _ = piece[token.i]
+        verb = past_forms().get(plain[start:end])
+        if token.tag_ != "VBN" or verb is None or verb in STATES or token.i == 0:
+            continue
+        noun = doc[token.i - 2 if doc[token.i - 1].tag_ == "RB" and token.i > 1 else token.i - 1]
+        if not names_one(piece[noun.i][3], MOVERS) or token.dep_ not in ("acl", "ROOT", "conj", "dep", "appos"):
+            continue
+        own = [t for t in doc if t.tag_ in ("VBZ", "VBD", "VBP", "MD") and t.i > token.i and noun in (t, *t.lefts)]
+        if own or noun.dep_ in ("nsubj", "nsubjpass", "dobj", "pobj", "attr") and noun.head.i != token.i:
+            continue
+        rest = plain[end : end + 24]
+        if DIRECTED.match(rest) or OBJECT.match(rest):
+            found[token.i] = "took" if OBJECT.match(rest) else "went"
+    return found
+
+
+def _nouns(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
+    """Words taken for nouns that can only be the verb of the road user before: "the car ahead decelerates"."""
+    found: dict[int, str] = {}
+    for token in doc:
+        _, start, end, span = piece[token.i]
+        if (
+            token.tag_ not in ("NNS", "NN", "NNP", "NNPS")
+            or span is not None
+            or plain[start:end] not in third_persons() | language.word_list("idle")
+        ):
+            continue
+        before = piece[token.i - 1] if token.i else None
+        spoken = any(p[3] is not None and p[3].kind in ("ego", "label", "actor") for p in piece[: token.i])
+        if (
+            before is None
+            or not spoken
+            or not (
+                before[3] is not None
+                or before[0].endswith("ly")
+                or plain[before[1] : before[2]] in language.word_list("subject_ends")
+                or LANE_NUMBER.search(plain[: before[2]]) is not None
+            )
+        ):
+            continue
+        if (
+            before[3] is not None
+            and before[3].data.get("plural")
+            or any(t.tag_ in ("VBZ", "VBD", "MD") and t.head.i == token.i and t.dep_ != "conj" for t in doc)
+        ):
+            continue
+        finite = [t for t in doc[: token.i] if t.tag_ in ("VBZ", "VBD", "VBP", "MD") and not _relative(t)]
+        if any(not _closed(doc, t.i, token.i) for t in finite):
+            continue
+        found[token.i] = "goes" if FOLLOWS.match(plain[end : end + 16]) else "takes"
+    return found
+
+
+def _relative(token: Any) -> bool:
+    """Whether a finite verb belongs to a relative clause: the verb of its noun is still to come."""
+    return "relcl" in (token.dep_, token.head.dep_ if token.dep_ in ("aux", "auxpass") else "")
+
+
+def _closed(doc: Any, verb: int, at: int) -> bool:
+    """Whether a new clause begins between a verb and a later word."""
+    return any(
+        t.text in (",", "and", "but", "then", ";", "while", "when", "as", "because", "who", "which", "that")
+        for t in doc[verb + 1 : at]
+    )

@@ -2,10 +2,8 @@
 
 import re
 from dataclasses import replace
-from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.reading.motions import rules
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.deverbal import Deverbal
 from c2s_engine.interpret.what.event import Event
@@ -258,99 +256,3 @@ class Clauses(Deverbal):
         own = (" ".join(w.norm for w in self.words[m.word : m.word + 9]) for m in agent.mentions)
         behind = "following" in agent.roles or any(FASTER.search(text) for text in own)
         return self._lemma(word) in PASSES and not behind and not self._has_object(word)
-
-    def _event(
-        self, lemma: str, word: Word, text: str, whole: str, agent: Entity | None, patient: Entity | None
-    ) -> Event | None:
-        said, said_whole = text, whole
-        if agent is not None:
-            text, whole = (re.sub(rf"@{agent.key} 's\b", "its", t) for t in (text, whole))
-        for rule, lemmas, patterns in rules("verbs"):
-            if lemma not in lemmas:
-                continue
-            if "after" in patterns and not patterns["after"].search(text):
-                continue
-            if "any" in patterns and not patterns["any"].search(whole):
-                continue
-            if "not" in patterns and patterns["not"].search(whole if rule["act"] != "reverse" else text):
-                continue
-            if rule.get("whom") == "person" and (patient is None or not patient.person):
-                continue
-            actor = patient if rule.get("swap") else agent
-            if rule["act"] in ("none", "stop_none"):
-                if agent is not None and not self._agrees(rule, agent):
-                    continue
-                return None
-            if rule.get("swap_passive"):
-                if patient is None and agent is not None and not agent.ego:
-                    patient, agent = agent, None
-                if patient is None or not re.search(r"past|pass|through|by|go", whole + text):
-                    continue
-                actor = agent if agent is not None and agent is not patient else self.cast.ego
-            if actor is None:
-                actor = self._default_agent(word, rule["act"])
-                if actor is None and rule.get("who") == "person":
-                    continue  # of whoever is not named no person is made
-                if actor is None:
-                    return None
-                if rule["act"] == "collide":
-                    others = [
-                        self.cast.of[i]
-                        for i in sorted(self.cast.of)
-                        if i < word.i and not self.cast.of[i].ego and self.cast.of[i].mover
-                    ]
-                    patient = patient or (others[-1] if others else None)
-            if not self._agrees(rule, actor):
-                continue
-            if (
-                rule["act"] == "cross_road"
-                and actor.type == "bicycle"
-                and re.search(
-                    (
-                        r"straight|(over|through|across) (the|an) (\w+ )?(junction|intersection|crossroads)"
-                        r"|(?<!pedestrian )(?<!zebra )crossing(?! the)"
-                    ),
-                    text,
-                )
-            ):
-                continue
-            if (
-                rule.get("target") == "ego"
-                and actor.ego
-                or rule.get("of") == "ego_lane"
-                and (actor.ego and not re.search(r"@a\d", text))
-            ):
-                continue
-            if rule.get("moving") and self._at_rest(actor):
-                continue
-            if rule.get("of") == "parked" and not self._was_off_road(actor):
-                continue
-            return Event(
-                rule["act"],
-                actor,
-                word.i,
-                said,
-                said_whole,
-                patient if not rule.get("swap") else None,
-                hard=bool(rule.get("hard")),
-                order=float(word.i),
-                side=rule.get("side"),
-            )
-        return None
-
-    @staticmethod
-    def _agrees(rule: dict[str, Any], actor: Entity) -> bool:
-        who = rule.get("who")
-        if who == "person":
-            return (
-                actor.person
-                or actor.type == "bicycle"
-                and rule["act"] == "cross_road"
-                or actor.type in ("bicycle",)
-                and rule["act"] == "move_along"
-            )
-        if who == "rider":
-            return actor.type in ("bicycle", "motorcycle")
-        if who == "vehicle":
-            return not actor.person and (actor.mover or actor.ego)
-        return True

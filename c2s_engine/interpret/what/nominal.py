@@ -26,11 +26,6 @@ HALTS = frozenset(("stop", "brake", "brake_stop", "stationary"))
 class Nominal(Timing):
     """The part of Clauses that reads nouns of motion and verbs before nouns."""
 
-    def _event(
-        self, lemma: str, word: Word, text: str, whole: str, agent: Entity | None, patient: Entity | None
-    ) -> Event | None:
-        raise NotImplementedError
-
     def _somebody_else(self, word: Word, verb: Word | None) -> Entity | None:
         raise NotImplementedError
 

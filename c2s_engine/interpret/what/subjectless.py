@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.what.patients import Patients
+from c2s_engine.interpret.what.meanings import Meanings
 from c2s_engine.interpret.who.mentions import Entity
 
 CONTACT = language.words("contact")
@@ -15,7 +15,7 @@ ON_FOOT = language.words("on_foot")
 STANDS_STILL = language.words("stands_still")
 
 
-class Subjectless(Patients):
+class Subjectless(Meanings):
     """The part of Clauses that finds the parties of verbs without a subject before them."""
 
     def topic(self, word: Word) -> Entity | None:

@@ -15,6 +15,7 @@ DIRECTED = re.compile(
     r"|through|towards?|away|around|down|up|along|back|in front|left|right|straight)\b"
 )
 """What tells where one goes, behind the past tense of a verb of motion."""
+ONWARDS = re.compile(r"\s+on\s*(?:[.,;]|$|(?:and|along|down|straight|as|past|through)\b)")
 OBJECT = re.compile(r"\s+(?:me|us|him|her|it|them|my|our|his|its|their|the|an?|another|ego|control)\b")
 STATES = language.words("states_as_participles")
 Piece = tuple[str, int, int, Span | None]
@@ -32,7 +33,9 @@ def _participles(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
     for token in doc:
         _, start, end, _ = piece[token.i]
         verb = past_forms().get(plain[start:end])
-        if token.tag_ != "VBN" or verb is None or verb in STATES or token.i == 0:
+        rest = plain[end : end + 24]
+        onwards = ONWARDS.match(rest) is not None
+        if token.tag_ != "VBN" or verb is None or verb in STATES and not onwards or token.i == 0:
             continue
         noun = doc[token.i - 2 if doc[token.i - 1].tag_ == "RB" and token.i > 1 else token.i - 1]
         if not names_one(piece[noun.i][3], MOVERS) or token.dep_ not in ("acl", "ROOT", "conj", "dep", "appos"):
@@ -40,8 +43,7 @@ def _participles(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
         own = [t for t in doc if t.tag_ in ("VBZ", "VBD", "VBP", "MD") and t.i > token.i and noun in (t, *t.lefts)]
         if own or noun.dep_ in ("nsubj", "nsubjpass", "dobj", "pobj", "attr") and noun.head.i != token.i:
             continue
-        rest = plain[end : end + 24]
-        if DIRECTED.match(rest) or OBJECT.match(rest):
+        if onwards or DIRECTED.match(rest) or OBJECT.match(rest):
             found[token.i] = "took" if OBJECT.match(rest) else "went"
     return found
 

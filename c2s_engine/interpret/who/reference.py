@@ -31,6 +31,8 @@ AFOOT = frozenset(
 )
 ALL_OF_THEM = frozenset(("both", "the", "these", "all", "neither"))
 
+SYSTEMS, RUN_BY = language.words("systems"), language.words("run_by_systems")
+
 
 class Reference(Pronouns):
     """The part of Cast that resolves definite nouns."""
@@ -152,6 +154,8 @@ class Reference(Pronouns):
         alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
         if second and alone and not self._distinguished(word) and self.words[word.i - 1].norm == "the":
             return self.ego  # a driver is told what to do: "you will feel the car"
+        if alone and self._run_by_its_own(word):
+            return self.ego
         asks = any(self.words[c].norm in ("shall", "must") for c in self.words[word.head].children)
         if alone and asks and self.ego_named and word.dep == "nsubj" and not self._distinguished(word):
             return self.ego  # "the VUT backs up. The car shall stop"
@@ -221,6 +225,13 @@ class Reference(Pronouns):
         if not scored and kind == self.ego.type and self.ego.typed:
             return self.ego
         return max(scored)[2] if scored else None
+
+    def _run_by_its_own(self, word: Word) -> bool:
+        """Whether it is the object of what its own system or driver does: "the function shall hold the vehicle"."""
+        verb = self.words[word.head]
+        subjects = [self.words[c] for c in verb.children if self.words[c].dep == "nsubj"]
+        own = any(w.lemma in SYSTEMS or w.norm in ("i", "we") and self.of.get(w.i) is self.ego for w in subjects)
+        return word.dep == "dobj" and own and verb.lemma in RUN_BY
 
     def _ego_moving(self, roles: set[str], kind: str, definite: bool) -> bool:
         """Whether ego is meant by what it does: "the turning truck", of a test vehicle that is a truck."""

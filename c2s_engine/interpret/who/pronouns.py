@@ -62,6 +62,8 @@ class Pronouns(Persons):
             others = [e for e in self.entities if e.type in MOTOR]
             return others[-1] if others else self._new(Entity("", "vehicle", noun="vehicle"))
         if norm in ("they", "them", "their", "themselves"):
+            if self.words[word.i - 1].norm in BUMPED and (lying := self._lies_before(word)) is not None:
+                return lying  # "strips of tyre lie there. The van swerves around them"
             many = [e for e in self.entities if e.count > 1]
             last = max((i for i in self.of if i < word.i and self.words[i].span is not None), default=None)
             if last is not None and self.of[last].type in LOOSE and word.sentence - self.words[last].sentence <= 1:

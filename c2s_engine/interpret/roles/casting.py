@@ -7,7 +7,17 @@ from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import VEHICLES, ZONES, Entity
 
+SCREENS = frozenset(language.table("actors")["fixed"]) | {"tree", "trees", "hedges", "bushes"}
 SAYS = language.words("says")
+
+
+def _stands_aside(scene: Scene, entity: Entity, blocker: Entity) -> None:
+    """What grows or was built beside the road stands there, on the side from which comes whom it hides."""
+    blocker.type, blocker.typed = "obstacle", True
+    where = scene.where(blocker)
+    if where.lane in (None, "same", "left", "right") and where.gap is None:
+        where.lane, where.rel = "roadside", None
+        where.side = where.side or scene.where(entity).side
 
 
 def _tried(event: Event) -> bool:
@@ -91,6 +101,8 @@ def actors(scene: Scene) -> list[Entity]:
             if not scene.events(blocker):
                 blocker.roles.add("stationary")
             kept.append(blocker)
+        if blocker is not None and blocker.noun in SCREENS:
+            _stands_aside(scene, entity, blocker)
     generic = [
         e
         for e in kept

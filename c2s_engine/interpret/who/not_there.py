@@ -6,9 +6,11 @@ import re
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOVERS, VEHICLES, ZONES, Entity
+from c2s_engine.interpret.reading.motions import irregular
 from c2s_engine.interpret.reading.syntax import Word
 
 CARRIES = language.words("carries")
+HIDES = language.words("hides")
 LOST, SAYS = language.words("lost"), language.words("says")
 WALKS_WITH = language.words("walks_with")
 PUSHED = frozenset(("bicycle", "motorcycle", "box", "debris", "trash", "container", "obstacle"))
@@ -16,7 +18,7 @@ FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?:
 FIXED = frozenset(language.table("actors")["fixed"])
 PLACED_BY = frozenset(("at", "by", "near", "beside", "past", "outside", "opposite"))
 HEADS = frozenset(("actors", "objects", "vehicles", "participants", "users", "agents", "npcs", "obstacles", "others"))
-GROWS = frozenset(("trees", "bushes", "hedges"))
+GROWS = frozenset(("trees", "bushes", "hedges", "shrubs", "shrubbery"))
 FACES = frozenset(("facing", "face", "faces", "against"))
 
 
@@ -101,4 +103,5 @@ class NotThere:
     def _only_a_place(self, word: Word, noun: str) -> bool:
         """Whether a thing that stands by the road only tells where somebody is: "a girl waits at the mailbox"."""
         by = self.words[word.head]
-        return noun in FIXED and word.dep == "pobj" and by.norm in PLACED_BY
+        hides = by.norm == "by" and irregular().get(self.words[by.head].norm, self.words[by.head].lemma) in HIDES
+        return noun in FIXED and word.dep == "pobj" and by.norm in PLACED_BY and not hides

@@ -45,7 +45,9 @@ def test_a_fragment_tells_as_much_as_a_sentence(read, way: str) -> None:
         assert told(read, way.format(n=n, N=n.capitalize(), p=p, v=v, V=v.capitalize(), ing=ing)) == plainly, name
 
 
-@pytest.mark.parametrize("text", ["Bus at the stop. A boy steps out. We brake.", "Bus on the right. Pulls away. We brake."])
+@pytest.mark.parametrize(
+    "text", ["Bus at the stop. A boy steps out. We brake.", "Bus on the right. Pulls away. We brake."]
+)
 def test_what_is_watched_is_not_driven(read, text: str) -> None:
     structure = read(text)
     assert structure.ego.spec.type == "car" and structure.objects

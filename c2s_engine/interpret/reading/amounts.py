@@ -38,7 +38,7 @@ def _bare() -> re.Pattern[str]:
         rf"|car ?[1-9]|straight|left|right|lane|ahead|behind|doing|going|brakes? to"
         rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerates? to)"
         rf"(?:,? at|,? doing| (?:drives|does|did|goes|went|is doing|was doing|runs)|:| speed)?"
-        rf" (?:about |around |roughly |a steady |only )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)"
+        rf" (?:about |around |roughly |maybe |a steady |only )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)"
         rf"(?=\s*(?:[,.;)]|$|straight\b|and\b"
         rf"|in the\b|when\b|while\b|same\b|left\b|right\b|but\b|on the\b|behind\b|ahead\b|in (?:left|right)\b"
         rf"|tops\b|max\b|or so\b|coming\b|heading\b|approaching\b|towards?\b|up to\b|down the\b|along\b"

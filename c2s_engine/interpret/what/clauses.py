@@ -161,6 +161,8 @@ class Clauses(Deverbal):
         event = self._event(lemma, word, text, whole, agent, patient)
         if event is None or event.act == "stationary" and lemma in PUTS and not passive and self._has_object(word):
             return
+        if event.act == "collide" and self._over_a_place(word, own):
+            return
         if passive and lemma in PUSHES and event.patient is None and agent is not event.agent:
             event.patient = agent
         if event.act == "start_straight":
@@ -247,6 +249,15 @@ class Clauses(Deverbal):
         if word.dep != "pcomp" or above.norm != "by" or verb.dep not in ("xcomp", "ccomp", "advcl"):
             return None
         return self._subject(self.words[verb.head])[0] if self._lemma(self.words[verb.head]) in CAUSES else None
+
+    def _over_a_place(self, word: Word, own: list[int]) -> bool:
+        """Whether a relative clause tells of no road user but of the noun that it belongs to: "the crosswalk that ego
+        is about to drive over"."""
+        told = any(i > word.i and i in self.cast.of for i in own)
+        while word.dep in ("xcomp", "acomp") and word.head != word.i:
+            word = self.words[word.head]
+        place = self.words[word.head]
+        return word.dep == "relcl" and place.span is None and place.i not in self.cast.of and not told
 
     def _let_by(self, word: Word, agent: Entity | None) -> bool:
         """Whether somebody only gets by because another waits ("we let him pass"), and was not behind."""

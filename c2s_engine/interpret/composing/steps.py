@@ -200,8 +200,6 @@ def steps_of(
             return []
         if entity.person or any(p.action in ("cut_out", "swerve") for p in before):
             return []
-        if event.patient is not None and not event.patient.mover:
-            return [Phase(action="swerve", side=towards, trigger=trigger)]  # around what lies there
         return [Phase(action="overtake", target=who or ego, side=towards, trigger=trigger)]
     if act == "follow":
         return [Phase(action="follow", target=who or ego)] if who != "ego" or placement.position == "behind" else []

@@ -41,8 +41,13 @@ def called(plain: str, structure: Structure) -> str:
     if denied := re.match(_table()["denied"], plain):
         who = _agent(denied, structure)
         plain = plain if who == denied[0] else f"{who} should not {_table()['verbs'][denied['act']]}"
-    plain = re.sub(rf"\b(?:the |that |this )?{_table()['agents']}", lambda m: _agent(m, structure), plain)
     plain = re.sub(_table()["acts"], lambda m: _actor(m, structure), plain)
+    return described(plain, structure)
+
+
+def described(plain: str, structure: Structure) -> str:
+    """The text in which those are called by their nouns who are told by what they do or where they are."""
+    plain = re.sub(rf"\b(?:the |that |this )?{_table()['agents']}", lambda m: _agent(m, structure), plain)
     plain = re.sub(_table()["beside_another"], lambda m: _by_another(m, structure), plain)
     plain = _described().sub(lambda m: _fitting(m, structure), plain)
     return _identified(plain, structure)

@@ -11,8 +11,8 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import notes
 from c2s_engine.interpret.changes.counted import numbered
-from c2s_engine.interpret.changes.meant import called_by
-from c2s_engine.interpret.changes.refer import actions_of, spec_of
+from c2s_engine.interpret.changes.meant import called_by, described
+from c2s_engine.interpret.changes.refer import actions_of, refer, spec_of
 from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Structure
@@ -27,10 +27,21 @@ def plainly(plain: str, structure: Structure) -> str:
     """A turn with each of its sentences put plainly."""
     for find, new in _table()["before"]:
         plain = re.sub(find, new, plain)
-    plain = _named(plain, structure)
+    plain = _named(re.sub(_table()["row"], _row(structure) or r"\g<0>", plain), structure)
     sentences = re.split(r"(?<=[.;!?])\s+", plain)
     rows = [(find, _with_doer(new, verb, structure)) for find, new, verb in _rows("sentences")]
-    return " ".join(notes.rewritten(_active(numbered(s, structure)), rows, structure) for s in sentences)
+    return " ".join(
+        notes.rewritten(_active(described(numbered(s, structure), structure)), rows, structure) for s in sentences
+    )
+
+
+def _row(structure: Structure) -> str | None:
+    """What those are called who are told of together, where there is one such group."""
+    groups = [spec_of(c) for c in structure.objects if spec_of(c).count > 1]
+    if len(groups) != 1:
+        return None
+    parked = "parked " if groups[0].placement.position == "parked" else ""
+    return f"the {parked}{language.plurals(groups[0].type.replace('_', ' '))[0]}"
 
 
 def questioned(plain: str, structure: Structure) -> str:
@@ -40,10 +51,14 @@ def questioned(plain: str, structure: Structure) -> str:
 
 
 def _named(plain: str, structure: Structure) -> str:
-    """The text with the only person who is there for "he" and "she", where nobody but ego is named before."""
+    """The text with the only person who is there for "he" and "she", where nobody else is named last before."""
     persons = [c for c in structure.objects if spec_of(c).type in PERSONS]
     pronoun = re.search(r"\b(?:he|she|him|her)\b(?!['’]s)", plain)
-    if pronoun is None or len(persons) != 1 or any(s.kind == "actor" for s in scan.names(plain[: pronoun.start()])):
+    if pronoun is None or len(persons) != 1:
+        return plain
+    named = [s for s in scan.names(plain[: pronoun.start()]) if s.kind == "actor"]
+    before = refer(plain[named[-1].start : named[-1].end], structure, alone=False) if named else persons[0]
+    if before is None or before.id != persons[0].id:
         return plain
     return f"{plain[: pronoun.start()]}{called_by(persons[0], structure)}{plain[pronoun.end() :]}"
 

@@ -119,6 +119,17 @@ CELLS = [
         "when the taxi brakes the woman should cross | the woman waits until the taxi brakes | "
         "the woman waits for the taxi to brake | after the taxi has braked the woman crosses",
     ),
+    (
+        MOTORWAY,
+        "the van brakes after 4 s",
+        "braking after 4 s | the braking is to start at 4 s | the van must not brake before 4 s",
+    ),
+    # two demands in one
+    (
+        MOTORWAY,
+        "the van at 80 km/h. the van 50 m ahead",
+        "the van at 80 km/h and 50 m ahead | the van 50 m ahead at 80 km/h | the van should be 50 m away and go 80",
+    ),
     # where
     (
         STREET,
@@ -186,6 +197,8 @@ def test_a_question_stays_one(read, text: str) -> None:
     assert route(text, read(MOTORWAY)).kind == "question"
 
 
-@pytest.mark.parametrize("text", ["remove all other vehicles", "the tram should be slower", "not that"])
+@pytest.mark.parametrize(
+    "text", ["remove all other vehicles", "the tram should be slower", "not that", "30 is a lot for a van"]
+)
 def test_what_is_not_understood_changes_nothing(read, text: str) -> None:
     assert not route(text, read(MOTORWAY)).edits

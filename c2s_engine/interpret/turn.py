@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes import asked, notes, refine, retold
+from c2s_engine.interpret.changes import asked, notes, put, refine, retold
 from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.reading.spelling import Mended
@@ -48,10 +48,9 @@ def _route(text: str, structure: Structure | None) -> Turn:
         return Turn(back, span=whole)
     if _anew(plain):
         return Turn("scenario", span=whole)
-    for wish in (asked.requested(plain), asked.supposed(plain)) if structure is not None else ():
-        edits, said = refine.edits_of(wish, structure) if wish and structure is not None else ([], [])
-        if edits:
-            return Turn("edit", edits, "; ".join(said), whole)
+    plain = put.plainly(plain, structure) if structure is not None else plain
+    if structure is not None and (edits_said := _wished(plain, structure)):
+        return Turn("edit", *edits_said, whole)
     if asked.asks(plain):
         return Turn("question", span=whole)
     if structure is None or not structure.text and not structure.objects:
@@ -70,6 +69,15 @@ def _route(text: str, structure: Structure | None) -> Turn:
     if commanding or short or not _of_strangers(plain, structure) or _of_those_there(plain, structure):
         return Turn("edit", reply=_not_understood(text), span=whole)
     return Turn("scenario", span=whole)
+
+
+def _wished(plain: str, structure: Structure) -> tuple[list[Edit], str] | None:
+    """The edits, and what they do, of a demand that is put as a question."""
+    for wish in (put.questioned(plain, structure), asked.requested(plain), asked.supposed(plain)):
+        edits, said = refine.edits_of(wish, structure) if wish else ([], [])
+        if edits:
+            return edits, "; ".join(said)
+    return None
 
 
 def _not_understood(text: str, why: str = "") -> str:

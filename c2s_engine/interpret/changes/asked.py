@@ -18,7 +18,8 @@ def supposed(plain: str) -> str:
     if not match:
         return ""
     said = re.sub(r"^there (?:were|was|is|are) (?:also )?", "add ", match["said"].strip())
-    return re.sub(r"^(?!add )(?P<what>.+?) (?:were|was|is|are|be) (?P<how>.+)$", r"make \g<what> \g<how>", said)
+    subject = r"(?!add )(?P<what>(?:(?!\b(?:when|if|once|after|while|who|that|which)\b).)+?)"
+    return re.sub(rf"^{subject} (?:were|was|is|are|be) (?P<how>.+)$", r"make \g<what> \g<how>", said)
 
 
 def requested(plain: str) -> str:

@@ -41,10 +41,44 @@ def called(plain: str, structure: Structure) -> str:
     if denied := re.match(_table()["denied"], plain):
         who = _agent(denied, structure)
         plain = plain if who == denied[0] else f"{who} should not {_table()['verbs'][denied['act']]}"
-    plain = re.sub(rf"\b(?:the |that |this )?{_table()['agents']}", lambda m: _agent(m, structure), plain)
     plain = re.sub(_table()["acts"], lambda m: _actor(m, structure), plain)
+    return described(plain, structure)
+
+
+def described(plain: str, structure: Structure) -> str:
+    """The text in which those are called by their nouns who are told by what they do or where they are."""
+    plain = re.sub(rf"\b(?:the |that |this )?{_table()['agents']}", lambda m: _agent(m, structure), plain)
     plain = re.sub(_table()["beside_another"], lambda m: _by_another(m, structure), plain)
-    return _described().sub(lambda m: _fitting(m, structure), plain)
+    plain = _described().sub(lambda m: _fitting(m, structure), plain)
+    return _identified(plain, structure)
+
+
+def _identified(plain: str, structure: Structure) -> str:
+    """The text without what only tells who of those there is meant: "the car that overtakes should drive 120"."""
+    for span in reversed([s for s in scan.names(plain) if s.kind == "actor" and not s.data.get("plural")]):
+        head = re.search(r"(?:\b(?:the|that) |^)$", plain[: span.start])
+        told = _telling().match(plain, span.end)
+        if head is None or told is None or told["rel"] is None and _goal(told["behind"], plain[: head.start()]):
+            continue
+        found = _where(told["behind"], objects_of(structure, span.data["type"]))
+        if len(found) == 1:
+            plain = f"{plain[: head.start()]}{called_by(found[0], structure)}{plain[told.end() :]}"
+    return plain
+
+
+def _goal(words: str, before: str) -> bool:
+    """Whether words behind somebody say what he does, or where he is put."""
+    return bool(re.match(r"[a-z]+s\b", words) or re.search(_table()["placing"], before))
+
+
+@cache
+def _telling() -> re.Pattern[str]:
+    table = _table()
+    behind = "|".join(row["behind"] for row in table["where"] if row.get("behind"))
+    return re.compile(
+        rf"(?: (?P<rel>{table['relative']}))? (?P<behind>{behind})(?: {table['of_ego']})?"
+        rf"(?: the (?:road|street)| hard| there)*(?={table['demanded']})"
+    )
 
 
 def called_by(component: Component, structure: Structure) -> str:
@@ -93,7 +127,9 @@ def _fitting(match: re.Match[str], structure: Structure) -> str:
     said = [w for w in (match["before"], match["behind"]) if w]
     kind = next((k for pattern, k in _table()["kinds"] if re.fullmatch(pattern, match["head"])), None)
     found = objects_of(structure, kind) if kind else list(structure.objects)
-    if not said or kind and len(found) == 1:
+    paced = re.match(r"(?:.s)? (?:\w+ ){0,5}?\d", match.string[match.end() :])
+    acts = paced and match["before"] and re.fullmatch(_table()["acting"], match["before"])
+    if not said or kind and len(found) == 1 and not acts:
         return match[0]
     for words in said:
         found = _where(words, found)

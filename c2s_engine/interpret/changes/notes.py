@@ -4,6 +4,7 @@ Names are marked before the patterns of data/language/notes.yaml are tried, so t
 """
 
 import re
+from collections.abc import Callable, Sequence
 from functools import cache
 
 from c2s_engine.interpret import language
@@ -15,6 +16,8 @@ from c2s_engine.interpret.spans import Span
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import PlaceSpec
 
+New = str | Callable[[re.Match[str]], str]
+"""What is read instead of what a pattern finds."""
 SPEAKERS = ("i", "we", "me", "us")
 """Words for ego that may mean who types."""
 MARK = "‹{}{}{}{}›"
@@ -40,8 +43,13 @@ def adds(demand: str, structure: Structure) -> bool:
 
 
 def _rewritten(plain: str, section: str, structure: Structure) -> str:
+    return rewritten(plain, _patterns(section), structure)
+
+
+def rewritten(plain: str, rows: Sequence[tuple[re.Pattern[str], New]], structure: Structure) -> str:
+    """A text in which the patterns have found what they stand for, in their order, names being marked."""
     marked, names = _marked(plain, structure)
-    for pattern, new in _patterns(section):
+    for pattern, new in rows:
         marked = pattern.sub(new, marked)
     for mark, name in names.items():
         marked = marked.replace(mark, name)
@@ -71,11 +79,14 @@ def _marked(plain: str, structure: Structure) -> tuple[str, dict[str, str]]:
 
 @cache
 def _patterns(section: str) -> list[tuple[re.Pattern[str], str]]:
+    return [(compiled(find, {}), new) for find, new in language.table("notes")[section]]
+
+
+def compiled(pattern: str, more: dict[str, str]) -> re.Pattern[str]:
+    """A pattern with its names and words filled in; `more`: words besides those of notes.yaml."""
     table = language.table("notes")
     names = {name: said.replace("{mark", r"‹\d").replace("}", "›") for name, said in table["names"].items()}
-    words = {**table["words"], **names}
-    return [(re.compile(_filled(find, words)), new) for find, new in table[section]]
-
-
-def _filled(pattern: str, words: dict[str, str]) -> str:
-    return re.sub(r"(?<!\?P)(?<!\\g)<(\w+)>", lambda m: words[m[1]], pattern)
+    words = {**table["words"], **names, **more}
+    while (filled := re.sub(r"(?<!\?P)(?<!\\g)<(\w+)>", lambda m: words[m[1]], pattern)) != pattern:
+        pattern = filled
+    return re.compile(pattern)

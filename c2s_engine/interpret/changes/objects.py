@@ -40,6 +40,8 @@ def remove(clause: str, structure: Structure) -> Found | None:
     several = [c for c in found if c is not None and c.id != "E"]
     if len(names) > 1 and len({c.id for c in several}) == len(names):
         return _gone(several, structure), f"{', '.join(name_of(c) for c in several)} removed"
+    if len(every := _every(rest, structure)) > 1:
+        return _gone(every, structure), f"{', '.join(name_of(c) for c in every)} removed"
     component = refer(rest, structure, alone=len(structure.objects) == 1)
     head = re.split(r"\b(?:for|by|between|to)\b", rest)[0]
     if head != rest and refer(head, structure) is None:
@@ -47,6 +49,23 @@ def remove(clause: str, structure: Structure) -> Found | None:
     if component is None or component.id == "E" or re.search(r"\bother (traffic|vehicles|cars|road users)\b", rest):
         return None
     return _gone([component], structure), f"{name_of(component)} removed"
+
+
+def _every(rest: str, structure: Structure) -> list[Component]:
+    """All whom a bare plural means: "vehicles", "both cars"; a row that is told of together is one of them."""
+    match = re.fullmatch(r"(?:(?:both|all|of|the) )*(?P<noun>[\w -]+?)(?: there| in the scene)?", rest)
+    named = scan.names(match["noun"]) if match else []
+    if match is None or not named or (named[0].start, named[0].end) != (0, len(match["noun"])):
+        return []
+    if named[0].kind != "actor" or not named[0].data.get("plural"):
+        return []
+    kind = named[0].data["type"]
+    if re.search(r"\b(?:other|parked|oncoming|crossing|standing)\b", rest):
+        return []
+    if kind == "vehicle":
+        return [c for c in structure.objects if spec_of(c).type in VEHICLES]
+    found = objects_of(structure, kind)
+    return [] if any(spec_of(c).count > 1 for c in found) else found
 
 
 def _gone(components: list[Component], structure: Structure) -> list[Edit]:

@@ -7,7 +7,8 @@ from c2s_engine.interpret.changes.motion import distance, rate, reaction, sides
 from c2s_engine.interpret.changes.objects import count, remove, retype
 from c2s_engine.interpret.changes.scene import ending, length, own_lane, road, setting
 from c2s_engine.interpret.changes.signs import sign
-from c2s_engine.interpret.changes.speed import speed, speed_difference, still, walked
+from c2s_engine.interpret.changes.speed import kept, speed, speed_difference, still, walked
+from c2s_engine.interpret.changes.swap import swapped
 from c2s_engine.interpret.changes.timing import shifted
 from c2s_engine.interpret.changes.told import acting, standing
 
@@ -21,9 +22,11 @@ FORMS: tuple[Form, ...] = (
     abreast,
     sign,
     count,
+    swapped,
     retype,
     remove,
     still,
+    kept,
     shifted,
     speed_difference,
     rate,

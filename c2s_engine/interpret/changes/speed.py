@@ -12,6 +12,9 @@ from c2s_engine.structure.edits import Edit, SetField
 from c2s_engine.structure.quantity import high, middle
 from c2s_engine.structure.specs import Phase
 
+PACES = frozenset(("brake", "stop", "accelerate", "stationary", "wait"))
+"""Actions that change how fast somebody goes."""
+
 
 def _table() -> dict[str, Any]:
     found: dict[str, Any] = language.table("refine")["pace"]
@@ -137,3 +140,15 @@ def still(clause: str, structure: Structure) -> Found | None:
         SetField(component=component.id, path="phases", value=(Phase(action="stationary"),)),
     ]
     return edits, f"{name_of(component)} stands still"
+
+
+def kept(clause: str, structure: Structure) -> Found | None:
+    """ "The van keeps on going": whatever would change its speed is left out."""
+    match = re.match(r"(?P<who>.+) keeps on going$", clause)
+    component = refer(match["who"], structure, alone=False) if match else None
+    if component is None or component.id == "E":
+        return None
+    phases = tuple(p for p in spec_of(component).phases if p.action not in PACES)
+    if phases == spec_of(component).phases:
+        return None
+    return [SetField(component=component.id, path="phases", value=phases)], f"{name_of(component)} goes on as it does"

@@ -10,6 +10,7 @@ from c2s_engine.interpret.what.echoes import echoes
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.halfway import go_after, set_out
 from c2s_engine.interpret.what.heeded import hindered, merged_back, unheeded
+from c2s_engine.interpret.what.looking_back import looking_back
 from c2s_engine.interpret.what.making_room import makes_room
 from c2s_engine.interpret.what.overtakings import PART, overtakings
 from c2s_engine.interpret.what.passing import across_the_bows, by_the_other_lane, headings, let_past, out_to_pass
@@ -53,6 +54,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     hindered(cast, clauses)
     merged_back(clauses)
     before_the_story(cast, clauses)
+    looking_back(cast, clauses)
     set_out(clauses)
     go_after(clauses)
     makes_room(cast, clauses, road)

@@ -7,7 +7,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import ORDINALS, VEHICLES, Entity, Mention
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.parts import Parts
+from c2s_engine.interpret.who.by_place import ByPlace
 
 COLOURS = language.words("colours")
 ENDS = {
@@ -18,7 +18,7 @@ ENDS = {
 COUNTED = frozenset(("second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"))
 
 
-class Members(Parts):
+class Members(ByPlace):
     """The part of Cast that finds who is meant by a number or by "another"."""
 
     words: list[Word]
@@ -45,6 +45,8 @@ class Members(Parts):
             return self.member(groups[-1], end)
         if word.norm == "one" and (alike := self._of_colour(word)) is not None:
             return alike
+        if word.norm == "one" and "the" in before and (there := self._by_place(word, self.entities)) is not None:
+            return there
         named = before[-1:] if told == word.norm else before[-2:-1]
         single = self._one_of(word, before, groups[-1]) if groups else None
         if single is not None:

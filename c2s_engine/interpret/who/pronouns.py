@@ -8,6 +8,7 @@ from collections.abc import Callable
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, Entity
 from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.nearing import comes_near
 from c2s_engine.interpret.who.persons import Persons
 
 SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offside"))
@@ -86,6 +87,8 @@ class Pronouns(Persons):
         def fits(e: Entity) -> bool:
             return (not e.person and e.sex != "i" and e.mover or e.type in things) and not (i and e.ego)
 
+        if word.dep == "nsubj" and (near := comes_near(self.words, self.of, word)) is not None:
+            return near
         if word.dep == "nsubj" and (animal := self._animal_before(word)) is not None:
             return animal
         if bumped and word.dep in ("pobj", "dobj") and (lying := self._lies_before(word)) is not None:

@@ -7,7 +7,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import ORDINALS, URGENT, VEHICLES, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.pronouns import Pronouns
+from c2s_engine.interpret.who.centre import Centre
 
 OWNERS = language.words("owners")
 ANYBODY = language.words("anybody")
@@ -32,7 +32,7 @@ AFOOT = frozenset(
 ALL_OF_THEM = frozenset(("both", "the", "these", "all", "neither"))
 
 
-class Reference(Pronouns):
+class Reference(Centre):
     """The part of Cast that resolves definite nouns."""
 
     ego_named: bool
@@ -147,7 +147,7 @@ class Reference(Pronouns):
             if self._ego_moving(roles, kind, definite):
                 return self.ego
             if roles & TOLD_APART or not candidates:
-                return None
+                return self._by_place(word, candidates) if definite and count == 1 else None
         second = any(self.words[m.word].norm in DRIVES_IT for m in self.ego.mentions)
         alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
         if second and alone and not self._distinguished(word) and self.words[word.i - 1].norm == "the":
@@ -183,6 +183,8 @@ class Reference(Pronouns):
         led = self._told_ahead(word, candidates) if noun == "vehicle" and count == 1 else None
         if led is not None:
             return led  # "a van is ahead of ego. The vehicle ahead brakes"
+        if definite and count == 1 and not other and (there := self._by_place(word, candidates)) is not None:
+            return there
         if self._distinguished(word) and not any(e.noun == noun or e.type == kind for e in candidates):
             return None
         if self._distinguished(word) and kind in ("vehicle", "car") and not self._matching_relation(word, candidates):
@@ -203,6 +205,7 @@ class Reference(Pronouns):
                 return self._all_of(word, sorted(singles[-count:], key=lambda e: (e.ego, e.mentions[0].word)))
             return None
         scored = []
+        centre = self._centre(word, noun)
         never = kind == "vehicle" and noun in language.actor_nouns() and noun not in ANYBODY
         for entity in [
             *candidates,
@@ -216,6 +219,7 @@ class Reference(Pronouns):
             score += 2 if entity.noun == noun and not (entity.ego and self._ego_besides(noun)) else 0
             score += 1.5 if entity.ego and self._ego_by(noun) else 0
             score += 1 if entity.type == kind and not entity.ego else 0
+            score += 3 if entity is centre else 0
             score -= 0.5 if entity.count > 1 else 0
             scored.append((score, len(scored), entity))
         if not scored and kind == self.ego.type and self.ego.typed:

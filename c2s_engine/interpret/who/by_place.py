@@ -70,7 +70,8 @@ class ByPlace(Parts):
 
     def _placed_at(self, entity: Entity, place: str) -> bool:
         """Whether the words around what an entity is called first say that it is there."""
-        for noun in [self.words[m.word] for m in entity.mentions if m.kind != "pronoun"][:2]:
+        called = (self.words[m.word] for m in entity.mentions)
+        for noun in [w for w in called if w.norm in ("one", "another") or not w.tag.startswith(("PRP", "W"))][:2]:
             first = min((noun.i, *(c for c in noun.children if c < noun.i)))
             if AFTER[place].match(self._spelled(noun, noun.i + 1, noun.i + 10, "@ego")):
                 return True

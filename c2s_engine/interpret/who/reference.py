@@ -134,6 +134,9 @@ class Reference(Centre):
             again = [e for e in candidates if e.noun == noun and not e.roles and word.span and word.span.data["person"]]
             if again and definite and count == 1:
                 return again[-1]  # "the motorist who was trailing it ... the trailing motorist"
+            there = self._by_place(word, candidates) if definite and count == 1 else None
+            if there is not None:
+                return there
             if roles & {"lead"}:
                 ahead = [e for e in candidates if "ahead" in self._hints(e)]
                 if ahead:
@@ -147,7 +150,7 @@ class Reference(Centre):
             if self._ego_moving(roles, kind, definite):
                 return self.ego
             if roles & TOLD_APART or not candidates:
-                return self._by_place(word, candidates) if definite and count == 1 else None
+                return None
         second = any(self.words[m.word].norm in DRIVES_IT for m in self.ego.mentions)
         alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
         if second and alone and not self._distinguished(word) and self.words[word.i - 1].norm == "the":

@@ -124,7 +124,7 @@ def _merged(phases: list[Phase]) -> list[Phase]:
         again = phase.trigger is not None and last is not None and phase.rate != last.rate  # "then brakes fully"
         if last is not None and last.action == phase.action and not again:
             found[-1] = last.model_copy(
-                update={k: v for k, v in phase.model_dump().items() if v is not None and getattr(last, k) is None}
+                update={k: v for k, v in phase if v is not None and getattr(last, k) is None}
             )
             continue
         if last is not None and last.action == "brake" and phase.action == "stop" and phase.trigger is None:

@@ -15,6 +15,7 @@ from c2s_engine.interpret.what.making_room import makes_room
 from c2s_engine.interpret.what.overtakings import PART, overtakings
 from c2s_engine.interpret.what.passing import across_the_bows, by_the_other_lane, headings, let_past, out_to_pass
 from c2s_engine.interpret.what.resumed import own_turns
+from c2s_engine.interpret.what.there_and_back import there_and_back
 from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.what.turn_lanes import turns_from_lane
 from c2s_engine.interpret.who.mentions import Cast
@@ -207,6 +208,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     turns_from_lane(cast, clauses)
     echoes(cast, clauses)
     _meant_and_done(clauses)
+    there_and_back(clauses)
     overtakings(clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:

@@ -148,3 +148,51 @@ def test_a_second_one_is_new(read) -> None:
     assert [[p.action for p in o.spec.phases] for o in s.objects] == [["stationary"], ["cross_road"]]
     s = read("Two cars are ahead of ego. The first one brakes. The second one changes to the left lane.")
     assert [[p.action for p in o.spec.phases] for o in s.objects] == [["brake"], ["lane_change"]]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("A boy runs onto the road from the right. His mother runs after him.", ["child", "pedestrian"]),
+        ("A child runs across the street. Its mother follows.", ["child", "pedestrian"]),
+        ("A dog runs across the road from the right. A man runs after it.", ["animal", "pedestrian"]),
+    ],
+)
+def test_who_runs_after_one_who_crosses(read, text: str, expected: list[str]) -> None:
+    s = read(text)
+    assert sorted(o.spec.type for o in s.objects) == expected
+    assert all([p.action for p in o.spec.phases] == ["cross_road"] for o in s.objects)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A woman walks her dog on the right pavement. It breaks free and runs across the road.",
+        "Ego drives at 50 km/h. A woman walks her dog on the right pavement. It runs across the road.",
+        "A man holds his dog on a lead on the left pavement. It jumps onto the road in front of ego.",
+    ],
+)
+def test_it_is_the_dog(read, text: str) -> None:
+    found = told(read, text)
+    assert found["animal"] == ["cross_road"] and found["pedestrian"] != ["cross_road"] and len(found) == 2
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("A delivery driver gets out of his van, which is parked on the right, and steps into the road.", "van"),
+        ("A car stands with a flat tyre on the right shoulder. Its driver walks around it into ego's lane.", "car"),
+        ("A van is parked on the right. The van driver gets out and crosses the road.", "van"),
+    ],
+)
+def test_drivers_who_walk_are_on_foot(read, text: str, kind: str) -> None:
+    found = told(read, text)
+    assert found[kind] == ["stationary"] and "cross_road" in found["pedestrian"]
+
+
+@pytest.mark.parametrize(
+    "causes", ["This causes him to swerve left", "Because of it he swerves left", "He swerves left"]
+)
+def test_who_is_made_to_do_it(read, causes: str) -> None:
+    found = told(read, f"A cyclist rides ahead of ego. A dog runs out from the right. {causes}.")
+    assert found["bicycle"][-1] == "swerve" and found["animal"] == ["cross_road"]

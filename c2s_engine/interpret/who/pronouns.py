@@ -100,11 +100,16 @@ class Pronouns(Persons):
         return found
 
     def _animal_before(self, word: Word) -> Entity | None:
-        """The animal that alone was the subject of the sentence before: "a deer stands on the verge. It leaps"."""
+        """The animal that alone was the subject of the sentence before ("a deer stands on the verge. It leaps"), or
+        that stands there beside nobody but people ("a woman walks her dog. It breaks free")."""
         if any(w.sentence == word.sentence and w.i in self.of for w in self.words[: word.i]):
             return None
         told = {e for i, e in self.subjects if self.words[i].sentence == word.sentence - 1}
-        return next(iter(told)) if len(told) == 1 and next(iter(told)).type == "animal" else None
+        if len(told) != 1 or not next(iter(told)).person:
+            return None
+        there = {e for i, e in self.of.items() if self.words[i].sentence == word.sentence - 1} - told
+        alone = next(iter(told)).type == "animal"
+        return next(iter(told if alone else there)) if alone or [e.type for e in there] == ["animal"] else None
 
     def _lies_before(self, word: Word) -> Entity | None:
         """The thing that was the subject of the sentence before: "a mattress lies there. The car swerves around it"."""

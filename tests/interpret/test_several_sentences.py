@@ -196,3 +196,29 @@ def test_drivers_who_walk_are_on_foot(read, text: str, kind: str) -> None:
 def test_who_is_made_to_do_it(read, causes: str) -> None:
     found = told(read, f"A cyclist rides ahead of ego. A dog runs out from the right. {causes}.")
     assert found["bicycle"][-1] == "swerve" and found["animal"] == ["cross_road"]
+
+
+@pytest.mark.parametrize(
+    "waits",
+    [
+        "A car is coming the other way. Ego waits until it has gone by and overtakes the tractor.",
+        "An oncoming car approaches. Ego waits for it to pass and then overtakes the tractor.",
+        "A car is coming. Once it has gone by, ego overtakes the tractor.",
+    ],
+)
+def test_who_waits_goes_on(read, waits: str) -> None:
+    s = read(f"Ego follows a tractor on a country road with one lane each way. {waits}")
+    assert "overtake" in [p.action for p in s.ego.spec.phases]
+    assert not [p for o in s.objects for p in o.spec.phases if p.action == "overtake"]
+
+
+@pytest.mark.parametrize(
+    ("text", "acts"),
+    [
+        ("A van cut us off and the guy braked for no reason.", ["cut_in", "brake"]),
+        ("A van overtakes ego. The man brakes hard.", ["overtake", "brake"]),
+        ("A van is parked on the right. The woman pulls out in front of ego.", ["enter_road"]),
+    ],
+)
+def test_the_guy_is_who_drives_it(read, text: str, acts: list[str]) -> None:
+    assert told(read, text) == {"van": acts}

@@ -222,3 +222,20 @@ def test_who_waits_goes_on(read, waits: str) -> None:
 )
 def test_the_guy_is_who_drives_it(read, text: str, acts: list[str]) -> None:
     assert told(read, text) == {"van": acts}
+
+
+@pytest.mark.parametrize(
+    ("first", "then"),
+    [
+        ("Ego drives behind a white van. A black van is in the left lane.", "The white van brakes. The black van stops."),
+        ("Ego drives behind a van. Another van is in the left lane.", "The van ahead brakes. The other van stops."),
+        ("Ego drives between two vans.", "The front van brakes. The rear one stops."),
+    ],
+)
+def test_which_of_two_vans(read, first: str, then: str) -> None:
+    assert [[p.action for p in o.spec.phases] for o in read(f"{first} {then}").objects] == [["brake"], ["stop"]]
+
+
+def test_a_target_is_a_thing(read) -> None:
+    s = read("A pedestrian target is on the right pavement. It crosses the road. It stops in the path of the VUT.")
+    assert [p.action for p in s["O1"].spec.phases] == ["cross_road", "stop"] and len(s.objects) == 1

@@ -23,8 +23,10 @@ PLACES = {
 AFTER = {place: re.compile(f"(?:, )?{GOING}(?:#q )?(?:{words})") for place, words in PLACES.items()}
 THERE = r"(?: lane| side)?(?: of @ego)? ?,?(?: there)?(?: is| are| was| drives| stands| follows)?$"
 BEFORE = {
-    "ahead": re.compile(rf"(?:ahead|in front){THERE}|@ego (?:\w+ly )?(?:follow|trail|tail)\w*$"),
-    "behind": re.compile(rf"behind(?: @ego)?{THERE}"),
+    "ahead": re.compile(
+        rf"(?:ahead|in front){THERE}|@ego (?:(?:\w+ly )?(?:follow|trail|tail)\w*|(?:\w+ ){{1,2}}behind)$"
+    ),
+    "behind": re.compile(r"behind(?: @ego)? ?,?(?: there)? (?:is|are|was|drives|stands|follows)$"),
     "left": re.compile(rf"{SIDE}left{THERE}"),
     "right": re.compile(rf"{SIDE}right{THERE}"),
 }

@@ -163,7 +163,9 @@ class Nouns(Attached, NotThere, Counted):
         other = bool({"other", "another"} & set(before)) or previous in ("other", "another")
         ordinal = next((ORDINALS[b] for b in before if b in ORDINALS), None)
         if definite and not other and ordinal is None and " " not in noun:
+            shade = COLOURS & set(before)
             named = [e for e in self.entities if e.noun.endswith(f" {noun}") and e.count == count]
+            named = [e for e in named if not shade or shade & {*e.names, *e.noun.split(" ")}]
             if named:
                 return named[-1]
         if not other and not ordinal:

@@ -85,7 +85,8 @@ class Pronouns(Persons):
         i = self._first_person() and not self._ego_is_thing()
 
         def fits(e: Entity) -> bool:
-            return (not e.person and e.sex != "i" and e.mover or e.type in things) and not (i and e.ego)
+            alive = e.person and not e.noun.endswith(("target", "dummy"))
+            return (not alive and e.sex != "i" and e.mover or e.type in things) and not (i and e.ego)
 
         if word.dep == "nsubj" and (near := comes_near(self.words, self.of, word)) is not None:
             return near

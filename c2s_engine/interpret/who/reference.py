@@ -114,7 +114,7 @@ class Reference(Centre):
             and definite
             and count == 1
             and groups
-            and not self.ego_named
+            and (not self.ego_named or noun != "vehicle" and groups[-1].noun in language.plurals(noun))
             and not any(e.roles & roles for e in candidates)
         ):
             number = "first" if "lead" in roles else "last" if "following" in roles else ""

@@ -227,7 +227,10 @@ def test_the_guy_is_who_drives_it(read, text: str, acts: list[str]) -> None:
 @pytest.mark.parametrize(
     ("first", "then"),
     [
-        ("Ego drives behind a white van. A black van is in the left lane.", "The white van brakes. The black van stops."),
+        (
+            "Ego drives behind a white van. A black van is in the left lane.",
+            "The white van brakes. The black van stops.",
+        ),
         ("Ego drives behind a van. Another van is in the left lane.", "The van ahead brakes. The other van stops."),
         ("Ego drives between two vans.", "The front van brakes. The rear one stops."),
     ],
@@ -239,3 +242,16 @@ def test_which_of_two_vans(read, first: str, then: str) -> None:
 def test_a_target_is_a_thing(read) -> None:
     s = read("A pedestrian target is on the right pavement. It crosses the road. It stops in the path of the VUT.")
     assert [p.action for p in s["O1"].spec.phases] == ["cross_road", "stop"] and len(s.objects) == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A bus has stopped at a bus stop on the right. A child crosses the road in front of it.",
+        "A bus stops at the bus stop on the right. A passenger gets out and crosses the road in front of it.",
+        "A coach is at the stop. A man runs across the road from behind it.",
+    ],
+)
+def test_a_bus_at_its_stop_is_passed(read, text: str) -> None:
+    s = read(text)
+    assert s["O1"].spec.type == "bus" and s.ego.spec.type == "car" and len(s.objects) == 2

@@ -29,6 +29,8 @@ COMES_NEAR = re.compile(
 def comes_near(words: list[Word], of: dict[int, Entity], word: Word) -> Entity | None:
     """Whom "it" means after a clause in which ego comes near: who is near, or ego where it answers to that."""
     before = [w for w in words[: word.i] if w.sentence == word.sentence]
+    begins = next((w.i for w in reversed(before) if w.norm in (";", ":")), -1)
+    before = [w for w in before if w.i > begins]
     found = COMES_NEAR.match(" ".join(_spelled(w, of) for w in before if not _goes_on(words, w)))
     if found is None:
         return None

@@ -141,6 +141,11 @@ def compose_settings(found: Settings, scene: Scene) -> tuple[SettingsSpec, list[
 CHANGES = re.compile(
     r"(?:turn|go|goes|gone|went|chang|switch|flip)\w*(?: to| from green to| over to| just)? (?:yellow|amber|red)$"
 )
+FROM_TO = re.compile(
+    r"(?<!pedestrian )\b(?:lights?|signals?)\b(?! for)[^.;]{0,40}?\bfrom (?:green|yellow|amber|red)"
+    r"(?: (?:over |via \w+ )?to (?P<state>green|yellow|amber|red))+\b"
+)
+"""A light that changes: "turns from green to yellow"."""
 
 
 def _ego_light(scene: Scene) -> str | None:
@@ -149,6 +154,8 @@ def _ego_light(scene: Scene) -> str | None:
     runner = next((e for e in scene.clauses.events if e.act == "run_red" and e.done and not e.agent.ego), None)
     if scene.does(ego, "run_red") is not None:
         return "red"
+    if (change := FROM_TO.search(scene.plain)) is not None:
+        return change["state"].replace("amber", "yellow")
     ordered = sorted(scene.light, key=lambda f: f.span[0])
     changed = ordered[-1] if ordered and ordered[0].value == "green" else None
     if changed is not None and changed.value != "green" and CHANGES.search(scene.plain[: changed.span[1]]):

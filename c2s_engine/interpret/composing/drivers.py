@@ -301,7 +301,8 @@ def _lets_by(scene: Scene, react_to: str | None, ids: dict[Entity, str]) -> bool
 def _tidy(phases: list[Phase], place: PlaceSpec, reaction: str) -> list[Phase]:
     found: list[Phase] = []
     for phase in phases:
-        if found and found[-1].action == phase.action and found[-1].target == phase.target:
+        there = found and found[-1].action == phase.action and found[-1].target == phase.target
+        if there and not (found[-1].side and phase.side and found[-1].side != phase.side):
             continue
         if phase.action in ("turn_left", "turn_right", "go_straight", "u_turn", "follow", "overtake") and any(
             p.action == phase.action and p.target == phase.target for p in found

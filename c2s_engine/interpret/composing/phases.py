@@ -122,10 +122,9 @@ def _merged(phases: list[Phase]) -> list[Phase]:
     for phase in phases:
         last = found[-1] if found else None
         again = phase.trigger is not None and last is not None and phase.rate != last.rate  # "then brakes fully"
-        if last is not None and last.action == phase.action and not again:
-            found[-1] = last.model_copy(
-                update={k: v for k, v in phase.model_dump().items() if v is not None and getattr(last, k) is None}
-            )
+        back = last is not None and last.side and phase.side and last.side != phase.side
+        if last is not None and last.action == phase.action and not again and not back:
+            found[-1] = last.model_copy(update={k: v for k, v in phase if v is not None and getattr(last, k) is None})
             continue
         if last is not None and last.action == "brake" and phase.action == "stop" and phase.trigger is None:
             found[-1] = phase.model_copy(update={"rate": phase.rate or last.rate, "trigger": last.trigger})

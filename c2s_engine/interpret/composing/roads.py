@@ -182,14 +182,15 @@ def _ego_on_ramp(scene: Scene) -> bool:
 def _neighbours(scene: Scene) -> tuple[bool, bool, bool]:
     """Whether a lane to the left, to the right, and one of the other direction are needed."""
     left = right = oncoming = False
+    shifts: dict[Entity, int] = {}
     for event in scene.clauses.events:
         if not event.done and not (event.mode == PART and "lane" in event.text):
             continue
         if event.act in ("lane_change", "cut_out") and (
             event.agent.ego or scene.where(event.agent).lane in (None, "same")
         ):
-            towards = side(event)
-            left, right = left or towards == "left", right or towards == "right"
+            at = shifts[event.agent] = shifts.get(event.agent, 0) + {"left": -1, "right": 1}.get(side(event) or "", 0)
+            left, right = left or at < 0, right or at > 0
         if event.act == "oncoming" and not wrong_way(scene, event.agent):
             oncoming = True
     for entity in scene.actors:

@@ -5,6 +5,8 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.what.overtakings import HOME
+from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import Phase, Placement, PlaceSpec, Trigger
 
@@ -177,6 +179,8 @@ def steps_of(
             return [Phase(action="oncoming", side="left", trigger=trigger)]  # it leaves its lane
         if act == "lane_change" and placement.position in ("left_lane", "right_lane"):
             toward_ego = {"left_lane": "right", "right_lane": "left"}[placement.position]
+            if any(p.action == "drift" for p in before) and HOME.search(event.text):
+                return [Phase(action="lane_change", side=OPPOSITE[toward_ego], trigger=trigger)]
             if towards in (None, toward_ego) and not any(p.action == "cut_in" for p in before):
                 return [
                     Phase(
@@ -192,6 +196,10 @@ def steps_of(
                 ]
             if any(p.action == "cut_in" for p in before):
                 return [Phase(action="cut_out", side=towards, target=ego, trigger=trigger)]
+        gone = next((p for p in before if p.action == "cut_out"), None)
+        back = gone is not None and (HOME.search(event.text) or towards and gone.side and towards != gone.side)
+        if placement.position == "ahead" and placement.of == "ego" and back:
+            return [Phase(action="cut_in", side=towards, target=ego, trigger=trigger)]
         if placement.position == "ahead" and placement.of == "ego":
             return [Phase(action="cut_out", side=towards, target=ego, trigger=trigger)]
         return [Phase(action="lane_change", side=towards or "left", trigger=trigger)]

@@ -60,7 +60,8 @@ def _nouns(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
         ):
             continue
         before = piece[token.i - 1] if token.i else None
-        spoken = any(p[3] is not None and p[3].kind in ("ego", "label", "actor") for p in piece[: token.i])
+        left_out = before is not None and plain[before[1] : before[2]] in language.word_list("left_out")
+        spoken = left_out or any(p[3] is not None and p[3].kind in ("ego", "label", "actor") for p in piece[: token.i])
         if (
             before is None
             or not spoken

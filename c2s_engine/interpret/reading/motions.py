@@ -33,6 +33,37 @@ def verb_lemmas() -> frozenset[str]:
     return frozenset(v for rule in language.table("motions")["verbs"] for v in rule["verbs"])
 
 
+ENDINGS = (
+    ("ies", "y"),
+    ("es", "e"),
+    ("es", ""),
+    ("s", ""),
+    ("ing", ""),
+    ("ing", "e"),
+    ("ed", ""),
+    ("ed", "e"),
+    ("d", ""),
+)
+"""Endings of verbs, and what stands for them in the base form."""
+
+
+def base_form(form: str, lemma: str) -> str:
+    """The base form of a verb of motion; of any other word the parser's lemma."""
+    known = irregular().get(form)
+    if known:
+        return known
+    if lemma in verb_lemmas():
+        return lemma
+    for ending, replacement in ENDINGS:
+        if form.endswith(ending) and form[: -len(ending)] + replacement in verb_lemmas():
+            return form[: -len(ending)] + replacement
+    for ending in ("ing", "ed"):
+        stem = form[: -len(ending)]
+        if form.endswith(ending) and len(stem) > 2 and stem[-1] == stem[-2] and stem[:-1] in verb_lemmas():
+            return stem[:-1]
+    return lemma
+
+
 def third_person(verb: str) -> str:
     """The third person singular of a verb by rule: "carries", "passes", "brakes"."""
     if re.search("[^aeiou]y$", verb):

@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOVERS
-from c2s_engine.interpret.reading.motions import third_person
+from c2s_engine.interpret.reading.motions import irregular, third_person
 from c2s_engine.interpret.spans import names_one
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
 
 OBJECTS = frozenset(("it", "him", "her", "them"))
-TOWED, SEES = language.with_plurals("towed"), language.words("notices")
+TOWED, SEES, WAITS = language.with_plurals("towed"), language.words("notices"), language.words("waits")
 
 
 def reattach(words: list[Word]) -> None:
@@ -35,7 +35,7 @@ def reattach(words: list[Word]) -> None:
         beside = _beside(words, word)
         if beside is not None:
             _hang(words, word, beside)
-        above = _resumed(words, word)
+        above = _resumed(words, word) or _after_waiting(words, word)
         if above is not None:
             _hang(words, word, above)
 
@@ -114,6 +114,20 @@ def _resumed(words: list[Word], word: Word) -> Word | None:
     above = _clause(words, words[relative.head])
     subjects = [words[c] for c in above.children if words[c].dep == "nsubj"] if above is not None else []
     return above if any(s.span is not None and s.i < relative.head for s in subjects) else None
+
+
+def _after_waiting(words: list[Word], word: Word) -> Word | None:
+    """Who waited goes on: "ego waits until it has gone by and overtakes the tractor"."""
+    awaited = words[word.head]
+    if word.dep != "conj" or word.tag not in ("VBZ", "VBD") or awaited.i > word.i:
+        return None
+    if any(words[c].dep.startswith("nsubj") for c in word.children):
+        return None
+    above = words[awaited.head]
+    marks = {words[c].norm for c in awaited.children if c < awaited.i} | {above.norm}
+    above = words[above.head] if above.norm == "for" else above
+    waits = irregular().get(above.norm, above.lemma) in WAITS and above.tag == word.tag and above.i < awaited.i
+    return above if waits and marks & {"until", "till", "for", "to"} else None
 
 
 def _road_user(word: Word) -> bool:

@@ -12,7 +12,7 @@ from c2s_engine.interpret.reading import apart
 from c2s_engine.interpret.reading.deeds import hang, hold_children
 from c2s_engine.interpret.reading.fragments import participles_of_named, verbs_of_named
 from c2s_engine.interpret.reading.mistaken import mistaken
-from c2s_engine.interpret.reading.motions import participles, past_forms
+from c2s_engine.interpret.reading.motions import base_form, participles, past_forms
 from c2s_engine.interpret.reading.proxies import pieces_of
 from c2s_engine.interpret.reading.reattached import reattach
 from c2s_engine.interpret.reading.scan import Span
@@ -94,6 +94,7 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
                 proxy, start, end, span = piece[i]
                 norm = plain[start:end]
                 lemma = _verb_of(norm) if token.text != norm else token.lemma_.lower()
+                lemma = base_form(norm, lemma) if token.tag_.startswith("VB") and span is None else lemma
                 head, dep = part[token.head.i], token.dep_
                 inner = part is not parsed[number][0][0]
                 if inner and (proxy == "(" and i == part[0] or dep == "ROOT"):

@@ -5,6 +5,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.reading.askers import bystanding
+from c2s_engine.interpret.roles.at_stops import at_a_stop
 from c2s_engine.interpret.roles.bare import ROLE_WORDS, bare_first
 from c2s_engine.interpret.roles.paired import leave_group, one_of_both
 from c2s_engine.interpret.what.clauses import Clauses
@@ -238,7 +239,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
             continue
         if not told_by and _comes_into_view(entity, cast, acting[entity]):
             continue
-        acts = [v.act for v in acting[entity]]
+        acts = ["stationary" if at_a_stop(v) else v.act for v in acting[entity]]
         if any(v.act == "follow" and v.patient is None and re.search(r"\bbehind\b", v.text) for v in acting[entity]):
             continue  # "a truck follows 20 m behind": behind ego
         if any(v.act in TOWARDS and v.agent is cast.ego and v.patient is entity for v in clauses.events):

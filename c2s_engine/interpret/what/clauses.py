@@ -155,7 +155,8 @@ class Clauses(Deverbal):
         if patient is None and word.dep == "amod" and word.head == word.i + 1:  # "collided head-on with V2"
             later = [i for i in range(word.i + 2, min(word.i + 6, len(self.words))) if i in self.cast.of]
             patient = self.cast.of[later[0]] if later and self.words[word.i + 2].norm in ("with", "into") else None
-        if passive and lemma in PUSHES and (pushed := patient or agent) is not None:
+        whom = agent if passive and at in word.children and self.words[at].dep == "nsubjpass" else None
+        if passive and lemma in PUSHES and (pushed := whom or patient or agent) is not None:
             text = re.sub(r"^(\w+)", rf"\1 @{pushed.key}", text)  # "was forced off the road": whom it is about
             patient = patient or pushed
         event = self._event(lemma, word, text, whole, agent, patient)

@@ -70,7 +70,10 @@ def _looks_ahead(clauses: Clauses) -> bool:
     return COMING.search(" ".join(w.norm for w in clauses.words)) is not None
 
 
-MEETS = re.compile(r"\b(?:other|opposite) (?:way|direction)|oncom|towards|head-on|from (?:the |its )?(?:left|right)\b")
+MEETS = re.compile(
+    r"\b(?:other|opposite) (?:way|direction)|oncom|towards|head-on|from (?:the |its )?(?:left|right)\b"
+    r"|\bbe (?:still |already )?com(?:e|ing)$"
+)
 
 
 def let_past(clauses: Clauses, event: Event, road: Road) -> bool:
@@ -81,14 +84,15 @@ def let_past(clauses: Clauses, event: Event, road: Road) -> bool:
         return False
     own = [e for e in clauses.events if e.agent is who and e.done]
     across = road.kind in ("intersection", "roundabout") or any(e.agent.ego and e.act == "turn" for e in clauses.events)
-    meets = "oncoming" in who.roles or any(e.act == "oncoming" or MEETS.search(e.whole) for e in own)
+    meets = "oncoming" in who.roles or any(e.act == "oncoming" or MEETS.search(e.whole.strip(" .,;")) for e in own)
     waited = any(
         e.act == "yield" and e.agent.ego and e.patient is who and e.done and abs(e.word - event.word) <= 4
         for e in clauses.events
     )
     behind = who.type in URGENT or any(re.search(r"\bbehind\b|\brear\b|faster", e.whole) for e in own)
     behind = behind or any(e.act == "follow" and e.patient is not None and e.patient.ego for e in own)
-    return waited and (across or meets or not behind) or event.adverbial in ("until", "till") and (across or meets)
+    until = event.adverbial in ("until", "till") and (across or meets)
+    return waited and (across or meets or not behind) or until or event.adverbial in ("once", "after", "when") and meets
 
 
 def across_the_bows(clauses: Clauses) -> None:

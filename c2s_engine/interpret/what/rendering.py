@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import ORDINALS
-from c2s_engine.interpret.reading.motions import irregular, verb_lemmas
+from c2s_engine.interpret.reading.motions import base_form, verb_lemmas
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
@@ -72,30 +72,7 @@ class Rendering:
         return False
 
     def _lemma(self, word: Word) -> str:
-        known = irregular().get(word.norm)
-        if known:
-            return known
-        lemma = word.lemma
-        if lemma in verb_lemmas():
-            return lemma
-        for ending, replacement in (
-            ("ies", "y"),
-            ("es", "e"),
-            ("es", ""),
-            ("s", ""),
-            ("ing", ""),
-            ("ing", "e"),
-            ("ed", ""),
-            ("ed", "e"),
-            ("d", ""),
-        ):
-            if word.norm.endswith(ending) and word.norm[: -len(ending)] + replacement in verb_lemmas():
-                return word.norm[: -len(ending)] + replacement
-        for ending in ("ing", "ed"):
-            stem = word.norm[: -len(ending)]
-            if word.norm.endswith(ending) and len(stem) > 2 and stem[-1] == stem[-2] and stem[:-1] in verb_lemmas():
-                return stem[:-1]
-        return lemma
+        return base_form(word.norm, word.lemma)
 
     def own(self, word: Word) -> list[int]:
         """The words of a verb's clause, without the clauses inside it."""

@@ -10,10 +10,12 @@ from c2s_engine.interpret.what.echoes import echoes
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.halfway import go_after, set_out
 from c2s_engine.interpret.what.heeded import hindered, merged_back, unheeded
+from c2s_engine.interpret.what.looking_back import looking_back
 from c2s_engine.interpret.what.making_room import makes_room
 from c2s_engine.interpret.what.overtakings import PART, overtakings
 from c2s_engine.interpret.what.passing import across_the_bows, by_the_other_lane, headings, let_past, out_to_pass
 from c2s_engine.interpret.what.resumed import own_turns
+from c2s_engine.interpret.what.there_and_back import there_and_back
 from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.what.turn_lanes import turns_from_lane
 from c2s_engine.interpret.who.mentions import Cast
@@ -53,6 +55,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     hindered(cast, clauses)
     merged_back(clauses)
     before_the_story(cast, clauses)
+    looking_back(cast, clauses)
     set_out(clauses)
     go_after(clauses)
     makes_room(cast, clauses, road)
@@ -205,6 +208,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     turns_from_lane(cast, clauses)
     echoes(cast, clauses)
     _meant_and_done(clauses)
+    there_and_back(clauses)
     overtakings(clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:

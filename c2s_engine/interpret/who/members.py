@@ -7,7 +7,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import ORDINALS, VEHICLES, Entity, Mention
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.parts import Parts
+from c2s_engine.interpret.who.by_place import ByPlace
 
 COLOURS = language.words("colours")
 ENDS = {
@@ -18,7 +18,7 @@ ENDS = {
 COUNTED = frozenset(("second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"))
 
 
-class Members(Parts):
+class Members(ByPlace):
     """The part of Cast that finds who is meant by a number or by "another"."""
 
     words: list[Word]
@@ -45,6 +45,8 @@ class Members(Parts):
             return self.member(groups[-1], end)
         if word.norm == "one" and (alike := self._of_colour(word)) is not None:
             return alike
+        if word.norm == "one" and "the" in before and (there := self._by_place(word, self.entities)) is not None:
+            return there
         named = before[-1:] if told == word.norm else before[-2:-1]
         single = self._one_of(word, before, groups[-1]) if groups else None
         if single is not None:
@@ -102,9 +104,11 @@ class Members(Parts):
         return None
 
     def _by_order(self, word: Word, told: str) -> Entity | None:
-        """ "The first one" where single ones of a kind were told one after the other."""
+        """ "The first one" where single ones of a kind, or two or three in all, were told one after the other."""
         spoken = [self.of[i] for i in sorted(self.of) if i < word.i and self.of[i].mover]
-        alike = [e for e in dict.fromkeys(spoken) if not e.ego and e.type == spoken[-1].type and e.count == 1]
+        single = [e for e in dict.fromkeys(spoken) if not e.ego and e.count == 1]
+        alike = [e for e in single if e.type == spoken[-1].type]
+        alike = alike if len(alike) > 1 or len(single) > 3 else single
         return alike[ORDINALS[told]] if 1 < len(alike) > ORDINALS[told] else None
 
     def _one_of(self, word: Word, before: list[str], group: Entity) -> Entity | None:
@@ -206,12 +210,31 @@ class Members(Parts):
             )
         if norm == "one" and self.words[word.i - 1].norm in ("that", "this"):
             return movers[-1]
-        if norm in ("other", "others") and self.words[word.i - 1].norm == "the":
-            vehicles = [e for e in movers if e.type in VEHICLES]
-            return vehicles[-1] if vehicles else movers[-1]
+        before = self.words[word.i - 1].norm if word.i else ""
+        if norm in ("other", "others") and before == "the" or norm == "one" and before == "other":
+            mutual = "one" in [w.norm for w in self.words[max(0, word.i - 4) : word.i - 1]]
+            return self._the_other(movers, mutual)
+        if norm == "one" and word.dep == "nsubj" and self.words[word.i - 1].sentence != word.sentence:
+            return self._one_of_two(word)
         if norm == "both" or norm in ("two", "pair", "duo") and self.words[word.i - 1].norm in ("the", "these"):
             return self._together(word)
         return None
+
+    def _the_other(self, movers: list[Entity], mutual: bool) -> Entity:
+        """Whom "the other" means: not who was the last subject (unless in "one behind the other"), one of the same kind
+        or a vehicle if there is one."""
+        last = next((e for _, e in reversed(self.subjects) if not e.ego), None) if not mutual else None
+        rest = [e for e in movers if e is not last] or movers
+        alike = [e for e in rest if last is not None and e.type == last.type]
+        vehicles = [e for e in rest if e.type in VEHICLES]
+        return (alike or vehicles or rest)[-1]
+
+    def _one_of_two(self, word: Word) -> Entity | None:
+        """Whom "one" means where "the other" follows, and two were told of singly: the first of them."""
+        after = [w.norm for w in self.words[word.i : word.i + 40] if w.sentence <= word.sentence + 1]
+        told = dict.fromkeys(self.of[i] for i in sorted(self.of) if i < word.i)
+        single = [e for e in told if e.mover and not e.ego and e.count == 1]
+        return single[0] if "other" in after and len(single) == 2 else None
 
     def _together(self, word: Word) -> Entity | None:
         """Whom "both" or "the two" mean: a group, those of a joint subject, else the last two spoken of."""

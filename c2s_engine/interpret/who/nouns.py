@@ -8,20 +8,18 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PERSONS, VEHICLES, ZONES, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.attached import Attached
+from c2s_engine.interpret.who.counted import Counted
 from c2s_engine.interpret.who.not_there import NotThere
 from c2s_engine.interpret.who.persons import DRIVERS
 
 COLOURS = language.words("colours")
 TWO_WHEELERS = language.words("two_wheelers")
-COUNTED = re.compile(
-    r"(?:, (?:[a-z]+ ){1,2})?[,(]? ?(?:(?P<n>[2-8]|two|three|four|five|six|seven|eight) ?(?:pcs|pieces|pc\b|units"
-    r"|animals|of (?:them|em|these)|in (?:total|all|number|a row)|altogether|\)))"
-)
+THIRD = frozenset(("his", "her", "its", "their"))
+ON_LEASH = re.compile(r"\b(?:on|off) (?:an?|the|its|his|her|their) (?:\w+ )?$")
 AUTHORITIES = language.words("authorities")
-MASS = language.words("mass")
 
 
-class Nouns(Attached, NotThere):
+class Nouns(Attached, NotThere, Counted):
     """The part of Cast that reads nouns."""
 
     def _apposed(self, word: Word) -> Entity | None:
@@ -60,6 +58,8 @@ class Nouns(Attached, NotThere):
             return None
         if data.get("plural") and noun in AUTHORITIES and self._reports(word):
             return None
+        if word.norm == "lead" and ON_LEASH.search(" ".join(self._near(word)) + " "):
+            return None
         if kind == "pedestrian" and noun == "man" and previous in ("green", "red", "white"):
             return None  # of a light
         if "no" in before or previous in ("no", "without", "any", "most") or self._denied_list(word):
@@ -75,6 +75,8 @@ class Nouns(Attached, NotThere):
                 return driver
         if kind == self.me.type == "pedestrian" and not data.get("plural") and self._heading(word.sentence):
             return self.me  # "School patrol, 8.25. I walked out ..."
+        if data.get("person") and kind in MOTOR and not data.get("plural") and self._on_foot(word):
+            return self._new(Entity("", "pedestrian", noun=noun, typed=True))  # "the van driver gets out"
         if word.i in self.wheels:
             return self._retyped(self.wheels[word.i], kind, roles, noun)
         if self._is_modifier(word) or self._proper(word):
@@ -162,7 +164,9 @@ class Nouns(Attached, NotThere):
         other = bool({"other", "another"} & set(before)) or previous in ("other", "another")
         ordinal = next((ORDINALS[b] for b in before if b in ORDINALS), None)
         if definite and not other and ordinal is None and " " not in noun:
+            shade = COLOURS & set(before)
             named = [e for e in self.entities if e.noun.endswith(f" {noun}") and e.count == count]
+            named = [e for e in named if not shade or shade & {*e.names, *e.noun.split(" ")}]
             if named:
                 return named[-1]
         if not other and not ordinal:
@@ -196,6 +200,8 @@ class Nouns(Attached, NotThere):
         if pronominal is not None:
             return pronominal
         bare = not before and previous not in ("a", "an") and not data.get("plural")
+        if kind in PERSONS and self._of_a_person(word, noun):
+            return self._new(Entity("", kind, noun=noun, count=count, roles=roles, typed=True))
         if definite or bare or (roles and not {"a", "an", "another", "second", "third"} & set(before)):
             found = self._definite(word, kind, noun, roles, other, ordinal, definite, count, bare)
             if found is None and bare and data.get("person") and not roles:
@@ -213,6 +219,13 @@ class Nouns(Attached, NotThere):
         if data.get("make"):  # "a Ford Focus": "the Ford" is the same
             found.names.add(data["make"])
         return self._new(found)
+
+    def _of_a_person(self, word: Word, noun: str) -> bool:
+        """Whether it is somebody's mother, friend or dog, of whom was not spoken before."""
+        owners = [self.words[c] for c in word.children if self.words[c].dep == "poss"]
+        person = any(w.norm in THIRD or w.i in self.of and self.of[w.i].person for w in owners)
+        mine = any(w.i in self.of and self.of[w.i].ego for w in owners)
+        return person and not mine and all(e.noun != noun for e in self.entities)
 
     def _motor_bike(self) -> bool:
         """Whether "the bike" is a motorcycle spoken of before, as no bicycle was."""
@@ -304,25 +317,6 @@ class Nouns(Attached, NotThere):
             and head.span is None
             and not head.verb
         )
-
-    def _count(self, word: Word, before: list[str], data: dict) -> int:
-        counts = language.table("actors")["counts"]
-        if not data.get("plural") or data["type"] in ZONES or data.get("noun") in MASS:
-            return 1
-        near = self.words[max(0, word.i - 3) : word.i]
-        if self.words[word.i - 1].norm in ("a", "an") and language.plurals(word.norm) == [word.norm]:
-            return 1  # "a deer"
-        units = {w.norm for w in near if w.span is not None and w.span.kind == "quantity"}  # "4 s a deer"
-        for text in [t for t in (*before, *self._near(word)) if t not in units]:
-            if text.isdigit() and 1 <= int(text) <= 8:
-                return int(text)
-            if text in counts:
-                return int(counts[text])
-        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 9] if w.sentence == word.sentence)
-        told = COUNTED.match(after)
-        if told is not None:
-            return int(told["n"]) if told["n"].isdigit() else int(counts.get(told["n"], 2))
-        return 2
 
     def _retyped(self, host: Entity, kind: str, roles: set[str], noun: str) -> Entity:
         if host.ego:

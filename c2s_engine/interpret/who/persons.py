@@ -103,7 +103,7 @@ class Persons(Salience):
 
     def _reacting(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
         """Whom the sentence before left in trouble, where somebody reacts then: "... in front of him. He braked"."""
-        if word.dep != "nsubj" or self._governor(word).lemma not in REACTS:
+        if word.dep != "nsubj" or word.norm not in OBLIQUE or self._governor(word).lemma not in REACTS:
             return None
         before = [w for w in self.words[: word.i] if w.sentence >= word.sentence - 1 and w.i in self.of]
         if not before or any(w.sentence == word.sentence for w in before):

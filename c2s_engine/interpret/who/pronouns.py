@@ -8,6 +8,7 @@ from collections.abc import Callable
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, Entity
 from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.nearing import comes_near
 from c2s_engine.interpret.who.persons import Persons
 
 SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offside"))
@@ -86,8 +87,11 @@ class Pronouns(Persons):
         i = self._first_person() and not self._ego_is_thing()
 
         def fits(e: Entity) -> bool:
-            return (not e.person and e.sex != "i" and e.mover or e.type in things) and not (i and e.ego)
+            alive = e.person and not e.noun.endswith(("target", "dummy"))
+            return (not alive and e.sex != "i" and e.mover or e.type in things) and not (i and e.ego)
 
+        if word.dep == "nsubj" and (near := comes_near(self.words, self.of, word)) is not None:
+            return near
         if word.dep == "nsubj" and (animal := self._animal_before(word)) is not None:
             return animal
         if bumped and word.dep in ("pobj", "dobj") and (lying := self._lies_before(word)) is not None:
@@ -99,11 +103,16 @@ class Pronouns(Persons):
         return found
 
     def _animal_before(self, word: Word) -> Entity | None:
-        """The animal that alone was the subject of the sentence before: "a deer stands on the verge. It leaps"."""
+        """The animal that alone was the subject of the sentence before ("a deer stands on the verge. It leaps"), or
+        that stands there beside nobody but people ("a woman walks her dog. It breaks free")."""
         if any(w.sentence == word.sentence and w.i in self.of for w in self.words[: word.i]):
             return None
         told = {e for i, e in self.subjects if self.words[i].sentence == word.sentence - 1}
-        return next(iter(told)) if len(told) == 1 and next(iter(told)).type == "animal" else None
+        if len(told) != 1 or not next(iter(told)).person:
+            return None
+        there = {e for i, e in self.of.items() if self.words[i].sentence == word.sentence - 1} - told
+        alone = next(iter(told)).type == "animal"
+        return next(iter(told if alone else there)) if alone or [e.type for e in there] == ["animal"] else None
 
     def _lies_before(self, word: Word) -> Entity | None:
         """The thing that was the subject of the sentence before: "a mattress lies there. The car swerves around it"."""

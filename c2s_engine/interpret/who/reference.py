@@ -7,7 +7,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import ORDINALS, URGENT, VEHICLES, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.pronouns import Pronouns
+from c2s_engine.interpret.who.centre import Centre
 
 OWNERS = language.words("owners")
 ANYBODY = language.words("anybody")
@@ -34,7 +34,7 @@ ALL_OF_THEM = frozenset(("both", "the", "these", "all", "neither"))
 SYSTEMS, RUN_BY = language.words("systems"), language.words("run_by_systems")
 
 
-class Reference(Pronouns):
+class Reference(Centre):
     """The part of Cast that resolves definite nouns."""
 
     ego_named: bool
@@ -116,7 +116,7 @@ class Reference(Pronouns):
             and definite
             and count == 1
             and groups
-            and not self.ego_named
+            and (not self.ego_named or noun != "vehicle" and groups[-1].noun in language.plurals(noun))
             and not any(e.roles & roles for e in candidates)
         ):
             number = "first" if "lead" in roles else "last" if "following" in roles else ""
@@ -136,6 +136,9 @@ class Reference(Pronouns):
             again = [e for e in candidates if e.noun == noun and not e.roles and word.span and word.span.data["person"]]
             if again and definite and count == 1:
                 return again[-1]  # "the motorist who was trailing it ... the trailing motorist"
+            there = self._by_place(word, candidates) if definite and count == 1 else None
+            if there is not None:
+                return there
             if roles & {"lead"}:
                 ahead = [e for e in candidates if "ahead" in self._hints(e)]
                 if ahead:
@@ -187,6 +190,8 @@ class Reference(Pronouns):
         led = self._told_ahead(word, candidates) if noun == "vehicle" and count == 1 else None
         if led is not None:
             return led  # "a van is ahead of ego. The vehicle ahead brakes"
+        if definite and count == 1 and not other and (there := self._by_place(word, candidates)) is not None:
+            return there
         if self._distinguished(word) and not any(e.noun == noun or e.type == kind for e in candidates):
             return None
         if self._distinguished(word) and kind in ("vehicle", "car") and not self._matching_relation(word, candidates):
@@ -207,6 +212,7 @@ class Reference(Pronouns):
                 return self._all_of(word, sorted(singles[-count:], key=lambda e: (e.ego, e.mentions[0].word)))
             return None
         scored = []
+        centre = self._centre(word, noun)
         never = kind == "vehicle" and noun in language.actor_nouns() and noun not in ANYBODY
         for entity in [
             *candidates,
@@ -220,6 +226,7 @@ class Reference(Pronouns):
             score += 2 if entity.noun == noun and not (entity.ego and self._ego_besides(noun)) else 0
             score += 1.5 if entity.ego and self._ego_by(noun) else 0
             score += 1 if entity.type == kind and not entity.ego else 0
+            score += 3 if entity is centre else 0
             score -= 0.5 if entity.count > 1 else 0
             scored.append((score, len(scored), entity))
         if not scored and kind == self.ego.type and self.ego.typed:

@@ -195,6 +195,8 @@ class Salience(Members):
     def _on_its_side(self, word: Word, verb: Word) -> bool:
         """Whether somebody stands or goes along on the side that a possessive names: it is not its own side."""
         if AT_TAIL.match(self._around(word.i)):
+            if any(w.span is not None and w.i in self.of for w in self.words[verb.i + 1 : word.i]):
+                return False  # "ego drives with a van on its tail"
             return verb.lemma in STANDS or verb.lemma in GOES
         if not BESIDE.match(self._around(word.i)):
             return False
@@ -229,6 +231,13 @@ class Salience(Members):
             current = self.words[current.head]
         return current
 
+    def _taken_for_conjunct(self, verb: Word) -> Entity | None:
+        """The subject that the tree joins to the verb before: "ego goes straight and the van, skidding, hits it"."""
+        joined = self.words[verb.head].children if verb.dep == "conj" and self.words[verb.head].verb else []
+        nouns = [c for c in joined if c < verb.i and self.words[c].noun and c in self.of]
+        nouns = [c for c in nouns if self.words[min((c, *self.words[c].children)) - 1].norm in ("and", "but")]
+        return self.of[nouns[-1]] if nouns else None
+
     def _subject_of(self, verb: Word) -> Entity | None:
         current = verb
         if any(self.words[c].dep == "expl" for c in verb.children):
@@ -237,6 +246,8 @@ class Salience(Members):
             for child in current.children:
                 if self.words[child].dep in ("nsubj", "nsubjpass"):
                     return self.referent(child)
+            if (taken := self._taken_for_conjunct(current)) is not None:
+                return taken
             if current.dep in ("acl", "relcl") and current.head in self.of:
                 return self.of[current.head]
             if current.head == current.i:

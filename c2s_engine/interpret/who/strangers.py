@@ -19,6 +19,9 @@ AT_SPEED = re.compile(
 """What a driver does without leaving the vehicle: "the driver ran off the road"."""
 
 
+OCCUPANTS = language.words("occupants")
+
+
 class Strangers:
     """The part of Cast that knows road users by what they do."""
 
@@ -69,11 +72,11 @@ class Strangers:
 
     def _on_foot(self, word: Word) -> bool:
         """Whether a driver or passenger leaves the vehicle: then it is a person of its own."""
-        if word.lemma not in ("driver", "operator", "passenger", "occupant") or word.dep not in ("nsubj", "nsubjpass"):
+        if word.norm.split(" ")[-1] not in OCCUPANTS or word.dep not in ("nsubj", "nsubjpass"):
             return False
         verb = self.words[word.head]
         verbs = [verb, *(self.words[c] for c in verb.children if self.words[c].dep == "conj")]
-        rides = word.lemma in ("passenger", "occupant")
+        rides = "passenger" in word.norm or "occupant" in word.norm
         after = [" ".join(w.norm for w in self.words[v.i : v.i + 7]) for v in verbs]
         off_road = not rides and any(AT_SPEED.match(text) for text in after)
         return not off_road and any(self._leaves_on_foot(text) or rides and WALKS.match(text) for text in after)
@@ -88,6 +91,7 @@ class Strangers:
                 ),
                 after,
             )
+            or re.match(r"(?:walk|stroll|limp|kneel|crouch)\w* |step\w* (?!on the (?:brake|gas|acc|pedal))", after)
             or re.match(
                 r"(exit|leav|left|disembark)\w* (the|his|her|their|its) (?!\w*road|\w*lane|\w*way\b|street)",
                 after,

@@ -95,6 +95,7 @@ class Trailers(Writers):
         """Whether a verb only tells that somebody pulls a trailer."""
         if not self._tows(word):
             return False
-        around = [word.head, *word.children] if word.tag == "VBN" else word.children
+        inside = [c for c in word.children if self.words[c].dep != "nsubj"]
+        around = [word.head, *inside] if word.tag == "VBN" else inside
         nouns = (self.words[c] for c in around if self.words[c].span is not None)
         return any(n.span.data.get("noun") in TOWED for n in nouns if n.span is not None)

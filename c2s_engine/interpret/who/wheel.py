@@ -25,6 +25,7 @@ DRIVEN = re.compile(
     r"|(?P<how>drove|rode|drives?|rides?|operated|at the wheel of|in charge of|in|on) (?:an?|his|her|the|their|my))"
     r"(?: (?!behind|past|beside|towards?|after|along|around|ahead|before|near|into|with)[\w-]+){0,2} $"
 )
+MANOEUVRES = language.words("manoeuvres")
 VEHICULAR = language.words("vehicular")
 MANOEUVRE = re.compile(
     r"(?:cuts?|cut|cutting) (?:me|us|him|her|it|\w+) (?:off|up)\b|(?:cuts?|cutting) in\b"
@@ -85,12 +86,15 @@ class AtWheel(Reference):
         """A person who does what only vehicles do: "a lady reversed out of her drive", "this guy cut me off"."""
         verb = self.words[word.head]
         after = " ".join(w.norm for w in self.words[verb.i : verb.i + 4])
-        drives = verb.lemma in VEHICULAR or MANOEUVRE.match(after) or self._in_a_lane(word) and not WALKS.match(after)
-        if word.dep != "nsubj" or not drives:
-            return None
         noun = word.norm.split(" ")[-1]
         told = {self.words[c].norm for c in word.children} & {"the", "this", "that"}
         known = next((e for e in self.entities if noun in e.names or e.noun == noun), None) if told else None
+        drives = word.dep == "nsubj" and verb.lemma in MANOEUVRES and not any(e.person for e in self.entities)
+        if drives and told and known is None and (driver := self._who_drove(word)) is not None:
+            return driver  # "a van cut us off, and the guy braked"
+        steers = verb.lemma in VEHICULAR or MANOEUVRE.match(after) or self._in_a_lane(word) and not WALKS.match(after)
+        if word.dep != "nsubj" or not steers:
+            return None
         if known is not None:
             return None if known.person else known
         return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))

@@ -1,0 +1,25 @@
+"""Who leaves his lane and comes back: the way back leads to the other side."""
+
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.what.overtakings import HOME
+from c2s_engine.interpret.what.towards import OPPOSITE, side
+
+SIDEWAYS = frozenset(("lane_change", "cut_in", "cut_out", "drift", "oncoming"))
+
+
+def there_and_back(clauses: Clauses) -> None:
+    """A change back goes to the other side: "drifts to the left ... moves back into its lane"."""
+    for event in clauses.events:
+        if event.act not in ("lane_change", "cut_in") or not event.done or not HOME.search(event.text):
+            continue
+        out = _before(clauses, event)
+        towards = side(out) if out is not None else None
+        if towards is not None and side(event) is None:
+            event.side = OPPOSITE[towards]
+
+
+def _before(clauses: Clauses, event: Event) -> Event | None:
+    """The last by which the same one left its lane."""
+    own = [e for e in clauses.events if e.agent is event.agent and e.done and e.order < event.order]
+    return next((e for e in reversed(own) if e.act in SIDEWAYS), None)

@@ -7,6 +7,7 @@ from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.speed.speeds import speeds
 from c2s_engine.interpret.surroundings import environment, place
 from c2s_engine.interpret.surroundings.settings import SettingsDetector
+from c2s_engine.interpret.what.aftermath import aftermath
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.headlines import headline
 from c2s_engine.interpret.what.passives import unnamed_doers
@@ -44,6 +45,7 @@ def understand(text: str) -> Scene:
     pushed(clauses)
     choose_ego(cast, clauses)
     unsaid(cast, clauses)
+    aftermath(cast, clauses)
     places = Places(cast, clauses)
     rules_of_sense(cast, clauses, road)
     twice(clauses)

@@ -1,0 +1,261 @@
+"""Reports of crashes: whoever the parties are called, the same happens; what comes after the crash is no scene."""
+
+import pytest
+
+NAMES = {
+    "unit": ("Unit 1", "Unit 1", "Unit 2", "Unit 2"),
+    "driver": ("Driver 1", "Driver 1", "Driver 2", "Driver 2"),
+    "typed": ("V1, a 2019 Toyota Camry driven by a 34-year-old man,", "V1", "V2, a 2014 Ford Focus,", "V2"),
+    "av": ("The AV", "the AV", "a sedan", "the sedan"),
+    "other": ("I", "my vehicle", "the other driver", "the other driver"),
+    "first": ("The first vehicle", "the first vehicle", "the second vehicle", "the second vehicle"),
+    "makes": ("A white Tahoe", "the Tahoe", "a black Altima", "the Altima"),
+}
+CRASHES = {
+    "turn": (
+        "{A} was eastbound on Main Street. {B} was westbound on Main Street and turned left in front of {a}. "
+        "The front of {a} struck the right side of {b}.",
+        (["collide"], "opposite_approach", ["turn_left"]),
+    ),
+    "cross": (
+        "{A} was traveling east on Main Street. {B} was traveling north on Oak Avenue. "
+        "{b} ran the stop sign and {a} struck {b} in the left side.",
+        (["collide"], "crossing_right", ["run_stop", "go_straight"]),
+    ),
+    "rear": (
+        "{A} was stopped at a red light. {B} failed to stop in time and struck the rear of {a}.",
+        (["stationary"], "behind", ["collide"]),
+    ),
+    "lane": (
+        "{A} was eastbound in the right lane. {B} was eastbound in the left lane and changed lanes to the right. "
+        "The right side of {b} struck the left side of {a}.",
+        ([], "left_lane", ["cut_in", "collide"]),
+    ),
+    "line": (
+        "{A} was traveling east on Route 9. {B} was traveling west, crossed the centerline and struck {a} head-on.",
+        ([], "oncoming_lane", ["oncoming", "collide"]),
+    ),
+}
+AFTERWARDS = [
+    "{B} rotated clockwise and came to rest in the southeast quadrant facing north.",
+    "The driver of {b} was cited for failure to yield.",
+    "Both drivers exited their vehicles and exchanged information.",
+    "{B} was pushed into the northbound lanes.",
+    "The vehicles came to final rest on the shoulder.",
+    "The passenger of {b} got out and walked to the side of the road.",
+    "Both drivers then pulled over to the side of the road.",
+]
+
+
+def actions(component) -> list[str]:
+    return [p.action for p in component.spec.phases]
+
+
+def crash(structure) -> tuple:
+    """What ego does, where the only other one is, and what it does."""
+    (other,) = structure.objects
+    return (actions(structure["E"]), other.spec.placement.position, actions(other))
+
+
+def told(text: str, names: tuple[str, ...]) -> str:
+    filled = text.format(A=names[0], a=names[1], B=names[2], b=names[3])
+    return ". ".join(part[:1].upper() + part[1:] for part in filled.split(". "))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_whatever_the_parties_are_called(read, name: str) -> None:
+    for kind, (text, expected) in CRASHES.items():
+        assert crash(read(told(text, NAMES[name]))) == expected, kind
+
+
+@pytest.mark.parametrize("after", AFTERWARDS)
+def test_what_follows_the_crash_is_no_scene(read, after: str) -> None:
+    for kind, (text, expected) in CRASHES.items():
+        assert crash(read(told(f"{text} {after}", ("V1", "V1", "V2", "V2")))) == expected, kind
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 was northbound. V2 was eastbound and hit V1. The driver of V2 was cited for running a red light.",
+        "V1 was northbound. V2 was eastbound, ran a red light and hit V1. D2 was charged with running a red light.",
+        "V2 was eastbound and hit V1, which was northbound. Driver 2 was arrested for running the red light.",
+    ],
+)
+def test_a_charge_tells_what_was_run_before(read, text: str) -> None:
+    assert crash(read(text)) == ([], "crossing_left", ["run_red", "collide"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V2 struck V1 in the rear. V1 had come to rest at a red light.",
+        "V2 struck V1 from behind when V1 came to rest at the light.",
+    ],
+)
+def test_a_rest_before_the_crash_is_told(read, text: str) -> None:
+    assert set(actions(read(text)["E"])) & {"stationary", "stop"}
+
+
+@pytest.mark.parametrize(
+    ("text", "position"),
+    [
+        ("V1, eastbound on Main, was struck by V2, which was northbound and ran the red light.", "crossing_right"),
+        ("A northbound Honda was struck by an eastbound Ford that ran the red light.", "crossing_left"),
+        ("V2, southbound on Elm, ran the red light and was hit by V1, eastbound on Main.", "crossing_left"),
+        ("V1 was northbound on South Elm Street. V2, westbound on West Pine, ran the light.", "crossing_right"),
+        (
+            "V1 was eastbound. V2 came from a lot on the south side of Main and ran the stop sign.",
+            "crossing_right",
+        ),
+    ],
+)
+def test_a_direction_is_that_of_whom_it_stands_beside(read, text: str, position: str) -> None:
+    assert read(text).objects[0].spec.placement.position == position
+
+
+@pytest.mark.parametrize(
+    ("text", "side"),
+    [
+        ("V1 was traveling east. V2 pulled out of a driveway on the north side of the street. V1 struck V2.", "left"),
+        ("V1 was traveling west. V2 came out of a driveway on the north side of the road. V1 struck V2.", "right"),
+    ],
+)
+def test_a_drive_on_a_side_by_the_compass(read, text: str, side: str) -> None:
+    assert read(text).objects[0].spec.placement.side == side
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1, eastbound, was struck by V2, which was northbound and ran the red light.",
+        "The AV was hit by a van which was coming from the left and ran the red light.",
+        "V1 was struck by V2, which was going south and had run the red light.",
+    ],
+)
+def test_what_the_striker_did_is_told_before_the_blow(read, text: str) -> None:
+    assert actions(read(text).objects[0]) == ["run_red", "collide"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A car was stopped at a light. A second car ran into the back of the first car.",
+        "The first car was stopped at a light. The second car ran into the back of the first car.",
+        "One vehicle was stopped at a light. The other vehicle ran into the back of it.",
+    ],
+)
+def test_the_first_and_the_second_are_two(read, text: str) -> None:
+    assert crash(read(text)) == (["stationary"], "behind", ["collide"])
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("V1 E/B on Main St. V2 N/B on Oak Ave, failed to stop at stop sign. V1 struck V2.", "crossing_right run_stop"),
+        ("V1 EB Main at Oak. V2 SB Oak, ran red light, T-boned V1.", "crossing_left run_red"),
+        ("V1 EB. V2 WB, turning left. V1 struck V2.", "opposite_approach turn_left"),
+        ("V2 W/B crossed C/L and struck V1 E/B head-on.", "oncoming_lane oncoming"),
+        ("V1 E/B on Main St, struck rear of V2, stopped in traffic.", "ahead stationary"),
+        ("Unit 1 NB struck Unit 2, parked on the street.", "parked stationary"),
+    ],
+)
+def test_notes_without_a_verb(read, text: str, expected: str) -> None:
+    (other,) = read(text).objects
+    assert f"{other.spec.placement.position} {actions(other)[0]}" == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "acts", "side"),
+    [
+        ("V1 ran off the left side of the road and hit a tree.", ["leave_road", "collide"], "left"),
+        ("V1 departed the right side of the roadway and struck a pole.", ["leave_road", "collide"], "right"),
+        ("V1 went off the right edge of the road into a ditch.", ["leave_road"], "right"),
+        (
+            "V1 drifted off the right side of the road, overcorrected to the left and crossed the centerline.",
+            ["leave_road", "swerve", "oncoming"],
+            "right",
+        ),
+    ],
+)
+def test_who_leaves_a_side_of_the_road(read, text: str, acts: list[str], side: str) -> None:
+    phases = read(text)["E"].spec.phases
+    assert ([p.action for p in phases], phases[0].side) == (acts, side)
+
+
+@pytest.mark.parametrize(
+    ("text", "acts"),
+    [
+        ("V1 was turning right when it was rear-ended by V2.", ["turn_right"]),
+        ("The AV was making a turn to the right when it was struck by a van.", ["turn_right"]),
+        ("V1 was changing lanes to the right when it struck V2.", ["lane_change", "collide"]),
+    ],
+)
+def test_right_before_when_is_a_side(read, text: str, acts: list[str]) -> None:
+    phases = read(text)["E"].spec.phases
+    assert [p.action for p in phases] == acts
+    assert all(p.side != "left" for p in phases)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A 2015 Honda Civic was eastbound. A 2010 Ford F-150 was northbound. The Ford ran the stop sign.",
+        "A 2015 Honda Civic was eastbound. A Chevrolet Silverado was northbound. The Chevrolet ran the stop sign.",
+        "A Toyota Camry was eastbound. A Ford Transit van was northbound. The Ford ran the stop sign.",
+    ],
+)
+def test_a_make_means_the_model_that_was_told(read, text: str) -> None:
+    (other,) = read(text).objects
+    assert (other.spec.type != "car", actions(other)[0]) == (True, "run_stop")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The AV was eastbound. A sedan pulled out of a driveway on the right into its path. The AV struck the sedan.",
+        "A Tahoe was eastbound. An Altima pulled out of a driveway on the right. The front of the Tahoe struck it.",
+        "V1 was eastbound. A car backed out of a driveway on the right into its path. V1 struck the car.",
+    ],
+)
+def test_a_past_form_behind_a_new_one_tells(read, text: str) -> None:
+    structure = read(text)
+    spec = structure.objects[0].spec
+    assert (actions(structure["E"]), spec.placement.position, spec.placement.side) == (["collide"], "roadside", "right")
+
+
+@pytest.mark.parametrize(
+    ("text", "acts"),
+    [
+        ("V2, westbound, failed to yield while turning left and was struck by V1, eastbound.", ["turn_left"]),
+        ("V2 was westbound and failed to yield when turning left in front of V1, eastbound.", ["turn_left"]),
+        ("V2 sideswiped V1, which was parked, while passing.", ["overtake", "collide"]),
+        ("V1, in the right lane, was sideswiped by V2, which was changing lanes.", ["cut_in", "collide"]),
+        ("V1, eastbound, was struck by V2, which was westbound and turning left.", ["turn_left", "collide"]),
+    ],
+)
+def test_what_goes_on_while_it_fails_or_hits(read, text: str, acts: list[str]) -> None:
+    assert actions(read(text).objects[0]) == acts
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The AV, stopped at a red light, was rear-ended by a sedan.",
+        "While stopped at a red light, the AV was struck from behind by a sedan.",
+        "When stopped at a light, V1 was hit in the rear by V2.",
+    ],
+)
+def test_who_is_stopped_aside_stands(read, text: str) -> None:
+    assert crash(read(text)) == (["stationary"], "behind", ["collide"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The driver of V1 was eastbound when V2 took a left in front of him. He hit V2.",
+        "V1 was eastbound. V2 turned left in front of V1. It struck V2.",
+    ],
+)
+def test_who_hits_somebody_is_another(read, text: str) -> None:
+    assert crash(read(text)) == (["collide"], "opposite_approach", ["turn_left"])

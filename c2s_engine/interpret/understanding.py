@@ -8,6 +8,7 @@ from c2s_engine.interpret.speed.speeds import speeds
 from c2s_engine.interpret.surroundings import environment, place
 from c2s_engine.interpret.surroundings.settings import SettingsDetector
 from c2s_engine.interpret.what.aftermath import aftermath
+from c2s_engine.interpret.what.bearings import against_the_traffic
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.headlines import headline
 from c2s_engine.interpret.what.passives import unnamed_doers
@@ -46,6 +47,7 @@ def understand(text: str) -> Scene:
     choose_ego(cast, clauses)
     unsaid(cast, clauses)
     aftermath(cast, clauses)
+    against_the_traffic(clauses)
     places = Places(cast, clauses)
     rules_of_sense(cast, clauses, road)
     twice(clauses)

@@ -259,3 +259,69 @@ def test_who_is_stopped_aside_stands(read, text: str) -> None:
 )
 def test_who_hits_somebody_is_another(read, text: str) -> None:
     assert crash(read(text)) == (["collide"], "opposite_approach", ["turn_left"])
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "V1 was southbound, V2 was northbound. V1 departed its lane to the left, entered the northbound lane, and "
+            "its front plane impacted the front plane of V2.",
+            (["drift", "oncoming", "collide"], "oncoming_lane", []),
+        ),
+        (
+            "V1 was eastbound and V2 was westbound. V2 crossed into the eastbound lanes and struck V1.",
+            ([], "oncoming_lane", ["oncoming", "collide"]),
+        ),
+        (
+            "V1 was eastbound. V2, westbound, drifted into the eastbound lane and hit V1.",
+            ([], "oncoming_lane", ["oncoming", "collide"]),
+        ),
+    ],
+)
+def test_the_lanes_of_the_other_direction(read, text: str, expected: tuple) -> None:
+    assert crash(read(text)) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "position"),
+    [
+        ("V1 was northbound. V2 was eastbound. The front of V1 struck the left side of V2.", "crossing_left"),
+        ("V1 was traveling north and V2 was traveling west. V2's front contacted V1's right side.", "crossing_right"),
+        ("V1 was going north on Elm. V2 was going east on Pine. They collided.", "crossing_left"),
+        ("V1 was eastbound. A bicyclist was northbound and ran the stop sign. V1 struck him.", "crossing_right"),
+        ("The AV was going straight when a cyclist ran a red light and struck its right side.", "crossing_right"),
+        ("V1 was turning left from eastbound Main. A bicyclist was westbound. V1 hit her.", "opposite_approach"),
+        ("V1 was northbound, turning right. A bicyclist was northbound, too. V1 struck the cyclist.", "partly_in_lane"),
+    ],
+)
+def test_who_meets_ego_at_a_junction_by_the_compass(read, text: str, position: str) -> None:
+    structure = read(text)
+    assert structure.place.spec.kind == "intersection"
+    assert structure.objects[0].spec.placement.position == position
+    assert "run_red" not in actions(structure["E"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A woman was hurt when the car she was driving ran off the road and hit a tree.",
+        "A man was killed when the pickup he was driving left the road and hit a tree.",
+        "A woman died after the van that she was driving ran off the road and struck a tree.",
+    ],
+)
+def test_the_car_one_was_driving_is_ones_own(read, text: str) -> None:
+    structure = read(text)
+    assert (actions(structure["E"]), len(structure.objects)) == (["leave_road", "collide"], 1)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 was eastbound when V2 turned left in front of it and struck V1.",
+        "The AV was eastbound when a van turned left across its path and made contact with its left side.",
+        "V1 was slowing for traffic when V2 turned left in front of it and hit V1's front.",
+    ],
+)
+def test_what_the_other_then_did(read, text: str) -> None:
+    assert actions(read(text).objects[0]) == ["turn_left", "collide"]

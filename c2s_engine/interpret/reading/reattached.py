@@ -49,7 +49,7 @@ def reattach(words: list[Word]) -> None:
         beside = _beside(words, word)
         if beside is not None:
             _hang(words, word, beside)
-        above = _resumed(words, word) or _of_striker(words, word)
+        above = _resumed(words, word) or _of_striker(words, word) or _then_did(words, word)
         if above is not None:
             _hang(words, word, above)
 
@@ -198,6 +198,18 @@ def _resumed(words: list[Word], word: Word) -> Word | None:
     above = _clause(words, words[relative.head])
     subjects = [words[c] for c in above.children if words[c].dep == "nsubj"] if above is not None else []
     return above if any(s.span is not None and s.i < relative.head for s in subjects) else None
+
+
+def _then_did(words: list[Word], word: Word) -> Word | None:
+    """The verb of a when-clause with which another goes on: "was turning when a van pulled out and hit it"."""
+    above = words[word.head]
+    alone = not any(words[c].dep in ("nsubj", "nsubjpass", "aux", "auxpass") for c in word.children)
+    lasts = any(words[c].dep in ("aux", "auxpass") and words[c].norm in ("was", "were") for c in above.children)
+    if word.dep != "conj" or word.tag != "VBD" or not alone or not (lasts or above.norm in ("was", "were")):
+        return None
+    inner = [words[c] for c in above.children if above.i < c < word.i and words[c].dep == "advcl"]
+    when = (w for w in inner if w.tag == "VBD" and any(words[c].norm == "when" for c in w.children))
+    return next(when, None)
 
 
 def _of_striker(words: list[Word], word: Word) -> Word | None:

@@ -325,3 +325,66 @@ def test_the_car_one_was_driving_is_ones_own(read, text: str) -> None:
 )
 def test_what_the_other_then_did(read, text: str) -> None:
     assert actions(read(text).objects[0]) == ["turn_left", "collide"]
+
+
+@pytest.mark.parametrize(
+    ("text", "position", "acts"),
+    [
+        ("He claims I pulled out on him. I was going straight and he turned left.", "opposite_approach", ["turn_left"]),
+        (
+            "I had stopped. The other driver says I reversed into her. She hit me from behind.",
+            "behind",
+            ["collide"],
+        ),
+        ("She said that I ran the red light. My light was green and she hit my side.", "crossing_left", ["collide"]),
+        ("I was in the right lane and he merged into me.", "left_lane", ["cut_in", "collide"]),
+    ],
+)
+def test_what_others_claim_of_the_teller(read, text: str, position: str, acts: list[str]) -> None:
+    structure = read(text)
+    assert set(actions(structure["E"])) <= {"go_straight", "stationary"}
+    assert (structure.objects[0].spec.placement.position, actions(structure.objects[0])) == (position, acts)
+
+
+def test_what_each_says_of_the_other_is_left_open(read) -> None:
+    text = "Driver 2 stated that V1 ran the red light. Driver 1 stated that V2 ran the red light. V1 struck V2."
+    structure = read(text)
+    assert "run_red" not in actions(structure["E"]) + actions(structure.objects[0])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V2 struck the rear of V1, pushing it into the rear of V3.",
+        "V2 struck V1 from behind and pushed it into V3.",
+        "A van hit the ego from behind, shunting it into the car in front.",
+    ],
+)
+def test_who_is_pushed_into_another(read, text: str) -> None:
+    structure = read(text)
+    assert actions(structure["E"]) == ["collide"]
+    assert [o.spec.placement.position for o in structure.objects] == ["behind", "ahead"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 braked for a fox. V2 hit V1. V3 hit V2.",
+        "V2 failed to stop and struck V1. V2 was then struck by V3.",
+        "V1 slowed. V2 hit V1 and V3 ran into V2.",
+    ],
+)
+def test_a_chain_of_blows(read, text: str) -> None:
+    last = read(text).objects[-1].spec.placement
+    assert (last.position, last.of != "ego") == ("behind", True)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The driver in front of me braked suddenly and I ran into the back of him.",
+        "A van ahead of me braked suddenly and I ran into it.",
+    ],
+)
+def test_who_runs_into_another_is_not_on_foot(read, text: str) -> None:
+    assert crash(read(text)) == (["collide"], "ahead", ["brake"])

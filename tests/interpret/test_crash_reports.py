@@ -388,3 +388,51 @@ def test_a_chain_of_blows(read, text: str) -> None:
 )
 def test_who_runs_into_another_is_not_on_foot(read, text: str) -> None:
     assert crash(read(text)) == (["collide"], "ahead", ["brake"])
+
+
+@pytest.mark.parametrize(
+    ("text", "position"),
+    [
+        ("V2 changed lanes into V1.", "left_lane"),
+        ("V2 changed lanes to the left into the side of V1.", "right_lane"),
+        ("V2, in the left lane, merged right into V1.", "left_lane"),
+    ],
+)
+def test_who_changes_lanes_into_another(read, text: str, position: str) -> None:
+    assert crash(read(text)) == ([], position, ["cut_in", "collide"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 was behind V2 in lane one. V2 changed to lane two and V1 struck V3, which was stopped ahead.",
+        "V1 was following V2. V2 moved into the left lane and V1 hit V3, which was stopped ahead of it.",
+    ],
+)
+def test_a_new_subject_behind_a_place(read, text: str) -> None:
+    structure = read(text)
+    assert actions(structure["E"]) == ["follow", "collide"]
+    assert "collide" not in actions(structure.objects[0])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 was parked. The driver opened the door and a cyclist collided with it.",
+        "V1 opened its door into the path of a bicyclist, who struck the door.",
+    ],
+)
+def test_a_cyclist_rides_into_a_door_from_behind(read, text: str) -> None:
+    structure = read(text)
+    assert (actions(structure["E"])[0], structure.objects[0].spec.placement.position) == ("stationary", "behind")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 struck the rear of V2. The glass of the left headlight was cracked.",
+        "V1 struck the rear of V2. Debris was found in the lane. Photo box checked.",
+    ],
+)
+def test_what_broke_is_no_obstacle(read, text: str) -> None:
+    assert [o.spec.type for o in read(text).objects] == ["car"]

@@ -134,6 +134,8 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             }
         if entity.type == "bicycle" and where.side and where.lane is None:
             return {"position": "partly_in_lane", "side": where.side, "said": True}
+        if entity.type == "bicycle" and where.open and _runs_into_standing(scene, entity):
+            return {"position": "behind"}
         return {"position": "ahead", "said": where.rel is not None or where.lane is not None}
     if where.lane in ("sidewalk", "roadside", "parked"):
         return {
@@ -162,6 +164,12 @@ def _met_at_junction(scene: Scene, entity: Entity, where: Where, acts: list[str]
         return {"position": f"crossing_{came}", "said": True}
     runs = bool({"run_red", "run_stop"} & set(acts)) and came is None and where.side is None
     return {"position": f"crossing_{comes_from(scene, entity) or 'left'}"} if runs else None
+
+
+def _runs_into_standing(scene: Scene, entity: Entity) -> bool:
+    """Whether it hits ego that stands: "the driver opened the door and a cyclist collided with it"."""
+    hits = any(e.act == "collide" and (e.patient is None or e.patient.ego) for e in scene.events(entity))
+    return hits and scene.does(scene.cast.ego, "stationary", "stop") is not None
 
 
 def _behind_ego(where: Where) -> bool:

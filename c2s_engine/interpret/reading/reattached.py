@@ -39,6 +39,9 @@ def reattach(words: list[Word]) -> None:
         if word.dep in LOOSE and (struck := _stood(words, word)) is not None:
             _hang(words, word, struck)
             word.dep, word.tag = "acl", "VBN"
+        if word.dep == "advcl" and (before := _named_after_place(words, word)) is not None:
+            _hang(words, before, word)
+            before.dep, word.dep = "nsubj", "conj"
         if word.dep == "conj" and (before := _subject_before(words, word)) is not None:
             _hang(words, before, word)
             before.dep = "nsubj"  # "slowed and V1 struck it": V1 was taken for somebody else that slowed
@@ -138,6 +141,21 @@ def _subject_before(words: list[Word], word: Word) -> Word | None:
     if not finite or before is None or before.dep != "conj" or before.span is None or before.head != word.head:
         return None
     return before if words[word.head].verb and before.span.kind != "quantity" else None
+
+
+def _named_after_place(words: list[Word], word: Word) -> Word | None:
+    """The road user behind "and" that the tree has beside a place: "changed to lane two and V1 struck V3"."""
+    before = words[word.i - 1] if word.i > 1 else None
+    if (
+        before is None
+        or before.dep != "conj"
+        or not _road_user(before)
+        or words[before.i - 1].norm not in ("and", "but")
+    ):
+        return None
+    beside = words[before.head]
+    own = any(words[c].dep.startswith("nsubj") for c in word.children)
+    return before if word.tag in ("VBD", "VBZ") and not own and beside.noun and not _road_user(beside) else None
 
 
 def _between_two(words: list[Word], verb: Word) -> None:

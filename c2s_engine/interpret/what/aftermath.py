@@ -20,6 +20,7 @@ CHARGES = language.words("charges")
 TOLD_BACK = frozenset(("when", "as", "while", "after", "before", "where", "since", "because"))
 RUNS = frozenset(("run_red", "run_stop"))
 ABOARD = frozenset(("driver", "drivers", "operator", "operators", "passenger", "passengers", "occupant", "occupants"))
+LOOSE = frozenset(("debris", "box", "trash", "obstacle"))
 
 
 def aftermath(cast: Cast, clauses: Clauses) -> None:
@@ -34,7 +35,8 @@ def aftermath(cast: Cast, clauses: Clauses) -> None:
         elif own and event.act != "collide" and _is_over(cast, clauses, event, hits):
             event.mode = "hypothetical"
     if own:
-        for entity in [e for e in cast.entities if _got_out(e, max(e.word for e in own), hits)]:
+        last = max(e.word for e in own)
+        for entity in [e for e in cast.entities if _got_out(e, last, hits) or _broken(e, last, clauses)]:
             cast.entities.remove(entity)
             clauses.events[:] = [e for e in clauses.events if e.agent is not entity]
 
@@ -73,3 +75,10 @@ def _got_out(entity: Entity, last: int, hits: list[Event]) -> bool:
     struck = any(entity in (e.agent, e.patient, *e.also) for e in hits)
     first = entity.mentions[0].word if entity.mentions else 0
     return entity.person and entity.noun in ABOARD and first > last and not struck
+
+
+def _broken(entity: Entity, last: int, clauses: Clauses) -> bool:
+    """Whether a thing is only told of after the last collision of ego's: what broke, a box that was ticked."""
+    told = any(entity in (e.agent, e.patient, *e.also) for e in clauses.events if e.act != "travel")
+    first = entity.mentions[0].word if entity.mentions else 0
+    return not entity.mover and entity.type in LOOSE and first > last and not told

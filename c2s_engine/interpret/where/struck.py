@@ -18,7 +18,11 @@ END = rf"(?:(?:rear|back)(?:[- ](?:end|bumper|plane))?(?! (?:{SIDE})\b)|tail|boo
 HEAD_ON = re.compile(r"\bhead[- ]?on\b|\bfront to front\b|\bfrontally\b")
 RESTS = re.compile(r"(?:come|coming|end up|finish) (?:finally )?(?:to (?:a |final )?rest|against)\b")
 """Where one is found after a collision."""
-SHIFTS = {"merge": "lane_change", "move": "lane_change", "shift": "lane_change", "drift": "drift", "veer": "swerve"}
+SHIFTS = {
+    **dict.fromkeys(("merge", "move", "shift", "change", "switch"), "lane_change"),
+    "drift": "drift",
+    "veer": "swerve",
+}
 """What one does who "merges into" another."""
 INTO_REAR = re.compile(rf"\binto (?:the |its )?{END}|\binto @\w+ 's {END}")
 PUSHES = language.words("pushes")

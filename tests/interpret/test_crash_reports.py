@@ -436,3 +436,51 @@ def test_a_cyclist_rides_into_a_door_from_behind(read, text: str) -> None:
 )
 def test_what_broke_is_no_obstacle(read, text: str) -> None:
     assert [o.spec.type for o in read(text).objects] == ["car"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "O/V was southbound on Elm and ran the red light. My vehicle was eastbound. O/V hit me.",
+        "I/V was eastbound. O/V was southbound and ran the red light and hit I/V.",
+        "I was eastbound. O/D was southbound, ran the red light and hit my vehicle.",
+    ],
+)
+def test_letters_for_the_other_vehicle(read, text: str) -> None:
+    assert crash(read(text)) == ([], "crossing_left", ["run_red", "collide"])
+
+
+@pytest.mark.parametrize(
+    ("text", "types"),
+    [
+        ("While attempting to overtake a tractor, a Golf collided with an oncoming van.", ["truck", "van"]),
+        ("While overtaking a bus, a Fiat collided with an oncoming truck.", ["bus", "truck"]),
+        ("While following a bus, a Fiat rear-ended it when it braked.", ["bus"]),
+    ],
+)
+def test_who_passes_is_ego_not_who_is_passed(read, text: str, types: list[str]) -> None:
+    structure = read(text)
+    assert [o.spec.type for o in structure.objects] == types
+    assert "collide" in actions(structure["E"])
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("V1 came up on a slow-moving tractor, V2, and struck it from behind.", "truck"),
+        ("V1 struck a parked van, V2.", "van"),
+        ("V1 followed a bus, V2, and hit it when it stopped.", "bus"),
+    ],
+)
+def test_a_label_between_commas(read, text: str, kind: str) -> None:
+    structure = read(text)
+    assert [o.spec.type for o in structure.objects] == [kind]
+    assert "collide" in actions(structure["E"])
+
+
+def test_who_turns_ahead_in_egos_direction_is_not_opposite(read) -> None:
+    text = (
+        "V2 was northbound and slowed to turn left. V1, northbound behind V2, tried to pass it and hit it as it turned."
+    )
+    structure = read(text)
+    assert structure.objects[0].spec.placement.position == "ahead"

@@ -267,7 +267,7 @@ def test_who_hits_somebody_is_another(read, text: str) -> None:
         (
             "V1 was southbound, V2 was northbound. V1 departed its lane to the left, entered the northbound lane, and "
             "its front plane impacted the front plane of V2.",
-            (["drift", "oncoming", "collide"], "oncoming_lane", []),
+            (["oncoming", "collide"], "oncoming_lane", []),
         ),
         (
             "V1 was eastbound and V2 was westbound. V2 crossed into the eastbound lanes and struck V1.",

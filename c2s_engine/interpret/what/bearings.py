@@ -4,6 +4,7 @@ import re
 
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.who.mentions import Entity
 
 COMPASS = {"north": 0, "east": 90, "south": 180, "west": 270}
@@ -98,6 +99,8 @@ LANES_OF = re.compile(
 GETS_OVER = frozenset(
     ("lane_change", "cut_in", "drift", "swerve", "lose_control", "cross_path", "enter_road", "travel")
 )
+NEAR = 14
+"""Words within which two verbs tell of one move."""
 
 
 def against_the_traffic(clauses: Clauses) -> None:
@@ -107,3 +110,7 @@ def against_the_traffic(clauses: Clauses) -> None:
         own = heading(clauses, event.agent) if lanes else None
         if lanes and own is not None and (COMPASS[lanes["way"]] - own) % 360 == 180 and not lanes[0].startswith("in "):
             event.act, event.side, event.patient = "oncoming", "left", None
+            for before in clauses.events:  # "departed its lane to the left, entered the northbound lane": one move
+                near = 0 < event.word - before.word < NEAR and before.agent is event.agent
+                if near and before.act == "drift" and side(before) in (None, "left"):
+                    before.mode = "hypothetical"

@@ -484,3 +484,15 @@ def test_who_turns_ahead_in_egos_direction_is_not_opposite(read) -> None:
     )
     structure = read(text)
     assert structure.objects[0].spec.placement.position == "ahead"
+
+
+@pytest.mark.parametrize(
+    ("text", "act"),
+    [
+        ("As it was turning left, V1 hit V2.", "turn_left"),
+        ("As it was changing lanes to the left, the AV was struck by a van.", "lane_change"),
+        ("While he was turning right, the driver of V1 struck V2.", "turn_right"),
+    ],
+)
+def test_a_pronoun_before_the_name(read, text: str, act: str) -> None:
+    assert actions(read(text)["E"])[0] == act

@@ -7,13 +7,16 @@ from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.speed.speeds import speeds
 from c2s_engine.interpret.surroundings import environment, place
 from c2s_engine.interpret.surroundings.settings import SettingsDetector
+from c2s_engine.interpret.what.aftermath import aftermath
+from c2s_engine.interpret.what.bearings import against_the_traffic
+from c2s_engine.interpret.what.claims import claimed
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.headlines import headline
 from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.unsaid import unsaid
 from c2s_engine.interpret.where.relations import Places
-from c2s_engine.interpret.where.struck import pushed, twice
+from c2s_engine.interpret.where.struck import merged_into, pushed, twice
 from c2s_engine.interpret.who.foretold import foretold
 from c2s_engine.interpret.who.mentions import Cast
 
@@ -42,8 +45,12 @@ def understand(text: str) -> Scene:
     clauses = Clauses(words, cast)
     unnamed_doers(cast, clauses)
     pushed(clauses)
+    merged_into(clauses)
     choose_ego(cast, clauses)
     unsaid(cast, clauses)
+    claimed(cast, clauses)
+    aftermath(cast, clauses)
+    against_the_traffic(clauses)
     places = Places(cast, clauses)
     rules_of_sense(cast, clauses, road)
     twice(clauses)

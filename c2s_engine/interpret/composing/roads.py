@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.placing.compass import compass
 from c2s_engine.interpret.placing.lengthwise import at_edge, wrong_way
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.surroundings import place as places
@@ -138,11 +139,27 @@ def _at_junction(scene: Scene) -> bool:
     ]
     if any(e.agent.type in MOTOR and scene.where(e.agent).lane is None for e in meets):
         return not scene.road.no_intersection
+    if any(_from_other_road(scene, e) for e in scene.actors):
+        return not scene.road.no_intersection
     return (
         bool(crossing)
         and not scene.road.no_intersection
         and any(e.act in ("cross_path", "go_straight", "collide", "yield", "run_stop") for e in scene.clauses.events)
     )
+
+
+def _from_other_road(scene: Scene, who: Entity) -> bool:
+    """Whether one that drives across ego's direction, by the compass, turns there or meets ego: at a junction."""
+    where = scene.where(who)
+    if who.type not in MOTOR or where.lane not in (None, "same", "crossing") or where.rel is not None:
+        return False
+    acts = {e.act for e in scene.events(who)}
+    meets = who in _struck(scene) or any(
+        e.act == "collide" and (e.patient is None or e.patient.ego) for e in scene.events(who)
+    )
+    if acts & {"enter_road", "reverse", "u_turn", "stationary"} or not (meets or "turn" in acts):
+        return False
+    return compass(scene, who) in ("left", "right")
 
 
 def _struck(scene: Scene) -> list[Entity | None]:

@@ -29,6 +29,8 @@ def implied_start(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpe
         return {"position": f"crossing_{direction}", "said": True}
     if direction == "opposite":
         return {"position": "opposite_approach" if junction else "oncoming_lane", "said": True}
+    if direction == "same" and junction and "turn" in acts:
+        return {"position": "ahead"}
     if "oncoming" in acts:
         return {"position": "oncoming_lane", "said": True}
     if any(e.patient is entity and _comes_up_behind(e) for e in scene.events(scene.cast.ego)):

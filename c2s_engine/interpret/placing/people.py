@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret.placing.compass import compass
+from c2s_engine.interpret.placing.flanks import comes_from
 from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, at_edge, passes_ego, told_of, wrong_way
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.where.relations import Where, side_of_text
@@ -52,6 +53,9 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         own = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
         if where.lane in ("left", "right") and (where.rel or place.ego_lane and where.lane != own):
             return {"position": f"{where.lane}_lane", "along": along_of(where.rel), "said": True}
+        met = _met_at_junction(scene, entity, where, acts, place) if not crosses else None
+        if met is not None:
+            return met
         if "oncoming" in acts and where.rel is None and not crosses:
             return {"position": "oncoming_lane", "said": True}
         if where.lane == "oncoming" and place.kind == "intersection":
@@ -130,6 +134,8 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             }
         if entity.type == "bicycle" and where.side and where.lane is None:
             return {"position": "partly_in_lane", "side": where.side, "said": True}
+        if entity.type == "bicycle" and where.open and _runs_into_standing(scene, entity):
+            return {"position": "behind"}
         return {"position": "ahead", "said": where.rel is not None or where.lane is not None}
     if where.lane in ("sidewalk", "roadside", "parked"):
         return {
@@ -143,6 +149,27 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
     if _behind_ego(where):
         return {"position": "behind", "said": True}
     return {"position": "ahead", "said": where.rel == "ahead" or where.lane == "same"}
+
+
+def _met_at_junction(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict | None:
+    """Where a cyclist comes from at a junction, by the compass, the side that is hit, or the light that is run."""
+    if place.kind != "intersection" or where.rel is not None or where.lane not in (None, "same"):
+        return None
+    came = compass(scene, entity)
+    if came == "opposite":
+        return {"position": "opposite_approach", "said": True}
+    if came == "same" and place.manoeuvre == "right":
+        return {"position": "partly_in_lane", "side": "right", "said": True}
+    if came in ("left", "right"):
+        return {"position": f"crossing_{came}", "said": True}
+    runs = bool({"run_red", "run_stop"} & set(acts)) and came is None and where.side is None
+    return {"position": f"crossing_{comes_from(scene, entity) or 'left'}"} if runs else None
+
+
+def _runs_into_standing(scene: Scene, entity: Entity) -> bool:
+    """Whether it hits ego that stands: "the driver opened the door and a cyclist collided with it"."""
+    hits = any(e.act == "collide" and (e.patient is None or e.patient.ego) for e in scene.events(entity))
+    return hits and scene.does(scene.cast.ego, "stationary", "stop") is not None
 
 
 def _behind_ego(where: Where) -> bool:

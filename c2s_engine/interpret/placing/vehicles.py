@@ -82,7 +82,9 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         or (lane is None and "parked" in roles and rel != "ahead")
         or (lane is None and "enter_road" in acts)
     ):
-        edge = edge or side_of_text(text) or _side_of_events(scene, entity) or "right"
+        came = direction or (compass(scene, entity) if "enter_road" in acts else None)
+        sideways = came if came in ("left", "right") else None
+        edge = edge or side_of_text(text) or _side_of_events(scene, entity) or sideways or "right"
         if lane == "roadside" and where.facing == "across" or "reverse" in acts and lane != "parked":
             return {"position": "roadside", "side": edge, "facing": "across", "said": True}
         along = "behind" if rel == "behind" else "ahead"

@@ -6,7 +6,7 @@ from functools import cache
 from c2s_engine.interpret import language
 from c2s_engine.interpret.spans import Span
 
-MAKE = re.compile(r"(?<![\w-])(?P<make>[a-z]{2,}(?:-[a-z]+)?)[ -]$")
+MAKE = re.compile(r"(?<![\w-])(?!an |the |my )(?P<make>[a-z]{2,}(?:-[a-z]+)?)[ -]$")
 
 
 def stands_for_a_vehicle(text: str, start: int, end: int) -> bool:

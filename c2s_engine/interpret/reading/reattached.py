@@ -15,16 +15,34 @@ if TYPE_CHECKING:
 
 OBJECTS = frozenset(("it", "him", "her", "them"))
 TOWED, SEES, WAITS = language.with_plurals("towed"), language.words("notices"), language.words("waits")
+MANOEUVRES = language.words("manoeuvres") | language.words("drives")
+CONTACT = language.words("contact") | language.words("strikes")
+FAULTS = frozenset(("run", "fail", "disregard", "ignore", "neglect", "jump", "cross", "turn", "pull"))
+LOOSE = frozenset(("conj", "dep", "ccomp", "advcl"))
+STOOD = frozenset(("stopped", "parked", "slowed", "standing", "waiting"))
+LEFT_STANDING = frozenset(("stop", "park", "leave", "hit", "strike", "follow", "queue", "drive", "pass", "overtake"))
 
 
 def reattach(words: list[Word]) -> None:
     """Hang each such verb where it belongs."""
     light = language.table("motions")["modality"]["light"]
     for word in words:
+        if word.dep == "acl" and _tells(words, word):
+            _raise(words, word)
+        if word.tag == "VBN" and word.dep == "ROOT" and _has_done(words, word):
+            word.tag = "VBD"
+        if word.dep == "advcl" and _first_of_several(words, word):
+            _turn_round(words, word)
         if word.dep == "advcl" and _light(words, word, light):
             word.dep = "xcomp"  # "starts to slow down": no purpose
         if word.dep == "ccomp" and _joined(words, word):
             word.dep = "conj"  # "overtakes ego and 2 s later brakes"
+        if word.dep in LOOSE and (struck := _stood(words, word)) is not None:
+            _hang(words, word, struck)
+            word.dep, word.tag = "acl", "VBN"
+        if word.dep == "advcl" and (before := _named_after_place(words, word)) is not None:
+            _hang(words, before, word)
+            before.dep, word.dep = "nsubj", "conj"
         if word.dep == "conj" and (before := _subject_before(words, word)) is not None:
             _hang(words, before, word)
             before.dep = "nsubj"  # "slowed and V1 struck it": V1 was taken for somebody else that slowed
@@ -35,7 +53,9 @@ def reattach(words: list[Word]) -> None:
         beside = _beside(words, word)
         if beside is not None:
             _hang(words, word, beside)
-        above = _resumed(words, word) or _after_waiting(words, word)
+        above = (
+            _resumed(words, word) or _after_waiting(words, word) or _of_striker(words, word) or _then_did(words, word)
+        )
         if above is not None:
             _hang(words, word, above)
 
@@ -47,6 +67,76 @@ def _hang(words: list[Word], word: Word, above: Word) -> None:
     word.head = above.i
 
 
+def _tells(words: list[Word], verb: Word) -> bool:
+    """Whether a past form right behind the one road user of a sentence tells what it did: "a sedan pulled out"."""
+    noun = words[verb.head]
+    adverb = verb.i - noun.i == 2 and words[noun.i + 1].norm.endswith("ly")
+    if verb.tag != "VBN" or noun.dep != "ROOT" or not _road_user(noun) or not (verb.i - noun.i == 1 or adverb):
+        return False
+    rest = [w for w in words[verb.i :] if w.sentence == verb.sentence]
+    told = any(w.tag in ("VBD", "VBZ", "VBP", "MD") for w in rest) or any(w.norm == "by" for w in rest)
+    ends = rest[-1].norm == "." and any(words[c].norm in ("a", "an", "the", "another") for c in noun.children)
+    return verb.lemma in MANOEUVRES - LEFT_STANDING and ends and not told and len(rest) > 3
+
+
+def _stood(words: list[Word], word: Word) -> Word | None:
+    """Who was hit standing, in notes: "struck rear of V2, stopped in traffic"."""
+    struck = words[word.i - 2] if word.i > 1 else None
+    where = [words[c].norm for c in word.children if words[c].dep == "prep" and c == word.i + 1]
+    if struck is None or words[word.i - 1].norm != "," or word.norm not in STOOD or not where or "after" in where:
+        return None
+    verb = struck
+    while not verb.verb and verb.head != verb.i:
+        verb = words[verb.head]
+    hits = {verb.lemma, irregular().get(verb.norm)} & CONTACT and struck.dep in ("dobj", "pobj")
+    return struck if hits and _road_user(struck) and "scene" not in _after(words, word) else None
+
+
+def _after(words: list[Word], word: Word) -> list[str]:
+    return [w.norm for w in words[word.i + 1 : word.i + 5]]
+
+
+def _first_of_several(words: list[Word], first: Word) -> bool:
+    """Whether a finite verb is only the first that its subject does: "V1 swerved, crossed the line and hit"."""
+    last = words[first.head]
+    finite = first.tag == last.tag and first.tag in ("VBD", "VBZ") and first.i < last.i
+    bare = not any(words[c].dep in ("mark", "advmod", "aux", "auxpass") and c < first.i for c in first.children)
+    own = any(words[c].dep == "nsubj" for c in first.children)
+    theirs = any(words[c].dep.startswith("nsubj") or words[c].dep == "expl" for c in last.children)
+    return finite and bare and own and not theirs and words[last.i - 1].norm in (",", "and", "then")
+
+
+def _turn_round(words: list[Word], first: Word) -> None:
+    """Make the first of several verbs their head."""
+    last = words[first.head]
+    above, dep = last.head, last.dep
+    last.children.remove(first.i)
+    first.children = sorted([*first.children, last.i])
+    last.head, last.dep = first.i, "conj"
+    first.dep, first.head = dep, first.i if above == last.i else above
+    if above != last.i:
+        words[above].children = sorted([*(c for c in words[above].children if c != last.i), first.i])
+
+
+def _has_done(words: list[Word], verb: Word) -> bool:
+    """Whether a past form with a subject and no auxiliary is finite: "a black Altima pulled out"."""
+    before = [words[c] for c in verb.children if c < verb.i]
+    subject = any(w.dep == "nsubj" and _road_user(w) for w in before)
+    return subject and not {"aux", "auxpass", "nsubjpass"} & {w.dep for w in before}
+
+
+def _raise(words: list[Word], verb: Word) -> None:
+    """Make the verb of a clause that was taken for a noun phrase its head, and the noun its subject."""
+    noun = words[verb.head]
+    noun.children.remove(verb.i)
+    verb.children.append(noun.i)
+    for child in [c for c in noun.children if c > verb.i]:
+        _hang(words, words[child], verb)
+    verb.children.sort()
+    verb.tag, verb.dep, verb.head = "VBD", "ROOT", verb.i
+    noun.dep, noun.head = "nsubj", verb.i
+
+
 def _subject_before(words: list[Word], word: Word) -> Word | None:
     """The road user right before a finite verb that the tree has beside the verb before."""
     finite = word.tag in ("VBZ", "VBD") and not any(words[c].dep.startswith("nsubj") for c in word.children)
@@ -54,6 +144,21 @@ def _subject_before(words: list[Word], word: Word) -> Word | None:
     if not finite or before is None or before.dep != "conj" or before.span is None or before.head != word.head:
         return None
     return before if words[word.head].verb and before.span.kind != "quantity" else None
+
+
+def _named_after_place(words: list[Word], word: Word) -> Word | None:
+    """The road user behind "and" that the tree has beside a place: "changed to lane two and V1 struck V3"."""
+    before = words[word.i - 1] if word.i > 1 else None
+    if (
+        before is None
+        or before.dep != "conj"
+        or not _road_user(before)
+        or words[before.i - 1].norm not in ("and", "but")
+    ):
+        return None
+    beside = words[before.head]
+    own = any(words[c].dep.startswith("nsubj") for c in word.children)
+    return before if word.tag in ("VBD", "VBZ") and not own and beside.noun and not _road_user(beside) else None
 
 
 def _between_two(words: list[Word], verb: Word) -> None:
@@ -128,6 +233,31 @@ def _after_waiting(words: list[Word], word: Word) -> Word | None:
     above = words[above.head] if above.norm == "for" else above
     waits = irregular().get(above.norm, above.lemma) in WAITS and above.tag == word.tag and above.i < awaited.i
     return above if waits and marks & {"until", "till", "for", "to"} else None
+
+
+def _then_did(words: list[Word], word: Word) -> Word | None:
+    """The verb of a when-clause with which another goes on: "was turning when a van pulled out and hit it"."""
+    above = words[word.head]
+    alone = not any(words[c].dep in ("nsubj", "nsubjpass", "aux", "auxpass") for c in word.children)
+    lasts = any(words[c].dep in ("aux", "auxpass") and words[c].norm in ("was", "were") for c in above.children)
+    if word.dep != "conj" or word.tag != "VBD" or not alone or not (lasts or above.norm in ("was", "were")):
+        return None
+    inner = [words[c] for c in above.children if above.i < c < word.i and words[c].dep == "advcl"]
+    when = (w for w in inner if w.tag == "VBD" and any(words[c].norm == "when" for c in w.children))
+    return next(when, None)
+
+
+def _of_striker(words: list[Word], word: Word) -> Word | None:
+    """The relative clause about who struck another, where a fault goes on with it: "was hit by a van which was coming
+    from the left and ran the light"."""
+    struck = words[word.head]
+    passive = any(words[c].dep == "auxpass" for c in struck.children) and struck.tag == "VBN"
+    if word.dep != "conj" or not passive or word.tag != "VBD" or word.lemma not in FAULTS:
+        return None
+    if any(words[c].dep in ("nsubj", "nsubjpass", "aux", "auxpass") for c in word.children):
+        return None
+    between = words[struck.i + 1 : word.i]
+    return next((w for w in reversed(between) if w.dep == "relcl" and words[w.head].i > struck.i), None)
 
 
 def _road_user(word: Word) -> bool:

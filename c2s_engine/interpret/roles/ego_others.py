@@ -10,15 +10,11 @@ from c2s_engine.structure.specs import PlaceSpec
 
 def faces_red(scene: Scene) -> bool:
     """Whether the light that ego faces is red while it goes on (a right turn on red)."""
+    others = {i for e in scene.clauses.events if not e.agent.ego for i in e.words}
     for event in scene.events(scene.cast.ego):
-        if re.search(
-            r"\bred\b",
-            " ".join(
-                scene.words[i].norm
-                for i in range(max(0, event.word - 8), min(len(scene.words), event.word + 9))
-                if scene.words[i].sentence == scene.words[event.word].sentence
-            ),
-        ):
+        near = scene.words[max(0, event.word - 8) : event.word + 9]
+        told = [w for w in near if w.sentence == scene.words[event.word].sentence and w.i not in others]
+        if any(w.norm == "red" for w in told):
             return True
     return bool(re.search(r"right turn on red|turn(s|ing)? right on red", scene.plain))
 

@@ -130,6 +130,13 @@ def _after(i: int, cast: Cast) -> str:
     return " ".join(w.norm for w in cast.words[i : i + 10] if w.sentence == cast.words[i].sentence)
 
 
+def _who_met_it(passive: Entity, candidates: list[Entity], clauses: Clauses) -> Entity:
+    """Who overtakes or follows one that does nothing itself, though that is told first: "while overtaking a tractor, a
+    Golf hit a Corsa"."""
+    met = (v for v in clauses.events if v.act in ("overtake", "follow", "approach") and v.patient is passive)
+    return next((v.agent for v in met if v.agent in candidates), passive)
+
+
 def _demanded(entity: Entity, cast: Cast) -> bool:
     """Whether a rule asks something of it: "the vehicle shall clear the lane"."""
     return any(
@@ -298,6 +305,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         candidates = generic
     others = [e for e in cast.entities if e not in candidates]
     best = next((e for e in candidates if "following" in e.roles), candidates[0])
+    best = best if acting.get(best) else _who_met_it(best, candidates, clauses)
     hit = {v.patient for v in clauses.events if v.act in ("collide", "overtake", "follow", "yield") and v.agent is best}
     if (
         len(candidates) == 1

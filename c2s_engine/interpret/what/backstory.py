@@ -14,12 +14,23 @@ def was_over(cast: Cast, event: Event, clauses: Clauses) -> bool:
     """Whether it was done before the story begins: "had stopped", or "a taxi has stopped" as the first that is said of
     the taxi."""
     word = cast.words[event.word]
+    if _stood(cast, event):
+        return True
     has = next((c for c in word.children if cast.words[c].norm in ("had", "has", "have") and c < event.word), None)
     if has is None or cast.words[has].norm == "had":
         return has is not None
     first = not event.agent.ego and not event.adverbial and word.dep in ("ROOT", "relcl")
     earlier = (e for e in clauses.events if e.agent is event.agent and e.word < event.word)
     return first and all(e.text.startswith("face ") for e in earlier)
+
+
+def _stood(cast: Cast, event: Event) -> bool:
+    """Whether a participle beside a clause tells that somebody stood: "while stopped at the light, V1 was hit"."""
+    word = cast.words[event.word]
+    before = [w.norm for w in cast.words[max(0, word.i - 1) : word.i] if w.sentence == word.sentence]
+    beside = before == [","] and word.i > 1 and word.i - 2 in cast.of
+    alone = not any(cast.words[c].dep in ("aux", "auxpass") for c in word.children)
+    return word.norm in ("stopped", "halted") and (beside or before in (["while"], ["whilst"], ["when"])) and alone
 
 
 def before_the_story(cast: Cast, clauses: Clauses) -> None:

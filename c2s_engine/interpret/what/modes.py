@@ -18,6 +18,7 @@ THOSE = frozenset(("that", "this", "which"))
 ENDS = language.words("ends")
 RUNS = language.words("runs_of_tests")
 NOBODY = ("nobody", "noone", "none")
+MEANWHILE = ("while", "whilst", "when", "as", "before", "after", "because", "since")
 DUTIES = ("have", "need", "require", "oblige", "suppose", "force")
 
 
@@ -80,6 +81,7 @@ class Modes(Agents):
                     or word.dep == "advcl"
                     and head.i < word.i
                     and self.words[word.i - 1].norm != ","
+                    and self._mark(word) not in MEANWHILE
                 )
                 and lemma
                 in (

@@ -20,8 +20,22 @@ AWAY = re.compile(
 CIRCUMSTANCES = frozenset(("advcl", "prep", "npadvmod", "advmod"))
 COMES_OUT = ("cross_road", "enter_road")
 BEFORE_THE_BLOW = frozenset(
-    ("run_red", "run_stop", "lose_control", "oncoming", "cross_path", "turn", "cut_in", "drift")
+    (
+        "run_red",
+        "run_stop",
+        "lose_control",
+        "oncoming",
+        "cross_path",
+        "turn",
+        "cut_in",
+        "drift",
+        "lane_change",
+        "enter_road",
+        "reverse",
+    )
 )
+MEANWHILE = ("while", "whilst", "when")
+BY_WHICH = BEFORE_THE_BLOW | {"overtake", "pass_by"}
 AT_A_DISTANCE = (
     "brake",
     "brake_stop",
@@ -60,13 +74,13 @@ class Timing(Modes):
             mark = event.adverbial
             if word.dep in ("acl", "pobj") and word.tag == "VBG" and main.act == "collide" and event.word > main.word:
                 event.order = main.order - 0.4  # "was hit by a car turning left"
-            if (
-                word.dep == "relcl"
-                and main.act == "collide"
-                and event.act in BEFORE_THE_BLOW
-                and event.word > main.word
-            ):
-                event.order = main.order - 0.4 if "then" not in event.text.split() else event.order
+            struck = self._in_relative(event)
+            if struck is not None and struck.act == "collide" and "then" not in event.text.split():
+                event.order = struck.order - 0.4
+                continue
+            if mark in MEANWHILE and word.tag == "VBG" and main.act == "collide" and event.act in BY_WHICH:
+                event.order = main.order - 0.4  # "struck V1 while passing"
+                continue
             blow = mark in ("when", "as") and event.act == "collide" and event.agent is main.agent
             if blow and event.word > main.word:
                 continue  # "was turning left when it struck V2"
@@ -82,6 +96,15 @@ class Timing(Modes):
                 and event.word > main.word
             ):
                 event.order = main.order - 0.4
+
+    def _in_relative(self, event: Event) -> Event | None:
+        """What a clause tells in whose relative clause something is told that leads to it: "was struck by V2, which
+        was northbound and ran the light"."""
+        word = self.words[event.word]
+        while word.dep in ("conj", "acomp", "attr") and word.head < word.i:
+            word = self.words[word.head]
+        main = self._main(word) if word.dep == "relcl" and event.act in BEFORE_THE_BLOW else None
+        return main if main is not None and event.word > main.word else None
 
     def joined_to(self, event: Event) -> Event | None:
         """What the clause tells to which an event's clause is joined."""

@@ -18,7 +18,19 @@ END = rf"(?:(?:rear|back)(?:[- ](?:end|bumper|plane))?(?! (?:{SIDE})\b)|tail|boo
 HEAD_ON = re.compile(r"\bhead[- ]?on\b|\bfront to front\b|\bfrontally\b")
 RESTS = re.compile(r"(?:come|coming|end up|finish) (?:finally )?(?:to (?:a |final )?rest|against)\b")
 """Where one is found after a collision."""
+SHIFTS = {
+    **dict.fromkeys(("merge", "move", "shift", "change", "switch"), "lane_change"),
+    "drift": "drift",
+    "veer": "swerve",
+}
+"""What one does who "merges into" another."""
+INTO_REAR = re.compile(rf"\binto (?:the |its )?{END}|\binto @\w+ 's {END}")
 PUSHES = language.words("pushes")
+PUSHES_ONTO = re.compile(
+    r"^\w+ (?:the )?@(?P<whom>\w+) (?:\w+ )?(?:in|on)to (?:the |an? )?(?:\w+ (?:\w+ )?of )?(?:the )?"
+    r"@(?P<what>\w+)\b(?! 's lane)"
+)
+"""Who is pushed, and into whom."""
 IN_ORDER = re.compile(r"\bin (?:that|this|the same|numerical|the following) order\b")
 BACKS_INTO = (6.0, 12.0)
 """How far (m) behind ego stands what it reverses into."""
@@ -27,7 +39,9 @@ BACKS_INTO = (6.0, 12.0)
 def pushed(clauses: Clauses) -> None:
     """Who is pushed into another hits that one: "struck V2, which was pushed into V3"."""
     by_key = {e.key: e for e in (clauses.cast.ego, *clauses.cast.entities)}
-    for event in clauses.events:
+    for event in list(clauses.events):
+        if event.act == "collide" and not event.passive and (onto := PUSHES_ONTO.match(event.text)):
+            _push_onto(clauses, event, by_key.get(onto["whom"]), by_key.get(onto["what"]))
         if event.act != "collide" or not event.passive or clauses._lemma(clauses.words[event.word]) not in PUSHES:
             continue
         into = re.search(r"\binto (?:the )?(?:\w+ of )?(?:the )?@(\w+)", event.text)
@@ -35,6 +49,27 @@ def pushed(clauses: Clauses) -> None:
         other = by_key.get(into[1]) if into else None
         if other is not None and moved is not None and moved is not other:
             event.agent, event.patient, event.passive = moved, other, False
+
+
+def merged_into(clauses: Clauses) -> None:
+    """Who merges or drifts into another changes lanes or drifts first: "merged right into V1"."""
+    for event in [e for e in clauses.events if e.act == "collide" and e.done and not e.passive]:
+        shift = SHIFTS.get(clauses._lemma(clauses.words[event.word]))
+        earlier = (e for e in clauses.events if e.agent is event.agent and e.order < event.order)
+        shifted = any(e.act in ("lane_change", "cut_in", "drift", "turn") for e in earlier)
+        if shift is not None and not shifted and not INTO_REAR.search(event.text):
+            clauses.events.append(Event.echo(event, act=shift, order=event.order - 0.1, adverbial=event.adverbial))
+
+
+def _push_onto(clauses: Clauses, event: Event, whom: Entity | None, what: Entity | None) -> None:
+    """ "V2 struck V1, pushing it into V3": V1 hits V3; the push is the blow that was told."""
+    if whom is None or what is None or clauses._lemma(clauses.words[event.word]) not in PUSHES or what is event.agent:
+        return
+    struck = (e for e in clauses.events if e is not event and e.act == "collide" and e.agent is event.agent)
+    told = any(e.patient is whom and e.done for e in struck)
+    clauses.events.append(Event.echo(event, agent=whom, patient=what, order=event.order + 0.1))
+    event.mode = "hypothetical" if told else event.mode
+    event.patient = whom
 
 
 def twice(clauses: Clauses) -> None:
@@ -62,6 +97,8 @@ def struck_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None
             _one_behind(hit, of)
         elif HEAD_ON.search(hit.text):
             _head_on(hit, of)
+        else:
+            _next_in_chain(hit, clauses, of)
 
 
 def _from_behind(hit: Event, clauses: Clauses) -> bool:
@@ -95,6 +132,17 @@ def _one_behind(hit: Event, of: dict[Entity, Where]) -> None:
     elif agent in of and _open(of[agent]) and not agent.roles & {"oncoming", "crossing"}:
         of[agent].rel, of[agent].lane = "behind", "same"
         of[agent].of = None if patient.ego else patient
+
+
+def _next_in_chain(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Who hits one that has hit ego is behind that one: "V2 hit V1. V3 hit V2"."""
+    agent, patient = hit.agent, hit.patient
+    assert patient is not None
+    before = (e for e in clauses.events if e.act == "collide" and e.agent is patient and e.done and e.word < hit.word)
+    if agent not in of or patient not in of or not any(e.patient is not None and e.patient.ego for e in before):
+        return
+    if _open(of[agent]) and _open(of[patient]) and agent.mover and not agent.roles & {"oncoming", "crossing"}:
+        of[agent].rel, of[agent].lane, of[agent].of = "behind", "same", patient
 
 
 def _head_on(hit: Event, of: dict[Entity, Where]) -> None:

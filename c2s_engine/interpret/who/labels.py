@@ -112,12 +112,20 @@ class Labels(Nouns):
                         and gap[-1] == ","
                         and not re.search(r"\b(a|an|the|called|as)\b", text)
                         and word.dep != "appos"
+                        and not self._between_commas(word, other)
                     ):
                         return None
                     return self.of[other.i]
                 return None
             gap.append(other.norm)
         return None
+
+    def _between_commas(self, word: Word, host: Word) -> bool:
+        """Whether a label stands between commas right behind a noun that is new: "a tractor, V2, ..."."""
+        after = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
+        new = any(self.words[c].norm in ("a", "an") for c in host.children) and len(self.of[host.i].mentions) == 1
+        label = word.span is not None and word.span.kind == "label"
+        return label and new and not self.of[host.i].ego and after is not None and after.norm in (",", ".")
 
     def _copula(self, word: Word) -> Entity | None:
         """The subject of "X is/was a truck"."""

@@ -63,6 +63,7 @@ class Cast(Labels):
         self.one_is_ego = self._label_is_ego()
         self._resolve()
         self._members_to_come()
+        self._subjects_to_come()
         self._both_to_come()
         self._other_to_come()
 
@@ -114,6 +115,23 @@ class Cast(Labels):
         """Whether it is said to be what the first person is in: "I was a passenger in a taxi"."""
         before = " ".join(w.norm for w in self.words[max(0, word.i - 12) : word.i] if w.sentence == word.sentence)
         return word.i not in self.asking and CARRIED.search(before + " ") is not None
+
+    def _subjects_to_come(self) -> None:
+        """ "As it was turning left, V1 was hit": a pronoun before anybody is named means who is named next."""
+        for word in self.words:
+            verb = self.words[word.head]
+            main = self.words[verb.head]
+            if word.norm not in ("it", "he", "she") or word.i in self.of or word.dep not in ("nsubj", "nsubjpass"):
+                continue
+            if verb.dep != "advcl" or main.i < verb.i or any(i < word.i for i in self.of):
+                continue
+            subjects = (c for c in main.children if self.words[c].dep in ("nsubj", "nsubjpass") and c > verb.i)
+            known = (c for c in subjects if not {"a", "an"} & {self.words[i].norm for i in self.words[c].children})
+            named = next((found for c in known if (found := self.referent(c)) is not None), None)
+            if named is not None and (named.mover or named.ego):
+                self.of[word.i] = named
+                named.mentions.insert(0, Mention(word.i, word.start, word.end, kind="pronoun"))
+                self.subjects.insert(0, (word.i, named))
 
     def _both_to_come(self) -> None:
         """ "Both vehicles shall be driven at 50 km/h", before ego and the one other vehicle are named."""

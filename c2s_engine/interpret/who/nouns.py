@@ -216,6 +216,7 @@ class Nouns(Attached, NotThere, Counted):
         found = Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
         if count == 1:
             found.names |= COLOURS & set(before)
+            found.names |= set(self._near(word)) & language.makes()
         if data.get("make"):  # "a Ford Focus": "the Ford" is the same
             found.names.add(data["make"])
         return self._new(found)

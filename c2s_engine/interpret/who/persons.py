@@ -16,6 +16,8 @@ RIDDEN = frozenset(("bicycle", "motorcycle"))
 RESTS = language.words("rests")
 DRIVERS = frozenset(language.table("people")["drivers"])
 STEERS = language.words("steers")
+MANOEUVRES = language.words("manoeuvres") | {"cut", "pull", "change", "back"}
+SAYS = language.words("says")
 PARTIES = language.words("owners")
 REACTS = language.words("reacts")
 AGE = re.compile(r"\b(\d+) ?-? ?year ?-? ?old (?:[\w-]+ ){0,2}$")
@@ -33,6 +35,8 @@ def _nouns() -> dict[str, str]:
 
 class Persons(Salience):
     """The part of Cast that resolves pronouns of persons."""
+
+    asking: frozenset[int]
 
     def _sex(self, word: Word) -> str:
         """Whether a noun means a man or a woman, "" where it does not tell."""
@@ -92,7 +96,27 @@ class Persons(Salience):
         spoken = any(w.lemma in DRIVERS and w.span is None for w in self.words[: word.i])
         if found is None and spoken and not mine and not any(e.mover and e.type != "animal" for e in self.entities):
             return self.ego  # "according to the driver, a dog ran in front of his car"
+        found = found or self._other_party(word, wanted)
         return found or self._salient(word, lambda e: e.mover and e.sex != "i") or self._unnamed(word)
+
+    def _other_party(self, word: Word, sex: str) -> Entity | None:
+        """Who is only called "he" or "she" by one who says "I": the other driver, by what is done or said."""
+        told = any(w.norm in ("i", "me", "my") and w.i not in self.asking for w in self.words)
+        verb = self._governor(word)
+        after = {w.norm for w in self.words[verb.i + 1 : verb.i + 6]}
+        runs = verb.lemma in ("run", "jump", "blow") and after & {"light", "lights", "sign"}
+        comes = verb.lemma in ("come", "emerge", "shoot") and after & {
+            "road",
+            "street",
+            "drive",
+            "driveway",
+            "junction",
+        }
+        drives = verb.lemma in MANOEUVRES or runs or comes
+        named = any(w.tag.startswith("NN") and self._sex(w) for w in self.words[: word.i])  # "my wife was driving"
+        if named or not told or word.dep != "nsubj" or not (drives or verb.lemma in SAYS):
+            return None
+        return self._new(Entity("", "vehicle", noun="other driver", manned=True, sex=sex))
 
     def _unnamed(self, word: Word) -> Entity | None:
         """Who is only called "he" or "she" from the start: ego, where nobody else is and it is not told on foot."""

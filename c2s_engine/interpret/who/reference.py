@@ -109,6 +109,9 @@ class Reference(Centre):
             return short[-1]  # "an auto rickshaw ... the auto"
         if noun in (brands := language.makes()):  # "the Kia hit the Hyundai"
             same = language.table("actors")["same_makes"].get(noun, noun)
+            made = [e for e in self.entities if {noun, same} & e.names and e.count == 1]
+            if made and definite and not any(e.noun == noun for e in candidates):
+                return made[-1]  # "a Ford F-150 ... the Ford": a pickup
             candidates = [e for e in candidates if e.noun not in brands or {noun, same} & {e.noun, *e.names}]
         groups = [e for e in candidates if e.count > 1 and "group" not in e.roles]
         if (
@@ -184,7 +187,11 @@ class Reference(Centre):
                 group[0].roles.add("group")
                 return None
             single = [e for e in vehicles if e.count == 1 and "group" not in e.roles]
-            return single[-1] if single else None
+            return None if not single or self._only_one(single) else single[-1]
+        if ordinal is not None and any(e.ordinal is not None and e.group is None for e in candidates):
+            numbered = [e for e in reversed(candidates) if e.ordinal == ordinal and e.group is None]
+            unnumbered = [e for e in candidates if e.ordinal is None and ordinal == 0]
+            return next(iter(numbered + unnumbered), None)
         if ordinal is not None and len(candidates) > 1 and ordinal < len(candidates):
             return candidates[ordinal]
         led = self._told_ahead(word, candidates) if noun == "vehicle" and count == 1 else None
@@ -239,6 +246,11 @@ class Reference(Centre):
         subjects = [self.words[c] for c in verb.children if self.words[c].dep == "nsubj"]
         own = any(w.lemma in SYSTEMS or w.norm in ("i", "we") and self.of.get(w.i) is self.ego for w in subjects)
         return word.dep == "dobj" and own and verb.lemma in RUN_BY
+
+    def _only_one(self, those: list[Entity]) -> bool:
+        """Whether there is one only, that was told as one of two ("one vehicle"): the other is still to come."""
+        first = those[0].mentions[0].word if those[0].mentions else 0
+        return len(those) == 1 and first > 0 and self.words[first - 1].norm == "one" and not self.ego.mentions
 
     def _ego_moving(self, roles: set[str], kind: str, definite: bool) -> bool:
         """Whether ego is meant by what it does: "the turning truck", of a test vehicle that is a truck."""

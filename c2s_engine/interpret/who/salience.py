@@ -68,6 +68,9 @@ class Salience(Members):
         if word.dep == "nsubj" and (whom := self._object_nouns(verb)):
             accept_any = accept
             accept = lambda e: accept_any(e) and e.noun not in whom  # noqa: E731
+        if word.dep == "nsubj" and (labels := self._object_labels(verb)):
+            accept_other = accept
+            accept = lambda e: accept_other(e) and e.label not in labels and not (e.ego and "1" in labels)  # noqa: E731
         if word.dep == "nsubj" and verb.lemma in ABORTS:
             tries = [e for i, e in self.subjects if i < word.i and self._tries(self._governor(self.words[i]))]
             if tries:
@@ -147,6 +150,11 @@ class Salience(Members):
         objects = [self.words[c] for c in verb.children if self.words[c].dep == "dobj" and c > verb.i]
         the = [w for w in objects if w.span is not None and any(self.words[c].norm == "the" for c in w.children)]
         return {str(w.span.data["noun"]) for w in the if w.span is not None and w.span.data.get("noun")}
+
+    def _object_labels(self, verb: Word) -> set[str]:
+        """The labels of whom somebody hits: it is another who does it ("he hit vehicle 2")."""
+        objects = [self.words[c].span for c in verb.children if self.words[c].dep == "dobj" and c > verb.i]
+        return {str(s.data["label"]) for s in objects if s is not None and s.kind == "label" and s.data.get("label")}
 
     def _enabled(self, word: Word, verb: Word) -> bool:
         """Whether one is whom another makes something possible for ("so that it can get past")."""

@@ -1,0 +1,116 @@
+"""Which way somebody drives, by the compass: told beside its name, or by what it does; and whose lanes are whose."""
+
+import re
+
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.towards import side
+from c2s_engine.interpret.who.mentions import Entity
+
+COMPASS = {"north": 0, "east": 90, "south": 180, "west": 270}
+WAY = re.compile(r"\b(north|south|east|west)(bound|ward|wards|erly)?\b")
+FROM = re.compile(r"(?:from|of) (?:the )?$")
+OFF = re.compile(r"\b(?:from|out of|leave|exit|off|depart)\b.*$")
+SIDE = re.compile(r" (?:side|curb|kerb|edge|shoulder|sidewalk|pavement)\b")
+PLACE = re.compile(r" (?:end|leg|corner|quadrant|crosswalk|approach|part|portion)\b")
+TURNED = re.compile(r"\bturn\w* (?:\w+ ){0,2}?(left|right) (?:\w+ ){0,4}?(?:to|onto|into|in order|and)(?: \w+){0,3} $")
+"""Before the direction into which somebody turns."""
+INTO = re.compile(r"\b(?:into|onto|towards?|across|over|in front of) (?:the )?$")
+LANES = re.compile(r" (?:\w+ ){0,2}(?:lanes?|side|traffic|carriageway)\b")
+"""Lanes into which somebody gets who came from elsewhere: "crossed into the northbound lanes"."""
+LOOKS_BACK, LOOKS_ON = 4, 12
+
+
+def _heading(text: str) -> int | None:
+    """Which way somebody drives of whom the words tell: degrees from north."""
+    for match in WAY.finditer(text):
+        before, after = text[: match.start()], text[match.end() :]
+        way = COMPASS[match[1]]
+        if SIDE.match(after) or not match[2] and FROM.search(before):
+            if SIDE.match(after) and OFF.search(before) is None:
+                continue  # stands there
+            return (way + 180) % 360
+        if PLACE.match(after) and not match[2] or INTO.search(before) and LANES.match(after):
+            continue
+        if turned := TURNED.search(before):
+            return (way + (90 if turned[1] == "left" else -90)) % 360
+        return way
+    return None
+
+
+def _named_so(clauses: Clauses, word: Word) -> bool:
+    """Whether it is part of a name: "North Oak Street"."""
+    after = clauses.words[word.i + 1].text if word.i + 1 < len(clauses.words) else ""
+    capital = word.text[:1].isupper() and not word.text.isupper() and word.i > 0
+    return capital and word.norm in COMPASS and after[:1].isupper()
+
+
+def _told(clauses: Clauses, words: list[Word]) -> str:
+    return " ".join("name" if _named_so(clauses, w) else w.lemma if w.verb else w.norm for w in words)
+
+
+def _another(clauses: Clauses, word: Word, who: Entity) -> bool:
+    """Whether another road user is named there."""
+    named = clauses.cast.of.get(word.i)
+    return named is not None and named is not who and (named.ego or named.mover)
+
+
+def _by_mentions(clauses: Clauses, who: Entity) -> int | None:
+    """The heading told right beside a mention: "a westbound Tahoe", "V1, eastbound on Main Street, ..."."""
+    for mention in who.mentions:
+        sentence = clauses.words[mention.word].sentence
+        before = []
+        for word in reversed(clauses.words[max(0, mention.word - LOOKS_BACK) : mention.word]):
+            if word.sentence != sentence or word.i in clauses.cast.of or not word.tag.startswith(("JJ", "NN", "CD")):
+                break
+            before.insert(0, word)
+        after: list[Word] = []
+        subject = clauses.words[mention.word].dep in ("nsubj", "nsubjpass", "poss", "ROOT")
+        for word in clauses.words[mention.word + 1 : mention.word + LOOKS_ON]:
+            if word.sentence != sentence or _another(clauses, word, who):
+                break
+            if word.tag in ("VBD", "VBZ") and not subject and clauses.words[word.head].i != mention.word:
+                break  # of another: "a pickup behind V1 pulled into the northbound lane"
+            after.append(word)
+        found = _heading(_told(clauses, before)) if before else None
+        found = _heading(_told(clauses, after)) if found is None else found
+        if found is not None:
+            return found
+    return None
+
+
+def heading(clauses: Clauses, who: Entity) -> int | None:
+    """Which way somebody drives, by the words beside its mentions, else by what it does."""
+    found = _by_mentions(clauses, who)
+    if found is not None:
+        return found
+    for event in clauses.events:
+        if event.agent is who or who in event.also:
+            own = [clauses.words[i] for i in sorted(event.words)]
+            found = _heading(_told(clauses, own) if own else event.whole)
+            if found is not None:
+                return found
+    return None
+
+
+LANES_OF = re.compile(
+    r"\b(?:(?:in|on)to|enter|cross|across|over|in) (?:the )?(?P<way>north|south|east|west)bound (?:\w+ ){0,2}lanes?\b"
+)
+GETS_OVER = frozenset(
+    ("lane_change", "cut_in", "drift", "swerve", "lose_control", "cross_path", "enter_road", "travel")
+)
+NEAR = 14
+"""Words within which two verbs tell of one move."""
+
+
+def against_the_traffic(clauses: Clauses) -> None:
+    """Who gets into the lanes of the other direction, by the compass, drives against the traffic there."""
+    for event in clauses.events:
+        lanes = LANES_OF.search(event.text) if event.done and event.act in GETS_OVER and event.agent.mover else None
+        own = heading(clauses, event.agent) if lanes else None
+        if lanes and own is not None and (COMPASS[lanes["way"]] - own) % 360 == 180 and not lanes[0].startswith("in "):
+            event.act, event.side, event.patient = "oncoming", "left", None
+            for before in clauses.events:  # "departed its lane to the left, entered the northbound lane": one move
+                near = 0 < event.word - before.word < NEAR and before.agent is event.agent
+                if near and before.act == "drift" and side(before) in (None, "left"):
+                    before.mode = "hypothetical"

@@ -1,0 +1,498 @@
+"""Reports of crashes: whoever the parties are called, the same happens; what comes after the crash is no scene."""
+
+import pytest
+
+NAMES = {
+    "unit": ("Unit 1", "Unit 1", "Unit 2", "Unit 2"),
+    "driver": ("Driver 1", "Driver 1", "Driver 2", "Driver 2"),
+    "typed": ("V1, a 2019 Toyota Camry driven by a 34-year-old man,", "V1", "V2, a 2014 Ford Focus,", "V2"),
+    "av": ("The AV", "the AV", "a sedan", "the sedan"),
+    "other": ("I", "my vehicle", "the other driver", "the other driver"),
+    "first": ("The first vehicle", "the first vehicle", "the second vehicle", "the second vehicle"),
+    "makes": ("A white Tahoe", "the Tahoe", "a black Altima", "the Altima"),
+}
+CRASHES = {
+    "turn": (
+        "{A} was eastbound on Main Street. {B} was westbound on Main Street and turned left in front of {a}. "
+        "The front of {a} struck the right side of {b}.",
+        (["collide"], "opposite_approach", ["turn_left"]),
+    ),
+    "cross": (
+        "{A} was traveling east on Main Street. {B} was traveling north on Oak Avenue. "
+        "{b} ran the stop sign and {a} struck {b} in the left side.",
+        (["collide"], "crossing_right", ["run_stop", "go_straight"]),
+    ),
+    "rear": (
+        "{A} was stopped at a red light. {B} failed to stop in time and struck the rear of {a}.",
+        (["stationary"], "behind", ["collide"]),
+    ),
+    "lane": (
+        "{A} was eastbound in the right lane. {B} was eastbound in the left lane and changed lanes to the right. "
+        "The right side of {b} struck the left side of {a}.",
+        ([], "left_lane", ["cut_in", "collide"]),
+    ),
+    "line": (
+        "{A} was traveling east on Route 9. {B} was traveling west, crossed the centerline and struck {a} head-on.",
+        ([], "oncoming_lane", ["oncoming", "collide"]),
+    ),
+}
+AFTERWARDS = [
+    "{B} rotated clockwise and came to rest in the southeast quadrant facing north.",
+    "The driver of {b} was cited for failure to yield.",
+    "Both drivers exited their vehicles and exchanged information.",
+    "{B} was pushed into the northbound lanes.",
+    "The vehicles came to final rest on the shoulder.",
+    "The passenger of {b} got out and walked to the side of the road.",
+    "Both drivers then pulled over to the side of the road.",
+]
+
+
+def actions(component) -> list[str]:
+    return [p.action for p in component.spec.phases]
+
+
+def crash(structure) -> tuple:
+    """What ego does, where the only other one is, and what it does."""
+    (other,) = structure.objects
+    return (actions(structure["E"]), other.spec.placement.position, actions(other))
+
+
+def told(text: str, names: tuple[str, ...]) -> str:
+    filled = text.format(A=names[0], a=names[1], B=names[2], b=names[3])
+    return ". ".join(part[:1].upper() + part[1:] for part in filled.split(". "))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_whatever_the_parties_are_called(read, name: str) -> None:
+    for kind, (text, expected) in CRASHES.items():
+        assert crash(read(told(text, NAMES[name]))) == expected, kind
+
+
+@pytest.mark.parametrize("after", AFTERWARDS)
+def test_what_follows_the_crash_is_no_scene(read, after: str) -> None:
+    for kind, (text, expected) in CRASHES.items():
+        assert crash(read(told(f"{text} {after}", ("V1", "V1", "V2", "V2")))) == expected, kind
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 was northbound. V2 was eastbound and hit V1. The driver of V2 was cited for running a red light.",
+        "V1 was northbound. V2 was eastbound, ran a red light and hit V1. D2 was charged with running a red light.",
+        "V2 was eastbound and hit V1, which was northbound. Driver 2 was arrested for running the red light.",
+    ],
+)
+def test_a_charge_tells_what_was_run_before(read, text: str) -> None:
+    assert crash(read(text)) == ([], "crossing_left", ["run_red", "collide"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V2 struck V1 in the rear. V1 had come to rest at a red light.",
+        "V2 struck V1 from behind when V1 came to rest at the light.",
+    ],
+)
+def test_a_rest_before_the_crash_is_told(read, text: str) -> None:
+    assert set(actions(read(text)["E"])) & {"stationary", "stop"}
+
+
+@pytest.mark.parametrize(
+    ("text", "position"),
+    [
+        ("V1, eastbound on Main, was struck by V2, which was northbound and ran the red light.", "crossing_right"),
+        ("A northbound Honda was struck by an eastbound Ford that ran the red light.", "crossing_left"),
+        ("V2, southbound on Elm, ran the red light and was hit by V1, eastbound on Main.", "crossing_left"),
+        ("V1 was northbound on South Elm Street. V2, westbound on West Pine, ran the light.", "crossing_right"),
+        (
+            "V1 was eastbound. V2 came from a lot on the south side of Main and ran the stop sign.",
+            "crossing_right",
+        ),
+    ],
+)
+def test_a_direction_is_that_of_whom_it_stands_beside(read, text: str, position: str) -> None:
+    assert read(text).objects[0].spec.placement.position == position
+
+
+@pytest.mark.parametrize(
+    ("text", "side"),
+    [
+        ("V1 was traveling east. V2 pulled out of a driveway on the north side of the street. V1 struck V2.", "left"),
+        ("V1 was traveling west. V2 came out of a driveway on the north side of the road. V1 struck V2.", "right"),
+    ],
+)
+def test_a_drive_on_a_side_by_the_compass(read, text: str, side: str) -> None:
+    assert read(text).objects[0].spec.placement.side == side
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1, eastbound, was struck by V2, which was northbound and ran the red light.",
+        "The AV was hit by a van which was coming from the left and ran the red light.",
+        "V1 was struck by V2, which was going south and had run the red light.",
+    ],
+)
+def test_what_the_striker_did_is_told_before_the_blow(read, text: str) -> None:
+    assert actions(read(text).objects[0]) == ["run_red", "collide"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A car was stopped at a light. A second car ran into the back of the first car.",
+        "The first car was stopped at a light. The second car ran into the back of the first car.",
+        "One vehicle was stopped at a light. The other vehicle ran into the back of it.",
+    ],
+)
+def test_the_first_and_the_second_are_two(read, text: str) -> None:
+    assert crash(read(text)) == (["stationary"], "behind", ["collide"])
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("V1 E/B on Main St. V2 N/B on Oak Ave, failed to stop at stop sign. V1 struck V2.", "crossing_right run_stop"),
+        ("V1 EB Main at Oak. V2 SB Oak, ran red light, T-boned V1.", "crossing_left run_red"),
+        ("V1 EB. V2 WB, turning left. V1 struck V2.", "opposite_approach turn_left"),
+        ("V2 W/B crossed C/L and struck V1 E/B head-on.", "oncoming_lane oncoming"),
+        ("V1 E/B on Main St, struck rear of V2, stopped in traffic.", "ahead stationary"),
+        ("Unit 1 NB struck Unit 2, parked on the street.", "parked stationary"),
+    ],
+)
+def test_notes_without_a_verb(read, text: str, expected: str) -> None:
+    (other,) = read(text).objects
+    assert f"{other.spec.placement.position} {actions(other)[0]}" == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "acts", "side"),
+    [
+        ("V1 ran off the left side of the road and hit a tree.", ["leave_road", "collide"], "left"),
+        ("V1 departed the right side of the roadway and struck a pole.", ["leave_road", "collide"], "right"),
+        ("V1 went off the right edge of the road into a ditch.", ["leave_road"], "right"),
+        (
+            "V1 drifted off the right side of the road, overcorrected to the left and crossed the centerline.",
+            ["leave_road", "swerve", "oncoming"],
+            "right",
+        ),
+    ],
+)
+def test_who_leaves_a_side_of_the_road(read, text: str, acts: list[str], side: str) -> None:
+    phases = read(text)["E"].spec.phases
+    assert ([p.action for p in phases], phases[0].side) == (acts, side)
+
+
+@pytest.mark.parametrize(
+    ("text", "acts"),
+    [
+        ("V1 was turning right when it was rear-ended by V2.", ["turn_right"]),
+        ("The AV was making a turn to the right when it was struck by a van.", ["turn_right"]),
+        ("V1 was changing lanes to the right when it struck V2.", ["lane_change", "collide"]),
+    ],
+)
+def test_right_before_when_is_a_side(read, text: str, acts: list[str]) -> None:
+    phases = read(text)["E"].spec.phases
+    assert [p.action for p in phases] == acts
+    assert all(p.side != "left" for p in phases)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A 2015 Honda Civic was eastbound. A 2010 Ford F-150 was northbound. The Ford ran the stop sign.",
+        "A 2015 Honda Civic was eastbound. A Chevrolet Silverado was northbound. The Chevrolet ran the stop sign.",
+        "A Toyota Camry was eastbound. A Ford Transit van was northbound. The Ford ran the stop sign.",
+    ],
+)
+def test_a_make_means_the_model_that_was_told(read, text: str) -> None:
+    (other,) = read(text).objects
+    assert (other.spec.type != "car", actions(other)[0]) == (True, "run_stop")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The AV was eastbound. A sedan pulled out of a driveway on the right into its path. The AV struck the sedan.",
+        "A Tahoe was eastbound. An Altima pulled out of a driveway on the right. The front of the Tahoe struck it.",
+        "V1 was eastbound. A car backed out of a driveway on the right into its path. V1 struck the car.",
+    ],
+)
+def test_a_past_form_behind_a_new_one_tells(read, text: str) -> None:
+    structure = read(text)
+    spec = structure.objects[0].spec
+    assert (actions(structure["E"]), spec.placement.position, spec.placement.side) == (["collide"], "roadside", "right")
+
+
+@pytest.mark.parametrize(
+    ("text", "acts"),
+    [
+        ("V2, westbound, failed to yield while turning left and was struck by V1, eastbound.", ["turn_left"]),
+        ("V2 was westbound and failed to yield when turning left in front of V1, eastbound.", ["turn_left"]),
+        ("V2 sideswiped V1, which was parked, while passing.", ["overtake", "collide"]),
+        ("V1, in the right lane, was sideswiped by V2, which was changing lanes.", ["cut_in", "collide"]),
+        ("V1, eastbound, was struck by V2, which was westbound and turning left.", ["turn_left", "collide"]),
+    ],
+)
+def test_what_goes_on_while_it_fails_or_hits(read, text: str, acts: list[str]) -> None:
+    assert actions(read(text).objects[0]) == acts
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The AV, stopped at a red light, was rear-ended by a sedan.",
+        "While stopped at a red light, the AV was struck from behind by a sedan.",
+        "When stopped at a light, V1 was hit in the rear by V2.",
+    ],
+)
+def test_who_is_stopped_aside_stands(read, text: str) -> None:
+    assert crash(read(text)) == (["stationary"], "behind", ["collide"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The driver of V1 was eastbound when V2 took a left in front of him. He hit V2.",
+        "V1 was eastbound. V2 turned left in front of V1. It struck V2.",
+    ],
+)
+def test_who_hits_somebody_is_another(read, text: str) -> None:
+    assert crash(read(text)) == (["collide"], "opposite_approach", ["turn_left"])
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "V1 was southbound, V2 was northbound. V1 departed its lane to the left, entered the northbound lane, and "
+            "its front plane impacted the front plane of V2.",
+            (["oncoming", "collide"], "oncoming_lane", []),
+        ),
+        (
+            "V1 was eastbound and V2 was westbound. V2 crossed into the eastbound lanes and struck V1.",
+            ([], "oncoming_lane", ["oncoming", "collide"]),
+        ),
+        (
+            "V1 was eastbound. V2, westbound, drifted into the eastbound lane and hit V1.",
+            ([], "oncoming_lane", ["oncoming", "collide"]),
+        ),
+    ],
+)
+def test_the_lanes_of_the_other_direction(read, text: str, expected: tuple) -> None:
+    assert crash(read(text)) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "position"),
+    [
+        ("V1 was northbound. V2 was eastbound. The front of V1 struck the left side of V2.", "crossing_left"),
+        ("V1 was traveling north and V2 was traveling west. V2's front contacted V1's right side.", "crossing_right"),
+        ("V1 was going north on Elm. V2 was going east on Pine. They collided.", "crossing_left"),
+        ("V1 was eastbound. A bicyclist was northbound and ran the stop sign. V1 struck him.", "crossing_right"),
+        ("The AV was going straight when a cyclist ran a red light and struck its right side.", "crossing_right"),
+        ("V1 was turning left from eastbound Main. A bicyclist was westbound. V1 hit her.", "opposite_approach"),
+        ("V1 was northbound, turning right. A bicyclist was northbound, too. V1 struck the cyclist.", "partly_in_lane"),
+    ],
+)
+def test_who_meets_ego_at_a_junction_by_the_compass(read, text: str, position: str) -> None:
+    structure = read(text)
+    assert structure.place.spec.kind == "intersection"
+    assert structure.objects[0].spec.placement.position == position
+    assert "run_red" not in actions(structure["E"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A woman was hurt when the car she was driving ran off the road and hit a tree.",
+        "A man was killed when the pickup he was driving left the road and hit a tree.",
+        "A woman died after the van that she was driving ran off the road and struck a tree.",
+    ],
+)
+def test_the_car_one_was_driving_is_ones_own(read, text: str) -> None:
+    structure = read(text)
+    assert (actions(structure["E"]), len(structure.objects)) == (["leave_road", "collide"], 1)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 was eastbound when V2 turned left in front of it and struck V1.",
+        "The AV was eastbound when a van turned left across its path and made contact with its left side.",
+        "V1 was slowing for traffic when V2 turned left in front of it and hit V1's front.",
+    ],
+)
+def test_what_the_other_then_did(read, text: str) -> None:
+    assert actions(read(text).objects[0]) == ["turn_left", "collide"]
+
+
+@pytest.mark.parametrize(
+    ("text", "position", "acts"),
+    [
+        ("He claims I pulled out on him. I was going straight and he turned left.", "opposite_approach", ["turn_left"]),
+        (
+            "I had stopped. The other driver says I reversed into her. She hit me from behind.",
+            "behind",
+            ["collide"],
+        ),
+        ("She said that I ran the red light. My light was green and she hit my side.", "crossing_left", ["collide"]),
+        ("I was in the right lane and he merged into me.", "left_lane", ["cut_in", "collide"]),
+    ],
+)
+def test_what_others_claim_of_the_teller(read, text: str, position: str, acts: list[str]) -> None:
+    structure = read(text)
+    assert set(actions(structure["E"])) <= {"go_straight", "stationary"}
+    assert (structure.objects[0].spec.placement.position, actions(structure.objects[0])) == (position, acts)
+
+
+def test_what_each_says_of_the_other_is_left_open(read) -> None:
+    text = "Driver 2 stated that V1 ran the red light. Driver 1 stated that V2 ran the red light. V1 struck V2."
+    structure = read(text)
+    assert "run_red" not in actions(structure["E"]) + actions(structure.objects[0])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V2 struck the rear of V1, pushing it into the rear of V3.",
+        "V2 struck V1 from behind and pushed it into V3.",
+        "A van hit the ego from behind, shunting it into the car in front.",
+    ],
+)
+def test_who_is_pushed_into_another(read, text: str) -> None:
+    structure = read(text)
+    assert actions(structure["E"]) == ["collide"]
+    assert [o.spec.placement.position for o in structure.objects] == ["behind", "ahead"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 braked for a fox. V2 hit V1. V3 hit V2.",
+        "V2 failed to stop and struck V1. V2 was then struck by V3.",
+        "V1 slowed. V2 hit V1 and V3 ran into V2.",
+    ],
+)
+def test_a_chain_of_blows(read, text: str) -> None:
+    last = read(text).objects[-1].spec.placement
+    assert (last.position, last.of != "ego") == ("behind", True)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The driver in front of me braked suddenly and I ran into the back of him.",
+        "A van ahead of me braked suddenly and I ran into it.",
+    ],
+)
+def test_who_runs_into_another_is_not_on_foot(read, text: str) -> None:
+    assert crash(read(text)) == (["collide"], "ahead", ["brake"])
+
+
+@pytest.mark.parametrize(
+    ("text", "position"),
+    [
+        ("V2 changed lanes into V1.", "left_lane"),
+        ("V2 changed lanes to the left into the side of V1.", "right_lane"),
+        ("V2, in the left lane, merged right into V1.", "left_lane"),
+    ],
+)
+def test_who_changes_lanes_into_another(read, text: str, position: str) -> None:
+    assert crash(read(text)) == ([], position, ["cut_in", "collide"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 was behind V2 in lane one. V2 changed to lane two and V1 struck V3, which was stopped ahead.",
+        "V1 was following V2. V2 moved into the left lane and V1 hit V3, which was stopped ahead of it.",
+    ],
+)
+def test_a_new_subject_behind_a_place(read, text: str) -> None:
+    structure = read(text)
+    assert actions(structure["E"]) == ["follow", "collide"]
+    assert "collide" not in actions(structure.objects[0])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 was parked. The driver opened the door and a cyclist collided with it.",
+        "V1 opened its door into the path of a bicyclist, who struck the door.",
+    ],
+)
+def test_a_cyclist_rides_into_a_door_from_behind(read, text: str) -> None:
+    structure = read(text)
+    assert (actions(structure["E"])[0], structure.objects[0].spec.placement.position) == ("stationary", "behind")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 struck the rear of V2. The glass of the left headlight was cracked.",
+        "V1 struck the rear of V2. Debris was found in the lane. Photo box checked.",
+    ],
+)
+def test_what_broke_is_no_obstacle(read, text: str) -> None:
+    assert [o.spec.type for o in read(text).objects] == ["car"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "O/V was southbound on Elm and ran the red light. My vehicle was eastbound. O/V hit me.",
+        "I/V was eastbound. O/V was southbound and ran the red light and hit I/V.",
+        "I was eastbound. O/D was southbound, ran the red light and hit my vehicle.",
+    ],
+)
+def test_letters_for_the_other_vehicle(read, text: str) -> None:
+    assert crash(read(text)) == ([], "crossing_left", ["run_red", "collide"])
+
+
+@pytest.mark.parametrize(
+    ("text", "types"),
+    [
+        ("While attempting to overtake a tractor, a Golf collided with an oncoming van.", ["truck", "van"]),
+        ("While overtaking a bus, a Fiat collided with an oncoming truck.", ["bus", "truck"]),
+        ("While following a bus, a Fiat rear-ended it when it braked.", ["bus"]),
+    ],
+)
+def test_who_passes_is_ego_not_who_is_passed(read, text: str, types: list[str]) -> None:
+    structure = read(text)
+    assert [o.spec.type for o in structure.objects] == types
+    assert "collide" in actions(structure["E"])
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("V1 came up on a slow-moving tractor, V2, and struck it from behind.", "truck"),
+        ("V1 struck a parked van, V2.", "van"),
+        ("V1 followed a bus, V2, and hit it when it stopped.", "bus"),
+    ],
+)
+def test_a_label_between_commas(read, text: str, kind: str) -> None:
+    structure = read(text)
+    assert [o.spec.type for o in structure.objects] == [kind]
+    assert "collide" in actions(structure["E"])
+
+
+def test_who_turns_ahead_in_egos_direction_is_not_opposite(read) -> None:
+    text = (
+        "V2 was northbound and slowed to turn left. V1, northbound behind V2, tried to pass it and hit it as it turned."
+    )
+    structure = read(text)
+    assert structure.objects[0].spec.placement.position == "ahead"
+
+
+@pytest.mark.parametrize(
+    ("text", "act"),
+    [
+        ("As it was turning left, V1 hit V2.", "turn_left"),
+        ("As it was changing lanes to the left, the AV was struck by a van.", "lane_change"),
+        ("While he was turning right, the driver of V1 struck V2.", "turn_right"),
+    ],
+)
+def test_a_pronoun_before_the_name(read, text: str, act: str) -> None:
+    assert actions(read(text)["E"])[0] == act

@@ -93,6 +93,8 @@ class Labels(Nouns):
 
     def _apposed(self, word: Word) -> Entity | None:
         """The entity that a label or noun stands beside: "a car (V2)", "V2, a car", "V2 was a truck"."""
+        if (host := self._in_brackets_of(word)) is not None:
+            return host
         before = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
         gap: list[str] = []
         for other in reversed(before):
@@ -118,6 +120,19 @@ class Labels(Nouns):
                     return self.of[other.i]
                 return None
             gap.append(other.norm)
+        return None
+
+    def _in_brackets_of(self, word: Word) -> Entity | None:
+        """Whose label stands before the bracket that says what it is: "V1 (2019 Isuzu NPR delivery truck)"."""
+        if word.span is None or word.span.kind != "actor":
+            return None
+        for other in reversed(self.words[max(1, word.i - 8) : word.i]):
+            if other.norm == "(":
+                named = self.words[other.i - 1]
+                labelled = named.span is not None and named.span.kind == "label"
+                return self.of.get(named.i) if labelled else None
+            if other.norm in (")", ";", ".") or other.verb or other.tag == "IN":
+                return None
         return None
 
     def _between_commas(self, word: Word, host: Word) -> bool:

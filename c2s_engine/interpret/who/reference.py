@@ -142,6 +142,10 @@ class Reference(Centre):
             there = self._by_place(word, candidates) if definite and count == 1 else None
             if there is not None:
                 return there
+            if roles == {"following"} and definite and count == 1:
+                followers = [e for e in candidates if "following" in self._hints(e)]
+                if followers:
+                    return followers[-1]
             if roles & {"lead"}:
                 ahead = [e for e in candidates if "ahead" in self._hints(e)]
                 if ahead:
@@ -314,6 +318,8 @@ class Reference(Centre):
                 found.add("ahead")
             if re.search(r"(?:the|from the) (?:other|opposite) (?:way|direction)|towards? (?:ego|it)\b", near):
                 found.add("oncoming")
+            if re.match(r"\S+ (?:(?:is|was) )?(?:following|behind|trailing|close behind|travell?ing behind)\b", near):
+                found.add("following")
             before = " ".join(
                 w.norm
                 for w in self.words[max(0, mention.word - 6) : mention.word]

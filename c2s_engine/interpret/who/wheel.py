@@ -70,7 +70,7 @@ class AtWheel(Reference):
             )  # "a man mixed up the pedals and drove his Audi"
             drives = moves and verb.i > word.i and other.dep == "dobj" and self._heads(word, subject)
             drives = drives or own and CONTROL.search(text) is not None
-            if drives or SITS.fullmatch(text):
+            if drives or SITS.fullmatch(text) or word.dep == "poss" and word.head == other.i:
                 found = known or self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))
                 self.wheels[other.i] = found
                 return found

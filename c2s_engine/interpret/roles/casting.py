@@ -41,6 +41,9 @@ def actors(scene: Scene) -> list[Entity]:
             continue
         if not own and not passive and where.rel is None and where.lane is None and _only_spoken_of(scene, entity):
             continue
+        flew = all(e.act == "collide" and e.patient is not scene.cast.ego for e in own)
+        if entity.type == "debris" and own and flew and where.open:
+            continue  # "Unit 3 was hit by debris"
         if entity.noun in ("somebody", "someone") and not own and not passive and where.rel is None:
             continue
         if entity.noun in language.table("actors")["fixed"] and not any(e.act == "collide" for e in passive):

@@ -24,8 +24,14 @@ def body(actor: Actor) -> list[str]:
         if last or (not final.startswith("do Drive") and not until):
             out.append(final)
         else:
-            out.append(f"{final} {until or 'for 3 seconds'}")
+            out.append(f"{final} {until or _usual(done[i + 1])}")
     return out
+
+
+def _usual(then: Step) -> str:
+    """How long a step lasts that nothing ends: one before a collision at a spot is short, so that there is time to
+    arrive there with the other."""
+    return "for 0.5 seconds" if "strike(" in then[0][-1] else "for 3 seconds"
 
 
 def _steps(course: Course) -> list[Step]:

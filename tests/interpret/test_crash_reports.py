@@ -496,3 +496,47 @@ def test_who_turns_ahead_in_egos_direction_is_not_opposite(read) -> None:
 )
 def test_a_pronoun_before_the_name(read, text: str, act: str) -> None:
     assert actions(read(text)["E"])[0] == act
+
+
+@pytest.mark.parametrize(
+    ("text", "ego", "other"),
+    [
+        ("V1 (2019 Isuzu NPR delivery truck) struck V2 (bicycle, adult female rider).", "truck", "bicycle"),
+        ("Vehicle 1 (2012 Toyota Sienna minivan) rear-ended Vehicle 2 (2008 Freightliner box truck).", "van", "truck"),
+        ("Unit 1 (2014 Honda Civic sedan) changed lanes into Unit 2 (2016 Harley motorcycle).", "car", "motorcycle"),
+    ],
+)
+def test_brackets_behind_a_label_say_what_it_is(read, text: str, ego: str, other: str) -> None:
+    structure = read(text)
+    assert (structure.ego.spec.type, [o.spec.type for o in structure.objects]) == (ego, [other])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "U-1 was E/B. O-unit was N/B and went. O-unit front to U-1 right rear door.",
+        "V1 N/B, V2 W/B. V2 front to V1 right side.",
+        "U-1 was E/B. U-2 crossed the center line. Head-on impact.",
+        "V2 was W/B in the E/B lanes and V1 E/B. Head-on, left lane.",
+        "The left front corner of the Prius and the right door of the AV came into contact.",
+        "The AV was braking with a gray SUV following. The driver of the following SUV hit the rear of the AV.",
+        "I was stationary in the queue at the lights when a white Transit went into the back of me.",
+    ],
+)
+def test_who_is_hit_in_few_words(read, text: str) -> None:
+    structure = read(text)
+    assert len(structure.objects) == 1
+    hits = [p.target for p in structure.objects[0].spec.phases if p.action == "collide"]
+    assert hits == ["ego"]
+
+
+@pytest.mark.parametrize(
+    ("text", "acts"),
+    [
+        ("A van ploughed through a line of cones and into the back of a stationary lorry.", ["collide"]),
+        ("A car ran a red light and into the side of a bus.", ["run_red", "collide"]),
+        ("V1 ran off the road and into a tree.", ["leave_road", "collide"]),
+    ],
+)
+def test_a_verb_left_out_before_into(read, text: str, acts: list[str]) -> None:
+    assert [p.action for p in read(text).ego.spec.phases] == acts

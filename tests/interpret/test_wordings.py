@@ -169,6 +169,81 @@ CELLS = [
         "ego does nothing | ego just drives on | remove ego's reaction | no reaction of ego",
     ),
     (STREET, "make ego a bus", "I'm in a bus | a bus as ego | my car should be a bus | we drive a bus | ego in a bus"),
+    # who is named besides, or meant by "the other two"
+    (
+        MOTORWAY,
+        "swap the van and the car",
+        "swap the other two | the other two swap places | the two others should swap places",
+    ),
+    (
+        MOTORWAY,
+        "both at 90 km/h",
+        "the other two should drive 90 | the van and the car at 90 | the van and the car should both drive 90 km/h",
+    ),
+    (
+        ROW,
+        "a dog crosses the road from the right",
+        "together with the boy a dog crosses the road from the right | besides the boy, a dog crosses the road from "
+        "the right | along with the boy a dog crosses the road from the right",
+    ),
+    # ego does no longer what it did
+    (
+        STREET,
+        "ego should not follow",
+        "ego no longer follows the taxi | ego doesnt follow the taxi any more | ego stops following it",
+    ),
+    # too slow, too fast
+    (
+        MOTORWAY,
+        "the van is too slow",
+        "that van is far too slow | the van drives much too slowly | van is too slow | our van goes really too slow",
+    ),
+    # one after the other, and the moment behind it
+    (
+        MOTORWAY,
+        "the van should stop after 5 s",
+        "the van should stop, and that after 5 s | the van has to stop, 5 seconds after the start | "
+        "the van must stop, and this 5 s after the start",
+    ),
+    (
+        MOTORWAY,
+        "first the van changes lanes to the left, then it brakes",
+        "the van first changes lanes to the left and only after that brakes | "
+        "the van should change lanes to the left and only then brake",
+    ),
+    (
+        STREET,
+        "the woman crosses when the taxi brakes",
+        "the woman doesn't just stand there: when the taxi brakes she crosses | the woman should not wait there. When "
+        "the taxi brakes, she crosses the road | when the taxi brakes the woman panics and crosses the road",
+    ),
+    # the whole scene, behind what one does
+    (
+        MOTORWAY,
+        "ego should evade. at night",
+        "ego should evade, and the whole thing at night | when the van slows ego should not brake but evade, and it "
+        "is night | ego evades, and everything at night | ego evades and the scene is at night",
+    ),
+    # what the junction is controlled by
+    (
+        JUNCTION,
+        "the junction has stop signs",
+        "replace the traffic lights by stop signs | stop signs instead of traffic lights | no lights but stop signs | "
+        "change the signals to stop signs",
+    ),
+    (JUNCTION, "ego has a green light", "we have green | I get a green light | we have a green signal"),
+    (
+        MOTORWAY,
+        "add a 60 sign on the right",
+        "put up a speed limit sign 60 on the right side of the road | there should be a speed sign 60 | "
+        "put a sign with a limit of 60 at the right side of the road | add a sign that says 60 on the right",
+    ),
+    (
+        ROW,
+        "the boy is visible from the start",
+        "we want to see the boy from the beginning | I want to see the boy from the start, don't hide him | "
+        "we should be able to see the boy clearly",
+    ),
     (MOTORWAY, "make it two lanes", "number of lanes: 2 | reduce the lanes to two | not three lanes but two"),
 ]
 

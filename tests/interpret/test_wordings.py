@@ -196,8 +196,61 @@ CELLS = [
     (
         MOTORWAY,
         "the van is too slow",
-        "that van is far too slow | the van drives much too slowly | van is too slow | our van goes really too slow",
+        "that van is far too slow | the van is too slow for our test | the van drives much too slowly | van is too slow | our van goes really too slow",
     ),
+    (
+        JUNCTION,
+        "the motorcycle is too close",
+        "the motorcycle rides too close to us | the motorcycle follows much too close | motorcycle: too close",
+    ),
+    # where it all happens, and who is nobody in particular
+    (
+        MOTORWAY,
+        "at night",
+        "it all happens at night | the whole scene takes place at night | everything should take place at night",
+    ),
+    (
+        MOTORWAY,
+        "on a rural road",
+        "it all happens on a country road | a rural road instead of the motorway | not a motorway but a country road | "
+        "replace the motorway by a city street",
+    ),
+    (
+        MOTORWAY,
+        "let a vehicle tailgate ego",
+        "somebody should tailgate us | someone has to tailgate ego | somebody must tailgate me",
+    ),
+    (
+        STREET,
+        "the woman is hidden by two parked cars",
+        "the woman comes out from behind parked cars | the woman comes from between parked cars",
+    ),
+    # not at once, but at that moment
+    (
+        MOTORWAY,
+        "the van brakes after 4 s",
+        "the van doesn't brake immediately but after 4 s | the van must not brake at once, only after 4 s | "
+        "the van brakes later, namely after 4 s | the van should not brake right away, it brakes after 4 s",
+    ),
+    (
+        STREET,
+        "the woman crosses when the taxi brakes",
+        "the woman doesn't cross at once, only when the taxi brakes | the woman should not cross the road yet but when "
+        "the taxi brakes | she must not start straight away, only when the taxi brakes",
+    ),
+    (STREET, "the woman crosses later", "the woman should not cross so early | the woman doesn't start right away"),
+    (
+        JUNCTION,
+        "the lorry runs the red light",
+        "the lorry drives over red | the lorry goes through the red light | the lorry jumps the light",
+    ),
+    (JUNCTION, "the lorry stops at the red light", "the lorry obeys its red light | the lorry respects the light"),
+    (
+        STREET,
+        "ego does not react",
+        "ego doesn't care about the woman | we pay no attention to the woman | ego takes no notice of anybody",
+    ),
+    (MOTORWAY, "the van keeps on going", "the van just keeps on driving at 108 km/h | the van drives on at 108 km/h"),
     # one after the other, and the moment behind it
     (
         MOTORWAY,

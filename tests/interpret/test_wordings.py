@@ -196,7 +196,8 @@ CELLS = [
     (
         MOTORWAY,
         "the van is too slow",
-        "that van is far too slow | the van is too slow for our test | the van drives much too slowly | van is too slow | our van goes really too slow",
+        "that van is far too slow | the van is too slow for our test | the van drives much too slowly | "
+        "van is too slow | our van goes really too slow",
     ),
     (
         JUNCTION,

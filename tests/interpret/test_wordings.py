@@ -169,6 +169,135 @@ CELLS = [
         "ego does nothing | ego just drives on | remove ego's reaction | no reaction of ego",
     ),
     (STREET, "make ego a bus", "I'm in a bus | a bus as ego | my car should be a bus | we drive a bus | ego in a bus"),
+    # who is named besides, or meant by "the other two"
+    (
+        MOTORWAY,
+        "swap the van and the car",
+        "swap the other two | the other two swap places | the two others should swap places",
+    ),
+    (
+        MOTORWAY,
+        "both at 90 km/h",
+        "the other two should drive 90 | the van and the car at 90 | the van and the car should both drive 90 km/h",
+    ),
+    (
+        ROW,
+        "a dog crosses the road from the right",
+        "together with the boy a dog crosses the road from the right | besides the boy, a dog crosses the road from "
+        "the right | along with the boy a dog crosses the road from the right",
+    ),
+    # ego does no longer what it did
+    (
+        STREET,
+        "ego should not follow",
+        "ego no longer follows the taxi | ego doesnt follow the taxi any more | ego stops following it",
+    ),
+    # too slow, too fast
+    (
+        MOTORWAY,
+        "the van is too slow",
+        "that van is far too slow | the van is too slow for our test | the van drives much too slowly | "
+        "van is too slow | our van goes really too slow",
+    ),
+    (
+        JUNCTION,
+        "the motorcycle is too close",
+        "the motorcycle rides too close to us | the motorcycle follows much too close | motorcycle: too close",
+    ),
+    # where it all happens, and who is nobody in particular
+    (
+        MOTORWAY,
+        "at night",
+        "it all happens at night | the whole scene takes place at night | everything should take place at night",
+    ),
+    (
+        MOTORWAY,
+        "on a rural road",
+        "it all happens on a country road | a rural road instead of the motorway | not a motorway but a country road | "
+        "replace the motorway by a city street",
+    ),
+    (
+        MOTORWAY,
+        "let a vehicle tailgate ego",
+        "somebody should tailgate us | someone has to tailgate ego | somebody must tailgate me",
+    ),
+    (
+        STREET,
+        "the woman is hidden by two parked cars",
+        "the woman comes out from behind parked cars | the woman comes from between parked cars",
+    ),
+    # not at once, but at that moment
+    (
+        MOTORWAY,
+        "the van brakes after 4 s",
+        "the van doesn't brake immediately but after 4 s | the van must not brake at once, only after 4 s | "
+        "the van brakes later, namely after 4 s | the van should not brake right away, it brakes after 4 s",
+    ),
+    (
+        STREET,
+        "the woman crosses when the taxi brakes",
+        "the woman doesn't cross at once, only when the taxi brakes | the woman should not cross the road yet but when "
+        "the taxi brakes | she must not start straight away, only when the taxi brakes",
+    ),
+    (STREET, "the woman crosses later", "the woman should not cross so early | the woman doesn't start right away"),
+    (
+        JUNCTION,
+        "the lorry runs the red light",
+        "the lorry drives over red | the lorry goes through the red light | the lorry jumps the light",
+    ),
+    (JUNCTION, "the lorry stops at the red light", "the lorry obeys its red light | the lorry respects the light"),
+    (
+        STREET,
+        "ego does not react",
+        "ego doesn't care about the woman | we pay no attention to the woman | ego takes no notice of anybody",
+    ),
+    (MOTORWAY, "the van keeps on going", "the van just keeps on driving at 108 km/h | the van drives on at 108 km/h"),
+    # one after the other, and the moment behind it
+    (
+        MOTORWAY,
+        "the van should stop after 5 s",
+        "the van should stop, and that after 5 s | the van has to stop, 5 seconds after the start | "
+        "the van must stop, and this 5 s after the start",
+    ),
+    (
+        MOTORWAY,
+        "first the van changes lanes to the left, then it brakes",
+        "the van first changes lanes to the left and only after that brakes | "
+        "the van should change lanes to the left and only then brake",
+    ),
+    (
+        STREET,
+        "the woman crosses when the taxi brakes",
+        "the woman doesn't just stand there: when the taxi brakes she crosses | the woman should not wait there. When "
+        "the taxi brakes, she crosses the road | when the taxi brakes the woman panics and crosses the road",
+    ),
+    # the whole scene, behind what one does
+    (
+        MOTORWAY,
+        "ego should evade. at night",
+        "ego should evade, and the whole thing at night | when the van slows ego should not brake but evade, and it "
+        "is night | ego evades, and everything at night | ego evades and the scene is at night",
+    ),
+    # what the junction is controlled by
+    (
+        JUNCTION,
+        "the junction has stop signs",
+        "replace the traffic lights by stop signs | stop signs instead of traffic lights | no lights but stop signs | "
+        "change the signals to stop signs",
+    ),
+    (JUNCTION, "ego has a green light", "we have green | I get a green light | we have a green signal"),
+    (
+        MOTORWAY,
+        "add a 60 sign on the right",
+        "put up a speed limit sign 60 on the right side of the road | there should be a speed sign 60 | "
+        "put a sign with a limit of 60 at the right side of the road | add a sign that says 60 on the right",
+    ),
+    (
+        ROW,
+        "the boy is visible from the start",
+        "we want to see the boy from the beginning | I want to see the boy from the start, don't hide him | "
+        "we should be able to see the boy clearly",
+    ),
     (MOTORWAY, "make it two lanes", "number of lanes: 2 | reduce the lanes to two | not three lanes but two"),
 ]
 

@@ -52,7 +52,7 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
         demand = re.sub(r"^to (?=down to )", f"{who} brakes ", re.sub(r"^to (?=up to )", f"{who} accelerates ", demand))
         if re.match(r"(?:about |around )?\d[\d.]* ?[a-z]+ (?:between|apart|of space)", demand):
             demand = f"{who} with {demand}"
-        demand = re.sub(r"^(then )?(?:it|he|she|they)\b", rf"\g<1>{who}", demand)
+        demand = re.sub(rf"^(then )?(?:it|he|she|they)\b(?!{table['impersonal']})", rf"\g<1>{who}", demand)
         if not re.search(table["owned"], demand) or not scan.names(demand):
             demand = re.sub(table["owned"], f"{who}'s", demand)
         demand = re.sub(r"\b(for|of|with|by|to) (?:it|them|him|her)$", rf"\g<1> {who}", demand)
@@ -127,6 +127,7 @@ def _parts(sentence: str) -> list[str]:
         rf"\s+{there}",
     )
     sentence = re.sub(r"\b(both|between) ((?:the )?[\w-]+) and ", r"\1 \2 & ", sentence)
+    sentence = re.sub(table["together"], r"\g<one> & ", sentence)
     return [part.replace(" & ", " and ") for part in re.split("|".join(bounds), sentence)]
 
 

@@ -185,7 +185,9 @@ def retype(clause: str, structure: Structure) -> Found | None:
         noun = kind.replace("_", " ")
         what = f"{count} {language.plurals(noun)[0]}" if count > 1 else f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
         other = _besides(who or "", component, structure)
-        if other is not None:
+        if other is not None and plural:
+            edits.append(SetSpec(component=other.id, spec=_typed(spec_of(other), kind)))
+        elif other is not None:
             now = structure
             for one in edits:
                 now = apply(now, one)

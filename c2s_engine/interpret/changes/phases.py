@@ -7,7 +7,7 @@ from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import table
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, SetField
-from c2s_engine.structure.specs import Phase, Trigger
+from c2s_engine.structure.specs import EgoSpec, Phase, Trigger
 
 WAYS = {"go_straight": "straight", "turn_left": "left", "turn_right": "right", "u_turn": "u_turn"}
 """Ways through an intersection, as actions and as ego's manoeuvre."""
@@ -45,6 +45,15 @@ def afterwards(clause: str, edits: Sequence[Edit], structure: Structure) -> list
     trigger = Trigger(kind="action", of=of, action=acts[0].value[-1].action)
     value = (phases[0].model_copy(update={"trigger": trigger}), *phases[1:])
     return [SetField(component=waits.id, path="phases", value=value)]
+
+
+def given_up(clause: str, structure: Structure) -> list[Edit]:
+    """The edit after which ego does no longer what the clause denies; none for its way through an intersection."""
+    assert isinstance(structure.ego.spec, EgoSpec)
+    phases = structure.ego.spec.phases
+    said = re.sub(table()["meanwhile"], "", clause)
+    kept = tuple(p for p in phases if p.action in WAYS or not doing(said, (p.action,)))
+    return [SetField(component="E", path="phases", value=kept)] if kept != phases else []
 
 
 def mapped(phase: Phase, ids: dict[str, str]) -> Phase:

@@ -27,6 +27,7 @@ def plainly(plain: str, structure: Structure) -> str:
     """A turn with each of its sentences put plainly."""
     for find, new in _table()["before"]:
         plain = re.sub(find, new, plain)
+    plain = re.sub(_table()["pair"], lambda m: _pair(structure) or m[0], plain)
     plain = _named(re.sub(_table()["row"], _row(structure) or r"\g<0>", plain), structure)
     sentences = re.split(r"(?<=[.;!?])\s+", plain)
     rows = [(find, _with_doer(new, verb, structure)) for find, new, verb in _rows("sentences")]
@@ -42,6 +43,12 @@ def _row(structure: Structure) -> str | None:
         return None
     parked = "parked " if groups[0].placement.position == "parked" else ""
     return f"the {parked}{language.plurals(groups[0].type.replace('_', ' '))[0]}"
+
+
+def _pair(structure: Structure) -> str | None:
+    """Both who are there by their nouns, where two are there."""
+    two = structure.objects if len(structure.objects) == 2 else ()
+    return " and ".join(called_by(c, structure) for c in two) or None
 
 
 def questioned(plain: str, structure: Structure) -> str:

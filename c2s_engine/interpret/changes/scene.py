@@ -5,7 +5,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.forms import Found, quantity_of
-from c2s_engine.interpret.changes.refer import refer
+from c2s_engine.interpret.changes.refer import refer, spec_of
 from c2s_engine.interpret.reading import amounts, scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Structure
@@ -103,6 +103,7 @@ def road(clause: str, structure: Structure) -> Found | None:
         return None
     if len(scan.names(clause)) > 0 and not re.search(r"^(on|at|in|put it|move it|make it|let it|it )", clause):
         return None
+    clause = _instead(clause)
     numbers = amounts.quantities(clause) or amounts.bare_speeds(clause)
     found = place.read(clause, [(0, len(clause))], numbers)
     old = structure.place.spec
@@ -118,6 +119,8 @@ def road(clause: str, structure: Structure) -> Found | None:
         if kind == "motorway":
             update |= {"lanes": max(2, old.lanes or 2), "oncoming": None, "crosswalk": None, "sidewalk": None}
         update["curve"] = found.curve if kind == "curve" else None
+    if not kind and old.kind == "motorway" and re.search(language.table("refine")["common_road"], clause):
+        update |= _off_the_motorway(structure)
     if found.arms:
         update["arms"] = found.arms
     if found.control and (kind or old.kind) == "intersection":
@@ -143,6 +146,12 @@ def road(clause: str, structure: Structure) -> Found | None:
     return [
         SetSpec(component="R", spec=PlaceSpec.model_validate(old.model_dump() | update))
     ], "the place: " + ", ".join(f"{k} {v}" for k, v in update.items() if v is not None)
+
+
+def _off_the_motorway(structure: Structure) -> dict[str, Any]:
+    """What of the place becomes another on a common road: its lanes, unless somebody is beside ego."""
+    beside = any(spec_of(c).placement.position in ("left_lane", "right_lane") for c in structure.objects)
+    return {"kind": "road"} | ({} if beside else {"lanes": None, "ego_lane": None})
 
 
 def own_lane(clause: str, structure: Structure) -> Found | None:

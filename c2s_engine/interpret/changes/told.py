@@ -8,7 +8,7 @@ import re
 from typing import Any
 
 from c2s_engine.interpret.changes.forms import Found, name_of
-from c2s_engine.interpret.changes.phases import PASSING, WAYS, afterwards, awaited, joined, mapped
+from c2s_engine.interpret.changes.phases import PASSING, WAYS, afterwards, awaited, given_up, joined, mapped
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
 from c2s_engine.interpret.reading import scan
@@ -171,6 +171,8 @@ def _denied(clause: str, structure: Structure) -> Found | None:
         kept = tuple(p for p in phases if p.action not in denied)
         if kept != phases:
             edits.append(SetField(component=edit.component, path="phases", value=kept))
+    if number == 1 and doer is not None and doer.id == "E" and not edits:
+        edits = given_up(clause, structure)
     return (edits, _in_words(edits, structure)) if edits else None
 
 

@@ -540,3 +540,15 @@ def test_who_is_hit_in_few_words(read, text: str) -> None:
 )
 def test_a_verb_left_out_before_into(read, text: str, acts: list[str]) -> None:
     assert [p.action for p in read(text).ego.spec.phases] == acts
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V2 riding bicycle westbound swerved left in front of V1.",
+        "V2, riding a bicycle W/B, swerved left in front of V1.",
+        "V2 was riding a bicycle northbound and swerved in front of V1.",
+    ],
+)
+def test_a_direction_behind_a_noun_leaves_it_one(read, text: str) -> None:
+    assert [o.spec.type for o in read(text).objects] == ["bicycle"]

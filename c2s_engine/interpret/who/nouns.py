@@ -313,7 +313,7 @@ class Nouns(Attached, NotThere, Counted):
                 following.lemma in DRIVERS and word.span is not None and word.span.data.get("noun") in language.makes()
             )
             and following.sentence == word.sentence
-            and following.norm not in ("level", "side", "abreast", "alongside", "following", "facing")
+            and following.norm not in language.word_list("directions")
             and (head.i == following.i or following.norm in ("lane", "stop", "park", "length", "lengths", "width"))
             and head.span is None
             and not head.verb

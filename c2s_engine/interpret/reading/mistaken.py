@@ -17,13 +17,23 @@ DIRECTED = re.compile(
 """What tells where one goes, behind the past tense of a verb of motion."""
 ONWARDS = re.compile(r"\s+on\s*(?:[.,;]|$|(?:and|along|down|straight|as|past|through)\b)")
 OBJECT = re.compile(r"\s+(?:me|us|him|her|it|them|my|our|his|its|their|the|an?|another|ego|control)\b")
+OBJECTS = language.words("objects_taken_for_verbs")
 STATES = language.words("states_as_participles")
 Piece = tuple[str, int, int, Span | None]
 
 
 def mistaken(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
     """The places of such verbs in a parsed sentence, and what the parser is shown there."""
-    return {**_participles(doc, piece, plain), **_nouns(doc, piece, plain)}
+    return {**_participles(doc, piece, plain), **_nouns(doc, piece, plain), **_objects(doc)}
+
+
+def _objects(doc: Any) -> dict[int, str]:
+    """Verbs whose object is taken for the verb: "the van in front changes lanes at the last moment"."""
+    return {
+        t.i: "takes"
+        for t in doc[:-1]
+        if t.tag_ == "VBZ" and t.dep_ in ("nsubj", "compound") and t.head.i == t.i + 1 and t.head.text in OBJECTS
+    }
 
 
 def _participles(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:

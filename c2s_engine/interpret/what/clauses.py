@@ -28,6 +28,11 @@ CAUSES = language.words("causes")
 BACKWARDS = re.compile(
     r"(?:roll|drive|move|slide|drift|go|come) (?:\w+ )?(?:back|backwards?|rearwards?) (?:and |into )"
 )
+GOING_BEGUN = re.compile(
+    r"(?:start|begin|commence|resume|get) (?:to )?(?:move|drive|roll|go)"
+    r"(?: (?:off|again|forwards?|slowly|gently))*[ .,;]*$"
+)
+GOING_ENDED = re.compile(r"(?:stop|(?:cease|quit)(?: to)?) (?:move|drive|roll)\b")
 BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
 
 
@@ -68,6 +73,8 @@ class Clauses(Deverbal):
             for c in word.children
             if c > word.i and self.words[c].dep in ("xcomp", "ccomp") and self._is_verb(self.words[c])
         ]
+        if (told := self._going_begun_or_ended(word, text)) is not None:
+            lemma, text = told
         if lemma in ("let", "allow", "wait", "permit") and complements:
             text = f"{text} {self.render(self.own(self.words[complements[0]]))}"
         awaited: Entity | None = None
@@ -239,6 +246,15 @@ class Clauses(Deverbal):
             late.adverbial, late.start, late.end = event.adverbial, event.start, event.end
             self.events.append(late)
         self.by_word[word.i] = event
+
+    def _going_begun_or_ended(self, word: Word, text: str) -> tuple[str, str] | None:
+        """The verb and text that say plainly that one begins or ends going: "starts moving", "stops rolling"."""
+        before = word.i - 2 if self.words[word.i - 1].norm == "to" else word.i - 1
+        if word.dep == "xcomp" and word.head == before or before >= 0 and self.words[before].dep == "aux":
+            text = f"{self._lemma(self.words[before])} {text}"
+        if GOING_ENDED.match(text):
+            return "stop", "stop"
+        return ("move", "move off") if GOING_BEGUN.match(text) else None
 
     def _has_object(self, word: Word) -> bool:
         return any(self.words[c].dep == "dobj" for c in word.children)

@@ -20,6 +20,8 @@ DIRECTED = re.compile(
     r"|away|around|round|down|up|along|back|ahead|between|from|straight|behind)\b"
 )
 """A complement that tells where one goes."""
+TRAILING = re.compile(r"(?: (?:and|but|[.,;!]))+$")
+"""What stands behind the last word of a clause."""
 ALONG = re.compile(r"^\w+ (?:\w+ )?along\b")
 ROUTED = re.compile(rf"^\w+ {HOW}(?:out (?:of|from)|from|through|over|across|past|along|around|round|up|off|into)\b")
 """A complement that tells a way, behind which verbs of losing one's line are verbs of going, too."""
@@ -49,6 +51,7 @@ class Meanings(Patients):
     ) -> tuple[Event | None, str]:
         """What the first rule that fits a verb makes of it; how it fits: by its "words", by the verb "alone", or ""."""
         said, said_whole = text, whole
+        text = TRAILING.sub("", text)
         if agent is not None:
             text, whole = (re.sub(rf"@{agent.key} 's\b", "its", t) for t in (text, whole))
         for rule, lemmas, patterns in rules("verbs"):

@@ -16,6 +16,7 @@ from c2s_engine.interpret.where.implied_lanes import evaded_lane, followed_lane
 from c2s_engine.interpret.where.inferred import Inferred
 from c2s_engine.interpret.where.lane_numbers import number_lanes
 from c2s_engine.interpret.where.own_words import DIRECTED, PLACING, OwnWords
+from c2s_engine.interpret.where.revealed import reveal
 from c2s_engine.interpret.where.struck import struck_places
 from c2s_engine.interpret.who.mentions import Cast, Entity
 
@@ -82,7 +83,7 @@ class Places(OwnWords, Inferred):
         self._in_the_way()
         self._mutual()
         self._hidden()
-        self._revealed()
+        reveal(cast, clauses, self.of)
 
     def _before(self, word: Word) -> list[str]:
         """The words of a sentence before one of it."""

@@ -1,0 +1,73 @@
+"""The same act in the other words that people have for it comes out as the same phase."""
+
+import pytest
+
+from c2s_engine.interpret import EmbeddedInterpreter
+
+ACTS = {
+    "accelerate": (
+        "puts its foot down",
+        "guns the engine",
+        "opens up",
+        "gets a move on",
+        "surges ahead",
+        "raises its speed",
+        "builds up speed",
+        "throttles up",
+        "steps up the pace",
+    ),
+    "brake": (
+        "lifts off",
+        "backs off",
+        "lets off the gas",
+        "takes its foot off the accelerator",
+        "comes off the power",
+    ),
+    "stop": ("stops moving", "ceases to move", "stops rolling", "goes no further"),
+    "cut_out": ("swings out", "peels off", "ducks out", "jumps out of the lane", "changes lane", "changes lanes late"),
+    "swerve": ("takes evasive action to the left", "makes an evasive manoeuvre"),
+}
+
+
+@pytest.mark.parametrize(("act", "words"), [(act, words) for act, all_words in ACTS.items() for words in all_words])
+def test_an_act_in_other_words(act: str, words: str) -> None:
+    structure = EmbeddedInterpreter().interpret(f"The car ahead of ego {words}.").structure
+    assert [p.action for p in structure.objects[0].spec.phases] == [act]
+
+
+@pytest.mark.parametrize(
+    ("text", "act"),
+    [
+        ("The parked car on the right starts moving.", "enter_road"),
+        ("The parked van on the right gets going.", "enter_road"),
+        ("The stationary van ahead starts to roll.", "start"),
+        ("The truck ahead starts rolling backwards.", "reverse"),
+        ("The car ahead starts moving into the left lane.", "cut_out"),
+    ],
+)
+def test_one_begins_to_move(text: str, act: str) -> None:
+    structure = EmbeddedInterpreter().interpret(text).structure
+    assert structure.objects[0].spec.phases[-1].action == act
+
+
+@pytest.mark.parametrize("leaves", ["pulls out", "swings out", "jinks out", "turns off", "veers off to the left"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The van in front {} to reveal a stationary car.",
+        "The van in front {} and a stationary car comes into view.",
+        "The van in front {} late. There is a stationary car behind it.",
+    ],
+)
+def test_who_leaves_the_lane_reveals_what_stands_beyond(text: str, leaves: str) -> None:
+    van, car = EmbeddedInterpreter().interpret(text.format(leaves)).structure.objects
+    assert [p.action for p in van.spec.phases] == ["cut_out"]
+    assert (car.spec.placement.of, car.spec.placement.position, car.spec.placement.hidden_by) == ("O1", "ahead", "O1")
+
+
+def test_what_is_first_named_after_one_left_the_lane_was_hidden_by_it() -> None:
+    text = "Ego follows a car. The car changes lanes to avoid a broken-down truck; ego has to stop."
+    truck = EmbeddedInterpreter().interpret(text).structure.objects[1]
+    assert truck.spec.placement.hidden_by == "O1"
+    seen = "A broken-down truck stands in the lane ahead. The lead car changes lanes; ego has to stop."
+    assert all(o.spec.placement.hidden_by is None for o in EmbeddedInterpreter().interpret(seen).structure.objects)

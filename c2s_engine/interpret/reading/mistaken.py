@@ -1,11 +1,12 @@
 """Verbs that the parser takes for something else, each with one that it knows: it parses the sentence once more."""
 
 import re
+from functools import cache
 from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOVERS
-from c2s_engine.interpret.reading.motions import past_forms, third_persons
+from c2s_engine.interpret.reading.motions import base_form, past_forms, third_persons, verb_lemmas
 from c2s_engine.interpret.reading.proxies import FOLLOWS
 from c2s_engine.interpret.spans import Span, names_one
 
@@ -24,7 +25,29 @@ Piece = tuple[str, int, int, Span | None]
 
 def mistaken(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
     """The places of such verbs in a parsed sentence, and what the parser is shown there."""
-    return {**_participles(doc, piece, plain), **_nouns(doc, piece, plain), **_objects(doc)}
+    return {
+        **_participles(doc, piece, plain),
+        **_nouns(doc, piece, plain),
+        **_objects(doc),
+        **_infinitives(doc, piece, plain),
+    }
+
+
+def _infinitives(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
+    """Verbs behind "to" that are taken for nouns: "the car ahead starts to brake"."""
+    found = {}
+    for token in doc[2:]:
+        _, start, end, span = piece[token.i]
+        verb = doc[token.i - 2]
+        begins = doc[token.i - 1].text == "to" and base_form(verb.text, verb.lemma_) in _light()
+        if begins and token.tag_ == "NN" and span is None and plain[start:end] in verb_lemmas():
+            found[token.i] = "go"
+    return found
+
+
+@cache
+def _light() -> frozenset[str]:
+    return frozenset(language.table("motions")["modality"]["light"])
 
 
 def _objects(doc: Any) -> dict[int, str]:

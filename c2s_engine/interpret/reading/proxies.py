@@ -115,6 +115,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     """The word that the parser sees in place of one that it would take for another part of speech."""
     if text in BOUND:
         return "east"
+    if text in (known := language.table("parsing")["shown_as"]):
+        return str(known[text])
     if text == "head-on" and not CRASHES.match(plain[start + 7 : start + 20]):
         return "directly"
     if text == "bend" and NOUN_BEFORE.search(plain[max(0, start - 24) : start]):

@@ -35,6 +35,8 @@ def reattach(words: list[Word]) -> None:
             _turn_round(words, word)
         if word.dep == "advcl" and _light(words, word, light):
             word.dep = "xcomp"  # "starts to slow down": no purpose
+        if word.dep == "dobj" and word.tag == "VBG" and _shades(words[word.head], light):
+            word.dep = "xcomp"  # "commences accelerating"
         if word.dep == "ccomp" and _joined(words, word):
             word.dep = "conj"  # "overtakes ego and 2 s later brakes"
         if word.dep in LOOSE and (struck := _stood(words, word)) is not None:
@@ -46,6 +48,9 @@ def reattach(words: list[Word]) -> None:
         if word.dep == "conj" and (before := _subject_before(words, word)) is not None:
             _hang(words, before, word)
             before.dep = "nsubj"  # "slowed and V1 struck it": V1 was taken for somebody else that slowed
+        if (before := _subject_on_time(words, word)) is not None:
+            _hang(words, before, word)
+            before.dep = "nsubj"
         _between_two(words, word)
         seen = _place_of_seen(words, word)
         if seen is not None:
@@ -161,6 +166,19 @@ def _named_after_place(words: list[Word], word: Word) -> Word | None:
     return before if word.tag in ("VBD", "VBZ") and not own and beside.noun and not _road_user(beside) else None
 
 
+def _subject_on_time(words: list[Word], verb: Word) -> Word | None:
+    """The road user that is taken for a part of the time before it: "after ten seconds a car ahead brakes"."""
+    if verb.tag not in ("VBZ", "VBD", "VBP") or any(words[c].dep.startswith("nsubj") for c in verb.children):
+        return None
+    for word in reversed(words[: verb.i]):
+        if word.sentence != verb.sentence or word.verb:
+            return None
+        second = word.dep == "pobj" and [c for c in words[word.head].children if words[c].dep == "pobj"][0] < word.i
+        if (second or word.dep == "compound" and word.head == verb.i) and _road_user(word):
+            return word
+    return None
+
+
 def _between_two(words: list[Word], verb: Word) -> None:
     """Give the verb of "the van between ego and the truck changes lanes" its one subject."""
     subjects = [words[c] for c in verb.children if words[c].dep == "nsubj" and c < verb.i]
@@ -203,8 +221,12 @@ def _beside(words: list[Word], word: Word) -> Word | None:
 def _light(words: list[Word], verb: Word, light: list[str]) -> bool:
     """Whether an infinitive stands right behind a verb that only adds a shade of meaning to it."""
     before = words[verb.i - 2] if verb.i > 1 and words[verb.i - 1].norm == "to" else None
-    forms = (before.norm, before.lemma) if before is not None and before.i == verb.head else ()
-    return verb.tag == "VB" and any(form in (shade, third_person(shade)) for form in forms for shade in light)
+    return verb.tag == "VB" and before is not None and before.i == verb.head and _shades(before, light)
+
+
+def _shades(verb: Word, light: list[str]) -> bool:
+    """Whether a verb only adds a shade of meaning to another."""
+    return any(form in (shade, third_person(shade)) for form in (verb.norm, verb.lemma) for shade in light)
 
 
 def _resumed(words: list[Word], word: Word) -> Word | None:

@@ -10,6 +10,7 @@ CONTACT = language.words("contact")
 
 
 LETTING = ("let", "allow", "permit")
+UNREAL = language.words("unreal")
 CHANCES = language.words("chances")
 SEEKS = language.words("seeks")
 
@@ -25,6 +26,14 @@ DUTIES = ("have", "need", "require", "oblige", "suppose", "force")
 class Modes(Agents):
     """The part of Clauses that tells facts from what is denied, meant or only imagined."""
 
+    def _told_with_would(self, word: Word) -> bool:
+        """Whether "would" only tells what happens in a scenario ("after 5 s the lead would brake"), on no condition."""
+        perfect = any(self.words[c].norm == "have" for c in word.children)
+        somebody = any(self.words[c].dep == "nsubj" and c in self.cast.of for c in word.children)
+        if word.dep not in ("ROOT", "conj") or perfect or not somebody or self._lemma(word) in CONTACT:
+            return False
+        return not UNREAL & {w.norm for w in self.words if w.sentence == word.sentence}
+
     def _mode(self, word: Word) -> str:
         """Whether it is said to happen."""
         mode = "fact"
@@ -39,7 +48,10 @@ class Modes(Agents):
                 mode = "negated"  # "yields to nobody"
             if other.dep == "dobj" and other.norm in NOBODY:
                 mode = "negated"
-            if other.dep == "aux" and other.norm in ("would", "could", "might") and not self._ended(child, word.i):
+            doubted = (
+                other.dep == "aux" and other.norm in ("would", "could", "might") and not self._ended(child, word.i)
+            )
+            if doubted and not (other.norm == "would" and self._told_with_would(word)):
                 mode = "hypothetical"
             if (
                 other.dep == "mark"

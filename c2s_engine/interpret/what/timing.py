@@ -17,6 +17,7 @@ AWAY = re.compile(
     r"(only )?(at (a |the )?(distance|range|gap) of (about |around |roughly |some )?#dist\b"
     r"|at (about |around )?#dist (distance|range|away|from)\b|with @ego #dist )"
 )
+ENDS_UP = frozenset(("end", "wind", "finish"))
 CIRCUMSTANCES = frozenset(("advcl", "prep", "npadvmod", "advmod"))
 COMES_OUT = ("cross_road", "enter_road")
 BEFORE_THE_BLOW = frozenset(
@@ -168,11 +169,12 @@ class Timing(Modes):
                         or re.search(r"#time (into|later|after the start|in)", text)
                     ):
                         event.trigger = {"kind": "time", "value": quantity["low"]}
-            own = self.render(event.words)
+            above = [i for verb in self._verbs_above(word) for i in self.own(verb)]
+            own = self.render(sorted({*event.words, *above}))
             if event.trigger is None and event.act in COMES_OUT and not event.agent.ego:
                 event.trigger = self._where_it_comes_out(event, own)
             if event.trigger is None:
-                for quantity in event.quantities:
+                for quantity in (*event.quantities, *self._quantities(above)):
                     if quantity["dimension"] == "time" and re.search(
                         (
                             r"#time (later|into|in\b|after the start|after start)|(^|, )(after|at) (about |around "
@@ -195,10 +197,25 @@ class Timing(Modes):
     def _circumstances(self, word: Word) -> list[int]:
         """What stands with a verb, or with the verb that only begins it ("starts to cross when ...")."""
         found = [c for c in word.children if self.words[c].dep in CIRCUMSTANCES]
-        above = self.words[word.head]
-        if word.dep == "xcomp" and above.i in self.light:
-            found += [c for c in above.children if self.words[c].dep == "advcl"]
+        for verb in self._verbs_above(word):
+            found += [c for c in verb.children if self.words[c].dep in CIRCUMSTANCES]
         return found + [c for noun in self._nouns_of(word) for c in noun.children if self._is_when(c)]
+
+    def _verbs_above(self, word: Word) -> list[Word]:
+        """The verbs that only begin or bring about what a verb or a noun tells: "has to brake", "initiates braking"."""
+        found: list[Word] = []
+        while (above := self.words[word.head]) is not word and self._brings(above, word):
+            found.append(above)
+            word = above
+        return found
+
+    def _brings(self, above: Word, word: Word) -> bool:
+        """Whether a verb, itself no deed, has one that tells the deed for its complement."""
+        if above.i in self.by_word and self.by_word[above.i].act != "travel":
+            return False
+        ends_up = word.dep == "advcl" and word.tag == "VBG" and self._lemma(above) in ENDS_UP
+        complement = word.dep in ("xcomp", "acomp") or word.dep == "dobj" and above.tag.startswith("VB")
+        return complement or ends_up or word.dep == "ccomp" and above.i in self.light
 
     def _nouns_of(self, verb: Word) -> list[Word]:
         """The objects of a verb, its prepositions' too: a clause of time may hang on the last of them."""

@@ -11,7 +11,11 @@ from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import Phase, Placement, PlaceSpec, Trigger
 
 ONWARDS = r"^(?:continue|resume|proceed|(?:go|goes|drive|carry|move|ride|travel) on)|^\w+ (?:on|again|further|off)\b"
-SOFT = r"\b(?:lightly|gently|softly|slightly|mildly|smoothly|moderately)\b"
+SOFT = (
+    r"\b(?:lightly|gently|softly|slightly|mildly|smoothly|moderately)\b"
+    r"(?! (?:ahead|behind|in front|to the|left|right|off|offset|beyond|before|past|above|below|up|down"
+    r"|wet|damp|curved|bent))"
+)
 HARD = r"\b(hard|sharply|heavily|abruptly|suddenly|emergency|slam|full brak\w+|sudden|violently|fully|strongly)\b"
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOVERS
-from c2s_engine.interpret.reading.motions import base_form, past_forms, third_persons, verb_lemmas
+from c2s_engine.interpret.reading.motions import base_form, past_forms, third_person, third_persons, verb_lemmas
 from c2s_engine.interpret.reading.proxies import FOLLOWS
 from c2s_engine.interpret.spans import Span, names_one
 
@@ -20,6 +20,7 @@ ONWARDS = re.compile(r"\s+on\s*(?:[.,;]|$|(?:and|along|down|straight|as|past|thr
 OBJECT = re.compile(r"\s+(?:me|us|him|her|it|them|my|our|his|its|their|the|an?|another|ego|control)\b")
 OBJECTS = language.words("objects_taken_for_verbs")
 STATES = language.words("states_as_participles")
+HIDES = frozenset(third_person(verb) for verb in language.words("hides"))
 Piece = tuple[str, int, int, Span | None]
 
 
@@ -86,10 +87,12 @@ def _nouns(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
     found: dict[int, str] = {}
     for token in doc:
         _, start, end, span = piece[token.i]
+        misplaced = token.tag_ == "VBZ" and token.dep_ in ("pobj", "dobj")  # "hidden by a bus crosses the road"
         if (
-            token.tag_ not in ("NNS", "NN", "NNP", "NNPS")
+            not misplaced
+            and token.tag_ not in ("NNS", "NN", "NNP", "NNPS")
             or span is not None
-            or plain[start:end] not in third_persons() | language.word_list("idle")
+            or plain[start:end] not in third_persons() | language.word_list("idle") | HIDES
         ):
             continue
         before = piece[token.i - 1] if token.i else None

@@ -3,6 +3,7 @@
 import regex
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.reading.motions import participles
 from c2s_engine.interpret.reading.scan import Span
 
 WORD = regex.compile(
@@ -29,14 +30,28 @@ def pieces_of(plain: str, start: int, end: int, spans: list[Span]) -> list[tuple
             near = last if number == 0 or number == 1 and after else None
             found.append((_word(match[0], near, plain, at + match.start()), at + match.start(), at + match.end(), None))
         last = span
-        if span:
+        if span and span.kind == "ego" and _followed(found):
+            found.append(("him", span.start, span.end, span))
+            at = span.end
+        elif span:
             found += _proxies(plain, span, found[-1][0] if found else "")
             at = span.end
     return found
 
 
+def _followed(found: list[tuple[str, int, int, Span | None]]) -> bool:
+    """Whether a road user and what it does to the next one stand before: "a van closely following ego"."""
+    deed = found[-1][0] if found else ""
+    users = [f[3] for f in found[-3:-1] if f[3] is not None]
+    between = found[-2][3] is None and not found[-2][0].endswith("ly") if len(found) > 1 else True
+    return deed.endswith("ing") and not between and bool(users) and users[-1].kind == "actor"
+
+
+TO_SOMEBODY = regex.compile(r"\s+(?:us|me|him|her|it|them)\s+\p{L}")
+"""A pronoun as the object of a participle."""
 NOUN_BEFORE = regex.compile(r"\b(?:the|a|an|this|that|his|its|each)\s+(?:[\w-]+\s+){0,2}$")
 ON_THE = regex.compile(r"\b(?:on|to|from|at|in|of)\s+(?:the|its|our|his|her|my|ego's)\s+$")
+OWN_SIDE = regex.compile(r"\b(?:on|to|from|at)\s+(?:our|its|my|his|her|their)\s+$")
 VERBAL_LEFT = regex.compile(r"left\s+(?:the|its|his|their|a|that|this)\s+(?!side|lane of)")
 
 
@@ -133,6 +148,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         return "go"
     person = before is not None and before.data.get("type") in ("pedestrian", "child", "animal")
     mover = before is not None and before.data.get("type")
+    if mover and text in participles() and TO_SOMEBODY.match(plain, start + len(text)):
+        return "following"  # "a van tailing us brakes"
     if text == "crossing" and mover and CROSSES.match(plain[start + 8 : start + 20]):
         return "walking" if person else "passing"
     if text in ("lane-splitting", "filtering") and mover:
@@ -153,6 +170,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         return FORCES[text]
     if text == "on" and LIT.search(plain[max(0, start - 40) : start]):
         return "off"  # "with its lights on turns" is no "on turns"
+    if text in ("left", "right") and OWN_SIDE.search(plain, max(0, start - 12), start) and verb and _finite(verb[1]):
+        return "side"  # "the van to our left brakes"
     placed = ON_THE.search(plain[max(0, start - 12) : start]) is not None
     if text == "left" and (placed or not VERBAL_LEFT.match(plain[start : start + 24])):
         return "right"

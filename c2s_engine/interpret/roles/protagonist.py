@@ -5,6 +5,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.reading.askers import bystanding
+from c2s_engine.interpret.roles.aside import AHEAD, FROM_ASIDE, IS_AHEAD, beside_nobody
 from c2s_engine.interpret.roles.at_stops import at_a_stop
 from c2s_engine.interpret.roles.bare import ROLE_WORDS, bare_first
 from c2s_engine.interpret.roles.paired import leave_group, one_of_both
@@ -54,32 +55,6 @@ IN_MODE = re.compile(
     r"|conventional|manual)\b(?: driving)?(?: (?:mode|control|system|engaged|active|on)\b)?|\boperating autonomously\b"
 )
 """What is said of the vehicle that a report of an automated vehicle is about."""
-
-
-FROM_ASIDE = re.compile(
-    r"^(?!.*\b(?:turn|chang|merg|mov|swerv|veer)\w*\b.* from ).*\bfrom (?:the |its )?"
-    r"(?:left|right|rear|behind|front|opposite (?:side|direction|carriageway|lane))\b"
-    r"(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb)\b)"
-    r"|\b(?:from|out of|leav\w+) (?:the |a |an )?(?:\w+ )?(?:street|road|driveway) (?:on|to)"
-    r" (?:the |its )(?:left|right)\b"
-    r"|\b(?:comes?|came|coming|approach\w*) (?:along |up )?(?:the wrong way|against the traffic)\b"
-    r"|^\S+ (?:\S+ )?at the (?:left|right)(?:-hand)? (?:kerb|curb)\b"
-)
-"""A way by which one comes towards somebody who is not named: that is ego."""
-
-
-BESIDE = re.compile(
-    r"^\S+( \S+)?( \d[\d.]*\s*[a-z]+)? (ahead|in front|(right |close |directly |just )?"
-    r"behind(?= it\b| [a-z]+(?:s|ed)\b)"
-    r"|in the (left|right|adjacent|next|oncoming|neighbou?ring|adjoining|other)"
-    r"|coming|on (the|its) (left|right)(?=$| (?!lane|side|hand|turn))|approaching|oncoming|from (the|its|behind))"
-)
-AHEAD = re.compile(r"(?:be|drive|travel|ride|stand|wait) (?:\w+ly )?(?:ahead|in front) ?[.,;]?$")
-IS_AHEAD = re.compile(
-    r"^\S+ (?:is|are) (?:\w+ly |close |right |just )?(?:about |some |around )?(?:\d[\d.]*\s*[a-z]+ )?"
-    r"(?:ahead|in front|behind|on the (?:left|right))(?= ?[.,;]| and\b|$)"
-)
-"""Places and ways that are told as beside or towards somebody."""
 
 
 HELD = re.compile(
@@ -152,16 +127,6 @@ def _passes_nobody(acts: list[Event]) -> bool:
     return bool(passed) and all(p is None or p.mover and p.type not in VEHICLES for p in passed)
 
 
-def _beside_nobody(entity: Entity, cast: Cast) -> bool:
-    """Whether it is first told by its place beside somebody who is not named: that is ego. A title does not count."""
-    titled = [m for m in entity.mentions if ":" not in [w.norm for w in cast.words[m.word + 1 : m.word + 2]]]
-    at = (titled or entity.mentions)[0].word
-    the = at < 3 or cast.words[at - 1].norm == "the"
-    first = " ".join(w.norm for w in cast.words[at : at + 7])
-    stands = entity.group is None and entity.count == 1 and the and re.match(r"\S+ (is|was|were) ", first)
-    return not stands and BESIDE.search(first) is not None
-
-
 def _by_whom(cast: Cast, entity: Entity) -> bool:
     """Whether it is first named as who did something to another ("was hit by a left-turning truck")."""
     at = entity.mentions[0].word
@@ -227,9 +192,9 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
                 _passes_nobody(acting[entity])
                 or "following" not in entity.roles
                 and (
-                    _beside_nobody(entity, cast)
+                    beside_nobody(entity, cast)
                     or entity.group is not None
-                    and _beside_nobody(entity.group, cast)
+                    and beside_nobody(entity.group, cast)
                     or any(v.agent is entity and AHEAD.match(v.text) for v in clauses.events)
                 )
             )
@@ -246,7 +211,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
             continue
         if not told_by and _comes_into_view(entity, cast, acting[entity]):
             continue
-        acts = ["stationary" if at_a_stop(v) else v.act for v in acting[entity]]
+        told = [v for v in acting[entity] if not v.whole.startswith("there be ")] or acting[entity]
+        acts = ["stationary" if at_a_stop(v) else v.act for v in told]
         if any(v.act == "follow" and v.patient is None and re.search(r"\bbehind\b", v.text) for v in acting[entity]):
             continue  # "a truck follows 20 m behind": behind ego
         if any(v.act in TOWARDS and v.agent is cast.ego and v.patient is entity for v in clauses.events):
@@ -286,7 +252,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     if not candidates:
         struck = {v.patient for v in clauses.events if v.act == "collide" and v.done and not v.agent.ego}
         candidates = [e for e in vehicles if e in struck and not e.roles & ROLE_WORDS][:1]
-    if not candidates and len(vehicles) == 1 and not _beside_nobody(vehicles[0], cast):
+    if not candidates and len(vehicles) == 1 and not beside_nobody(vehicles[0], cast):
         passed = [v.patient for v in acting[vehicles[0]] if v.act in ("overtake", "cut_in")]
         candidates = (
             vehicles if passed and all(p is not None and p.type not in MOTOR and not p.ego for p in passed) else []

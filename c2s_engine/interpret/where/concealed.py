@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.where.gaps import Gaps
@@ -11,8 +12,9 @@ from c2s_engine.interpret.who.mentions import Cast
 
 HIDES = re.compile(
     r"hid|conceal|obscur|occlu|mask|block|screen|see|notic|spot|detect|behind|between|in front of|obstruct|shield|view"
-    r"|sight|visible"
+    r"|sight|visible|shadow|blind|in cover|the lee"
 )
+FIXED = frozenset(language.table("actors")["fixed"])
 LONG = 2_000
 """Characters of a sentence beyond which nobody tells what hides whom."""
 
@@ -20,14 +22,26 @@ LONG = 2_000
 _A = r"(?:the |a |an )?(?:\w+ )?"
 _HIDE = (
     r"(?:obstructed|obstruct|hidden|hide|concealed|conceal|obscured|obscure|occluded|occlude|masked|mask|screened"
-    r"|screen|blocked|block)"
+    r"|screen|blocked|block|shielded|shield|veiled|camouflaged)"
 )
+_TAKES = r"(?:hide|obscure|block|mask|obstruct|restrict|limit|impair)\w*"
+_SIDE = r"(?:the |its |@ego 's )?(?:road |street )?(?:to |on |from )?(?:the )?(?P<side>left|right)"
+_VIEW = r"(?:view|sight|line of sight|vision|visibility|sightline)"
 _AT_FIRST = (
     r"(?: (?:from (?:the )?@ego(?: 's (?:view|sight))?|from (?:view|sight)|(?:until|till) (?:\w+ ){1,3}?|at first"
     r"|initially|completely|partly|partially|fully|entirely|so far))*"
 )
 HIDDEN = (
-    rf"{_HIDE} by {_A}@(?P<by>a\d+)[^.;]{{0,40}}, {_A}@KEY\b",
+    rf"{_HIDE}{_AT_FIRST} (?:by|behind) {_A}@(?P<by>a\d+)[^.;@]{{0,40}}, {_A}@KEY\b",
+    rf"@KEY\b[^;]*?\bin (?:the )?(?:blind (?:area|zone)|(?:view |sight |radar )?shadow|cover|lee) of {_A}@(?P<by>a\d+)",
+    rf"(?:because of|due to|owing to) {_A}@(?P<by>a\d+)[^.;@]* @ego [^.;@]*(?:not|unable to|n't|cannot|hardly)"
+    rf" (?:\w+ )?(?:see|notice|spot|detect) {_A}@KEY\b",
+    rf"@KEY\b[^.;]*?(?:not|n't|cannot|hardly|never) (?:\w+ ){{0,2}}(?:see|visible|notice|spot|detect)\b[^.;@]*?"
+    rf"(?:because of|due to|behind|owing to) {_A}@(?P<by>a\d+)",
+    rf"@(?P<by>a\d+) (?:\w+ )?{_TAKES} (?:(?:the|its|our|@ego 's) )?"
+    rf"{_VIEW}(?: ahead)? ?[,;]? {_A}@KEY\b",
+    rf"@KEY\b[^.]*[,;] (?:and |but |while |as )?(?:the|its|@ego 's) {_VIEW} be (?:\w+ )?(?:{_HIDE}|impeded|impede) by"
+    rf" {_A}@(?P<by>a\d+)",
     rf"@KEY\b[^;]*?\b{_HIDE}{_AT_FIRST} ?(?:by|behind) (?:the |a |an |row of |line of )*(?:\w+ ){{0,2}}@(?P<by>a\d+)",
     rf"@KEY\b[^;]*?\b(?:out of (?:the )?(?:sight|view)|invisible|unseen){_AT_FIRST} ?(?:by|behind) {_A}@(?P<by>a\d+)",
     r"@KEY\b[^;]*?\b(?:view|sight|visible|seen)\b[^.;]{0,30}\b(?:as|when|once|after) [^.;]{0,24}"
@@ -40,7 +54,10 @@ HIDDEN = (
     rf"@KEY\b.*?(?P<how>(?<!hit )(?<!struck )from behind(?! by)|from between|out from behind|from in front of"
     rf"|{_HIDE} (?:by|behind)|behind|in front of|between) (?:the |a |an |two |some |row of |line of )*"
     r"(?:\w+ ){0,2}@(?P<by>a\d+)",
-    rf"\bfrom (?:behind|in front of|between) {_A}@(?P<by>a\d+) ,?[^.;]{{0,30}}? ?(?:the |a |an )(?:\w+ )?@KEY\b",
+    r"(?:^|[.;,:] |\band |\bwhen |\bthere |@a\d+ )(?:suddenly |out )*from (?:behind|in front of|between) "
+    rf"{_A}@(?P<by>a\d+) ,?(?:[^.;@]|@ego){{0,30}}? ?(?:the |a |an )(?:\w+ )?@KEY\b",
+    rf"(?:^|[.;,:] |\band )(?P<fronted>behind|between) {_A}(?:two |some )?@(?P<by>a\d+) ,?[^.;@]{{0,30}}?"
+    r" ?(?:the |a |an )(?:\w+ )?@KEY\b",
     r"@(?P<by>a\d+)[^.;]*?(?:hide|hides|hid|conceal\w*|obscure\w*|block\w*|occlude\w*|mask\w*|obstruct\w*|screen\w*"
     r"|shield\w*)(?: (?:the|its|his|her|our|@ego ''?s) (?:view|sight|line of sight)(?: (?:of|to|on))?)?(?: @ego ''?s)?"
     r"(?: view (?:of|to))? (?:the |a |an |any )?(?:\w+ )?@KEY\b",
@@ -55,6 +72,16 @@ def _comes_onto_road(entity: Entity, text: str) -> bool:
     """Whether one that is behind something walks or rides onto the road."""
     moves = "walk|come|move|rush|hurr|jump|ride|cycle|wander|push|enter|go|cross"
     return re.search(rf"@{entity.key} .*\b(?:{moves})\w* .*\b(?:road|lane|across)", text) is not None
+
+
+TO_SIDE = (
+    rf"\b{_VIEW}(?: (?:to|on|towards|into|of) {_SIDE})?"
+    rf" be (?:\w+ )?(?:{_HIDE}|obstructed|obstruct|impeded|impede|restricted|restrict|limited|limit) by {_A}"
+    r"@(?P<by>a\d+)",
+    rf"@(?P<by>a\d+)[^.;@]* {_TAKES} (?:(?:the|its|our|@ego 's) )?{_VIEW}"
+    rf"(?: (?:to|on|towards|into) {_SIDE})?(?! (?:to|of|on|for)\b)",
+)
+"""How it is said that something takes away the view (to a side)."""
 
 
 class Concealed(Gaps):
@@ -79,6 +106,17 @@ class Concealed(Gaps):
                         where.rel, where.of = None, None
                     self._beyond(entity, blocker)
 
+    def _view_taken(self) -> None:
+        """Who comes from a side to which the view is taken is hidden by what takes it."""
+        text = self.clauses.render(list(range(len(self.words)))) if len(self.words) < LONG // 5 else ""
+        for match in (m for pattern in TO_SIDE for m in re.finditer(pattern, text)):
+            blocker = next((e for e in self.cast.entities if e.key == match["by"]), None)
+            comes = [e for e, w in self.of.items() if e.mover and w.lane == "crossing" and e is not blocker]
+            comes = [e for e in comes if not match["side"] or self.of[e].side in (None, match["side"])]
+            hidden = any(w.hidden_by is blocker for w in self.of.values())
+            if blocker is not None and not blocker.person and len(comes) == 1 and not hidden:
+                self.of[comes[0]].hidden_by = self.of[comes[0]].hidden_by or blocker
+
     def _beyond(self, entity: Entity, blocker: Entity) -> None:
         """A vehicle that one ahead hides, and of which nothing else is told, is ahead of that one."""
         where, theirs = self.of[entity], self.of[blocker]
@@ -95,18 +133,31 @@ class Concealed(Gaps):
             match = re.search(pattern.replace("KEY", entity.key), text)
             if match is None:
                 continue
-            how = match.groupdict().get("how")
-            if how is None or not self._only_beside(entity, how, text):
-                return match["by"]
+            how, by = match.groupdict().get("how"), match["by"]
+            if how is not None and self._comes_from_there(entity, how, by):
+                continue
+            if match.groupdict().get("fronted") and not entity.person:
+                continue
+            if how is None or not self._only_beside(entity, how, by, text):
+                return by
         return None
 
-    @staticmethod
-    def _only_beside(entity: Entity, words: str, text: str) -> bool:
+    def _comes_from_there(self, entity: Entity, how: str, by: str) -> bool:
+        """Whether it is another who comes from there ("brakes for a dog that shot out from behind a hedge")."""
+        told = re.compile(rf"\b{how} (?:[\w-]+ ){{0,3}}@{by}\b")
+        own = [e.agent for e in self.clauses.events if told.search(e.text)]
+        return bool(own) and entity not in own
+
+    def _only_beside(self, entity: Entity, words: str, by: str, text: str) -> bool:
         """Whether "behind", "between" or "in front of" says where one is, not that it is hidden."""
-        if words not in ("behind", "in front of", "between"):
+        blocker = next((e for e in self.cast.entities if e.key == by), None)
+        if words not in ("behind", "in front of", "between") or blocker is None:
             return False
+        if words == "behind" and blocker.noun in FIXED:
+            return False  # "approaches behind a hedge"
         if words == "behind" and not (STANDS_OR_COMES.search(text) or _comes_onto_road(entity, text)):
             return True
-        if words == "in front of" and not re.search(r"(parked|stopped|stationary)", text):
+        stands = blocker.roles & {"parked", "stationary"} or re.search(r"(parked|stopped|stationary)", text)
+        if words == "in front of" and not stands:
             return True
         return not entity.person

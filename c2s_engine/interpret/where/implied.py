@@ -61,6 +61,8 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             sideswipes(event, clauses, of)
         elif event.done and event.act in ("lane_change", "drift", "swerve") and event.agent in of:
             into_whose_lane(event, clauses, of)
+        elif event.done and event.act == "lead" and event.agent.ego and event.patient in of:
+            _led(of[event.patient], event.agent)
         elif event.done and event.act == "follow" and event.patient in of:
             _behind_whom_it_follows(event, clauses, of)
         elif (
@@ -105,6 +107,12 @@ def _meets(event: Event, of: dict[Entity, Where]) -> None:
     still = other.person or not other.mover or other.roles & {"stationary", "parked", "lead", "slow"}
     if of[other].open and of[other].of is None and not still:
         of[other].lane = "oncoming"
+
+
+def _led(where: Where, leader: Entity) -> None:
+    """Whom ego leads is behind it."""
+    if where.open and where.of is None:
+        where.rel, where.of = "behind", leader
 
 
 def _out_from_behind(event: Event, of: dict[Entity, Where]) -> None:

@@ -83,6 +83,7 @@ class Places(OwnWords, Inferred):
         self._in_the_way()
         self._mutual()
         self._hidden()
+        self._view_taken()
         reveal(cast, clauses, self.of)
 
     def _before(self, word: Word) -> list[str]:
@@ -209,7 +210,7 @@ class Places(OwnWords, Inferred):
         )
         fronted = fronted or FRONTED.search(front)
         if fronted and word.span is not None:
-            read(fronted[1], where, entity, self.cast, "noun")
+            read(fronted[1] + (" park" if self._parks(entity) else ""), where, entity, self.cast, "noun")
         self._fronted_far(word, front, where, entity)
         far = self.clauses.render([w.i for w in self.words[max(0, i - 14) : i] if w.sentence == word.sentence])
         if PART_FILLED.search(far) and word.span is not None and where.lane is None:
@@ -306,6 +307,11 @@ class Places(OwnWords, Inferred):
             rest = self.clauses.own(word)
             read(self.clauses.render([r for r in rest if r > i]), where, entity, self.cast, "noun")
             self._gap(rest, where, entity=entity)
+
+    def _parks(self, entity: Entity) -> bool:
+        """Whether it is told as parked."""
+        stands = (e for e in self.clauses.events if e.agent is entity and e.act == "stationary")
+        return "parked" in entity.roles or any(e.text.startswith("park") for e in stands)
 
     def _fronted_far(self, word: Word, front: str, where: Where, entity: Entity) -> None:
         """A place and distance before a vehicle: "20 m behind the truck a motorcycle follows"."""

@@ -42,7 +42,7 @@ class Pronouns(Persons):
         if norm in data["ego"]:
             return None if word.i in self.asking or self._only_a_name(word) else self.me
         if norm in ("who", "which", "that", "whose", "whom") and word.tag in ("WDT", "WP", "WP$"):
-            return self._antecedent(word)
+            return self._somebody(word, self._antecedent(word))
         if norm in ("it", "its", "itself"):
             if word.dep == "expl" or self._weather_it(word):
                 return None
@@ -205,6 +205,18 @@ class Pronouns(Persons):
             head = self.words[clause.head]
             return self.of.get(head.i) if head.i in self.of else None
         return self.of[previous[-1]]
+
+    def _somebody(self, word: Word, found: Entity | None) -> Entity | None:
+        """Whom "who" means where a person is placed by the vehicle before: "a child behind a van who runs across"."""
+        if word.norm != "who" or found is None or found.person or found.ego:
+            return found
+        nouns = [
+            w for w in self.words[: word.i] if w.sentence == word.sentence and w.i in self.of and w.span is not None
+        ]
+        last = next((w for w in reversed(nouns) if self.of[w.i] is found), None)
+        above = self.words[self.words[last.head].head] if last is not None and last.dep == "pobj" else None
+        held = self.of.get(above.i) if above is not None and above.noun else None
+        return held if held is not None and held.person else found
 
     def _right_before(self, word: Word, clause: Word) -> Entity | None:
         """Who stands right before ", which" where the tree takes a noun before the verb: "drives towards the target,

@@ -18,6 +18,8 @@ BOWS = language.words("bows")
 WAITS = language.words("waits")
 ABORTS = ("abort", "abandon", "cancel", "give")
 BEGINS = language.words("begins")
+HAS = language.words("has_before_one") | language.words("notices") | {"see", "find", "detect", "carry"}
+PLACES = ("ahead", "front", "behind", "beside", "alongside", "in", "at", "to", "on", "next")
 GONE = ("go", "pass", "clear", "leave", "vanish", "disappear", "cross")
 STANDS = ("be", "stand", "sit", "wait", "appear")
 GOES = ("drive", "run", "travel", "ride", "cruise", "keep", "stay", "hang", "move", "go", "come")
@@ -61,9 +63,10 @@ class Salience(Members):
         if word.dep == "poss" and BESIDE.match(self._around(word.i)) and above.dep == "pobj":
             clash = self.of.get(self.words[above.head].head) or clash  # "a coach to its left": not the coach's own
         holder = self._placed(word)
+        subject = clash
         if holder is not None and holder is not clash:
             inner, accept_all = holder, accept
-            clash = None if above.head not in self.of else clash
+            clash = None
             accept = lambda e: accept_all(e) and e is not inner  # noqa: E731
         if word.dep == "nsubj" and (whom := self._object_nouns(verb)):
             accept_any = accept
@@ -81,8 +84,11 @@ class Salience(Members):
             told = [i for i in last if self.words[i].norm not in MINE and i not in self.both]
             last = told or last
         if not last:
-            beside = holder is not None and holder is not clash and clash is not None
-            return clash if beside and accept(clash) else None  # "the lorry hides a motorcycle behind it"
+            subject = subject or self._ego_to_come(verb)
+            beside = holder is not None and holder is not subject and subject is not None
+            return (
+                subject if beside and subject and accept(subject) else None
+            )  # "the lorry hides a motorcycle behind it"
         sentence = [p for p in same if self.words[p[0]].sentence == word.sentence]
         if word.dep == "poss":
             twin = self._parallel(word)
@@ -179,11 +185,29 @@ class Salience(Members):
         while above.head != above.i and above.head not in self.of:
             over = self.words[above.head]
             if not (
-                above.norm == "of" and over.tag in ("RB", "IN", "NN") or over.norm in between or above.norm in between
+                above.norm in ("of", "to")
+                and over.tag in ("RB", "IN", "NN")
+                or {over.norm, above.norm} & set(between)
+                or above.norm in ("front", "back", "rear")
+                and over.tag == "IN"
             ):
                 break
             above = over
+        if (held := self._held_before(self.words[above.head], above)) is not None:
+            return held
         return self.of.get(above.head) if above.head < word.i and above.head != above.i else None
+
+    def _ego_to_come(self, verb: Word) -> Entity | None:
+        """Ego, where it is named only later, as the subject ("with a van in front of it, ego ...")."""
+        spans = [self.words[c].span for c in verb.children if self.words[c].dep == "nsubj"]
+        return self.ego if any(s is not None and s.kind == "ego" for s in spans) else None
+
+    def _held_before(self, verb: Word, place: Word) -> Entity | None:
+        """Whom somebody has or sees beside itself: the van of "ego has a van ahead of it"."""
+        if not verb.verb or irregular().get(verb.norm, verb.lemma) not in HAS or place.norm not in PLACES:
+            return None
+        held = [c for c in verb.children if self.words[c].dep == "dobj" and verb.i < c < place.i]
+        return self.of.get(held[-1]) if held else None
 
     def _finite(self, verb: Word) -> bool:
         """Whether a verb is no infinitive ("for the traffic to clear")."""

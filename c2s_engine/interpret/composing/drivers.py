@@ -129,6 +129,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                     trigger=trigger,
                 )
             )
+        elif act == "travel" and phases and phases[-1].action == "stationary" and ONWARDS.match(event.text):
+            phases.append(Phase(action="start", trigger=trigger))
         elif act == "go_straight" and place.kind == "intersection":
             phases.append(Phase(action="go_straight", trigger=trigger))
         elif act == "cross_path" and place.kind == "intersection":
@@ -236,6 +238,11 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     return spec, assumed
 
 
+ONWARDS = re.compile(
+    r"(?:move|roll|creep|edge|inch|ease|drive|go|pull|nose) (?:\w+ly )?(?:forwards?|ahead|off|on|away|into|through)\b"
+    r"|(?:proceed|continue|resume)\b"
+)
+"""What one does who has stood and goes on."""
 ASIDE = ("lane_change", "leave_road", "drift")
 
 

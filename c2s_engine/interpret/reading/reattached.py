@@ -47,6 +47,7 @@ def reattach(words: list[Word]) -> None:
             _hang(words, before, word)
             before.dep = "nsubj"  # "slowed and V1 struck it": V1 was taken for somebody else that slowed
         _between_two(words, word)
+        _object_of_relative(words, word)
         seen = _place_of_seen(words, word)
         if seen is not None:
             _hang(words, word, seen)
@@ -171,6 +172,19 @@ def _between_two(words: list[Word], verb: Word) -> None:
     if first is not None and any(w.norm == "and" for w in words[first.i + 1 : subjects[1].i]):
         _hang(words, subjects[1], first)
         subjects[1].dep = "conj"
+
+
+def _object_of_relative(words: list[Word], verb: Word) -> None:
+    """Give the relative clause of "the van that had passed him turned left" its object."""
+    subjects = [words[c] for c in verb.children if words[c].dep in ("nsubj", "nsubjpass") and c < verb.i]
+    if len(subjects) != 2 or subjects[1].i - 1 in (subjects[0].i, verb.i):
+        return
+    first, second = subjects
+    before = words[min([second.i, *second.children]) - 1]
+    objects = any(words[c].dep == "dobj" and c > before.i for c in before.children)
+    if before.dep == "relcl" and before.head == first.i and not objects:
+        _hang(words, second, before)
+        second.dep = "dobj"
 
 
 def _joined(words: list[Word], word: Word) -> bool:

@@ -142,6 +142,17 @@ class Labels(Nouns):
         label = word.span is not None and word.span.kind == "label"
         return label and new and not self.of[host.i].ego and after is not None and after.norm in (",", ".")
 
+    def _set_off(self, word: Word) -> bool:
+        """Whether a noun stands between commas right behind a label: "V1, a Honda Civic also westbound, turned"."""
+        back = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
+        at = next((n for n, w in enumerate(back) if w.norm == ","), 0)
+        label = back[at - 1].span if at else None
+        if label is None or label.kind not in ("label", "ego") or not {"a", "an"} & {w.norm for w in back[at + 1 :][:1]}:
+            return False
+        after = [w for w in self.words[word.i + 1 : word.i + 8] if w.sentence == word.sentence]
+        closed = next((n for n, w in enumerate(after) if w.norm == "," or w.tag in ("VBD", "VBZ", "CC")), len(after))
+        return closed < len(after) and after[closed].norm == ","
+
     def _copula(self, word: Word) -> Entity | None:
         """The subject of "X is/was a truck"."""
         head = self.words[word.head]

@@ -69,7 +69,8 @@ class Nouns(Attached, NotThere, Counted):
         if (kind in ("pedestrian", "child") or noun in language.table("actors")["drivers"]) and self._rides(word):
             return None
         if kind in ("pedestrian", "child") and not data.get("plural"):
-            driver = self._driver_of(word) or self._at_wheel(word) or self._aboard_before(word) or self._steering(word)
+            at_wheel = self._driver_of(word) or self._at_wheel(word) or self._aboard_before(word)
+            driver = at_wheel or self._steering(word) or self._keeper(word)
             if driver is not None:
                 driver.names.add(noun.split(" ")[-1])
                 return driver
@@ -146,7 +147,7 @@ class Nouns(Attached, NotThere, Counted):
         bracket = word.i and any(w.norm in ("(", "--", "-", ":") for w in self.words[max(0, word.i - 4) : word.i])
         if (
             host is not None
-            and (word.dep in ("appos", "attr") or bracket or (bool(host.label) and not host.typed))
+            and (word.dep in ("appos", "attr") or bracket or bool(host.label) and not host.typed or self._set_off(word))
             and self.words[word.i - 1].norm not in ("and", "or")
             and (fits(host, kind) or host.type == "vehicle" or (host.ego and not self.ego.typed and kind in MOTOR))
             and not (word.dep == "conj" and not host.label and not host.ego)

@@ -37,6 +37,13 @@ LANE = re.compile(
     r"(?:who (?:is|was) )?in (?:the|my|our) (?:(?:left|right|next|other|adjacent|middle|fast|slow|inside|outside"
     r"|oncoming|opposite|neighbou?ring)(?:[- ]hand)? lane\b|lane (?:next to|beside|to (?:my|our|the) (?:left|right)))"
 )
+IN_QUEUE = re.compile(
+    r"(?:who (?:is|was) )?(?:directly |right |immediately |just )?(?:(?:behind|in front|ahead|next to)(?: of)?(?: me| us)?) "
+    r"(?:(?:then|just|also|suddenly|obviously|clearly|simply) )?"
+    r"(?:went|goes|ran|runs|hit|hits|drove|drives|bumped|smashed|crashed|ploughed|plowed|slammed|shunted|rolled|braked"
+    r"|brakes|stopped|slowed|carried|failed|rear-ended|set off|pulled|did not stop|didn't stop|could not stop)\b"
+)
+"""What a person does who is in the queue at the wheel: "the person behind ran into me"."""
 
 
 class AtWheel(Reference):
@@ -101,7 +108,8 @@ class AtWheel(Reference):
 
     def _in_a_lane(self, word: Word) -> bool:
         """Whether a person is placed as only drivers are: "the guy in the left lane"."""
-        return LANE.match(" ".join(w.norm for w in self.words[word.i + 1 : word.i + 8])) is not None
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 8])
+        return LANE.match(after) is not None or IN_QUEUE.match(after) is not None
 
     def _heads(self, word: Word, verb: Word) -> bool:
         """Whether a word is the subject of a verb, or what its participle describes."""

@@ -12,6 +12,7 @@ from c2s_engine.interpret.what.bearings import against_the_traffic, sides_by_com
 from c2s_engine.interpret.what.claims import claimed
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.headlines import headline
+from c2s_engine.interpret.what.left_untold import left_untold
 from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.unsaid import unsaid
@@ -54,6 +55,7 @@ def understand(text: str) -> Scene:
     sides_by_compass(clauses)
     places = Places(cast, clauses)
     rules_of_sense(cast, clauses, road)
+    left_untold(cast, clauses)
     twice(clauses)
     headline(cast, clauses, places.of, road)
     settings = SettingsDetector().detect(plain, sentences)

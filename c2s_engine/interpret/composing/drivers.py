@@ -17,6 +17,7 @@ from c2s_engine.interpret.roles.ego_others import (
 )
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.what.left_untold import struck_standing
 from c2s_engine.interpret.who.mentions import MOTOR, Entity
 from c2s_engine.structure.components import Assumption
 from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec
@@ -165,7 +166,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             phases.append(Phase(action="keep_lane"))
     if any(p.action == "follow" for p in phases):
         phases = [p for p in phases if p.action not in ("start", "accelerate")]
-    if place.manoeuvre in ("left", "right") and not any(p.action.startswith("turn_") for p in phases):
+    turned = any(p.action.startswith("turn_") for p in phases) or struck_standing(scene.clauses)
+    if place.manoeuvre in ("left", "right") and not turned:
         phases.append(Phase(action=f"turn_{place.manoeuvre}"))  # type: ignore[arg-type]
     if place.kind == "on_ramp":
         phases = [p.model_copy(update={"side": "left"}) if p.action == "lane_change" else p for p in phases]

@@ -256,6 +256,9 @@ def _then_did(words: list[Word], word: Word) -> Word | None:
     lasts = any(words[c].dep in ("aux", "auxpass") and words[c].norm in ("was", "were") for c in above.children)
     if word.dep != "conj" or word.tag != "VBD" or not alone or not (lasts or above.norm in ("was", "were")):
         return None
+    outer = words[above.head]
+    if above.dep == "advcl" and outer.tag == "VBD" and outer.i < above.i and words[word.i - 1].norm in ("and", "then"):
+        return outer  # "overtook me as I was turning and went into my door"
     inner = [words[c] for c in above.children if above.i < c < word.i and words[c].dep == "advcl"]
     when = (w for w in inner if w.tag == "VBD" and any(words[c].norm == "when" for c in w.children))
     return next(when, None)

@@ -94,7 +94,8 @@ def heading(clauses: Clauses, who: Entity) -> int | None:
 
 
 EDGE = re.compile(
-    r"\b(?P<way>north|south|east|west)(?:ern)? (?:side|edge|shoulder|curb|kerb|verge|ditch|embankment|roadside|guard ?rail)\b"
+    r"\b(?P<way>north|south|east|west)(?:ern)? "
+    r"(?:side|edge|shoulder|curb|kerb|verge|ditch|embankment|roadside|guard ?rail)\b"
     r"|\b(?:to|towards?) (?:the )?(?P<to>north|south|east|west)\b(?! (?:of|on)\b)"
 )
 """The side of the road, or of one who drives there, by the compass."""

@@ -11,6 +11,7 @@ CONTACT = language.words("contact")
 DRIVES = language.words("drives")
 REACTS = language.words("reacts")
 HINDERS = language.words("hinders")
+HITS = CONTACT | language.words("strikes")
 BODY = language.words("body")
 ON_FOOT = language.words("on_foot")
 STANDS_STILL = language.words("stands_still")
@@ -61,8 +62,8 @@ class Subjectless(Meanings):
         return finite and not told and self._headless(word) and not self._subjects_of(word)
 
     def _of_its_part(self, word: Word) -> Entity | None:
-        """Who was spoken of last, where only a part of it does something: "V1 left the road and the front hit a tree"."""
-        subjects = [self.words[c] for c in self._subjects_of(word)]
+        """Who was spoken of last, where only a part of it does something: "the left side hit a tree"."""
+        subjects = [self.words[c] for c in self._subjects_of(word)] if self._lemma(word) in HITS else []
         if not subjects or subjects[0].lemma not in BODY or any(i in self.cast.of for i in self._below(subjects[0].i)):
             return None
         near = [(i, e) for i, e in self.cast.subjects if i < word.i and self.words[i].sentence >= word.sentence - 1]

@@ -147,7 +147,11 @@ class Labels(Nouns):
         back = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
         at = next((n for n, w in enumerate(back) if w.norm == ","), 0)
         label = back[at - 1].span if at else None
-        if label is None or label.kind not in ("label", "ego") or not {"a", "an"} & {w.norm for w in back[at + 1 :][:1]}:
+        if (
+            label is None
+            or label.kind not in ("label", "ego")
+            or not {"a", "an"} & {w.norm for w in back[at + 1 :][:1]}
+        ):
             return False
         after = [w for w in self.words[word.i + 1 : word.i + 8] if w.sentence == word.sentence]
         closed = next((n for n, w in enumerate(after) if w.norm == "," or w.tag in ("VBD", "VBZ", "CC")), len(after))

@@ -28,6 +28,9 @@ class Nouns(Attached, NotThere, Counted):
     def _copula(self, word: Word) -> Entity | None:
         raise NotImplementedError
 
+    def _set_off(self, word: Word) -> bool:
+        raise NotImplementedError
+
     def _actor(self, word: Word) -> Entity | None:
         data = word.span.data  # type: ignore[union-attr]
         kind, noun, roles = data["type"], data.get("noun", ""), set(data.get("roles", ()))

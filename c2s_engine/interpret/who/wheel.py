@@ -38,7 +38,8 @@ LANE = re.compile(
     r"|oncoming|opposite|neighbou?ring)(?:[- ]hand)? lane\b|lane (?:next to|beside|to (?:my|our|the) (?:left|right)))"
 )
 IN_QUEUE = re.compile(
-    r"(?:who (?:is|was) )?(?:directly |right |immediately |just )?(?:(?:behind|in front|ahead|next to)(?: of)?(?: me| us)?) "
+    r"(?:who (?:is|was) )?(?:directly |right |immediately |just )?"
+    r"(?:(?:behind|in front|ahead|next to)(?: of)?(?: me| us)?) "
     r"(?:(?:then|just|also|suddenly|obviously|clearly|simply) )?"
     r"(?:went|goes|ran|runs|hit|hits|drove|drives|bumped|smashed|crashed|ploughed|plowed|slammed|shunted|rolled|braked"
     r"|brakes|stopped|slowed|carried|failed|rear-ended|set off|pulled|did not stop|didn't stop|could not stop)\b"

@@ -5,6 +5,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.reading.askers import bystanding
+from c2s_engine.interpret.roles.aside import after, from_aside
 from c2s_engine.interpret.roles.at_stops import at_a_stop
 from c2s_engine.interpret.roles.bare import ROLE_WORDS, bare_first
 from c2s_engine.interpret.roles.paired import leave_group, one_of_both
@@ -54,18 +55,6 @@ IN_MODE = re.compile(
     r"|conventional|manual)\b(?: driving)?(?: (?:mode|control|system|engaged|active|on)\b)?|\boperating autonomously\b"
 )
 """What is said of the vehicle that a report of an automated vehicle is about."""
-
-
-FROM_ASIDE = re.compile(
-    r"^(?!.*\b(?:turn|chang|merg|mov|swerv|veer)\w*\b.* from ).*\bfrom (?:the |its )?"
-    r"(?:left|right|rear|behind|front|opposite (?:side|direction|carriageway|lane))\b"
-    r"(?! (?:\w+ )?(?:lane|side|turn|shoulder|kerb|curb)\b)"
-    r"|\b(?:from|out of|leav\w+) (?:the |a |an )?(?:\w+ )?(?:street|road|driveway) (?:on|to)"
-    r" (?:the |its )(?:left|right)\b"
-    r"|\b(?:comes?|came|coming|approach\w*) (?:along |up )?(?:the wrong way|against the traffic)\b"
-    r"|^\S+ (?:\S+ )?at the (?:left|right)(?:-hand)? (?:kerb|curb)\b"
-)
-"""A way by which one comes towards somebody who is not named: that is ego."""
 
 
 BESIDE = re.compile(
@@ -123,11 +112,6 @@ def _in_mode(entity: Entity, cast: Cast) -> bool:
         if IN_MODE.search(" ".join(w.norm for w in rest[: next(other, len(rest))])):
             return True
     return False
-
-
-def _after(i: int, cast: Cast) -> str:
-    """A word with what follows it in its sentence."""
-    return " ".join(w.norm for w in cast.words[i : i + 10] if w.sentence == cast.words[i].sentence)
 
 
 def _who_met_it(passive: Entity, candidates: list[Entity], clauses: Clauses) -> Entity:
@@ -214,7 +198,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         e for e in cast.entities if e.type in MOTOR and e.count == 1 and _on_its_own(e) and not _of_parked(e, clauses)
     ]
     told_by = cast.me is not cast.ego or bystanding(" ".join(w.norm for w in cast.words))
-    if not told_by and any(IS_AHEAD.match(_after(e.mentions[0].word, cast)) for e in vehicles):
+    if not told_by and any(IS_AHEAD.match(after(e.mentions[0].word, cast)) for e in vehicles):
         return  # of somebody who is not named
     acting = {e: [v for v in clauses.events if v.agent is e and v.done] for e in vehicles}
     candidates = []
@@ -236,7 +220,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         ):
             continue
         head = cast.words[entity.mentions[0].word]
-        if not told_by and len(vehicles) == 1 and any(FROM_ASIDE.search(_after(m.word, cast)) for m in entity.mentions):
+        if not told_by and len(vehicles) == 1 and any(from_aside(m.word, cast) for m in entity.mentions):
             continue
         before = cast.words[head.i - 1].norm if head.i else ""
         told_apart = {before, *(cast.words[c].norm for c in head.children)} & {"another", "other"}

@@ -11,6 +11,8 @@ from c2s_engine.interpret.reading.scan import Span
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.nouns import Nouns
 
+STANDS = language.words("stands")
+
 
 class Labels(Nouns):
     """The part of Cast that resolves labels."""
@@ -51,12 +53,15 @@ class Labels(Nouns):
                 self.become_ego(host)
             return self.ego
         host = self._copula(word)
+        state = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
+        stands = {role for role in [language.roles().get(state)] if role and state in STANDS}
         known = next((e for e in self.entities if e.label == label), None)
         if host is not None and host.ego:  # "the ego is car C"
             if known is not None:
                 self.become_ego(known)
             return self.ego
         if known is not None:
+            known.roles |= stands
             return known
         host = self._listed(word) or self._apposed(word) or self._known_as(word)
         if host is not None and host.count > 1:  # "three cars: A is in front"
@@ -74,12 +79,15 @@ class Labels(Nouns):
             host = self.of[near[-1]] if near else None
         if host and not host.ego and not host.label:
             host.label = label
+            host.roles |= stands
             return host
         noun = data["word"] if data["word"] in language.actor_nouns() else label.rsplit(" ", 1)[0]  # "van a" by "a"
         part = noun in language.table("ego")["labels"]["parts"]
         known = " " in label and noun in language.actor_nouns() and not part
         kind = language.actor_nouns()[noun][0] if known else "vehicle"
-        return self._new(Entity("", kind, noun=noun if known else "", label=label, typed=kind != "vehicle"))
+        return self._new(
+            Entity("", kind, noun=noun if known else "", label=label, typed=kind != "vehicle", roles=stands)
+        )
 
     def become_ego(self, entity: Entity) -> None:
         """Take an entity for ego."""

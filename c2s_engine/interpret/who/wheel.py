@@ -30,6 +30,9 @@ VEHICULAR = language.words("vehicular")
 MANOEUVRE = re.compile(
     r"(?:cuts?|cut|cutting) (?:me|us|him|her|it|\w+) (?:off|up)\b|(?:cuts?|cutting) in\b"
     r"|(?:pulls?|pulled|pulling) (?:out|over|in|away)\b"
+    r"|(?:ran|runs?|went|goes|drove|smashed|crashed|ploughed|bumped|slammed|shunted) "
+    r"(?:straight |right )?into (?:the )?"
+    r"(?:back|rear|boot|front|bumper)\b"
     r"|(?:changes?|changed|changing|switch\w*) lanes?\b|(?:runs?|ran|running) (?:a |the )?(?:red|stop|light)"
 )
 
@@ -93,7 +96,7 @@ class AtWheel(Reference):
     def _steering(self, word: Word) -> Entity | None:
         """A person who does what only vehicles do: "a lady reversed out of her drive", "this guy cut me off"."""
         verb = self.words[word.head]
-        after = " ".join(w.norm for w in self.words[verb.i : verb.i + 4])
+        after = " ".join(w.norm for w in self.words[verb.i : verb.i + 5])
         noun = word.norm.split(" ")[-1]
         told = {self.words[c].norm for c in word.children} & {"the", "this", "that"}
         known = next((e for e in self.entities if noun in e.names or e.noun == noun), None) if told else None

@@ -1,6 +1,6 @@
 """All stages up to the scene, in their order."""
 
-from c2s_engine.interpret.reading import amounts, dates, division, letters, scan, syntax
+from c2s_engine.interpret.reading import amounts, dates, division, letters, scan, streets, syntax
 from c2s_engine.interpret.roles.casting import actors
 from c2s_engine.interpret.roles.protagonist import choose_ego
 from c2s_engine.interpret.scene import Scene
@@ -8,10 +8,11 @@ from c2s_engine.interpret.speed.speeds import speeds
 from c2s_engine.interpret.surroundings import environment, place
 from c2s_engine.interpret.surroundings.settings import SettingsDetector
 from c2s_engine.interpret.what.aftermath import aftermath
-from c2s_engine.interpret.what.bearings import against_the_traffic
+from c2s_engine.interpret.what.bearings import against_the_traffic, sides_by_compass
 from c2s_engine.interpret.what.claims import claimed
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.headlines import headline
+from c2s_engine.interpret.what.left_untold import left_untold
 from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.unsaid import unsaid
@@ -26,7 +27,7 @@ def understand(text: str) -> Scene:
     plain = scan.normalised(text)
     sentences = division.sentences(text)
     quantities = amounts.quantities(plain)
-    names = scan.names(plain, letters.cased(text, plain))
+    names = streets.without_streets(text, scan.names(plain, letters.cased(text, plain)))
     numbered = scan.of_fleets(plain, names)
     quantities += [
         b
@@ -51,8 +52,10 @@ def understand(text: str) -> Scene:
     claimed(cast, clauses)
     aftermath(cast, clauses)
     against_the_traffic(clauses)
+    sides_by_compass(clauses)
     places = Places(cast, clauses)
     rules_of_sense(cast, clauses, road)
+    left_untold(cast, clauses)
     twice(clauses)
     headline(cast, clauses, places.of, road)
     settings = SettingsDetector().detect(plain, sentences)

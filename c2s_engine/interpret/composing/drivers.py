@@ -17,6 +17,7 @@ from c2s_engine.interpret.roles.ego_others import (
 )
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.what.left_untold import struck_standing
 from c2s_engine.interpret.who.mentions import MOTOR, Entity
 from c2s_engine.structure.components import Assumption
 from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec
@@ -129,6 +130,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                     trigger=trigger,
                 )
             )
+        elif act == "travel" and phases and phases[-1].action == "stationary" and ONWARDS.match(event.text):
+            phases.append(Phase(action="start", trigger=trigger))
         elif act == "go_straight" and place.kind == "intersection":
             phases.append(Phase(action="go_straight", trigger=trigger))
         elif act == "cross_path" and place.kind == "intersection":
@@ -163,7 +166,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             phases.append(Phase(action="keep_lane"))
     if any(p.action == "follow" for p in phases):
         phases = [p for p in phases if p.action not in ("start", "accelerate")]
-    if place.manoeuvre in ("left", "right") and not any(p.action.startswith("turn_") for p in phases):
+    turned = any(p.action.startswith("turn_") for p in phases) or struck_standing(scene.clauses)
+    if place.manoeuvre in ("left", "right") and not turned:
         phases.append(Phase(action=f"turn_{place.manoeuvre}"))  # type: ignore[arg-type]
     if place.kind == "on_ramp":
         phases = [p.model_copy(update={"side": "left"}) if p.action == "lane_change" else p for p in phases]
@@ -236,6 +240,11 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     return spec, assumed
 
 
+ONWARDS = re.compile(
+    r"(?:move|roll|creep|edge|inch|ease|drive|go|pull|nose) (?:\w+ly )?(?:forwards?|ahead|off|on|away|into|through)\b"
+    r"|(?:proceed|continue|resume)\b"
+)
+"""What one does who has stood and goes on."""
 ASIDE = ("lane_change", "leave_road", "drift")
 
 

@@ -44,8 +44,11 @@ def phases_of(
         found = [Phase(action="cross_road")]
     if "parked" in entity.roles and not found:
         found = [Phase(action="stationary")]
-    if {"stop", "stationary"} & {p.action for p in found} and _run_into(scene, entity):
+    stands = {"stop", "stationary"} & {p.action for p in found} or entity.roles & {"parked", "stationary"}
+    if stands and _run_into(scene, entity):
         found = [p for p in found if p.action != "collide" or p.target == ego_key]  # it is only pushed on
+    if stands and not found:
+        found = [Phase(action="stationary")]
     found = _merged(found)
     found = [p for p in found if p.action != "overtake" or not _backed_into(scene, entity)]
     if crossing and [p.action for p in found[:2]] == ["go_straight", "stop"] and _at_the_line(events):

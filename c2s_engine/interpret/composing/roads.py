@@ -52,6 +52,9 @@ def compose_place(scene: Scene) -> PlaceSpec:
         manoeuvre = manoeuvre or "straight"
     needs_left, needs_right, oncoming = _neighbours(scene)
     ego_lane = _ego_lane(scene)
+    goes = next((side(e) for e in scene.events(scene.cast.ego) if e.act in ("lane_change", "cut_out")), None)
+    if goes is not None and ego_lane == f"{goes}most":  # the lane that is named is where it goes
+        ego_lane, needs_left, needs_right = None, needs_left or goes == "left", needs_right or goes == "right"
     lanes = road.lanes
     if (needs_left or needs_right) and (lanes or 0) < 2:
         lanes = 2
@@ -114,13 +117,18 @@ def _distance(scene: Scene) -> float | None:
     return start_distance(scene.plain, scene.sentences, quantities, [m.start for m in scene.cast.ego.mentions])
 
 
+FROM_LANE = re.compile(r"\b(?:from|in|out of) (?:the |its |an? )?(?:[\w-]+ ){0,3}lane\b")
+"""The lane from which one turns."""
+
+
 def _at_junction(scene: Scene) -> bool:
     """Whether what happens needs a junction: turns, runs red, crosses paths."""
     if any(e.act in ("run_red", "run_stop") and e.done for e in scene.clauses.events):
         return True
     for event in scene.clauses.events:
         if event.act == "turn" and event.done and (event.agent.ego or event.agent in scene.actors):
-            if re.search(r"driveway|parking|lane", event.text) and not re.search(
+            text = FROM_LANE.sub("", event.text)
+            if re.search(r"driveway|parking|lane", text) and not re.search(
                 r"intersection|junction|street|road", event.whole
             ):
                 continue

@@ -62,7 +62,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         rel = "beside"
     if junction and lane in ("left", "right") and rel is None and "lane" not in told:
         lane, edge = "crossing", lane
-    direction = compass(scene, entity) if lane in (None, "same", "crossing") else None
+    direction = compass(scene, entity) if lane in (None, "same", "crossing", "left", "right", "adjacent") else None
     if direction in ("left", "right") and junction:
         return {"position": f"crossing_{direction}", "said": True}
     if direction == "opposite" and (junction or "turn" in acts or rel is None):

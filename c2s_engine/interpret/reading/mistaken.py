@@ -17,6 +17,8 @@ DIRECTED = re.compile(
 )
 """What tells where one goes, behind the past tense of a verb of motion."""
 ONWARDS = re.compile(r"\s+on\s*(?:[.,;]|$|(?:and|along|down|straight|as|past|through)\b)")
+ON_SIDE = re.compile(r"\b(?:on|to|in) (?:my|our|the|its|his|her|their) (?:left|right)(?: side)? $")
+LANES = re.compile(r"\s+lanes?\b")
 OBJECT = re.compile(r"\s+(?:me|us|him|her|it|them|my|our|his|its|their|the|an?|another|ego|control)\b")
 OBJECTS = language.words("objects_taken_for_verbs")
 STATES = language.words("states_as_participles")
@@ -72,14 +74,26 @@ def _participles(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
         if token.tag_ != "VBN" or verb is None or verb in STATES and not onwards or token.i == 0:
             continue
         noun = doc[token.i - 2 if doc[token.i - 1].tag_ == "RB" and token.i > 1 else token.i - 1]
-        if not names_one(piece[noun.i][3], MOVERS) or token.dep_ not in ("acl", "ROOT", "conj", "dep", "appos"):
+        placed = _placed(doc, piece, plain, start) if token.dep_ == "amod" else None
+        noun = noun if placed is None else placed
+        loose = placed is not None or token.dep_ in ("acl", "ROOT", "conj", "dep", "appos")
+        if not names_one(piece[noun.i][3], MOVERS) or not loose:
             continue
         own = [t for t in doc if t.tag_ in ("VBZ", "VBD", "VBP", "MD") and t.i > token.i and noun in (t, *t.lefts)]
         if own or noun.dep_ in ("nsubj", "nsubjpass", "dobj", "pobj", "attr") and noun.head.i != token.i:
             continue
+        if placed is not None and LANES.match(rest):
+            found[token.i] = "took"
         if onwards or DIRECTED.match(rest) or OBJECT.match(rest):
             found[token.i] = "took" if OBJECT.match(rest) else "went"
     return found
+
+
+def _placed(doc: Any, piece: list[Piece], plain: str, at: int) -> Any | None:
+    """The road user of whom only a side is told between it and a verb: "a car on my left changed lanes"."""
+    side = ON_SIDE.search(plain[:at])
+    before = [t for t in doc if side is not None and piece[t.i][1] < side.start()]
+    return before[-1] if before and side is not None and plain[piece[before[-1].i][2] : side.start()] == " " else None
 
 
 def _nouns(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:

@@ -52,6 +52,7 @@ def reattach(words: list[Word]) -> None:
             _hang(words, before, word)
             before.dep = "nsubj"
         _between_two(words, word)
+        _object_of_relative(words, word)
         seen = _place_of_seen(words, word)
         if seen is not None:
             _hang(words, word, seen)
@@ -191,6 +192,19 @@ def _between_two(words: list[Word], verb: Word) -> None:
         subjects[1].dep = "conj"
 
 
+def _object_of_relative(words: list[Word], verb: Word) -> None:
+    """Give the relative clause of "the van that had passed him turned left" its object."""
+    subjects = [words[c] for c in verb.children if words[c].dep in ("nsubj", "nsubjpass") and c < verb.i]
+    if len(subjects) != 2 or subjects[1].i - 1 in (subjects[0].i, verb.i):
+        return
+    first, second = subjects
+    before = words[min([second.i, *second.children]) - 1]
+    objects = any(words[c].dep == "dobj" and c > before.i for c in before.children)
+    if before.dep == "relcl" and before.head == first.i and not objects:
+        _hang(words, second, before)
+        second.dep = "dobj"
+
+
 def _joined(words: list[Word], word: Word) -> bool:
     """Whether a finite verb without a subject stands behind "and": it has that of the verb before."""
     above = words[word.head]
@@ -264,6 +278,9 @@ def _then_did(words: list[Word], word: Word) -> Word | None:
     lasts = any(words[c].dep in ("aux", "auxpass") and words[c].norm in ("was", "were") for c in above.children)
     if word.dep != "conj" or word.tag != "VBD" or not alone or not (lasts or above.norm in ("was", "were")):
         return None
+    outer = words[above.head]
+    if above.dep == "advcl" and outer.tag == "VBD" and outer.i < above.i and words[word.i - 1].norm in ("and", "then"):
+        return outer  # "overtook me as I was turning and went into my door"
     inner = [words[c] for c in above.children if above.i < c < word.i and words[c].dep == "advcl"]
     when = (w for w in inner if w.tag == "VBD" and any(words[c].norm == "when" for c in w.children))
     return next(when, None)

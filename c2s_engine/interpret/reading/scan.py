@@ -257,7 +257,7 @@ def _number_of_fleet() -> re.Pattern[str]:
 _MINI = re.compile(r"[\s-]+(?:roundabout|cab|van|bus|series)")
 _BUS_STOP = re.compile(
     r"\s+(?:lane|shelter|station|bay)\b|\s+stop(?=\s*(?:[,.;)]|$|on\b|at\b|in\b|and\b|to\b"
-    r"|where\b|with\b|is\b|ahead\b))"
+    r"|where\b|with\b|is\b|ahead\b|when\b|while\b|as\b|but\b|near\b|outside\b|opposite\b|behind\b|before\b|from\b|was\b|sign\b))"
 )
 
 

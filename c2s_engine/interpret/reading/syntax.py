@@ -9,6 +9,7 @@ from functools import cache
 from typing import Any
 
 from c2s_engine.interpret.reading import apart
+from c2s_engine.interpret.reading.clauses_apart import divide
 from c2s_engine.interpret.reading.deeds import hang, hold_children
 from c2s_engine.interpret.reading.fragments import participles_of_named, verbs_of_named
 from c2s_engine.interpret.reading.mistaken import mistaken
@@ -110,6 +111,7 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
         doing += participles_of_named(words, sentence)
         named += verbs_of_named(words, sentence)
     hang(words, doing, made, named)
+    divide(words)
     reattach(words)
     return words
 

@@ -51,3 +51,13 @@ def beside_nobody(entity: Entity, cast: Cast) -> bool:
     stands = entity.group is None and entity.count == 1 and the and re.match(r"\S+ (is|was|were) ", first)
     before = " ".join(w.norm for w in cast.words[max(0, at - 8) : at] if w.sentence == cast.words[at].sentence) + " "
     return not stands and (BESIDE.search(first) or FRONTED.search(before)) is not None
+
+
+def after(i: int, cast: Cast) -> str:
+    """A word with what follows it in its sentence."""
+    return " ".join(w.norm for w in cast.words[i : i + 10] if w.sentence == cast.words[i].sentence)
+
+
+def from_aside(i: int, cast: Cast) -> bool:
+    """Whether one is said to come from a side, not who does something meanwhile ("by a car while crossing")."""
+    return FROM_ASIDE.search(re.split(r" (?:while|whilst|when|as|who)\b", after(i, cast))[0]) is not None

@@ -5,7 +5,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.reading.askers import bystanding
-from c2s_engine.interpret.roles.aside import AHEAD, FROM_ASIDE, IS_AHEAD, beside_nobody
+from c2s_engine.interpret.roles.aside import AHEAD, IS_AHEAD, after, beside_nobody, from_aside
 from c2s_engine.interpret.roles.at_stops import at_a_stop
 from c2s_engine.interpret.roles.bare import ROLE_WORDS, bare_first
 from c2s_engine.interpret.roles.paired import leave_group, one_of_both
@@ -100,11 +100,6 @@ def _in_mode(entity: Entity, cast: Cast) -> bool:
     return False
 
 
-def _after(i: int, cast: Cast) -> str:
-    """A word with what follows it in its sentence."""
-    return " ".join(w.norm for w in cast.words[i : i + 10] if w.sentence == cast.words[i].sentence)
-
-
 def _who_met_it(passive: Entity, candidates: list[Entity], clauses: Clauses) -> Entity:
     """Who overtakes or follows one that does nothing itself, though that is told first: "while overtaking a tractor, a
     Golf hit a Corsa"."""
@@ -179,7 +174,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         e for e in cast.entities if e.type in MOTOR and e.count == 1 and _on_its_own(e) and not _of_parked(e, clauses)
     ]
     told_by = cast.me is not cast.ego or bystanding(" ".join(w.norm for w in cast.words))
-    if not told_by and any(IS_AHEAD.match(_after(e.mentions[0].word, cast)) for e in vehicles):
+    if not told_by and any(IS_AHEAD.match(after(e.mentions[0].word, cast)) for e in vehicles):
         return  # of somebody who is not named
     acting = {e: [v for v in clauses.events if v.agent is e and v.done] for e in vehicles}
     candidates = []
@@ -201,7 +196,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         ):
             continue
         head = cast.words[entity.mentions[0].word]
-        if not told_by and len(vehicles) == 1 and any(FROM_ASIDE.search(_after(m.word, cast)) for m in entity.mentions):
+        if not told_by and len(vehicles) == 1 and any(from_aside(m.word, cast) for m in entity.mentions):
             continue
         before = cast.words[head.i - 1].norm if head.i else ""
         told_apart = {before, *(cast.words[c].norm for c in head.children)} & {"another", "other"}

@@ -20,6 +20,8 @@ CHARGES = language.words("charges")
 TOLD_BACK = frozenset(("when", "as", "while", "after", "before", "where", "since", "because"))
 RUNS = frozenset(("run_red", "run_stop"))
 ABOARD = frozenset(("driver", "drivers", "operator", "operators", "passenger", "passengers", "occupant", "occupants"))
+THROWN = frozenset(("lose_control", "stop", "leave_road", "drift", "swerve", "oncoming", "cross_path", "u_turn"))
+"""What becomes of one that is struck."""
 LOOSE = frozenset(("debris", "box", "trash", "obstacle"))
 
 
@@ -50,7 +52,8 @@ def _is_over(cast: Cast, clauses: Clauses, event: Event, hits: list[Event]) -> b
         return False
     struck = not any(e.agent is event.agent for e in blows)
     moved = event.passive and clauses._lemma(cast.words[event.word]) in PUSHES
-    return RESTS.match(event.text) is not None or moved or struck and event.act in ("lose_control", "stop")
+    thrown = ("lose_control", "stop") if event.agent.ego else THROWN
+    return RESTS.match(event.text) is not None or moved or struck and event.act in thrown
 
 
 def _charged(cast: Cast, event: Event) -> bool:

@@ -7,6 +7,7 @@ from c2s_engine.interpret.who.mentions import Cast
 
 SAYS = language.words("says")
 STANDS = frozenset(("stationary", "stop"))
+WHERE = frozenset(("in", "at", "for", "behind", "on", "waiting", "because", "due"))
 LINKED = frozenset(("when", "after", "once", "as", "until", "before"))
 
 
@@ -30,6 +31,9 @@ def _stood(cast: Cast, event: Event) -> bool:
     before = [w.norm for w in cast.words[max(0, word.i - 1) : word.i] if w.sentence == word.sentence]
     beside = before == [","] and word.i > 1 and word.i - 2 in cast.of
     alone = not any(cast.words[c].dep in ("aux", "auxpass") for c in word.children)
+    main = cast.words[word.head]
+    placed = before == [","] and main.lemma == "be" and main.i < word.i and cast.words[word.i + 1].norm in WHERE
+    beside = beside or placed  # "V1 was northbound, stopped at the light"
     return word.norm in ("stopped", "halted") and (beside or before in (["while"], ["whilst"], ["when"])) and alone
 
 

@@ -93,6 +93,25 @@ def heading(clauses: Clauses, who: Entity) -> int | None:
     return None
 
 
+EDGE = re.compile(
+    r"\b(?P<way>north|south|east|west)(?:ern)? "
+    r"(?:side|edge|shoulder|curb|kerb|verge|ditch|embankment|roadside|guard ?rail)\b"
+    r"|\b(?:to|towards?) (?:the )?(?P<to>north|south|east|west)\b(?! (?:of|on)\b)"
+)
+"""The side of the road, or of one who drives there, by the compass."""
+SIDEWAYS = frozenset(("leave_road", "exit_road", "drift", "swerve", "lane_change", "lose_control"))
+
+
+def sides_by_compass(clauses: Clauses) -> None:
+    """The side by which somebody leaves the road or its lane: "eastbound, it ran off the north side"."""
+    for event in clauses.events:
+        edge = EDGE.search(event.text) if event.act in SIDEWAYS and side(event) is None else None
+        own = heading(clauses, event.agent) if edge else None
+        if edge and own is not None:
+            turned = (COMPASS[edge["way"] or edge["to"]] - own) % 360
+            event.side = {90: "right", 270: "left"}.get(turned)
+
+
 LANES_OF = re.compile(
     r"\b(?:(?:in|on)to|enter|cross|across|over|in) (?:the )?(?P<way>north|south|east|west)bound (?:\w+ ){0,2}lanes?\b"
 )

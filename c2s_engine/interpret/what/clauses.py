@@ -148,7 +148,7 @@ class Clauses(Deverbal):
         if agent is None and word.tag == "VBG" and word.dep == "pcomp":
             agent = self._beside_preposition(word)
         if agent is None:
-            agent = self.topic(word)
+            agent = self.topic(word) or self._of_its_part(word)
         if agent is None:
             agent = self._nearest(word, at) or (self._continued(word) if at is None else None)
         if agent is None and self._of_its_writer(word):
@@ -238,7 +238,11 @@ class Clauses(Deverbal):
         event.quantities = self._quantities(own)
         if word.dep in ("advcl", "relcl", "pcomp", "ccomp") or word.dep == "conj":
             event.adverbial = self._mark(word)
+        elif word.dep == "xcomp" and word.head in self.light:  # "when he attempted to overtake"
+            event.adverbial = self._mark(self.words[word.head])
         event.also = self._also(at, word.i)
+        if event.patient in event.also and event.act != "collide":
+            event.patient = None  # "V2 and V3 were stopped, V3 in front of V2"
         if event.act == "overtake" and not event.agent.ego and self._of_both(own):
             event.patient = self.cast.ego  # "overtakes both"
         self.events.append(event)

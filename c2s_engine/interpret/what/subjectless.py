@@ -5,12 +5,14 @@ from __future__ import annotations
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.meanings import Meanings
-from c2s_engine.interpret.who.mentions import Entity
+from c2s_engine.interpret.who.mentions import VEHICLES, Entity
 
 CONTACT = language.words("contact")
 DRIVES = language.words("drives")
 REACTS = language.words("reacts")
 HINDERS = language.words("hinders")
+HITS = CONTACT | language.words("strikes")
+BODY = language.words("body")
 ON_FOOT = language.words("on_foot")
 STANDS_STILL = language.words("stands_still")
 
@@ -58,6 +60,14 @@ class Subjectless(Meanings):
         told = [w for w in opening if w.i in self.cast.of and w.dep not in ("pobj", "dobj", "poss") or w.tag == "VBZ"]
         finite = word.tag == "VBD" or any(w.tag == "VBD" for w in self.words if w.sentence == word.sentence)
         return finite and not told and self._headless(word) and not self._subjects_of(word)
+
+    def _of_its_part(self, word: Word) -> Entity | None:
+        """Who was spoken of last, where only a part of it does something: "the left side hit a tree"."""
+        subjects = [self.words[c] for c in self._subjects_of(word)] if self._lemma(word) in HITS else []
+        if not subjects or subjects[0].lemma not in BODY or any(i in self.cast.of for i in self._below(subjects[0].i)):
+            return None
+        near = [(i, e) for i, e in self.cast.subjects if i < word.i and self.words[i].sentence >= word.sentence - 1]
+        return near[-1][1] if near and near[-1][1].type in VEHICLES else None
 
     def _subjects_of(self, word: Word) -> list[int]:
         return [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass", "csubj", "expl")]

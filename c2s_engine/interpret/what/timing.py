@@ -68,35 +68,51 @@ class Timing(Modes):
 
     def _order(self) -> None:
         for event in self.events:
+            self._order_one(event)
+        for event in self.events:  # "a lorry that had just passed him turned"
             word = self.words[event.word]
-            main = self._main(word)
-            if main is None:
-                continue
-            mark = event.adverbial
-            if word.dep in ("acl", "pobj") and word.tag == "VBG" and main.act == "collide" and event.word > main.word:
-                event.order = main.order - 0.4  # "was hit by a car turning left"
-            struck = self._in_relative(event)
-            if struck is not None and struck.act == "collide" and "then" not in event.text.split():
-                event.order = struck.order - 0.4
-                continue
-            if mark in MEANWHILE and word.tag == "VBG" and main.act == "collide" and event.act in BY_WHICH:
-                event.order = main.order - 0.4  # "struck V1 while passing"
-                continue
-            blow = mark in ("when", "as") and event.act == "collide" and event.agent is main.agent
-            if blow and event.word > main.word:
-                continue  # "was turning left when it struck V2"
-            if mark in ("after", "once", "when", "as", "having") and event.word > main.word:
-                event.order = main.order - 0.4
-            elif mark == "before" and event.word < main.word:
-                event.order = main.order + 0.4
-            elif mark in ("until", "till") and event.word > main.word:
-                event.order = main.order + 0.2
-            elif (
-                self.words[event.word].tag == "VBN"
-                and any(self.words[c].norm in ("had", "having") for c in word.children)
-                and event.word > main.word
-            ):
-                event.order = main.order - 0.4
+            main = self._main(word) if any(self.words[c].norm == "had" for c in word.children) else None
+            if main is not None and main.agent is event.agent and word.dep == "relcl":
+                event.order = min(event.order, main.order - 0.2)
+
+    def _order_one(self, event: Event) -> None:
+        """Put what a subordinate clause tells before or after what the main one does."""
+        word = self.words[event.word]
+        main = self._main(word)
+        if main is None:
+            return
+        mark = event.adverbial
+        if word.dep in ("acl", "pobj") and word.tag == "VBG" and main.act == "collide" and event.word > main.word:
+            event.order = main.order - 0.4  # "was hit by a car turning left"
+        struck = self._in_relative(event)
+        if struck is not None and struck.act == "collide" and "then" not in event.text.split():
+            event.order = struck.order - 0.4
+            return
+        if mark in MEANWHILE and word.tag == "VBG" and main.act == "collide" and event.act in BY_WHICH:
+            event.order = main.order - 0.4  # "struck V1 while passing"
+            return
+        if mark == "when" and event.word > main.word and event.agent is main.agent and self._lasted(main.word):
+            return  # "was turning left when it lost control"
+        blow = mark in ("when", "as") and event.act == "collide" and event.agent is main.agent
+        if blow and event.word > main.word:
+            return  # "was turning left when it struck V2"
+        if mark in ("after", "once", "when", "as", "having") and event.word > main.word:
+            event.order = main.order - 0.4
+        elif mark == "before" and event.word < main.word:
+            event.order = main.order + 0.4
+        elif mark in ("until", "till") and event.word > main.word:
+            event.order = main.order + 0.2
+        elif (
+            self.words[event.word].tag == "VBN"
+            and any(self.words[c].norm in ("had", "having") for c in word.children)
+            and event.word > main.word
+        ):
+            event.order = main.order - 0.4
+
+    def _lasted(self, verb: int) -> bool:
+        """Whether a verb tells what was going on: "was turning"."""
+        aux = (self.words[c].norm for c in self.words[verb].children if self.words[c].dep == "aux")
+        return self.words[verb].tag == "VBG" and any(a in ("was", "were", "is", "are") for a in aux)
 
     def _in_relative(self, event: Event) -> Event | None:
         """What a clause tells in whose relative clause something is told that leads to it: "was struck by V2, which

@@ -7,6 +7,7 @@ import re
 from c2s_engine.interpret.surroundings.whereabouts import STATES
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.what.left_untold import struck_standing
 from c2s_engine.interpret.who.mentions import Cast
 
 IN_TURN_LANE = re.compile(
@@ -19,7 +20,7 @@ OTHERWISE = frozenset(("turn", "u_turn", "go_straight", "lane_change", "cut_in",
 def turns_from_lane(cast: Cast, clauses: Clauses) -> None:
     """Ego that stands or drives in a lane for turning turns at last."""
     own = [e for e in clauses.events if e.agent.ego and e.done]
-    if any(e.act in OTHERWISE for e in own):
+    if any(e.act in OTHERWISE for e in own) or struck_standing(clauses):
         return
     for event in own:
         match = IN_TURN_LANE.search(event.text) if event.act in STATES | {"stop", "brake_stop", "brake"} else None

@@ -6,7 +6,9 @@ import re
 
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.surroundings.whereabouts import STATES, Where
+from c2s_engine.interpret.what.bearings import heading
 from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
 NUMBERS = {"one": 1, "two": 2, "three": 3, "four": 4, "first": 1, "second": 2, "third": 3, "fourth": 4}
@@ -28,6 +30,8 @@ FROM_SIDE = re.compile(
     r"\blanes? (?:\w+ ){0,2}from (?:the )?(?P<side>left|right)\b(?! lane)"
     r"|count\w* from (?:the )?(?P<side2>left|right)\b"
 )
+NEAR = 25
+"""Words within which a blow belongs to a move."""
 SHIFTS = frozenset(("drift", "lane_change", "cut_in", "swerve"))
 
 
@@ -46,7 +50,7 @@ def number_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str |
         return None
     rightwards = not _from_right(numbers, cast, clauses)
     for entity, number in numbers.items():
-        if entity.ego:
+        if entity.ego or _on_another_way(entity, cast, clauses):
             continue
         _into_own_lane(entity, own, cast, clauses)
         where = of[entity]
@@ -55,6 +59,12 @@ def number_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str |
         shifts = any(e.agent is entity and e.done and e.act in SHIFTS for e in clauses.events)
         where.rel = where.rel or ("ahead" if number == own else None if shifts else "beside")
     return _named(own, _total(cast), rightwards)
+
+
+def _on_another_way(entity: Entity, cast: Cast, clauses: Clauses) -> bool:
+    """Whether one drives another way than ego by the compass: its lanes are not ego's."""
+    own, other = heading(clauses, cast.ego), heading(clauses, entity)
+    return own is not None and other is not None and own != other
 
 
 def _told(entity: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> list[str]:
@@ -119,6 +129,9 @@ def _from_right(numbers: dict[Entity, int], cast: Cast, clauses: Clauses) -> boo
         match = re.search(r"\b(left|right)\b", event.text)
         if number is None or match is None or not event.done:
             continue
+        struck = _next_struck(event, clauses, numbers)
+        if event.act in SHIFTS and struck not in (None, number):
+            return (match[1] == "left") == (number < struck)  # type: ignore[operator]
         into = INTO.search(event.text)
         goal = _number(into["n"] or into["o"]) if into else own if "@ego" in event.text else number
         if event.act in SHIFTS and goal != number:
@@ -126,3 +139,10 @@ def _from_right(numbers: dict[Entity, int], cast: Cast, clauses: Clauses) -> boo
         if event.act == "overtake" and number != own and event.patient in (None, cast.ego):
             return (match[1] == "left") == (number > own)
     return False
+
+
+def _next_struck(event: Event, clauses: Clauses, numbers: dict[Entity, int]) -> int | None:
+    """The number of the lane in which is whom somebody hits who has just moved to a side."""
+    after = (e for e in clauses.events if e.agent is event.agent and e.act == "collide" and e.done)
+    hit = next((e for e in after if 0 < e.order - event.order < NEAR), None)
+    return numbers.get(hit.patient) if hit is not None and hit.patient is not None else None

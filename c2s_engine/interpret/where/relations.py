@@ -125,6 +125,8 @@ class Places(OwnWords, Inferred):
                         "overtake",
                     )
                 ]
+                if event.act == "leave_road":  # what is left is the road, unless a lane is named
+                    parts = [part for part in parts if "lane" in part]
                 for part in parts:
                     part = re.sub(
                         r"\b(into|onto|to|towards) (the |its )?(@\w+ ''?s )?[\w -]*?(lane|road|street|path|way)\b",

@@ -56,7 +56,7 @@ def merged_into(clauses: Clauses) -> None:
     for event in [e for e in clauses.events if e.act == "collide" and e.done and not e.passive]:
         shift = SHIFTS.get(clauses._lemma(clauses.words[event.word]))
         earlier = (e for e in clauses.events if e.agent is event.agent and e.order < event.order)
-        shifted = any(e.act in ("lane_change", "cut_in", "drift", "turn") for e in earlier)
+        shifted = any(e.act in ("lane_change", "cut_in", "drift", "turn", "leave_road") for e in earlier)
         if shift is not None and not shifted and not INTO_REAR.search(event.text):
             clauses.events.append(Event.echo(event, act=shift, order=event.order - 0.1, adverbial=event.adverbial))
 
@@ -99,6 +99,7 @@ def struck_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None
             _head_on(hit, of)
         else:
             _next_in_chain(hit, clauses, of)
+            _ahead_of_pushed(hit, clauses, of)
 
 
 def _from_behind(hit: Event, clauses: Clauses) -> bool:
@@ -143,6 +144,20 @@ def _next_in_chain(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> Non
         return
     if _open(of[agent]) and _open(of[patient]) and agent.mover and not agent.roles & {"oncoming", "crossing"}:
         of[agent].rel, of[agent].lane, of[agent].of = "behind", "same", patient
+
+
+def _ahead_of_pushed(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Whom one is pushed into is ahead of that one: "ran into V2, pushing it into V3"."""
+    agent, patient = hit.agent, hit.patient
+    assert patient is not None
+    pushed = clauses._lemma(clauses.words[hit.word]) in PUSHES or any(
+        e.act == "collide" and e.agent.ego and e.patient is agent and e.done and e.order < hit.order
+        for e in clauses.events
+    )
+    if pushed and not agent.ego and patient in of and patient.mover and not patient.person and _open(of[patient]):
+        beside = agent in of and (of[agent].of is patient or of[agent].lane not in (None, "same"))
+        if not beside and not patient.roles & {"parked", "oncoming", "crossing"}:
+            of[patient].rel, of[patient].lane, of[patient].of = "ahead", "same", agent
 
 
 def _head_on(hit: Event, of: dict[Entity, Where]) -> None:

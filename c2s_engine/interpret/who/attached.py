@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import Entity, fits
+from c2s_engine.interpret.entities import MOTOR, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.spans import names_one
 from c2s_engine.interpret.who.trailers import Trailers
 
 STANDS = language.words("stands")
@@ -22,6 +23,18 @@ class Attached(Trailers):
         the = any(self.words[c].norm == "the" for c in word.children)
         others = [e for e in self.entities if fits(e, "rider")]
         return self.ego if the and not others and self.ego.type == "motorcycle" and self.ego.typed else None
+
+    def _keeper(self, word: Word) -> Entity | None:
+        """The vehicle of which somebody is told to be the driver or owner: "the Polo of a woman from Leeds"."""
+        of = self.words[word.head]
+        above = self.words[of.head]
+        if word.dep != "pobj" or of.norm != "of" or above.i not in self.of or not names_one(above.span, MOTOR):
+            return None
+        told = self.of[above.i]
+        if told.count > 1 or not (told.ego or told.type in MOTOR):
+            return None
+        told.manned = True
+        return told
 
     def _behind(self, word: Word) -> list[str]:
         """The adjective right behind a noun that tells its state: "a van double-parked in ego's lane"."""

@@ -11,6 +11,8 @@ from c2s_engine.interpret.reading.scan import Span
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.nouns import Nouns
 
+STANDS = language.words("stands")
+
 
 class Labels(Nouns):
     """The part of Cast that resolves labels."""
@@ -51,12 +53,15 @@ class Labels(Nouns):
                 self.become_ego(host)
             return self.ego
         host = self._copula(word)
+        state = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
+        stands = {role for role in [language.roles().get(state)] if role and state in STANDS}
         known = next((e for e in self.entities if e.label == label), None)
         if host is not None and host.ego:  # "the ego is car C"
             if known is not None:
                 self.become_ego(known)
             return self.ego
         if known is not None:
+            known.roles |= stands
             return known
         host = self._listed(word) or self._apposed(word) or self._known_as(word)
         if host is not None and host.count > 1:  # "three cars: A is in front"
@@ -74,12 +79,15 @@ class Labels(Nouns):
             host = self.of[near[-1]] if near else None
         if host and not host.ego and not host.label:
             host.label = label
+            host.roles |= stands
             return host
         noun = data["word"] if data["word"] in language.actor_nouns() else label.rsplit(" ", 1)[0]  # "van a" by "a"
         part = noun in language.table("ego")["labels"]["parts"]
         known = " " in label and noun in language.actor_nouns() and not part
         kind = language.actor_nouns()[noun][0] if known else "vehicle"
-        return self._new(Entity("", kind, noun=noun if known else "", label=label, typed=kind != "vehicle"))
+        return self._new(
+            Entity("", kind, noun=noun if known else "", label=label, typed=kind != "vehicle", roles=stands)
+        )
 
     def become_ego(self, entity: Entity) -> None:
         """Take an entity for ego."""
@@ -141,6 +149,21 @@ class Labels(Nouns):
         new = any(self.words[c].norm in ("a", "an") for c in host.children) and len(self.of[host.i].mentions) == 1
         label = word.span is not None and word.span.kind == "label"
         return label and new and not self.of[host.i].ego and after is not None and after.norm in (",", ".")
+
+    def _set_off(self, word: Word) -> bool:
+        """Whether a noun stands between commas right behind a label: "V1, a Honda Civic also westbound, turned"."""
+        back = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
+        at = next((n for n, w in enumerate(back) if w.norm == ","), 0)
+        label = back[at - 1].span if at else None
+        if (
+            label is None
+            or label.kind not in ("label", "ego")
+            or not {"a", "an"} & {w.norm for w in back[at + 1 :][:1]}
+        ):
+            return False
+        after = [w for w in self.words[word.i + 1 : word.i + 8] if w.sentence == word.sentence]
+        closed = next((n for n, w in enumerate(after) if w.norm == "," or w.tag in ("VBD", "VBZ", "CC")), len(after))
+        return closed < len(after) and after[closed].norm == ","
 
     def _copula(self, word: Word) -> Entity | None:
         """The subject of "X is/was a truck"."""

@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import MOVERS, VEHICLES, ZONES, Entity
+from c2s_engine.interpret.entities import MOVERS, PERSONS, VEHICLES, ZONES, Entity
 from c2s_engine.interpret.reading.motions import irregular
 from c2s_engine.interpret.reading.syntax import Word
 
 CARRIES = language.words("carries")
 HIDES = language.words("hides")
+BEARS = frozenset(("carry", "transport", "ferry"))
 LOST, SAYS = language.words("lost"), language.words("says")
 WALKS_WITH = language.words("walks_with")
 PUSHED = frozenset(("bicycle", "motorcycle", "box", "debris", "trash", "container", "obstacle"))
@@ -44,6 +45,8 @@ class NotThere:
             return word.span is not None and word.span.data["type"] in PUSHED
         if word.norm in GROWS and by.norm in ("from", "of", "between", "among", "through"):
             return True  # "a deer bounds out of the trees"
+        if word.dep == "dobj" and by.lemma in BEARS and word.span is not None and word.span.data["type"] in PERSONS:
+            return not self._done_on_foot(by)  # "a coach carrying 40 children"
         if word.dep == "dobj" and (
             by.lemma in CARRIES or by.lemma == "drop" and "off" in [w.norm for w in self.words[by.i : word.i + 2]]
         ):

@@ -28,6 +28,9 @@ class Nouns(Attached, NotThere, Counted):
     def _copula(self, word: Word) -> Entity | None:
         raise NotImplementedError
 
+    def _set_off(self, word: Word) -> bool:
+        raise NotImplementedError
+
     def _actor(self, word: Word) -> Entity | None:
         data = word.span.data  # type: ignore[union-attr]
         kind, noun, roles = data["type"], data.get("noun", ""), set(data.get("roles", ()))
@@ -69,7 +72,8 @@ class Nouns(Attached, NotThere, Counted):
         if (kind in ("pedestrian", "child") or noun in language.table("actors")["drivers"]) and self._rides(word):
             return None
         if kind in ("pedestrian", "child") and not data.get("plural"):
-            driver = self._driver_of(word) or self._at_wheel(word) or self._aboard_before(word) or self._steering(word)
+            at_wheel = self._driver_of(word) or self._at_wheel(word) or self._aboard_before(word)
+            driver = at_wheel or self._steering(word) or self._keeper(word)
             if driver is not None:
                 driver.names.add(noun.split(" ")[-1])
                 return driver
@@ -146,7 +150,7 @@ class Nouns(Attached, NotThere, Counted):
         bracket = word.i and any(w.norm in ("(", "--", "-", ":") for w in self.words[max(0, word.i - 4) : word.i])
         if (
             host is not None
-            and (word.dep in ("appos", "attr") or bracket or (bool(host.label) and not host.typed))
+            and (word.dep in ("appos", "attr") or bracket or bool(host.label) and not host.typed or self._set_off(word))
             and self.words[word.i - 1].norm not in ("and", "or")
             and (fits(host, kind) or host.type == "vehicle" or (host.ego and not self.ego.typed and kind in MOTOR))
             and not (word.dep == "conj" and not host.label and not host.ego)

@@ -35,7 +35,8 @@ class Parts(Strangers):
         if not any(self.words[c].norm in ("the", "this", "that") for c in word.children):
             return None
         spoken = [e for i, e in self.subjects if i < word.i and e.type in VEHICLES and not e.ego]
-        return spoken[-1] if spoken else None
+        there = {e for i, e in self.of.items() if i < word.i and e.type in VEHICLES and not e.ego}
+        return spoken[-1] if spoken else next(iter(there)) if len(there) == 1 else None
 
     def referent(self, i: int, depth: int = 0) -> Entity | None:
         """Whom a noun means: itself, or the whole that it is a part of ("the driver of V1", "its left front")."""

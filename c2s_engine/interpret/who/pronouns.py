@@ -15,6 +15,9 @@ SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offsid
 LOOSE = frozenset(("debris", "box", "obstacle"))
 THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
 BUMPED = language.words("bumped")
+MOVES = language.word_list("motion") | {"leave"}
+ROOTED = frozenset(language.table("actors")["fixed"]) | {"tree", "trees"}
+"""What no "it" that moves can mean."""
 
 
 class Pronouns(Persons):
@@ -85,9 +88,12 @@ class Pronouns(Persons):
         bumped = word.i > 0 and self.words[word.i - 1].norm in BUMPED
         things = THINGS if bumped else LOOSE
         i = self._first_person() and not self._ego_is_thing()
+        moves = word.dep == "nsubj" and self.words[word.head].lemma in MOVES
 
         def fits(e: Entity) -> bool:
             alive = e.person and not e.noun.endswith(("target", "dummy"))
+            if moves and e.noun in ROOTED:
+                return False
             return (not alive and e.sex != "i" and e.mover or e.type in things) and not (i and e.ego)
 
         if word.dep == "nsubj" and (near := comes_near(self.words, self.of, word)) is not None:

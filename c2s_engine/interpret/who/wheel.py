@@ -30,6 +30,9 @@ VEHICULAR = language.words("vehicular")
 MANOEUVRE = re.compile(
     r"(?:cuts?|cut|cutting) (?:me|us|him|her|it|\w+) (?:off|up)\b|(?:cuts?|cutting) in\b"
     r"|(?:pulls?|pulled|pulling) (?:out|over|in|away)\b"
+    r"|(?:ran|runs?|went|goes|drove|smashed|crashed|ploughed|bumped|slammed|shunted) "
+    r"(?:straight |right )?into (?:the )?"
+    r"(?:back|rear|boot|front|bumper)\b"
     r"|(?:changes?|changed|changing|switch\w*) lanes?\b|(?:runs?|ran|running) (?:a |the )?(?:red|stop|light)"
 )
 
@@ -37,6 +40,14 @@ LANE = re.compile(
     r"(?:who (?:is|was) )?in (?:the|my|our) (?:(?:left|right|next|other|adjacent|middle|fast|slow|inside|outside"
     r"|oncoming|opposite|neighbou?ring)(?:[- ]hand)? lane\b|lane (?:next to|beside|to (?:my|our|the) (?:left|right)))"
 )
+IN_QUEUE = re.compile(
+    r"(?:who (?:is|was) )?(?:directly |right |immediately |just )?"
+    r"(?:(?:behind|in front|ahead|next to)(?: of)?(?: me| us)?) "
+    r"(?:(?:then|just|also|suddenly|obviously|clearly|simply) )?"
+    r"(?:went|goes|ran|runs|hit|hits|drove|drives|bumped|smashed|crashed|ploughed|plowed|slammed|shunted|rolled|braked"
+    r"|brakes|stopped|slowed|carried|failed|rear-ended|set off|pulled|did not stop|didn't stop|could not stop)\b"
+)
+"""What a person does who is in the queue at the wheel: "the person behind ran into me"."""
 
 
 class AtWheel(Reference):
@@ -85,7 +96,7 @@ class AtWheel(Reference):
     def _steering(self, word: Word) -> Entity | None:
         """A person who does what only vehicles do: "a lady reversed out of her drive", "this guy cut me off"."""
         verb = self.words[word.head]
-        after = " ".join(w.norm for w in self.words[verb.i : verb.i + 4])
+        after = " ".join(w.norm for w in self.words[verb.i : verb.i + 5])
         noun = word.norm.split(" ")[-1]
         told = {self.words[c].norm for c in word.children} & {"the", "this", "that"}
         known = next((e for e in self.entities if noun in e.names or e.noun == noun), None) if told else None
@@ -101,7 +112,8 @@ class AtWheel(Reference):
 
     def _in_a_lane(self, word: Word) -> bool:
         """Whether a person is placed as only drivers are: "the guy in the left lane"."""
-        return LANE.match(" ".join(w.norm for w in self.words[word.i + 1 : word.i + 8])) is not None
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 8])
+        return LANE.match(after) is not None or IN_QUEUE.match(after) is not None
 
     def _heads(self, word: Word, verb: Word) -> bool:
         """Whether a word is the subject of a verb, or what its participle describes."""

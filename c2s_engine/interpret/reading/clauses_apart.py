@@ -1,0 +1,202 @@
+"""Clauses of which the tree makes one noun phrase with what stands before "and": "crossed the centre line and its front
+struck V2", "was stopped at the lights and the car behind ran into it"."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import MOVERS
+from c2s_engine.interpret.reading.motions import past_forms
+from c2s_engine.interpret.spans import names_one
+
+if TYPE_CHECKING:
+    from c2s_engine.interpret.reading.syntax import Word
+
+JOINS = frozenset(("and", "but"))
+FINITE = frozenset(("VBD", "VBZ", "VBP"))
+BETWEEN = frozenset(("advmod", "aux", "auxpass", "neg"))
+SAYS = language.words("says") | language.words("notices") | frozenset(("think", "believe", "see", "mean"))
+FAULTS = frozenset(("run", "fail", "disregard", "ignore", "neglect", "jump"))
+STANDS = language.words("stands")
+PLACES = frozenset(("behind", "beside", "alongside", "ahead", "before", "opposite"))
+OWN = frozenset(("its", "his", "her", "their", "my", "our"))
+
+
+def divide(words: list[Word]) -> None:
+    """Give each such verb the subject right before it, and hang it beside the verb of the clause before."""
+    for verb in words:
+        if (labelled := _state_of_label(words, verb)) is not None:
+            if labelled.head == verb.i:
+                _move(words, labelled, words[verb.head], "dobj")
+            _move(words, verb, labelled, "amod")
+        if (who := _behind_relative(words, verb)) is not None:
+            _make_main(words, who, verb)
+        if (main := _main_of_relative(words, verb)) is not None:
+            _move(words, verb, main, "conj")
+        if (placed := _place_set_off(words, verb)) is not None:
+            _move(words, verb, placed, "prep")
+        if (subject := _behind_as(words, verb)) is not None:
+            mark = words[subject.head]
+            _move(words, subject, verb, "nsubj")
+            _move(words, mark, verb, "mark")
+        first = _first_noun(words, verb)
+        if first is None:
+            continue
+        noun, beside, join = first
+        above = _above(words, beside, verb)
+        if above is None:
+            continue
+        if beside.head == verb.i:
+            _move(words, beside, above, "dobj")
+        _move(words, verb, above, "conj")
+        _move(words, noun, verb, _relation(words, verb))
+        _move(words, join, above, "cc")
+        verb.tag = "VBD" if verb.tag == "VBN" and noun.dep == "nsubj" else verb.tag
+
+
+def _first_noun(words: list[Word], verb: Word) -> tuple[Word, Word, Word] | None:
+    """(the noun right before a verb, the noun it hangs on, the word between them)."""
+    if not (verb.tag in FINITE or verb.tag in ("VBN", "VBG") and verb.dep != "acl"):
+        return None
+    i = verb.i - 1
+    while i > 0 and words[i].dep in BETWEEN and words[i].head == verb.i:
+        i -= 1
+    i = _before_commas(words, i)
+    noun = next((w for w in _upwards(words, words[i]) if w.dep == "conj" and w.noun), None)
+    if noun is None or words[i].sentence != verb.sentence or verb.i in _below(words, noun):
+        return None
+    first = min(_below(words, noun))
+    beside, join = words[noun.head], words[first - 1] if first else noun
+    if join.norm not in JOINS or not beside.noun or beside.i > join.i or not _of_road_user(words, noun):
+        return None
+    return noun, beside, join
+
+
+def _state_of_label(words: list[Word], state: Word) -> Word | None:
+    """The label right behind an adjective that was taken for a verb: "struck parked V2"."""
+    named = words[state.i + 1] if state.i + 1 < len(words) else None
+    if state.norm not in STANDS or not state.tag.startswith(("VB", "JJ")) or named is None or named.span is None:
+        return None
+    above = words[state.head]
+    loose = state.dep in ("xcomp", "ccomp", "amod", "oprd", "dobj") and above.verb and above.i < state.i
+    return named if named.span.kind == "label" and loose else None
+
+
+def _behind_relative(words: list[Word], verb: Word) -> Word | None:
+    """The noun that heads a sentence whose verb was hung on what its relative clause ends with: "a van that had just
+    passed a cyclist turned right"."""
+    noun = words[verb.head]
+    relative = words[noun.head]
+    if verb.dep != "acl" or verb.tag not in ("VBD", "VBN") or noun.dep != "dobj" or relative.dep != "relcl":
+        return None
+    who = words[relative.head]
+    alone = who.dep == "ROOT" and names_one(who.span, MOVERS) and verb.norm in past_forms()
+    return who if alone and not any(words[c].norm == "by" for c in verb.children) else None
+
+
+def _make_main(words: list[Word], who: Word, verb: Word) -> None:
+    """Make a verb the head of its sentence, with that subject and with the verbs that go on with it."""
+    relative = words[words[verb.head].head]
+    words[verb.head].children.remove(verb.i)
+    verb.head, verb.dep, verb.tag = verb.i, "ROOT", "VBD"
+    _move(words, who, verb, "nsubj")
+    for child in [c for c in relative.children if c > verb.i]:
+        _move(words, words[child], verb, words[child].dep)
+
+
+def _main_of_relative(words: list[Word], verb: Word) -> Word | None:
+    """The verb with which another goes on that was hung on what lasted: "missed a deer that was standing there and hit
+    a rail"."""
+    lasting = words[verb.head]
+    alone = not any(words[c].dep in ("nsubj", "nsubjpass", "aux", "auxpass") for c in verb.children)
+    if verb.dep != "conj" or verb.tag != "VBD" or not alone or verb.lemma in FAULTS:
+        return None
+    lasts = any(words[c].dep == "aux" and words[c].norm in ("was", "were") for c in lasting.children)
+    if lasting.dep != "relcl" or lasting.tag != "VBG" or not lasts:
+        return None
+    return next((w for w in _upwards(words, words[lasting.head])[1:] if w.tag == "VBD"), None)
+
+
+def _place_set_off(words: list[Word], prep: Word) -> Word | None:
+    """The road user of whom a place between commas tells, not the verb behind it: "V2, behind it, did not stop"."""
+    if prep.norm not in PLACES or prep.dep != "prep" or prep.i < 2 or words[prep.i - 1].norm != ",":
+        return None
+    noun = words[prep.i - 2]
+    after = [w.norm for w in words[prep.i + 1 : prep.i + 5] if w.sentence == prep.sentence]
+    placed = noun.head == prep.head and noun.dep == "nsubj" and words[prep.head].i > prep.i
+    return noun if placed and "," in after and names_one(noun.span, MOVERS) else None
+
+
+def _behind_as(words: list[Word], verb: Word) -> Word | None:
+    """The noun of which "as" or "while" was taken for a preposition: "as V2, an oncoming vehicle, was turning"."""
+    finite = verb.tag in FINITE or any(words[c].dep in ("aux", "auxpass") for c in verb.children)
+    if not finite or verb.dep != "advcl" or any(words[c].dep.startswith("nsubj") for c in verb.children):
+        return None
+    i = verb.i - 1
+    while i > 0 and words[i].dep in BETWEEN and words[i].head == verb.i:
+        i -= 1
+    noun = words[_before_commas(words, i)]
+    mark = words[noun.head]
+    direct = noun.dep == "pobj" and mark.norm in ("as", "while", "when") and names_one(noun.span, MOVERS)
+    return noun if direct and noun.i < verb.i else None
+
+
+def _before_commas(words: list[Word], i: int) -> int:
+    """The word before what is set off by commas: "and V1, eastbound, struck it"."""
+    if words[i].norm != ",":
+        return i
+    for k in range(i - 1, max(0, i - 9), -1):
+        if words[k].norm == "," and words[k].sentence == words[i].sentence:
+            return k - 1
+        if words[k].tag in FINITE or words[k].norm in JOINS:
+            break
+    return i
+
+
+def _above(words: list[Word], beside: Word, verb: Word) -> Word | None:
+    """The verb of the clause before, where the verb is none of its complements."""
+    subjects = [c for c in verb.children if words[c].dep in ("nsubj", "nsubjpass") and c < verb.i]
+    if subjects and (subjects != [beside.i] or verb.dep != "ccomp"):
+        return None
+    above = words[verb.head] if subjects else _finite(words, beside)
+    if above is None or above.i >= beside.i or above.i == verb.i or above.lemma in SAYS:
+        return None
+    finite = verb.tag in FINITE or any(words[c].dep in ("aux", "auxpass") for c in verb.children)
+    return above if finite or verb.tag == "VBN" and not subjects else None
+
+
+def _finite(words: list[Word], noun: Word) -> Word | None:
+    """The verb above a noun, with "to turn" the one that it hangs on."""
+    verbs = [w for w in _upwards(words, noun) if w.verb]
+    return next((w for w in verbs if w.tag != "VB"), verbs[0] if verbs else None)
+
+
+def _relation(words: list[Word], verb: Word) -> str:
+    return "nsubjpass" if any(words[c].dep == "auxpass" for c in verb.children) else "nsubj"
+
+
+def _of_road_user(words: list[Word], noun: Word) -> bool:
+    """Whether a noun is a road user or a part of one."""
+    return any(names_one(words[i].span, MOVERS) or words[i].norm in OWN for i in _below(words, noun))
+
+
+def _upwards(words: list[Word], word: Word) -> list[Word]:
+    """A word and what it hangs on, up to the root."""
+    found = [word]
+    while found[-1].head != found[-1].i and len(found) < 12:
+        found.append(words[found[-1].head])
+    return found
+
+
+def _below(words: list[Word], word: Word) -> list[int]:
+    """All words of a noun phrase."""
+    return [word.i, *(i for c in word.children for i in _below(words, words[c]))]
+
+
+def _move(words: list[Word], word: Word, above: Word, dep: str) -> None:
+    """Hang a word on another one."""
+    if word.head != word.i:
+        words[word.head].children.remove(word.i)
+    above.children = sorted([*above.children, word.i])
+    word.head, word.dep = above.i, dep

@@ -1,0 +1,70 @@
+"""What reports of crashes leave untold: that one behind who "did not stop" ran into ego, that one who turns out of a
+drive comes onto the road, that one who is struck while it waits to turn never turns."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.who.mentions import Cast
+
+STANDS = frozenset(("stationary", "stop", "brake_stop", "yield"))
+WAITED = frozenset(("turn", "u_turn", "go_straight", "cross_path", "lane_change", "overtake", "enter_road", "cut_in"))
+IDLE = STANDS | {"travel", "collide", "brake", "approach", "follow", "keep_lane"}
+OFF_ROAD = re.compile(
+    r"\b(?:from|out of|exit|leave) (?:the |an? |its |his |her |their )(?:[\w-]+ ){0,2}"
+    r"(?:driveway|drive|parking lot|car park|lot"
+    r"|(?:gas|petrol|filling|service) station|alley|yard|field|gate|parking space|private road|property|entrance)\b"
+)
+WAITS = re.compile(r"\bwait\b")
+NOT_STOPPED = re.compile(r"(?:stop|brake|slow)(?: (?:down|at all|behind (?:the )?@ego))*[ .,;]*$")
+
+
+def left_untold(cast: Cast, clauses: Clauses) -> None:
+    """Fill in what such reports leave out."""
+    _stand_before(cast, clauses)
+    for event in list(clauses.events):
+        if event.act == "turn" and event.done and not event.agent.ego and OFF_ROAD.search(event.text):
+            event.act = "enter_road"
+        elif event.mode == "negated" and _runs_on(cast, clauses, event):
+            event.act, event.mode, event.patient = "collide", "fact", cast.ego
+        elif event.act in WAITED and event.mode in ("intended", "purpose") and struck_standing(clauses, event):
+            event.mode = "hypothetical"
+
+
+def _stand_before(cast: Cast, clauses: Clauses) -> None:
+    """Who stands behind another, or is pushed into it from a stand, has one before it that stands, too."""
+    for event in [e for e in clauses.events if e.done and e.agent.mover and not e.agent.ego]:
+        other = event.patient
+        if other is None or other.ego or not other.mover or other.person or other.roles:
+            continue
+        behind = event.act == "stationary" and re.search(rf"\bbehind (?:the )?@{other.key}\b", event.text)
+        stands = event.agent.roles & {"stationary", "parked"} or any(
+            e.agent is event.agent and e.act == "stationary" and e.order < event.order for e in clauses.events
+        )
+        acts = any(other in (e.agent, *e.also) and e.done for e in clauses.events)
+        if not acts and (behind or event.act == "collide" and stands):
+            other.roles.add("stationary")
+
+
+def _runs_on(cast: Cast, clauses: Clauses, event: Event) -> bool:
+    """Whether one behind ego, which stands, does not stop: "the taxi behind me didn't stop"."""
+    if event.act not in ("stop", "brake_stop") or event.agent.ego or not NOT_STOPPED.match(event.text):
+        return False
+    told = any(e.act == "collide" and e.done for e in clauses.events)
+    near = " ".join(w.norm for w in cast.words[max(0, event.word - 8) : event.word])
+    stands = any(e.agent.ego and e.done and e.act in STANDS and e.order < event.order for e in clauses.events)
+    return stands and not told and re.search(r"\bbehind\b", near) is not None
+
+
+def struck_standing(clauses: Clauses, event: Event | None = None) -> bool:
+    """Whether ego, or who does that, stands and is struck before it goes on to do anything."""
+    who = event.agent if event is not None else clauses.cast.ego
+    own = [e for e in clauses.events if e.agent is who and e.done and e is not event]
+    stands = [e for e in own if e.act in STANDS - {"yield"} or e.act == "yield" and WAITS.search(e.text)]
+    if not stands:
+        return False
+    onwards = [e for e in own if e.act not in IDLE and e.order > stands[0].order]
+    struck = any(e.act == "collide" and e.done and e.patient is who for e in clauses.events)
+    return struck and not onwards

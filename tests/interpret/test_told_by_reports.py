@@ -1,0 +1,201 @@
+"""Reports of crashes: clauses joined by "and", sides by the compass, owners, what is left untold."""
+
+import pytest
+
+
+def actions(component) -> list[str]:
+    return [p.action for p in component.spec.phases]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 crossed the centerline and its front struck the front of V2, which was northbound.",
+        "V1 crossed the center line and the front of V1 hit the front of V2, a northbound van.",
+        "V1 was southbound. It drifted over the centreline and its left side struck V2, which was northbound.",
+    ],
+)
+def test_a_subject_behind_and_is_no_object(read, text: str) -> None:
+    s = read(text)
+    assert "collide" in actions(s["E"])
+    assert s.objects[0].spec.placement.position == "oncoming_lane"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V-1 rear-ended V-2 and V-2 was pushed into V-3. V-2 and V-3 were stopped at the light, V-3 in front of V-2.",
+        "V-2 and V-3 were stopped at the light. V-1 hit V-2 and V-2 was pushed into V-3.",
+        "V2 and V3 were stopped in traffic, V3 ahead of V2. V1 hit V2 and V2 was pushed into V3.",
+    ],
+)
+def test_both_of_a_joint_subject_stand(read, text: str) -> None:
+    assert [actions(o) for o in read(text).objects] == [["stationary"], ["stationary"]]
+
+
+@pytest.mark.parametrize(
+    ("text", "side"),
+    [
+        ("V1 was eastbound and left the road on the north side and hit a tree.", "left"),
+        ("V1, northbound, ran off the west edge of the road and struck a fence.", "left"),
+        ("V1 was heading south and went off the west side of the road into a pole.", "right"),
+    ],
+)
+def test_off_the_road_by_the_compass(read, text: str, side: str) -> None:
+    s = read(text)
+    assert [(p.action, p.side) for p in s["E"].spec.phases][0] == ("leave_road", side)
+    assert s.objects[0].spec.placement.side == side
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 was westbound in the left lane. V2 was eastbound in the second lane and crossed the centerline.",
+        "V1 was southbound in lane 1. V2 was northbound in lane 2 and crossed the median and hit V1 head-on.",
+        "V1 was eastbound in the left lane. V2 was westbound in the left lane, lost control and hit V1.",
+    ],
+)
+def test_lanes_of_the_other_direction(read, text: str) -> None:
+    assert read(text).objects[0].spec.placement.position == "oncoming_lane"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 was in lane two of the freeway. V1 swerved right and struck the side of V2 in lane one.",
+        "V1 was in the number two lane. It moved right and hit V2, a truck in the number one lane.",
+        "V1, in lane 2, drifted to the right and struck V2, which was in lane 1.",
+    ],
+)
+def test_lanes_counted_by_who_is_struck(read, text: str) -> None:
+    assert read(text).objects[0].spec.placement.position == "right_lane"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 was stopped in the left turn lane. V2 turned left from the cross street and struck V1.",
+        "The AV was waiting to make a left turn. The vehicle behind it moved forward and hit the AV's rear bumper.",
+        "I was waiting to turn right at the junction when the car behind ran into me.",
+    ],
+)
+def test_who_is_struck_waiting_never_turns(read, text: str) -> None:
+    assert not {"turn_left", "turn_right"} & set(actions(read(text)["E"]))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The AV was stopped at a red light. The light turned green and the AV started to move forward.",
+        "V1 was stopped at a stop sign and then moved forward into the intersection.",
+        "I was stopped at the lights, they changed and I began to pull forward.",
+    ],
+)
+def test_from_a_stand(read, text: str) -> None:
+    assert {"start", "go_straight"} & set(actions(read(text)["E"]))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The Polo of a woman from Leeds had to stop for a schoolboy. A van behind her ran into the Polo.",
+        "The car of a pensioner stopped for a boy at a crossing. A van which followed him ran into the car.",
+        "The pickup of a man of 44 braked for a child. A van travelling behind him hit it.",
+    ],
+)
+def test_an_owner_is_nobody_else(read, text: str) -> None:
+    assert {o.spec.type for o in read(text).objects} == {"child", "van"}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "I stopped because a bike was coming, and the person behind went into the back of me.",
+        "I was stopped at the crossing and the guy behind me hit me.",
+        "I was stationary at the red light when someone ran into the back of me.",
+    ],
+)
+def test_a_person_in_the_queue_is_at_the_wheel(read, text: str) -> None:
+    assert [(o.spec.type, o.spec.placement.position) for o in read(text).objects][-1] == ("car", "behind")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 left the road to the right and the left side struck a utility pole.",
+        "V1 went off the road to the right. The front hit a fence.",
+        "The driver of V1 lost control, ran off the road to the right and the right corner struck a wall.",
+    ],
+)
+def test_a_part_strikes_for_the_whole(read, text: str) -> None:
+    assert actions(read(text)["E"])[-1] == "collide"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A pensioner reversed his Skoda into a shop window.",
+        "He backed his pickup into a parked car.",
+        "She reversed her van into a wall.",
+    ],
+)
+def test_what_one_drives_its_own_vehicle_into(read, text: str) -> None:
+    s = read(text)
+    assert actions(s["E"]) == ["reverse", "collide"]
+    assert s.objects[0].spec.placement.position == "behind"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "P-1 in V-1, a Honda Civic also W/B, made a right turn in front of P-2, who was riding a bicycle W/B.",
+        "V1, a pickup also eastbound, turned right in front of a cyclist.",
+        "V1, a van also northbound, made a right turn in front of a bicyclist.",
+    ],
+)
+def test_between_commas_behind_a_label(read, text: str) -> None:
+    s = read(text)
+    assert [o.spec.type for o in s.objects] == ["bicycle"]
+    assert actions(s["E"]) == ["turn_right"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A cyclist was riding along when a lorry that had just passed him turned right and ran over him.",
+        "A van that had just overtaken a cyclist turned right and hit him.",
+        "The bus that had just passed a cyclist turned right and struck her.",
+    ],
+)
+def test_what_had_happened_comes_first(read, text: str) -> None:
+    assert actions(read(text)["E"])[:2] == ["overtake", "turn_right"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V2 was making a left turn from a private driveway. V1 was westbound and hit V2.",
+        "V1 was northbound when V2 came out of the Dunkin Donuts. V1 struck V2.",
+        "V2 turned right out of a parking lot in front of V1, and V1 hit V2.",
+    ],
+)
+def test_out_of_a_drive(read, text: str) -> None:
+    assert actions(read(text).objects[0])[0] == "enter_road"
+
+
+def test_an_undivided_road_is_no_motorway(read) -> None:
+    assert read("V1 was northbound on a two-lane undivided roadway and braked.")["R"].spec.kind == "road"
+    assert read("V1 was northbound on a four-lane divided roadway and braked.")["R"].spec.kind == "motorway"
+
+
+@pytest.mark.parametrize(
+    ("text", "types"),
+    [
+        ("The AV was turning left from Pine onto Bush when a van behind it hit it.", ["van"]),
+        ("A coach carrying 40 children ran into the back of a gritter.", ["truck"]),
+        ("A bus transporting pupils hit a parked car.", ["car"]),
+        ("She was standing at the bus stop when she saw the red car hit the motorcycle.", ["motorcycle"]),
+    ],
+)
+def test_who_is_only_named(read, text: str, types: list[str]) -> None:
+    assert [o.spec.type for o in read(text).objects] == types

@@ -6,6 +6,7 @@ from functools import cache
 from typing import Any
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.changes.ranked import ranked
 from c2s_engine.interpret.changes.refer import actions_of, doing, objects_of, refer, spec_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, Structure
@@ -47,6 +48,7 @@ def called(plain: str, structure: Structure) -> str:
 
 def described(plain: str, structure: Structure) -> str:
     """The text in which those are called by their nouns who are told by what they do or where they are."""
+    plain = ranked(plain, structure, called_by)
     plain = re.sub(rf"\b(?:the |that |this )?{_table()['agents']}", lambda m: _agent(m, structure), plain)
     plain = re.sub(_table()["beside_another"], lambda m: _by_another(m, structure), plain)
     plain = _described().sub(lambda m: _fitting(m, structure), plain)

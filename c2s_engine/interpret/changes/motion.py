@@ -86,7 +86,7 @@ def _in_time(clause: str, structure: Structure) -> Found | None:
     seconds = quantity_of(clause, "time")
     if seconds is None or not re.search(_table()["time_gap"], clause) or names_a_stranger(clause, structure):
         return None
-    named = refer(re.sub(r"\bego\b", " ", clause), structure)
+    named = refer(re.sub(r"\bego\b", " ", clause), structure, alone=False)
     component = named if named is not None and named.id != "E" else _followed(structure)
     if component is None:
         return None

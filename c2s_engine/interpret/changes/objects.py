@@ -4,8 +4,9 @@ import re
 from typing import Any
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.changes.chosen import ORDINALS
 from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of
-from c2s_engine.interpret.changes.refer import ORDINALS, objects_of, refer, spec_of
+from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Component, Structure
@@ -157,12 +158,18 @@ def retype(clause: str, structure: Structure) -> Found | None:
         named = [s for s in known if match.start("what") <= s.start < match.end("what")]
         if not named:
             continue
+        if re.search(table["no_type"], match["what"]):
+            continue
         kind, plural = named[0].data["type"], named[0].data["plural"]
         if pattern == table["how_many"] and (not objects_of(structure, kind) or re.search(r"\bmore\b", match["what"])):
             continue
         who = match.groupdict().get("who")
         if who and re.search(table["unfinished"], who):
             continue
+        if pattern == table["followed"]:
+            who = _followed(structure)
+            if who is None:
+                continue
         alike = not who or who in ("it", "that", "this", "one", "just one", "only one", "a single one")
         component = _akin(kind, structure) if alike else refer(who, structure)
         if component is None and who and re.search(rf"\b(?:{'|'.join(ORDINALS)})\b", who):
@@ -195,6 +202,12 @@ def retype(clause: str, structure: Structure) -> Found | None:
         more, said = _rest(match.groupdict().get("rest"), component.id.lower(), edits, structure)
         return [*edits, *more], "; ".join([f"{component.id} is now {what}", *said])
     return None
+
+
+def _followed(structure: Structure) -> str | None:
+    """Whom ego follows, by his id in small letters."""
+    assert isinstance(structure.ego.spec, EgoSpec)
+    return next((p.target.lower() for p in structure.ego.spec.phases if p.action == "follow" and p.target), None)
 
 
 def _besides(who: str, component: Component, structure: Structure) -> Component | None:

@@ -84,7 +84,7 @@ def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple
     ways = [p for p in old if p.action in WAYS]
     passed = [p for p in old if p.action in PASSING]
     others = {p.action for p in new} - WAYS.keys()
-    obeys = bool(others) and others <= {"stop", "wait", "yield"}
+    obeys = bool(others) and others <= {"stop", "wait", "yield", "start"}
     if obeys and ways and (passed or re.search(table()["at_the_line"], clause)):
         told = [p for p in new if p.action in WAYS and p.action != "go_straight"]
         return (*(p for p in new if p.action not in WAYS), *(told or ways))

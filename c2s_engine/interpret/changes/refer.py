@@ -5,12 +5,12 @@ from collections.abc import Iterable
 from typing import get_args
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.changes.chosen import chosen
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.structure.vocabulary import ObjectType
 
-ORDINALS = {"first": 0, "1st": 0, "second": 1, "2nd": 1, "third": 2, "3rd": 2, "last": -1}
 FAMILY = {
     "vehicle": ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle"),
     "rider": ("bicycle", "motorcycle"),
@@ -55,7 +55,7 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
         if re.search(rf"\b{re.escape(name)}\b", plain) and (len(name) > 2):
             first = plain.find(name)
             if not names or first <= names[0].end:
-                return _ordinal(plain, component, structure)
+                return chosen(plain[:first], name, (), objects_of(structure, spec_of(component).type))
     for span in names:
         if span.kind == "ego" or span.kind == "label" and span.data["label"] == "1":
             return structure.ego
@@ -69,7 +69,7 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
             ahead = [c for c in structure.objects if spec_of(c).placement.position == "ahead"]
             return ahead[0] if ahead else None
         if found:
-            return _ordinal(plain[: span.end], found[0], structure, found)
+            return chosen(plain[: span.start], span.data["noun"], span.data["roles"], found)
         if language.actor_nouns().get(span.data.get("noun", "")):
             return None
     if (
@@ -80,21 +80,6 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
         movers = list(structure.objects)
         return movers[0] if len(movers) == 1 else movers[-1]
     return None
-
-
-def _ordinal(
-    plain: str, first: Component, structure: Structure, found: list[Component] | None = None
-) -> Component | None:
-    """The one that a "second" or "other" means, None where there are not so many; else the first."""
-    found = found or objects_of(structure, spec_of(first).type)
-    for word, index in ORDINALS.items():
-        if re.search(rf"\b{word}\b", plain):
-            if len(found) == 1 and spec_of(found[0]).count > 1:
-                return None  # one of those who are told of together
-            return found[index] if -len(found) <= index < len(found) else None
-    if re.search(r"\bother\b", plain) and len(found) > 1:
-        return found[1]
-    return first
 
 
 def type_said(sentence: str) -> ObjectType:

@@ -30,7 +30,7 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     while parts:
         part = parts.pop(0)
         demand = notes.demand_of(whole(part, before, topic), current)
-        if parts and (both := _in_a_row(demand, parts[0], current)):
+        while parts and (both := _in_a_row(demand, parts[0], current)):
             demand = both
             parts.pop(0)
         before, topic = demand, topic_of(demand, current) or topic

@@ -96,7 +96,7 @@ def scene(structure: Structure, told: str) -> str:
     mover = refer(told, structure, alone=False) if told_speed else None
     placed = located_in(told) and not re.match(table()["adds"], told)
     located = refer(told, structure, alone=False) if placed else None
-    names = {c.id: spec_of(c).name for c in structure.objects}
+    names = {c.id: _noun(c) for c in structure.objects}
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
     own = {"speed": None} if mover is not None and mover.id == "E" else {}

@@ -44,7 +44,7 @@ def setting(clause: str, structure: Structure) -> Found | None:
     if sky and "preset" not in named:
         values = [f.value for f in sky]
         old = [w for w in structure.settings.spec.weather if w != "clear"]  # type: ignore[union-attr]
-        also = re.search(r"\b(add|also|and|plus|as well|too)\b", clause)
+        also = re.search(r"\b(add|also|plus|as well|too)\b|^and\b", clause)
         if re.search(language.table("refine")["weaker"], clause):
             values = list(dict.fromkeys("rain" if v == "heavy_rain" else v for v in values))
         elif "heavy_rain" in old and not re.search(language.table("refine")["as_it_is"], clause):

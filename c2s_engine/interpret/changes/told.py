@@ -7,10 +7,13 @@ they differ are set, of the components that the clause names and of those that a
 import re
 from typing import Any
 
-from c2s_engine.interpret.changes.forms import Found, name_of
+from c2s_engine.interpret.changes.apart import told_apart
+from c2s_engine.interpret.changes.forms import Found
+from c2s_engine.interpret.changes.in_words import in_words
 from c2s_engine.interpret.changes.phases import PASSING, WAYS, afterwards, awaited, given_up, joined, mapped
+from c2s_engine.interpret.changes.places import cuts_in, on_a_side, placed_before
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
-from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
+from c2s_engine.interpret.changes.retold import indicative, read, scene, table
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField
@@ -19,7 +22,6 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec, SettingsS
 
 PLACE = ("kind", "manoeuvre", "arms", "control", "ego_lane", "crosswalk")
 """Fields of R that a clause about road users can say."""
-PARTS = {"R": "the place", "G": "the scene"}
 SIGNS = frozenset(("stop_sign", "yield_sign", "speed_sign"))
 
 
@@ -43,6 +45,24 @@ def standing(clause: str, structure: Structure) -> Found | None:
 
 
 def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
+    """What a clause asks for that is read amid the scene, those of one type told apart."""
+    found = _read_amid(*told_apart(clause, structure), wanted)
+    if found is None:
+        return None
+    edits = [_named_apart(e, structure) if isinstance(e, AddObject) else e for e in found]
+    return edits, in_words(edits, structure)
+
+
+def _named_apart(edit: AddObject, structure: Structure) -> AddObject:
+    """One who is added under a name that nobody has."""
+    assert isinstance(edit.spec, ObjectSpec)
+    if edit.spec.name not in {spec_of(c).name for c in structure.objects} or edit.component is None:
+        return edit
+    spec = edit.spec.model_copy(update={"name": f"{edit.spec.name}_{edit.component[1:]}"})
+    return edit.model_copy(update={"spec": spec})
+
+
+def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | None:
     if (denied := _denied(clause, structure)) is not None:
         return denied
     told = indicative(clause, structure)
@@ -84,7 +104,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
         if component.id.startswith("O") and component.id not in ids:
             continue  # a sign, or one like it is there
         if component.id in added:
-            edits.append(_added(component, cid, ids, structure))
+            edits.append(_added(component, cid, ids))
             paths.append("+")
         elif cid == "R" or _names(main, structure[cid], structure):
             old = before.get(component.id) or was[component.id]
@@ -102,8 +122,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
         return None
     edits += [*_light(clause, now, structure), *afterwards(clause, edits, structure)]
     edits = _one_way(edits, structure)
-    said = _in_words(edits, structure)
-    return [*sorted(edits, key=lambda e: not isinstance(e, AddObject)), *_moves(now, ids, structure)], said
+    return [*sorted(edits, key=lambda e: not isinstance(e, AddObject)), *_moves(now, ids, structure)]
 
 
 def _without_awaited(changed: list[tuple[str, Any]]) -> list[tuple[str, Any]]:
@@ -154,13 +173,13 @@ def _moves(now: Structure, ids: dict[str, str], structure: Structure) -> list[Ed
     return edits
 
 
-def _denied(clause: str, structure: Structure) -> Found | None:
+def _denied(clause: str, structure: Structure) -> list[Edit] | None:
     """ "The truck should not stop": it does everything else."""
     positive, number = re.subn(table()["not"], "will", clause)
-    found = _told(positive, structure, lambda path: path == "phases") if number == 1 else None
+    found = _read_amid(positive, structure, lambda path: path == "phases") if number == 1 else None
     edits: list[Edit] = []
     doer = refer(clause, structure, alone=False)
-    for edit in found[0] if found else ():
+    for edit in found or ():
         if not isinstance(edit, SetField) or edit.path != "phases" or not edit.component.startswith("O"):
             continue
         if doer is not None and doer.id != edit.component:
@@ -173,7 +192,7 @@ def _denied(clause: str, structure: Structure) -> Found | None:
             edits.append(SetField(component=edit.component, path="phases", value=kept))
     if number == 1 and doer is not None and doer.id == "E" and not edits:
         edits = given_up(clause, structure)
-    return (edits, _in_words(edits, structure)) if edits else None
+    return edits or None
 
 
 def _names(told: str, component: Component, structure: Structure) -> bool:
@@ -234,6 +253,8 @@ def _changes(
             same = not moves or not value
         if path == "speed" and getattr(there.spec, "speed", None) and any(a.field == "speed" for a in now.assumed):
             same = True
+        if path in ("speed", "phases") and re.match(table()["put"], clause):
+            continue  # where somebody begins, not that he stays there
         same = same or path == "speed" and not value and bool(re.search(table()["besides"], clause))
         same = same and not (path == "phases" and value and re.search(table()["besides"], clause))
         if same or path in ("name", "component", "model") or (there.id == "R" and path not in PLACE):
@@ -247,14 +268,16 @@ def _changes(
                 phases = (phases[0].model_copy(update={"trigger": waited}), *phases[1:])
             found.append((path, joined(there.spec.phases, phases, clause)))
         elif path == "placement":
-            place = _placed_before(was, now, there, clause)
+            place = placed_before(was, now, there, clause)
+            if any(value[key] != place[key] for key in ("position", "side")):
+                value |= on_a_side(there, clause)
             walks = spec_of(there).placement.position == "sidewalk" and value["position"] == "roadside"
             if walks and not re.search(table()["roadside"], clause):
                 value["position"] = place["position"]
             found += [
                 (f"placement.{key}", ids.get(part, part) if key in ("of", "hidden_by") else part)
                 for key, part in value.items()
-                if part != place[key] and not (key in ("gap", "along") and _cuts_in(now, there))
+                if part != place[key] and not (key in ("gap", "along") and cuts_in(now, there))
             ]
         elif value == "none" and not re.search(table()["denies"], clause):
             continue  # how it reacts goes on, unless that is denied
@@ -263,54 +286,16 @@ def _changes(
     return found
 
 
-def _placed_before(was: Component, now: Component, there: Component, clause: str) -> dict[str, Any]:
-    """Where it was: of one whose place the clause tells anew, where it really is, but for what is not told."""
-    old, new = spec_of(was).placement.model_dump(), spec_of(now).placement.model_dump()
-    assumed = any(a.field == "placement.position" for a in now.assumed)
-    if assumed or not located_in(clause):
-        return old
-    real = spec_of(there).placement.model_dump()
-    return real | {key: new[key] for key in ("gap", "hidden_by") if new[key] is None}
-
-
-def _cuts_in(now: Component, there: Component) -> bool:
-    """Whether where it is told to be is where one who starts behind cuts in."""
-    return spec_of(there).placement.along == "behind" and any(p.action == "cut_in" for p in spec_of(now).phases)
-
-
 def _near(a: Any, b: Any) -> bool:
     """Whether speeds are the same but for their being told in whole km/h."""
     return a is not None and b is not None and abs(low(a) - low(b)) < 0.15 and abs(high(a) - high(b)) < 0.15
 
 
-def _added(component: Component, cid: ComponentId, ids: dict[str, str], structure: Structure) -> AddObject:
+def _added(component: Component, cid: ComponentId, ids: dict[str, str]) -> AddObject:
     spec = spec_of(component)
     place = spec.placement
     placement = place.model_copy(
         update={"of": ids.get(place.of, place.of), "hidden_by": ids.get(place.hidden_by or "", place.hidden_by)}
     )
-    taken = {spec_of(c).name for c in structure.objects}
-    name = spec.name if spec.name not in taken else f"{spec.name}_{cid[1:]}"
-    phases = tuple(mapped(p, ids) for p in spec.phases)
-    update = {"name": name, "placement": placement, "phases": phases}
+    update = {"placement": placement, "phases": tuple(mapped(p, ids) for p in spec.phases)}
     return AddObject(spec=spec.model_copy(update=update), description=component.description, component=cid)
-
-
-def _in_words(edits: list[Edit], structure: Structure) -> str:
-    said = []
-    for edit in edits:
-        if isinstance(edit, AddObject):
-            said.append(f"{edit.component} added")
-        elif isinstance(edit, SetField):
-            who = PARTS.get(edit.component) or name_of(structure[edit.component])
-            said.append(f"{who}: {_value(str(edit.path), edit.value)}")
-    return "; ".join(said)
-
-
-def _value(path: str, value: Any) -> str:
-    field = path.split(".")[-1].replace("_", " ")
-    if field == "phases":
-        return ", then ".join(p.action.replace("_", " ") for p in value) or "keeps on"
-    if field == "speed" and isinstance(value, float | int):
-        return f"{value * 3.6:.0f} km/h"
-    return f"{field} {str(value).replace('_', ' ')}"

@@ -132,13 +132,18 @@ class Reference(Centre):
             told = next((name for name, at in ORDINALS.items() if at == ordinal), "")
             if groups and (member := self.member(groups[-1], told)) is not None:
                 return member
+        plural = count > 1 or word.span is not None and bool(word.span.data.get("plural"))
         if roles:
             same = [e for e in candidates if e.roles & roles and (definite or (e.count > 1) == (count > 1))]
             if same:
-                return same[-1]
+                several = [e for e in same if e.count > 1] if plural else []
+                return (several or same)[-1]  # "one of the parked cars": of the group, not of the one
             again = [e for e in candidates if e.noun == noun and not e.roles and word.span and word.span.data["person"]]
             if again and definite and count == 1:
                 return again[-1]  # "the motorist who was trailing it ... the trailing motorist"
+            resting = [e for e in groups if plural and definite and "parked" in roles and self._is_at(e, "parked")]
+            if resting:
+                return resting[-1]  # "three cars are parked there. One of the parked cars ..."
             there = self._by_place(word, candidates) if definite and count == 1 else None
             if there is not None:
                 return there

@@ -1,0 +1,59 @@
+"""Who of several of one type is meant: by role, by a word of his name, by order."""
+
+import re
+from collections.abc import Callable, Sequence
+
+from c2s_engine.interpret import language
+from c2s_engine.structure.components import Component
+from c2s_engine.structure.specs import ObjectSpec
+
+ORDINALS = {"first": 0, "1st": 0, "second": 1, "2nd": 1, "third": 2, "3rd": 2, "fourth": 3, "last": -1, "final": -1}
+ROLES: dict[str, Callable[[ObjectSpec], bool]] = {
+    "lead": lambda s: s.placement.position == "ahead",
+    "oncoming": lambda s: s.placement.position in ("oncoming_lane", "opposite_approach"),
+    "following": lambda s: s.placement.position == "behind" or "follow" in {p.action for p in s.phases},
+    "parked": lambda s: s.placement.position == "parked",
+}
+"""Who has the role that a noun is told with."""
+NOUN_PHRASE = re.compile(r"(?:(?<=\bthe )|(?<=\bthat )|(?<=\bthis ))(?:[\w-]+ ){0,3}$|(?:[\w-]+ ){0,2}$")
+"""What stands before a noun and belongs to it."""
+PLAIN = frozenset(("the", "a", "an", "of", "car", "vehicle", "pedestrian", "other", *ORDINALS))
+"""Words that tell nobody from others of his type."""
+
+
+def chosen(before: str, noun: str, roles: Sequence[str], found: list[Component]) -> Component | None:
+    """The one of `found` whom a noun with what stands before it means; None where there are not so many."""
+    for role in roles:
+        fitting = [c for c in found if role in ROLES and ROLES[role](_spec(c))]
+        found = fitting or found
+    words = re.findall(r"[\w-]+", NOUN_PHRASE.search(before)[0])  # type: ignore[index]
+    if len(found) > 1:
+        found = _called(words, noun, found)
+    for word in words:
+        if word in ORDINALS:
+            if len(found) == 1 and _spec(found[0]).count > 1:
+                return None  # one of those who are told of together
+            index = ORDINALS[word]
+            return found[index] if -len(found) <= index < len(found) else None
+    if "other" in words and len(found) > 1:
+        return found[1]
+    return found[0]
+
+
+def called(component: Component) -> set[str]:
+    """The words by which the text and the program call somebody."""
+    labels = [link.label for link in component.links if link.kind == "text"]
+    return set(re.findall(r"[a-z0-9]+", " ".join([_spec(component).name.replace("_", " "), *labels]).lower()))
+
+
+def _called(words: list[str], noun: str, found: list[Component]) -> list[Component]:
+    """Those whom the noun and the words before it fit best: "the red car", "the taxi", "the lady" of a woman."""
+    said = {*noun.split(), *words} - PLAIN
+    alike = {w for group in language.table("people")["nouns"].values() if said & set(group) for w in group}
+    fits = [len(called(c) & (said | alike)) for c in found]
+    return [c for c, fit in zip(found, fits, strict=True) if fit == max(fits)]
+
+
+def _spec(component: Component) -> ObjectSpec:
+    assert isinstance(component.spec, ObjectSpec)
+    return component.spec

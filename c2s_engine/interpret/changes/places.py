@@ -1,0 +1,36 @@
+"""What of a place a change leaves as it is: where somebody was before, and whose side alone becomes another."""
+
+import re
+from typing import Any
+
+from c2s_engine.interpret.changes.refer import spec_of
+from c2s_engine.interpret.changes.retold import located_in, table
+from c2s_engine.structure.components import Component
+
+SIDED = frozenset(("parked", "roadside", "sidewalk", "partly_in_lane"))
+"""Places at a side of the road or lane."""
+
+
+def placed_before(was: Component, now: Component, there: Component, clause: str) -> dict[str, Any]:
+    """Where it was: of one whose place the clause tells anew, where it really is, but for what is not told."""
+    old, new = spec_of(was).placement.model_dump(), spec_of(now).placement.model_dump()
+    assumed = any(a.field == "placement.position" for a in now.assumed)
+    if assumed or not located_in(clause):
+        return old
+    real = spec_of(there).placement.model_dump()
+    return real | {key: new[key] for key in ("gap", "hidden_by") if new[key] is None}
+
+
+def on_a_side(there: Component, clause: str) -> dict[str, Any]:
+    """What of a place stays where only the side is told of one who is at a side: "the parked cars are on the left"."""
+    place = spec_of(there).placement
+    side = re.search(table()["only_side"], clause)
+    if place.position not in SIDED or side is None:
+        return {}
+    kept = {"position": place.position, "along": place.along, "of": place.of, "gap": place.gap}
+    return {**kept, "side": side["side"]}
+
+
+def cuts_in(now: Component, there: Component) -> bool:
+    """Whether where it is told to be is where one who starts behind cuts in."""
+    return spec_of(there).placement.along == "behind" and any(p.action == "cut_in" for p in spec_of(now).phases)

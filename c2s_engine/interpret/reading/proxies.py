@@ -109,7 +109,7 @@ HAVING = regex.compile(r"\b(?:has|have|had|having)\s+(?:just\s+|already\s+|now\s
 STRUCK = frozenset(("rear-ended", "t-boned", "side-swiped", "sideswiped", "broadsided", "contacted", "impacted"))
 
 
-LETS = regex.compile(r"\b(?:let|lets|letting|help|helps|watch|watches|sees)\s+(?:\S+\s+){1,4}$")
+LETS = regex.compile(r"\b(?:let|lets|letting|make|makes|making|made|help|helps|watch|watches|sees)\s+(?:\S+\s+){1,4}$")
 
 
 def _finite(word: str) -> bool:

@@ -6,9 +6,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import MOVERS
+from c2s_engine.interpret.reading.hanging import hang, road_user
+from c2s_engine.interpret.reading.lost_subjects import find_subject
 from c2s_engine.interpret.reading.motions import irregular, third_person
-from c2s_engine.interpret.spans import names_one
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
@@ -18,6 +18,7 @@ TOWED, SEES, WAITS = language.with_plurals("towed"), language.words("notices"), 
 MANOEUVRES = language.words("manoeuvres") | language.words("drives")
 CONTACT = language.words("contact") | language.words("strikes")
 FAULTS = frozenset(("run", "fail", "disregard", "ignore", "neglect", "jump", "cross", "turn", "pull"))
+ANSWERS = frozenset(("respond", "react", "answer", "reply"))
 LOOSE = frozenset(("conj", "dep", "ccomp", "advcl"))
 STOOD = frozenset(("stopped", "parked", "slowed", "standing", "waiting"))
 LEFT_STANDING = frozenset(("stop", "park", "leave", "hit", "strike", "follow", "queue", "drive", "pass", "overtake"))
@@ -40,44 +41,30 @@ def reattach(words: list[Word]) -> None:
         if word.dep == "ccomp" and _joined(words, word):
             word.dep = "conj"  # "overtakes ego and 2 s later brakes"
         if word.dep in LOOSE and (struck := _stood(words, word)) is not None:
-            _hang(words, word, struck)
+            hang(words, word, struck)
             word.dep, word.tag = "acl", "VBN"
-        if word.dep == "advcl" and (before := _named_after_place(words, word)) is not None:
-            _hang(words, before, word)
-            before.dep, word.dep = "nsubj", "conj"
-        if word.dep == "conj" and (before := _subject_before(words, word)) is not None:
-            _hang(words, before, word)
-            before.dep = "nsubj"  # "slowed and V1 struck it": V1 was taken for somebody else that slowed
-        if (before := _subject_on_time(words, word)) is not None:
-            _hang(words, before, word)
-            before.dep = "nsubj"
-        _between_two(words, word)
+        find_subject(words, word)
+        if word.norm == "by" and word.dep == "prep" and (answers := _answer(words, word)) is not None:
+            hang(words, word, answers)  # "responds to a van braking by changing lanes"
         _object_of_relative(words, word)
         seen = _place_of_seen(words, word)
         if seen is not None:
-            _hang(words, word, seen)
+            hang(words, word, seen)
         beside = _beside(words, word)
         if beside is not None:
-            _hang(words, word, beside)
+            hang(words, word, beside)
         above = (
             _resumed(words, word) or _after_waiting(words, word) or _of_striker(words, word) or _then_did(words, word)
         )
         if above is not None:
-            _hang(words, word, above)
-
-
-def _hang(words: list[Word], word: Word, above: Word) -> None:
-    words[word.head].children.remove(word.i)
-    above.children.append(word.i)
-    above.children.sort()
-    word.head = above.i
+            hang(words, word, above)
 
 
 def _tells(words: list[Word], verb: Word) -> bool:
     """Whether a past form right behind the one road user of a sentence tells what it did: "a sedan pulled out"."""
     noun = words[verb.head]
     adverb = verb.i - noun.i == 2 and words[noun.i + 1].norm.endswith("ly")
-    if verb.tag != "VBN" or noun.dep != "ROOT" or not _road_user(noun) or not (verb.i - noun.i == 1 or adverb):
+    if verb.tag != "VBN" or noun.dep != "ROOT" or not road_user(noun) or not (verb.i - noun.i == 1 or adverb):
         return False
     rest = [w for w in words[verb.i :] if w.sentence == verb.sentence]
     told = any(w.tag in ("VBD", "VBZ", "VBP", "MD") for w in rest) or any(w.norm == "by" for w in rest)
@@ -95,7 +82,7 @@ def _stood(words: list[Word], word: Word) -> Word | None:
     while not verb.verb and verb.head != verb.i:
         verb = words[verb.head]
     hits = {verb.lemma, irregular().get(verb.norm)} & CONTACT and struck.dep in ("dobj", "pobj")
-    return struck if hits and _road_user(struck) and "scene" not in _after(words, word) else None
+    return struck if hits and road_user(struck) and "scene" not in _after(words, word) else None
 
 
 def _after(words: list[Word], word: Word) -> list[str]:
@@ -127,7 +114,7 @@ def _turn_round(words: list[Word], first: Word) -> None:
 def _has_done(words: list[Word], verb: Word) -> bool:
     """Whether a past form with a subject and no auxiliary is finite: "a black Altima pulled out"."""
     before = [words[c] for c in verb.children if c < verb.i]
-    subject = any(w.dep == "nsubj" and _road_user(w) for w in before)
+    subject = any(w.dep == "nsubj" and road_user(w) for w in before)
     return subject and not {"aux", "auxpass", "nsubjpass"} & {w.dep for w in before}
 
 
@@ -137,59 +124,18 @@ def _raise(words: list[Word], verb: Word) -> None:
     noun.children.remove(verb.i)
     verb.children.append(noun.i)
     for child in [c for c in noun.children if c > verb.i]:
-        _hang(words, words[child], verb)
+        hang(words, words[child], verb)
     verb.children.sort()
     verb.tag, verb.dep, verb.head = "VBD", "ROOT", verb.i
     noun.dep, noun.head = "nsubj", verb.i
 
 
-def _subject_before(words: list[Word], word: Word) -> Word | None:
-    """The road user right before a finite verb that the tree has beside the verb before."""
-    finite = word.tag in ("VBZ", "VBD") and not any(words[c].dep.startswith("nsubj") for c in word.children)
-    before = words[word.i - 2 if words[word.i - 1].norm.endswith("ly") else word.i - 1] if word.i > 1 else None
-    if not finite or before is None or before.dep != "conj" or before.span is None or before.head != word.head:
-        return None
-    return before if words[word.head].verb and before.span.kind != "quantity" else None
-
-
-def _named_after_place(words: list[Word], word: Word) -> Word | None:
-    """The road user behind "and" that the tree has beside a place: "changed to lane two and V1 struck V3"."""
-    before = words[word.i - 1] if word.i > 1 else None
-    if (
-        before is None
-        or before.dep != "conj"
-        or not _road_user(before)
-        or words[before.i - 1].norm not in ("and", "but")
-    ):
-        return None
-    beside = words[before.head]
-    own = any(words[c].dep.startswith("nsubj") for c in word.children)
-    return before if word.tag in ("VBD", "VBZ") and not own and beside.noun and not _road_user(beside) else None
-
-
-def _subject_on_time(words: list[Word], verb: Word) -> Word | None:
-    """The road user that is taken for a part of the time before it: "after ten seconds a car ahead brakes"."""
-    if verb.tag not in ("VBZ", "VBD", "VBP") or any(words[c].dep.startswith("nsubj") for c in verb.children):
-        return None
-    for word in reversed(words[: verb.i]):
-        if word.sentence != verb.sentence or word.verb:
-            return None
-        second = word.dep == "pobj" and [c for c in words[word.head].children if words[c].dep == "pobj"][0] < word.i
-        if (second or word.dep == "compound" and word.head == verb.i) and _road_user(word):
-            return word
-    return None
-
-
-def _between_two(words: list[Word], verb: Word) -> None:
-    """Give the verb of "the van between ego and the truck changes lanes" its one subject."""
-    subjects = [words[c] for c in verb.children if words[c].dep == "nsubj" and c < verb.i]
-    if len(subjects) != 2:
-        return
-    prep = next((words[c] for c in subjects[0].children if words[c].norm == "between"), None)
-    first = next((words[c] for c in prep.children if words[c].dep == "pobj"), None) if prep is not None else None
-    if first is not None and any(w.norm == "and" for w in words[first.i + 1 : subjects[1].i]):
-        _hang(words, subjects[1], first)
-        subjects[1].dep = "conj"
+def _answer(words: list[Word], by: Word) -> Word | None:
+    """The verb of answering before the participle on which "by" with what is done hangs."""
+    doing = words[by.head]
+    noun = words[doing.head]
+    answers = words[words[noun.head].head] if words[noun.head].norm == "to" else None
+    return answers if doing.dep == "acl" and answers is not None and answers.lemma in ANSWERS else None
 
 
 def _object_of_relative(words: list[Word], verb: Word) -> None:
@@ -201,7 +147,7 @@ def _object_of_relative(words: list[Word], verb: Word) -> None:
     before = words[min([second.i, *second.children]) - 1]
     objects = any(words[c].dep == "dobj" and c > before.i for c in before.children)
     if before.dep == "relcl" and before.head == first.i and not objects:
-        _hang(words, second, before)
+        hang(words, second, before)
         second.dep = "dobj"
 
 
@@ -250,7 +196,7 @@ def _resumed(words: list[Word], word: Word) -> Word | None:
         return None
     if any(words[c].dep.startswith("nsubj") for c in word.children) or not _takes_pronoun(words, word):
         return None
-    if any(_road_user(w) for w in words[relative.i + 1 : word.i]):
+    if any(road_user(w) for w in words[relative.i + 1 : word.i]):
         return None  # "a car that passes ego and hits it"
     above = _clause(words, words[relative.head])
     subjects = [words[c] for c in above.children if words[c].dep == "nsubj"] if above is not None else []
@@ -297,12 +243,6 @@ def _of_striker(words: list[Word], word: Word) -> Word | None:
         return None
     between = words[struck.i + 1 : word.i]
     return next((w for w in reversed(between) if w.dep == "relcl" and words[w.head].i > struck.i), None)
-
-
-def _road_user(word: Word) -> bool:
-    """Whether a word names one who moves, and not a trailer."""
-    span = word.span
-    return names_one(span, MOVERS) and span is not None and span.data.get("noun") not in TOWED
 
 
 def _takes_pronoun(words: list[Word], verb: Word) -> bool:

@@ -18,6 +18,11 @@ AT_LIMIT = re.compile(
 NAMED = re.compile(
     r"\bv_?(?:(?P<ego>e|ego|vut|sv|host|e0|0)|(?P<other>o|obj|o0|t|tv|target|lead|lv|1|gvt))\s*(?:=|:|in|of)\s*$"
 )
+OWN_SPEED = re.compile(
+    r"\b(?P<whose>\w+)(?: 's)? (?:speed|velocity|pace)(?: (?:is|was|of|at|about|around|constant))*\s*[:=,]?\s*$"
+)
+"""Whose speed is named right before it: "pedestrian speed 5 km/h", "walking speed: 5 km/h"."""
+ON_FOOT = frozenset(("walking", "running", "crossing"))
 COMPARED_WITH = re.compile(r"\b(?:than|as) (?:the |an? )?$")
 AT_REST = frozenset(("stationary", "stop", "brake", "brake_stop", "held_up", "yield"))
 REACHED = re.compile(
@@ -143,9 +148,22 @@ def _who_meets(scene: Scene, other: Entity, sentence: int) -> Entity | None:
     return next((e.agent for e in meets if e.act in ("approach", "travel", "collide", "overtake")), None)
 
 
+def _named(scene: Scene, near: str) -> Entity | None:
+    """Whose speed the words right before it name, as a noun of somebody's or as that of a walk."""
+    said = OWN_SPEED.search(near)
+    if said is None:
+        return None
+    if said["whose"] in ON_FOOT:
+        return next((e for e in reversed(scene.actors) if e.person), None)
+    named = [e for e in scene.actors if e.noun == said["whose"]]
+    return named[-1] if len(named) == 1 else None
+
+
 def _before(scene: Scene, span: scan.Span) -> Entity | None:
     """The owner that stands before a speed in the same stretch between commas, where the verb's subject comes later."""
     near = scene.plain[max(0, span.start - 60) : span.start]
+    if (whose := _named(scene, near)) is not None:
+        return whose
     named = NAMED.search(near)
     if named is not None:
         others = [e for e in scene.actors if e.type in VEHICLES]

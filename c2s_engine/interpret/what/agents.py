@@ -11,6 +11,7 @@ from c2s_engine.interpret.who.mentions import Cast, Entity
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.what.event import Event
+PACE = frozenset(("speed", "velocity", "pace"))
 CAUSES = language.words("causes")
 ALONG = frozenset(("past", "across", "along", "through", "around", "round"))
 UNCHANGED = frozenset(("hit", "cut", "put", "let", "shut"))
@@ -24,6 +25,15 @@ class Agents(Subjectless):
     cast: Cast
     events: list[Event]
     by_word: dict[int, Event]
+
+    def _whose_speed(self, word: Word) -> Entity | None:
+        """Whose speed it is that rises or falls: "its speed drops", "the speed of the car increases"."""
+        if word.norm not in PACE:
+            return None
+        owners = [self.words[c] for c in word.children if self.words[c].dep == "poss"]
+        of = [self.words[c] for c in word.children if self.words[c].norm == "of"]
+        owners += [self.words[c] for prep in of for c in prep.children if self.words[c].dep == "pobj"]
+        return next((found for owner in owners if (found := self.cast.referent(owner.i)) is not None), None)
 
     def _subject(self, word: Word, depth: int = 0) -> tuple[Entity | None, int | None, bool]:
         """(agent, its word, whether the verb is passive)."""
@@ -56,13 +66,13 @@ class Agents(Subjectless):
             by = self._late_by(word)
             if by is not None:
                 return self.cast.of[by], by, True
-            whom = next((self.cast.referent(c) for c in subjects), None)
+            whom = next((self.cast.referent(c) or self._whose_speed(self.words[c]) for c in subjects), None)
             if whom is None:
                 whom = self._inherited(word, depth)[0]
             return (None, None, True) if whom is None else (whom, subjects[0] if subjects else None, True)
         for child in subjects:
             other = self.words[child]
-            found = self.cast.referent(child) or self._reduced(other)
+            found = self.cast.referent(child) or self._reduced(other) or self._whose_speed(other)
             if found:
                 return found, child, False
             if other.lemma in ("there",) or other.dep == "expl":

@@ -224,7 +224,8 @@ class Modes(Agents):
         must = [self.words[c].norm for c in main.children if self.words[c].dep == "aux"]
         light = main.lemma in ("have", "need") and any(self.words[c].dep == "xcomp" for c in main.children)
         present = word.tag in ("VBZ", "VBP") and not any(self.words[c].norm == "not" for c in word.children)
-        demands = light or bool({"must", "shall", "should", "will"} & set(must))
+        told = main.tag in ("VBZ", "VBP") and not {"would", "could", "might"} & set(must)
+        demands = told or light or bool({"must", "shall", "should", "will"} & set(must))
         agent = self._subject(word)[0]
         return present and demands and agent is not None and not agent.ego and self._subject(main)[0] is self.cast.ego
 

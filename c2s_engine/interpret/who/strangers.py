@@ -34,7 +34,7 @@ class Strangers:
 
     def _unknown(self, word: Word) -> Entity | None:
         """A noun that no table knows: by what it is said to do it must be a road user or a thing on the road."""
-        if word.tag not in ("NN", "NNP") or len(word.norm) < 3:
+        if word.tag not in ("NN", "NNP") or len(word.norm) < 3 or word.span is not None:
             return None
         data = language.table("actors")
         if word.lemma in data["never"] or word.norm in data["parts"]:
@@ -47,7 +47,9 @@ class Strangers:
             return self._new(Entity("", "vehicle", noun=word.norm, roles={"guessed"}))
         if not {"a", "an", "one", "another"} & told_by:
             return None
-        told = next((self.words[c] for c in word.children if self.words[c].dep in ("acl", "relcl")), None)
+        told = next((w for w in self._children(word) if w.dep in ("acl", "relcl")), None)
+        if told is not None and any(w.dep.startswith("nsubj") and w.noun for w in self._children(told)):
+            return None  # "a street where a child crosses"
         verb = told if told is not None else self.words[word.head]
         if told is None and word.dep != "nsubj":
             return None
@@ -62,6 +64,9 @@ class Strangers:
                     Entity("", guess["type"], noun=word.norm, roles={"guessed"}, typed=guess["type"] != "vehicle")
                 )
         return None
+
+    def _children(self, word: Word) -> list[Word]:
+        return [self.words[c] for c in word.children]
 
     def _make_unknown(self, word: Word, before: set[str]) -> bool:
         """Whether a name with an article does what only vehicles do: "the Kluger braked"."""

@@ -1,0 +1,81 @@
+"""Subjects that the tree hangs on something else than their verb."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from c2s_engine.interpret.reading.hanging import hang, road_user
+
+if TYPE_CHECKING:
+    from c2s_engine.interpret.reading.syntax import Word
+
+CONJUNCTIONS = frozenset(("as", "after", "before", "until", "since"))
+"""What the tree takes for prepositions before a subject."""
+
+
+def find_subject(words: list[Word], word: Word) -> None:
+    """Give a verb the subject that the tree took for something else."""
+    if word.dep == "advcl" and (before := _named_after_place(words, word)) is not None:
+        hang(words, before, word)
+        before.dep, word.dep = "nsubj", "conj"
+    if word.dep == "conj" and (before := _subject_before(words, word)) is not None:
+        hang(words, before, word)
+        before.dep = "nsubj"  # "slowed and V1 struck it": V1 was taken for somebody else that slowed
+    if (before := _subject_on_time(words, word)) is not None:
+        if before.dep == "pobj" and words[before.head].norm in CONJUNCTIONS:
+            mark = words[before.head]
+            hang(words, mark, word)
+            mark.dep = "mark"  # "starts accelerating as a pedestrian crosses"
+        hang(words, before, word)
+        before.dep = "nsubj"
+    _between_two(words, word)
+
+
+def _named_after_place(words: list[Word], word: Word) -> Word | None:
+    """The road user behind "and" that the tree has beside a place: "changed to lane two and V1 struck V3"."""
+    before = words[word.i - 1] if word.i > 1 else None
+    if (
+        before is None
+        or before.dep != "conj"
+        or not road_user(before)
+        or words[before.i - 1].norm not in ("and", "but")
+    ):
+        return None
+    beside = words[before.head]
+    own = any(words[c].dep.startswith("nsubj") for c in word.children)
+    return before if word.tag in ("VBD", "VBZ") and not own and beside.noun and not road_user(beside) else None
+
+
+def _subject_before(words: list[Word], word: Word) -> Word | None:
+    """The road user right before a finite verb that the tree has beside the verb before."""
+    finite = word.tag in ("VBZ", "VBD") and not any(words[c].dep.startswith("nsubj") for c in word.children)
+    before = words[word.i - 2 if words[word.i - 1].norm.endswith("ly") else word.i - 1] if word.i > 1 else None
+    if not finite or before is None or before.dep != "conj" or before.span is None or before.head != word.head:
+        return None
+    return before if words[word.head].verb and before.span.kind != "quantity" else None
+
+
+def _subject_on_time(words: list[Word], verb: Word) -> Word | None:
+    """The road user that is taken for a part of the time before it: "after ten seconds a car ahead brakes"."""
+    if verb.tag not in ("VBZ", "VBD", "VBP") or any(words[c].dep.startswith("nsubj") for c in verb.children):
+        return None
+    for word in reversed(words[: verb.i]):
+        if word.sentence != verb.sentence or word.verb:
+            return None
+        second = word.dep == "pobj" and [c for c in words[word.head].children if words[c].dep == "pobj"][0] < word.i
+        told = word.dep == "pobj" and words[word.head].norm in CONJUNCTIONS and verb.dep == "advcl"
+        if (second or told or word.dep == "compound" and word.head == verb.i) and road_user(word):
+            return word
+    return None
+
+
+def _between_two(words: list[Word], verb: Word) -> None:
+    """Give the verb of "the van between ego and the truck changes lanes" its one subject."""
+    subjects = [words[c] for c in verb.children if words[c].dep == "nsubj" and c < verb.i]
+    if len(subjects) != 2:
+        return
+    prep = next((words[c] for c in subjects[0].children if words[c].norm == "between"), None)
+    first = next((words[c] for c in prep.children if words[c].dep == "pobj"), None) if prep is not None else None
+    if first is not None and any(w.norm == "and" for w in words[first.i + 1 : subjects[1].i]):
+        hang(words, subjects[1], first)
+        subjects[1].dep = "conj"

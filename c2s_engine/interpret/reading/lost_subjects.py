@@ -28,7 +28,43 @@ def find_subject(words: list[Word], word: Word) -> None:
             mark.dep = "mark"  # "starts accelerating as a pedestrian crosses"
         hang(words, before, word)
         before.dep = "nsubj"
+    if (before := _subject_of_second(words, word)) is not None:
+        for first in (words[c] for c in word.children):
+            first.dep = "ccomp" if first.dep == "nsubj" else first.dep  # the verb before
+        hang(words, before, word)
+        before.dep = "nsubj"
     _between_two(words, word)
+
+
+def _subject_of_second(words: list[Word], verb: Word) -> Word | None:
+    """The road user that the tree joins to a noun before, though it is whom a second verb with an auxiliary tells of:
+    "a child should cross the road and a taxi parked on the right should pull out"."""
+    aux = next((words[c] for c in sorted(verb.children) if words[c].dep == "aux" and c < verb.i), None)
+    if aux is None or any(words[c].dep.startswith("nsubj") and words[c].noun for c in verb.children):
+        return None
+    if aux.tag == "TO" and not (words[verb.head].tag == "VB" and verb.dep == "advcl"):
+        return None
+    own: set[int] = set()
+    for word in reversed(words[: aux.i]):
+        if word.sentence != verb.sentence or word.norm in (",", ";"):
+            return None
+        own.add(word.i)
+        if word.dep == "conj" and road_user(word) and not word.verb:
+            inside = all(_under(words, i, word.i) for i in own)
+            joined = any(w.norm == "and" for w in words[max(0, word.i - 4) : word.i])
+            return word if inside and joined and _under(words, verb.i, word.i) is False else None
+    return None
+
+
+def _under(words: list[Word], i: int, top: int) -> bool:
+    """Whether a word belongs to another one's part of the tree."""
+    for _ in range(12):
+        if i == top:
+            return True
+        if words[i].head == i:
+            return False
+        i = words[i].head
+    return False
 
 
 def _named_after_place(words: list[Word], word: Word) -> Word | None:

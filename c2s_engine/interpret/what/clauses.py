@@ -106,7 +106,7 @@ class Clauses(Deverbal):
             return
         if lemma == "follow" and any(self.words[c].dep == "expl" for c in word.children):
             return  # "there follows a braking"
-        if lemma == "follow" and self._by_a_deed(word):
+        if lemma == "follow" and (self._by_a_deed(word) or self._by_one_that_does(word)):
             return  # "a braking, followed by a lane change of ego"
         agent, at, passive = self._subject(word)
         if word.norm in STEERED and word.tag == "VBN" and self.words[min(word.i, len(self.words) - 2) + 1].norm == "by":
@@ -259,6 +259,14 @@ class Clauses(Deverbal):
         if GOING_ENDED.match(text):
             return "stop", "stop"
         return ("move", "move off") if GOING_BEGUN.match(text) else None
+
+    def _by_one_that_does(self, word: Word) -> bool:
+        """Whether it is told what somebody does after a deed: "a van brakes, followed by a taxi pulling out"."""
+        above = self.words[word.head]
+        by = [self.words[c] for c in word.children if self.words[c].norm == "by"]
+        doers = [self.words[c] for prep in by for c in prep.children if c in self.cast.of]
+        doing = any(self.words[c].tag == "VBG" and self.words[c].dep == "acl" for doer in doers for c in doer.children)
+        return word.tag == "VBN" and above.verb and above.i in self.by_word and doing
 
     def _has_object(self, word: Word) -> bool:
         return any(self.words[c].dep == "dobj" for c in word.children)

@@ -84,6 +84,8 @@ class Rendering:
             loose = other.dep == "dep" and other.tag in ("VBZ", "VBD") and i > word.i
             if (loose or other.dep in CLAUSAL or other.dep == "conj") and self._is_verb(other):
                 continue
+            if other.dep == "conj" and other.head == word.i and i in self.cast.of:
+                continue  # "a van, which brakes, and a car": another one, beside what the van does
             found.append(i)
             stack += other.children
         if word.i + 1 < len(self.words) and self.words[word.i + 1].norm in ("left", "right"):

@@ -43,6 +43,8 @@ WITHIN = re.compile(
     r"|(?:be|come|get) (?:only |just |about |less than )*#dist (?:away|from|off|distant)\b"
 )
 HEADING = DIRECTED | {"to", "across", "over"}
+AND_ANOTHER = re.compile(r",? and (?:the |an? |another |one |two |some |three )?(?:\w+ )?@(?!ego).*$")
+"""Who else is there ("there is a van ahead and a cyclist in the right lane"), with a place of its own."""
 
 
 class Places(OwnWords, Inferred):
@@ -102,7 +104,10 @@ class Places(OwnWords, Inferred):
                 continue  # "brakes when a cyclist is closer than 15 m": how near it comes, not where it starts
             against = event.act == "oncoming" and AGAINST.search(event.whole)
             if event.act in STATES or against or event.act == "follow" and event.patient is None:
-                read(WITH_ANOTHER.sub("", event.whole), where, entity, self.cast, event.act)
+                text = WITH_ANOTHER.sub("", event.whole)
+                if any(self.words[c].dep == "expl" for c in self.words[event.word].children):
+                    text = AND_ANOTHER.sub("", text)
+                read(text, where, entity, self.cast, event.act)
                 self._gap(event.words, where, entity=entity)
             elif event.act not in ("collide",):
                 parts = [

@@ -37,7 +37,7 @@ FRONTED = re.compile(
 AHEAD = re.compile(r"(?:be|drive|travel|ride|stand|wait) (?:\w+ly )?(?:ahead|in front) ?[.,;]?$")
 IS_AHEAD = re.compile(
     r"^\S+ (?:is|are) (?:\w+ly |close |right |just )?(?:about |some |around )?(?:\d[\d.]*\s*[a-z]+ )?"
-    r"(?:ahead|in front|behind|on the (?:left|right))(?= ?[.,;]| and\b|$)"
+    r"(?:(?:ahead|in front|behind|on the (?:left|right))(?= ?[.,;]| and\b|$)|oncoming\b(?! (?:traffic|lane)))"
 )
 """Places and ways that are told as beside or towards somebody."""
 

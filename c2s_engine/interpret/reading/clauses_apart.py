@@ -87,17 +87,20 @@ def _behind_relative(words: list[Word], verb: Word) -> Word | None:
     """The noun that heads a sentence whose verb was hung on what its relative clause ends with: "a van that had just
     passed a cyclist turned right"."""
     noun = words[verb.head]
-    relative = words[noun.head]
-    if verb.dep != "acl" or verb.tag not in ("VBD", "VBN") or noun.dep != "dobj" or relative.dep != "relcl":
+    if verb.dep != "acl" or verb.tag not in ("VBD", "VBN") or verb.norm not in past_forms():
         return None
+    above = _upwards(words, noun)
+    relative = next((w for w in above[1:] if w.verb), noun)
     who = words[relative.head]
-    alone = who.dep == "ROOT" and names_one(who.span, MOVERS) and verb.norm in past_forms()
-    return who if alone and not any(words[c].norm == "by" for c in verb.children) else None
+    direct = noun.dep == "dobj" and who.dep == "ROOT" or verb.tag == "VBD" and who.dep in ("ROOT", "appos")
+    if relative.dep != "relcl" or not direct or not names_one(who.span, MOVERS):
+        return None
+    return who if not any(words[c].norm == "by" for c in verb.children) else None
 
 
 def _make_main(words: list[Word], who: Word, verb: Word) -> None:
     """Make a verb the head of its sentence, with that subject and with the verbs that go on with it."""
-    relative = words[words[verb.head].head]
+    relative = next(w for w in _upwards(words, words[verb.head])[1:] if w.verb)
     words[verb.head].children.remove(verb.i)
     verb.head, verb.dep, verb.tag = verb.i, "ROOT", "VBD"
     _move(words, who, verb, "nsubj")

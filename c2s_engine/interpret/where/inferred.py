@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret.surroundings.whereabouts import STATES
-from c2s_engine.interpret.what.towards import side
+from c2s_engine.interpret.what.towards import OPPOSITE, side
 from c2s_engine.interpret.where.concealed import Concealed
 
 BEFORE_OR_BEHIND = re.compile(
@@ -229,4 +229,7 @@ class Inferred(Concealed):
             plain,
         ):
             found = next(g for g in match.groups() if g)
+        centre = re.search(r"(?:cent(?:er|re)|middle) lane(?!.*\b(?:left|right)(?:-hand|most)? lane)", plain)
+        if centre is not None and found is not None:  # seen from the outer lane that was told of before
+            return OPPOSITE[found]
         return found

@@ -131,6 +131,7 @@ class Nouns(Attached, NotThere, Counted):
             and self.of[word.head].type in ("vehicle", kind)
             and {"a", "an"} & set(before)
             and not self._elsewhere(word)
+            and not any(w.verb for w in self.words[word.head + 1 : word.i])
         ):
             host = self.of[word.head]
         if (
@@ -190,8 +191,9 @@ class Nouns(Attached, NotThere, Counted):
                 ):
                     entity.type = kind
                     return entity
+        first_told = self._told_again(word, kind, noun, count) if not other and ordinal is None else None
         titled = self._titled(word, kind) if not other and ordinal is None and count == 1 else None
-        if titled is not None:
+        if (titled := titled or first_told) is not None:
             return self._retyped(titled, kind, roles, noun)
         if kind != "vehicle" and previous in ("a", "an") or {"a", "an"} & set(before):
             named = self._revealed(word, kind)

@@ -62,8 +62,8 @@ def compose_place(scene: Scene) -> PlaceSpec:
         lanes = max(lanes or 0, 3)
     if lanes == 2 and ego_lane == "middle":
         lanes = 3
-    if lanes is None and ego_lane is not None and kind != "intersection":
-        lanes = 3 if ego_lane == "middle" else 2
+    if lanes is None and ego_lane in ("leftmost", "rightmost") and kind != "intersection":
+        lanes = 2
     if ego_lane is None and lanes and lanes >= 2:
         if needs_left and needs_right:
             ego_lane = "middle"

@@ -29,7 +29,8 @@ def stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
 
 @cache
 def _state() -> re.Pattern[str]:
-    return re.compile(rf"(?<=\b[an] )(?:{language.alternatives(list(language.words('stands')) + ['disabled'])})\s+")
+    told = language.alternatives([*language.words("stands"), *language.roles(), "disabled"])
+    return re.compile(rf"(?<=\b[an] )(?:{told})\s+|(?<=\ban )(?:{told})\s+|(?<=\bthe )(?:{told})\s+")
 
 
 @cache

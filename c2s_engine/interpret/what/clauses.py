@@ -164,6 +164,8 @@ class Clauses(Deverbal):
             return
         if event.act == "collide" and self._over_a_place(word, own):
             return
+        if event.act == "stationary" and lemma == "lie" and event.agent.ego:
+            return  # "her phone, which was lying in the footwell"
         if passive and lemma in PUSHES and event.patient is None and agent is not event.agent:
             event.patient = agent
         if event.act == "start_straight":

@@ -36,6 +36,16 @@ class Attached(Trailers):
         told.manned = True
         return told
 
+    def _owner_told(self, word: Word, noun: str) -> Entity | None:
+        """Somebody spoken of before, whose vehicle is named now: "a woman was hurt ... the woman's Polo"."""
+        the = any(self.words[c].norm == "the" for c in word.children)
+        vehicle = self.words[word.head] if word.dep == "poss" else None
+        told = next((e for e in self.entities if e.person and e.noun == noun and e.count == 1), None)
+        if not the or told is None or vehicle is None or not names_one(vehicle.span, MOTOR) or self._afoot(told):
+            return None
+        told.type, told.typed, told.manned = "vehicle", False, True
+        return told
+
     def _behind(self, word: Word) -> list[str]:
         """The adjective right behind a noun that tells its state: "a van double-parked in ego's lane"."""
         after = self.words[word.i + 1] if word.i + 1 < len(self.words) else None

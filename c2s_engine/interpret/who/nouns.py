@@ -72,7 +72,9 @@ class Nouns(Attached, NotThere, Counted):
         if (kind in ("pedestrian", "child") or noun in language.table("actors")["drivers"]) and self._rides(word):
             return None
         if kind in ("pedestrian", "child") and not data.get("plural"):
-            at_wheel = self._driver_of(word) or self._at_wheel(word) or self._aboard_before(word)
+            at_wheel = (
+                self._driver_of(word) or self._at_wheel(word, self._owner_told(word, noun)) or self._aboard_before(word)
+            )
             driver = at_wheel or self._steering(word) or self._keeper(word)
             if driver is not None:
                 driver.names.add(noun.split(" ")[-1])

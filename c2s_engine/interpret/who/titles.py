@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import VEHICLES, Entity, fits
+from c2s_engine.interpret.entities import PERSONS, VEHICLES, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.named import Named
 
@@ -51,8 +51,14 @@ class Titles(Named):
         a bare plural that was counted before ("two donkeys stood there. ... Donkeys unbothered")."""
         before = set(self._modifiers(word)) | {w.norm for w in self.words[max(0, word.i - 1) : word.i]}
         after = self.words[word.i + 1] if word.i + 1 < len(self.words) else word
-        described = after.tag in ("VBN", "VBG", "IN") or after.norm == ","
-        if count > 1 and word.i and self.words[word.i - 1].sentence != word.sentence and not described:
+        described = after.tag in ("VBN", "VBG", "VBD", "IN") or after.norm == ","
+        if (
+            count > 1
+            and kind in PERSONS
+            and word.i
+            and self.words[word.i - 1].sentence != word.sentence
+            and not described
+        ):
             return next((e for e in self.entities if e.noun == noun and e.count > 1), None)
         if count > 1 or kind not in VEHICLES or "a" not in before or before & {"another", "second", "third", "other"}:
             return None

@@ -130,7 +130,7 @@ def _at_junction(scene: Scene) -> bool:
     for event in scene.clauses.events:
         if event.act == "turn" and event.done and (event.agent.ego or event.agent in scene.actors):
             text = FROM_LANE.sub("", event.text)
-            if re.search(r"driveway|parking|lane", text) and not re.search(
+            if re.search(r"driveway|parking|lane|\b(?:field|yard|farm|gate)\b", text) and not re.search(
                 r"intersection|junction|street|road", event.whole
             ):
                 continue

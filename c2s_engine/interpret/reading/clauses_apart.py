@@ -53,6 +53,9 @@ def divide(words: list[Word]) -> None:
         _move(words, noun, verb, _relation(words, verb))
         _move(words, join, above, "cc")
         verb.tag = "VBD" if verb.tag == "VBN" and noun.dep == "nsubj" else verb.tag
+        for later in [words[c] for c in above.children if c > verb.i and words[c].dep in ("dep", "conj")]:
+            if later.tag in FINITE and not any(words[c].dep.startswith("nsubj") for c in later.children):
+                _move(words, later, verb, "conj")  # what the same one does next
 
 
 def _first_noun(words: list[Word], verb: Word) -> tuple[Word, Word, Word] | None:
@@ -68,7 +71,8 @@ def _first_noun(words: list[Word], verb: Word) -> tuple[Word, Word, Word] | None
         return None
     first = min(_below(words, noun))
     beside, join = words[noun.head], words[first - 1] if first else noun
-    if join.norm not in JOINS or not beside.noun or beside.i > join.i or not _of_road_user(words, noun):
+    named = names_one(noun.span, MOVERS)  # none is joined to a verb: "entering from the shoulder and V1 steered"
+    if join.norm not in JOINS or not (beside.noun or named) or beside.i > join.i or not _of_road_user(words, noun):
         return None
     return noun, beside, join
 
@@ -172,7 +176,8 @@ def _above(words: list[Word], beside: Word, verb: Word) -> Word | None:
 def _finite(words: list[Word], noun: Word) -> Word | None:
     """The verb above a noun, with "to turn" the one that it hangs on."""
     verbs = [w for w in _upwards(words, noun) if w.verb]
-    return next((w for w in verbs if w.tag != "VB"), verbs[0] if verbs else None)
+    told = [w for w in verbs if w.tag in FINITE or any(words[c].dep in ("aux", "auxpass") for c in w.children)]
+    return next((w for w in [*told, *verbs] if w.tag != "VB"), verbs[0] if verbs else None)
 
 
 def _relation(words: list[Word], verb: Word) -> str:

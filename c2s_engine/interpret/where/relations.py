@@ -133,7 +133,8 @@ class Places(OwnWords, Inferred):
                     )
                     if event.act in ("cross_path", "turn"):  # whose path is crossed is not behind whom one starts
                         part = re.sub(r"\b(in front of|ahead of) (the )?@\w+", "", part)
-                    if not (event.act == "overtake" and re.match(r"in|on|ahead", part)):
+                    passing = event.act == "overtake" and (event.agent.ego or event.patient is not None)
+                    if not (passing and re.match(r"in|on|ahead", part)):
                         read(part, where, entity, self.cast, event.act)
                 comes_past = event.act == "cut_in" and any(e.act == "overtake" and e.done for e in events)
                 if event.act in ("cut_in", "brake", "follow", "run_red", "turn") and not comes_past:

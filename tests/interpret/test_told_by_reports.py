@@ -217,7 +217,7 @@ def test_two_others_collide_with_each_other(read, text: str) -> None:
     "text",
     [
         "Vehicle 2 was disabled in the left lane. Vehicle 1 swerved to the right, hitting Vehicle 3 in the right lane.",
-        "V2 was stopped in the left lane. V1 saw it late and swerved right into V3, which was passing in the right lane.",
+        "V2 was stopped in the left lane. V1 swerved right into V3, which was passing in the right lane.",
     ],
 )
 def test_who_dodges_was_in_that_lane(read, text: str) -> None:
@@ -277,3 +277,41 @@ def test_the_clock_of_reports(read, text: str, time: str) -> None:
 )
 def test_each_is_there_once(read, text: str, types: list[str]) -> None:
     assert sorted(o.spec.type for o in read(text).objects) == sorted(types)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A lorry pulled out in front of me and I could not avoid it.",
+        "V2 turned left in front of V1 and V1 was unable to avoid a collision.",
+        "TP emerged into the path of PH. PH could not avoid collision.",
+        "A deer ran out in front of V1 and V1 could not avoid it.",
+    ],
+)
+def test_what_could_not_be_avoided_was_hit(read, text: str) -> None:
+    s = read(text)
+    assert actions(s["E"])[-1] == "collide"
+    assert len(s.objects) == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 hit V3, which was stopped facing west at the intersection.",
+        "V3 was stopped facing the light and V1 ran into it.",
+        "V1 ran into V3, which was stopped waiting to turn left.",
+    ],
+)
+def test_stopped_facing_somewhere(read, text: str) -> None:
+    assert actions(read(text).objects[0]) == ["stationary"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V2 slowed for a vehicle entering from the shoulder and V1 steered left and clipped V2.",
+        "V2 braked for a car leaving the lot and V1 swerved left and hit V2.",
+    ],
+)
+def test_a_subject_behind_a_participle(read, text: str) -> None:
+    assert actions(read(text)["E"]) == ["swerve", "collide"]

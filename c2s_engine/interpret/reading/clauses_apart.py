@@ -30,6 +30,8 @@ def divide(words: list[Word]) -> None:
             if labelled.head == verb.i:
                 _move(words, labelled, words[verb.head], "dobj")
             _move(words, verb, labelled, "amod")
+        if (did := _of_first_subject(words, verb)) is not None:
+            _two_clauses(words, did, verb)
         if (who := _behind_relative(words, verb)) is not None:
             _make_main(words, who, verb)
         if (main := _main_of_relative(words, verb)) is not None:
@@ -44,6 +46,7 @@ def divide(words: list[Word]) -> None:
         if first is None:
             continue
         noun, beside, join = first
+        _behind_for(words, beside, verb)
         above = _above(words, beside, verb)
         if above is None:
             continue
@@ -60,7 +63,8 @@ def divide(words: list[Word]) -> None:
 
 def _first_noun(words: list[Word], verb: Word) -> tuple[Word, Word, Word] | None:
     """(the noun right before a verb, the noun it hangs on, the word between them)."""
-    if not (verb.tag in FINITE or verb.tag in ("VBN", "VBG") and verb.dep != "acl"):
+    modal = verb.tag == "VB" and any(words[c].tag == "MD" for c in verb.children)
+    if not (verb.tag in FINITE or modal or verb.tag in ("VBN", "VBG") and verb.dep != "acl"):
         return None
     i = verb.i - 1
     while i > 0 and words[i].dep in BETWEEN and words[i].head == verb.i:
@@ -85,6 +89,33 @@ def _state_of_label(words: list[Word], state: Word) -> Word | None:
     above = words[state.head]
     loose = state.dep in ("xcomp", "ccomp", "amod", "oprd", "dobj") and above.verb and above.i < state.i
     return named if named.span.kind == "label" and loose else None
+
+
+def _of_first_subject(words: list[Word], verb: Word) -> Word | None:
+    """What the first of two subjects did that the tree gives to one verb: "a lorry pulled out and I could not stop"."""
+    subjects = [words[c] for c in verb.children if words[c].dep == "nsubj" and c < verb.i]
+    if len(subjects) != 2 or not names_one(subjects[0].span, MOVERS):
+        return None
+    first, second = subjects
+    join = words[min(_below(words, second)) - 1]
+    told = [words[c] for c in first.children if first.i < c < join.i and words[c].dep == "acl"]
+    past = [w for w in told if w.tag in ("VBN", "VBD") and w.norm in past_forms()]
+    by = any(words[c].norm == "by" for w in past for c in w.children)
+    return past[0] if past and join.norm in JOINS and not by else None
+
+
+def _two_clauses(words: list[Word], did: Word, verb: Word) -> None:
+    """Make two clauses of them, the second joined to the first."""
+    first = words[did.head]
+    first.children.remove(did.i)
+    above, dep = words[verb.head], verb.dep
+    did.head, did.dep, did.tag = did.i if above is verb else above.i, dep, "VBD"
+    if above is not verb:
+        above.children = sorted([*(c for c in above.children if c != verb.i), did.i])
+    verb.head = did.i
+    verb.dep = "conj"
+    did.children = sorted([*did.children, verb.i])
+    _move(words, first, did, "nsubj")
 
 
 def _behind_relative(words: list[Word], verb: Word) -> Word | None:
@@ -159,6 +190,16 @@ def _before_commas(words: list[Word], i: int) -> int:
         if words[k].tag in FINITE or words[k].norm in JOINS:
             break
     return i
+
+
+def _behind_for(words: list[Word], beside: Word, verb: Word) -> None:
+    """Give "slowed for a van entering the road and V1 swerved" back the noun behind "for"."""
+    mark = next((words[c] for c in verb.children if words[c].norm == "for" and c < beside.i), None)
+    subject = next((words[c] for c in verb.children if words[c].dep == "nsubj" and c < beside.i), None)
+    if mark is None or subject is None or not beside.verb or verb.dep != "advcl" or beside.head != subject.i:
+        return
+    _move(words, mark, words[verb.head], "prep")
+    _move(words, subject, mark, "pobj")
 
 
 def _above(words: list[Word], beside: Word, verb: Word) -> Word | None:

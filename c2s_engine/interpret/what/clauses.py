@@ -68,6 +68,8 @@ class Clauses(Deverbal):
             for c in word.children
             if c > word.i and self.words[c].dep in ("xcomp", "ccomp") and self._is_verb(self.words[c])
         ]
+        if lemma == "stop" and any(self.words[c].dep == "auxpass" for c in word.children):
+            complements = []  # "was stopped facing west"
         if lemma in ("let", "allow", "wait", "permit") and complements:
             text = f"{text} {self.render(self.own(self.words[complements[0]]))}"
         awaited: Entity | None = None

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
@@ -51,3 +53,22 @@ class Attached(Trailers):
         after = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
         told = after is not None and after.head == word.i and after.dep == "amod" and after.norm in STANDS
         return [after.norm] if after is not None and told else []
+
+    def _alternative(self, word: Word) -> Entity | None:
+        """The first of two nouns of which either may be meant: "a tractor or a coach"."""
+        back = [w for w in self.words[max(0, word.i - 5) : word.i] if w.sentence == word.sentence]
+        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
+        if not re.search(r"@ (?:or|/) (?:(?:an?|maybe|perhaps|some|even) ){0,2}(?:[\w-]+ )?$", text + " "):
+            return None
+        return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
+
+    def _called(self, word: Word) -> Entity | None:
+        """Whose label stands right before a noun with nothing but adjectives between: "Unit 1 gray pickup"."""
+        for other in reversed(self.words[max(0, word.i - 3) : word.i]):
+            if other.sentence != word.sentence:
+                return None
+            if other.span is not None:
+                return self.of.get(other.i) if other.span.kind == "label" else None
+            if not other.tag.startswith(("JJ", "NN", "CD")) or other.norm in language.table("actors")["never"]:
+                return None
+        return None

@@ -247,25 +247,6 @@ class Nouns(Attached, NotThere, Counted):
         verb = self.words[above.head] if above.dep == "prep" else above
         return word.dep in ("pobj", "dobj") and verb.lemma in ("look", "watch", "check", "monitor", "scan", "glance")
 
-    def _alternative(self, word: Word) -> Entity | None:
-        """The first of two nouns of which either may be meant: "a tractor or a coach"."""
-        back = [w for w in self.words[max(0, word.i - 5) : word.i] if w.sentence == word.sentence]
-        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
-        if not re.search(r"@ (?:or|/) (?:(?:an?|maybe|perhaps|some|even) ){0,2}(?:[\w-]+ )?$", text + " "):
-            return None
-        return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
-
-    def _called(self, word: Word) -> Entity | None:
-        """Whose label stands right before a noun with nothing but adjectives between: "Unit 1 gray pickup"."""
-        for other in reversed(self.words[max(0, word.i - 3) : word.i]):
-            if other.sentence != word.sentence:
-                return None
-            if other.span is not None:
-                return self.of.get(other.i) if other.span.kind == "label" else None
-            if not other.tag.startswith(("JJ", "NN", "CD")) or other.norm in language.table("actors")["never"]:
-                return None
-        return None
-
     def _parties(self, word: Word, before: list[str], data: dict, roles: set[str]) -> Entity | None:
         """The other of the two parties that "the vehicles" means ("both vehicles", "the two cars"), once two single
         ones were spoken of and no group was."""

@@ -33,7 +33,9 @@ def phases_of(
             and scene.cast.ego not in event.also
         ):
             partner = event.also[0] if event.agent is entity else event.agent
-            who = ids.get(partner) if not partner.ego else who  # "V2 and V3 collided"
+            pair = (f"@{a.key} and (?:the |an? )?@{b.key}" for a, b in ((entity, partner), (partner, entity)))
+            if not partner.ego and re.search("|".join(pair), event.whole):
+                who = ids.get(partner)  # "V2 and V3 collided"
         found += steps_of(scene, event, entity, who, ego_key, placement, place, crossing, found)
     if "stationary" in entity.roles and not any(p.action not in ("stationary", "wait") for p in found):
         found = [Phase(action="stationary")]

@@ -41,6 +41,8 @@ WITHIN = re.compile(
     r"(?:be|come|get|draw) (?:\w+ )?(?:closer|nearer|less|within|away|below|under)\b.*#dist"
     r"|(?:be|come|get) (?:only |just |about |less than )*#dist (?:away|from|off|distant)\b"
 )
+PASSES_IN = re.compile(r"in the (?:left|right|middle|cent(?:er|re))(?:-hand)? lane\b")
+"""The lane of one who "was passing in the right lane"."""
 HEADING = DIRECTED | {"to", "across", "over"}
 
 
@@ -133,7 +135,9 @@ class Places(OwnWords, Inferred):
                     )
                     if event.act in ("cross_path", "turn"):  # whose path is crossed is not behind whom one starts
                         part = re.sub(r"\b(in front of|ahead of) (the )?@\w+", "", part)
-                    passing = event.act == "overtake" and (event.agent.ego or event.patient is not None)
+                    passing = event.act == "overtake" and (
+                        event.agent.ego or event.patient is not None or not PASSES_IN.match(part)
+                    )
                     if not (passing and re.match(r"in|on|ahead", part)):
                         read(part, where, entity, self.cast, event.act)
                 comes_past = event.act == "cut_in" and any(e.act == "overtake" and e.done for e in events)

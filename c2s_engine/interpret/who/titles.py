@@ -66,7 +66,8 @@ class Titles(Named):
             first = self.words[entity.mentions[0].word] if entity.mentions else word
             verb = self.words[first.head]
             between = " ".join(w.norm for w in self.words[first.i : word.i])
-            briefly = entity.noun in ("car", "vehicle") and len(entity.mentions) == 1 and first.sentence < word.sentence
+            named = [m for m in entity.mentions if m.kind != "pronoun"]  # not "it happened at ten"
+            briefly = entity.noun in ("car", "vehicle") and len(named) == 1 and first.sentence < word.sentence
             hits = verb.lemma in HITS and verb.tag in ("VBD", "VBN") or self.words[verb.head].lemma in HITS
             if briefly and hits and fits(entity, kind) and SOURCE.search(between) and entity.count == 1:
                 return entity

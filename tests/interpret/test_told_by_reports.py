@@ -199,3 +199,119 @@ def test_an_undivided_road_is_no_motorway(read) -> None:
 )
 def test_who_is_only_named(read, text: str, types: list[str]) -> None:
     assert [o.spec.type for o in read(text).objects] == types
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V2 tried to pass V1 on the left and met V3 coming the other way. V2 and V3 collided head-on.",
+        "V2 was overtaking V1 when V3 came the other way. V2 and V3 collided.",
+    ],
+)
+def test_two_others_collide_with_each_other(read, text: str) -> None:
+    named = {o.spec.name: o for o in read(text).objects}
+    assert [p.target for p in named["v3"].spec.phases if p.action == "collide"] == [named["v2"].id]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Vehicle 2 was disabled in the left lane. Vehicle 1 swerved to the right, hitting Vehicle 3 in the right lane.",
+        "V2 was stopped in the left lane. V1 swerved right into V3, which was passing in the right lane.",
+    ],
+)
+def test_who_dodges_was_in_that_lane(read, text: str) -> None:
+    s = read(text)
+    assert s["R"].spec.ego_lane == "leftmost"
+    assert [o.spec.placement.position for o in s.objects] == ["ahead", "right_lane"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 was westbound when V2 came across the center line into its lane and hit it.",
+        "Operator 2 drifted over the centre line into operator 1's lane and struck operator 1.",
+        "I was driving west when a van came over the centre line into my lane and hit me.",
+    ],
+)
+def test_over_the_centre_line_into_the_lane(read, text: str) -> None:
+    spec = read(text).objects[0].spec
+    assert (spec.placement.position, [p.action for p in spec.phases]) == ("oncoming_lane", ["oncoming", "collide"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 hit V2. Two persons are lightly injured.",
+        "V1 hit V2. Ambulance 43 on scene.",
+        "V1 hit V2. An ambulance took the driver to hospital. Residents have long called for better lighting.",
+        "V1 hit V2. One lady spilled her coffee.",
+    ],
+)
+def test_who_comes_afterwards_is_not_there(read, text: str) -> None:
+    assert [o.spec.name for o in read(text).objects] == ["v2"]
+
+
+@pytest.mark.parametrize(
+    ("text", "time"),
+    [
+        ("On 14.01 at about 2340 hrs V1 was northbound and braked.", "night"),
+        ("At approx. 0150, V1 ran off the road.", "night"),
+        ("The sun had just gone down when V1 hit a deer.", "dusk"),
+    ],
+)
+def test_the_clock_of_reports(read, text: str, time: str) -> None:
+    assert read(text)["G"].spec.time == time
+
+
+@pytest.mark.parametrize(
+    ("text", "types"),
+    [
+        ("I hit my neighbour's Fiesta, which was parked at the kerb.", ["car"]),
+        ("A disabled Honda CR-V was in front of a tow truck. V1 struck the tow truck.", ["car", "truck"]),
+        ("A woman was hurt. Two cows stood on the road when the woman's Polo struck them.", ["animal"]),
+        ("A car hit a woman. According to the police, a grey estate car was going east.", ["pedestrian"]),
+        ("Two donkeys stood in the road. The driver stopped. Donkeys unbothered.", ["animal"]),
+        ("I stopped for a boy. As I stood there a car following me ran into the back of the bus.", ["child", "car"]),
+    ],
+)
+def test_each_is_there_once(read, text: str, types: list[str]) -> None:
+    assert sorted(o.spec.type for o in read(text).objects) == sorted(types)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A lorry pulled out in front of me and I could not avoid it.",
+        "V2 turned left in front of V1 and V1 was unable to avoid a collision.",
+        "TP emerged into the path of PH. PH could not avoid collision.",
+        "A deer ran out in front of V1 and V1 could not avoid it.",
+    ],
+)
+def test_what_could_not_be_avoided_was_hit(read, text: str) -> None:
+    s = read(text)
+    assert actions(s["E"])[-1] == "collide"
+    assert len(s.objects) == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 hit V3, which was stopped facing west at the intersection.",
+        "V3 was stopped facing the light and V1 ran into it.",
+        "V1 ran into V3, which was stopped waiting to turn left.",
+    ],
+)
+def test_stopped_facing_somewhere(read, text: str) -> None:
+    assert actions(read(text).objects[0]) == ["stationary"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V2 slowed for a vehicle entering from the shoulder and V1 steered left and clipped V2.",
+        "V2 braked for a car leaving the lot and V1 swerved left and hit V2.",
+    ],
+)
+def test_a_subject_behind_a_participle(read, text: str) -> None:
+    assert actions(read(text)["E"]) == ["swerve", "collide"]

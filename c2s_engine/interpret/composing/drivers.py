@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret.composing.ego_pace import ego_pace
+from c2s_engine.interpret.composing.passive import RESPONSES, remains_passive
 from c2s_engine.interpret.composing.steps import duration_of, rate_of, target_speed, trigger_of
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.roles.ego_others import (
@@ -22,7 +23,6 @@ from c2s_engine.interpret.who.mentions import MOTOR, Entity
 from c2s_engine.structure.components import Assumption
 from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec
 
-RESPONSES = ("brake", "brake_stop", "stop")
 RETURNS = frozenset(("overtake", "oncoming", "swerve"))
 AROUND = frozenset(("overtake", "oncoming", "lane_change", "cut_out", "evade", "swerve", "u_turn"))
 """What ego does to get past what it stopped for."""
@@ -220,7 +220,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             for p in phases
         )
         and in_lane_conflict(scene, place)
-        and not _remains_passive(scene)
+        and not remains_passive(scene)
     ):
         reaction = "brake"
         assumed.append(
@@ -246,31 +246,6 @@ ONWARDS = re.compile(
 )
 """What one does who has stood and goes on."""
 ASIDE = ("lane_change", "leave_road", "drift")
-
-
-NO_REACTION = re.compile(
-    r"\b(?:does not|doesn't|do not|don't|did not|didn't|fails? to|failed to|without|never|not) (?:even |at all )?"
-    r"(?:react|respond|brak|slow|reduc|decelerat|notic)\w*"
-)
-
-
-DRIVES_ON = re.compile(
-    r" (?:\w+ )?(?:keep|kept|maintain|hold|held|continue|drive|carr|go)\w*\b[^,;]*,?"
-    r" (?:(?:al|even )?though|despite|in spite of|regardless)\b"
-)
-
-
-def _remains_passive(scene: Scene) -> bool:
-    """Whether the text denies that ego reacts ("does not react at all", "ego doesn't brake")."""
-    ego = scene.cast.ego
-    denied = any(
-        e.agent is ego and e.mode == "negated" and e.act in (*RESPONSES, "yield", "evade") for e in scene.clauses.events
-    )
-    spoken = [e for e in scene.clauses.events if e.agent is ego and NO_REACTION.search(e.whole)]
-    after = [scene.plain[m.end : m.end + 60].split(".")[0] for m in ego.mentions]
-    passive = any(re.match(r"[^,;]*?" + NO_REACTION.pattern, text) and "react" in text for text in after)
-    passive = passive or any(DRIVES_ON.match(text) for text in after)
-    return denied or bool(spoken) or passive
 
 
 def _halted_by(scene: Scene, event: Event) -> bool:

@@ -26,8 +26,16 @@ def phases_of(
             continue  # it stops "to pick up passengers"
         if event.act == "go_straight" and found and found[-1].action in ("stop", "wait", "yield"):
             found = [p for p in found if p.action != "go_straight"]  # it goes on only then
-        if event.agent is not entity and event.act != "collide":
-            who = ids.get(event.patient) if event.patient is not None else None
+        if (
+            event.act == "collide"
+            and event.patient is None
+            and len(event.also) == 1
+            and scene.cast.ego not in event.also
+        ):
+            partner = event.also[0] if event.agent is entity else event.agent
+            pair = (f"@{a.key} and (?:the |an? )?@{b.key}" for a, b in ((entity, partner), (partner, entity)))
+            if not partner.ego and re.search("|".join(pair), event.whole):
+                who = ids.get(partner)  # "V2 and V3 collided"
         found += steps_of(scene, event, entity, who, ego_key, placement, place, crossing, found)
     if "stationary" in entity.roles and not any(p.action not in ("stationary", "wait") for p in found):
         found = [Phase(action="stationary")]

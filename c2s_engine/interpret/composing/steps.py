@@ -308,7 +308,7 @@ def steps_of(
     if act == "collide":
         other = who
         if event.agent is not entity:  # a joint subject: "V1 and V3 met head on"
-            other = "ego" if event.agent.ego else None
+            other = "ego" if event.agent.ego else who
         if event.agent is entity and event.also and any(a.ego for a in event.also):
             other = "ego"
         return [Phase(action="collide", target=other or ego)]

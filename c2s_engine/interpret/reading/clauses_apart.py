@@ -30,6 +30,8 @@ def divide(words: list[Word]) -> None:
             if labelled.head == verb.i:
                 _move(words, labelled, words[verb.head], "dobj")
             _move(words, verb, labelled, "amod")
+        if (did := _of_first_subject(words, verb)) is not None:
+            _two_clauses(words, did, verb)
         if (who := _behind_relative(words, verb)) is not None:
             _make_main(words, who, verb)
         if (main := _main_of_relative(words, verb)) is not None:
@@ -44,6 +46,7 @@ def divide(words: list[Word]) -> None:
         if first is None:
             continue
         noun, beside, join = first
+        _behind_for(words, beside, verb)
         above = _above(words, beside, verb)
         if above is None:
             continue
@@ -53,11 +56,15 @@ def divide(words: list[Word]) -> None:
         _move(words, noun, verb, _relation(words, verb))
         _move(words, join, above, "cc")
         verb.tag = "VBD" if verb.tag == "VBN" and noun.dep == "nsubj" else verb.tag
+        for later in [words[c] for c in above.children if c > verb.i and words[c].dep in ("dep", "conj")]:
+            if later.tag in FINITE and not any(words[c].dep.startswith("nsubj") for c in later.children):
+                _move(words, later, verb, "conj")  # what the same one does next
 
 
 def _first_noun(words: list[Word], verb: Word) -> tuple[Word, Word, Word] | None:
     """(the noun right before a verb, the noun it hangs on, the word between them)."""
-    if not (verb.tag in FINITE or verb.tag in ("VBN", "VBG") and verb.dep != "acl"):
+    modal = verb.tag == "VB" and any(words[c].tag == "MD" for c in verb.children)
+    if not (verb.tag in FINITE or modal or verb.tag in ("VBN", "VBG") and verb.dep != "acl"):
         return None
     i = verb.i - 1
     while i > 0 and words[i].dep in BETWEEN and words[i].head == verb.i:
@@ -68,7 +75,8 @@ def _first_noun(words: list[Word], verb: Word) -> tuple[Word, Word, Word] | None
         return None
     first = min(_below(words, noun))
     beside, join = words[noun.head], words[first - 1] if first else noun
-    if join.norm not in JOINS or not beside.noun or beside.i > join.i or not _of_road_user(words, noun):
+    named = names_one(noun.span, MOVERS)  # none is joined to a verb: "entering from the shoulder and V1 steered"
+    if join.norm not in JOINS or not (beside.noun or named) or beside.i > join.i or not _of_road_user(words, noun):
         return None
     return noun, beside, join
 
@@ -83,21 +91,51 @@ def _state_of_label(words: list[Word], state: Word) -> Word | None:
     return named if named.span.kind == "label" and loose else None
 
 
+def _of_first_subject(words: list[Word], verb: Word) -> Word | None:
+    """What the first of two subjects did that the tree gives to one verb: "a lorry pulled out and I could not stop"."""
+    subjects = [words[c] for c in verb.children if words[c].dep == "nsubj" and c < verb.i]
+    if len(subjects) != 2 or not names_one(subjects[0].span, MOVERS):
+        return None
+    first, second = subjects
+    join = words[min(_below(words, second)) - 1]
+    told = [words[c] for c in first.children if first.i < c < join.i and words[c].dep == "acl"]
+    past = [w for w in told if w.tag in ("VBN", "VBD") and w.norm in past_forms()]
+    by = any(words[c].norm == "by" for w in past for c in w.children)
+    return past[0] if past and join.norm in JOINS and not by else None
+
+
+def _two_clauses(words: list[Word], did: Word, verb: Word) -> None:
+    """Make two clauses of them, the second joined to the first."""
+    first = words[did.head]
+    first.children.remove(did.i)
+    above, dep = words[verb.head], verb.dep
+    did.head, did.dep, did.tag = did.i if above is verb else above.i, dep, "VBD"
+    if above is not verb:
+        above.children = sorted([*(c for c in above.children if c != verb.i), did.i])
+    verb.head = did.i
+    verb.dep = "conj"
+    did.children = sorted([*did.children, verb.i])
+    _move(words, first, did, "nsubj")
+
+
 def _behind_relative(words: list[Word], verb: Word) -> Word | None:
     """The noun that heads a sentence whose verb was hung on what its relative clause ends with: "a van that had just
     passed a cyclist turned right"."""
     noun = words[verb.head]
-    relative = words[noun.head]
-    if verb.dep != "acl" or verb.tag not in ("VBD", "VBN") or noun.dep != "dobj" or relative.dep != "relcl":
+    if verb.dep != "acl" or verb.tag not in ("VBD", "VBN") or verb.norm not in past_forms():
         return None
+    above = _upwards(words, noun)
+    relative = next((w for w in above[1:] if w.verb), noun)
     who = words[relative.head]
-    alone = who.dep == "ROOT" and names_one(who.span, MOVERS) and verb.norm in past_forms()
-    return who if alone and not any(words[c].norm == "by" for c in verb.children) else None
+    direct = noun.dep == "dobj" and who.dep == "ROOT" or verb.tag == "VBD" and who.dep in ("ROOT", "appos")
+    if relative.dep != "relcl" or not direct or not names_one(who.span, MOVERS):
+        return None
+    return who if not any(words[c].norm == "by" for c in verb.children) else None
 
 
 def _make_main(words: list[Word], who: Word, verb: Word) -> None:
     """Make a verb the head of its sentence, with that subject and with the verbs that go on with it."""
-    relative = words[words[verb.head].head]
+    relative = next(w for w in _upwards(words, words[verb.head])[1:] if w.verb)
     words[verb.head].children.remove(verb.i)
     verb.head, verb.dep, verb.tag = verb.i, "ROOT", "VBD"
     _move(words, who, verb, "nsubj")
@@ -154,6 +192,16 @@ def _before_commas(words: list[Word], i: int) -> int:
     return i
 
 
+def _behind_for(words: list[Word], beside: Word, verb: Word) -> None:
+    """Give "slowed for a van entering the road and V1 swerved" back the noun behind "for"."""
+    mark = next((words[c] for c in verb.children if words[c].norm == "for" and c < beside.i), None)
+    subject = next((words[c] for c in verb.children if words[c].dep == "nsubj" and c < beside.i), None)
+    if mark is None or subject is None or not beside.verb or verb.dep != "advcl" or beside.head != subject.i:
+        return
+    _move(words, mark, words[verb.head], "prep")
+    _move(words, subject, mark, "pobj")
+
+
 def _above(words: list[Word], beside: Word, verb: Word) -> Word | None:
     """The verb of the clause before, where the verb is none of its complements."""
     subjects = [c for c in verb.children if words[c].dep in ("nsubj", "nsubjpass") and c < verb.i]
@@ -169,7 +217,8 @@ def _above(words: list[Word], beside: Word, verb: Word) -> Word | None:
 def _finite(words: list[Word], noun: Word) -> Word | None:
     """The verb above a noun, with "to turn" the one that it hangs on."""
     verbs = [w for w in _upwards(words, noun) if w.verb]
-    return next((w for w in verbs if w.tag != "VB"), verbs[0] if verbs else None)
+    told = [w for w in verbs if w.tag in FINITE or any(words[c].dep in ("aux", "auxpass") for c in w.children)]
+    return next((w for w in [*told, *verbs] if w.tag != "VB"), verbs[0] if verbs else None)
 
 
 def _relation(words: list[Word], verb: Word) -> str:

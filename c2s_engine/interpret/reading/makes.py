@@ -11,18 +11,26 @@ MAKE = re.compile(r"(?<![\w-])(?!an |the |my )(?P<make>[a-z]{2,}(?:-[a-z]+)?)[ -
 
 def stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
     """Whether a make or model is the noun itself: "a black BMW" or "a 2019 Honda Civic", not "the Ford pickup"."""
-    before, after = text[max(0, start - 24) : start], text[end : end + 40]
+    before, after = text[max(0, start - 36) : start], text[end : end + 40]
+    if (state := _state().search(before)) is not None:  # "a disabled Honda CR-V"
+        before = before[: state.start()] + before[state.end() :]
     model = re.match(r"[\s-]+([\w-]+)", after)
     if model and model[1] in language.makes() or re.match(r"[\s-]+(?:[\w-]+\s+)?(?:" + _noun_words() + r")\b", after):
         return False
     named = re.search(
         (
             r"(?:\b(?:an?|the|his|her|their|my|our|your|another|this|that|white|black|red|blue|silver|grey|gray|green"
-            r"|yellow|dark|old|new)|\d{4}|^|[.,:;(])\s*(?:[\w-]+\s+)?$"
+            r"|yellow|dark|old|new)|\d{4}|'s|s'|^|[.,:;(])\s*(?:[\w-]+\s+)?$"
         ),
         before,
     )
     return bool(named)
+
+
+@cache
+def _state() -> re.Pattern[str]:
+    told = language.alternatives([*language.words("stands"), *language.roles(), "disabled"])
+    return re.compile(rf"(?<=\b[an] )(?:{told})\s+|(?<=\ban )(?:{told})\s+|(?<=\bthe )(?:{told})\s+")
 
 
 @cache

@@ -80,6 +80,6 @@ def _drives(text: str, number: str) -> bool:
         r"|cross|step|stand|stood|r[au]n|jog|emerg|enter|dart|push|on foot|in (?:the|a) (?:\w+ )?cross)"
     )
     struck = rf"(?:struck|strikes?|striking|hits?|hitting|contacted|with|into|pedestrian \(?) ?{p}"
-    drives = rf"{p},? (?:who )?(?:was |is )?(?:riding|driving|operating)"
-    numbered = rf"(?<![\w-])(?:v|veh|vehicle|unit)[ -]?#?{number}(?!\d)|{drives}"
+    rides = rf"{p},? (?:who )?(?:was |is )?(?:riding|driving|operating)"
+    numbered = rf"(?<![\w-])(?:v|veh|vehicle|unit)[ -]?#?{number}(?!\d)|{rides}"
     return re.search(numbered, text) is not None and not re.search(f"{afoot}|{struck}", text)

@@ -164,7 +164,10 @@ def _place_of_seen(words: list[Word], word: Word) -> Word | None:
     above = words[word.head]
     if word.dep != "prep" or above.lemma not in SEES or not above.verb or word.i < above.i + 2:
         return None
-    before = words[word.i - 1]
+    at = word.i - 1
+    while at > above.i and words[at].norm in (",", "also", "coming"):  # "noticed a cyclist, also from the left"
+        at -= 1
+    before = words[at]
     objects = [c for c in above.children if words[c].dep == "dobj" and above.i < c < word.i]
     return before if objects and before.noun and before.i != above.i else None
 

@@ -147,7 +147,8 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
         start, end = match.span()
         if any(s < end and start < e for s, e in taken):
             continue
-        noun = re.sub(r"[\s-]+", " ", match["noun"])
+        made = match["noun"] in language.makes()
+        noun = match["noun"] if made else re.sub(r"[\s-]+", " ", match["noun"])
         if (
             noun in ("lead", "leader", "package")
             and text[max(0, start - 12) : start].strip().split(" ")[-1] in tables["leads"]

@@ -162,7 +162,8 @@ def _only_spoken_of(scene: Scene, entity: Entity) -> bool:
         before = [w.norm for w in scene.words[max(0, mention.word - 2) : mention.word]]
         off = any(LET_OFF.match(word) for word in before) and OFF.search(clause)
         says = entity.count > 1 and verb.lemma in SAYS
-        if not (HURT.search(clause) and verb.lemma == "be" or off or says):
+        hurt = HURT.search(clause) and (verb.lemma == "be" or HURT.match(verb.norm) is not None)
+        if not (hurt or off or says):
             return False
     return True
 

@@ -84,16 +84,20 @@ def time_of_day(plain: str, sentences: list[tuple[int, int]]) -> Found | None:
 CLOCK = re.compile(
     r"\b(?:(?P<hour>[01]?\d|2[0-3])[:.h](?P<minute>[0-5]\d)(?!\d)(?: ?(?P<half>[ap])\.?m\b)?"
     r"|(?P<hour2>1[0-2]|[1-9]) ?(?P<half2>[ap])\.?m\b|(?P<hour3>[01]\d|2[0-3])[0-5]\d (?:hours"
-    r"|hrs|h)\b)"
+    r"|hrs|h)\b|\bat (?:about |approx(?:imately|\.)? |around )?(?P<hour4>[01]\d|2[0-3])[0-5]\d(?=,|\.\s|$| on\b))"
 )
 
 
 def clock(plain: str) -> Found | None:
     """The time of day by the clock: night from nine to five, dawn and dusk around six, else day."""
-    match = CLOCK.search(plain)
-    if match is None or re.match(r"\s?(?:m|s|km|ft|g|%)\b", plain[match.end() : match.end() + 4]):
+    return next((found for match in CLOCK.finditer(plain) if (found := _time_of(match, plain)) is not None), None)
+
+
+def _time_of(match: re.Match[str], plain: str) -> Found | None:
+    """The time of day by one time of the clock."""
+    if re.match(r"\s?(?:m|s|km|ft|g|%)\b", plain[match.end() : match.end() + 4]):
         return None
-    hour = int(match["hour"] or match["hour2"] or match["hour3"])
+    hour = int(match["hour"] or match["hour2"] or match["hour3"] or match["hour4"])
     half = match["half"] or match["half2"]
     hour = hour % 12 + (12 if half == "p" else 0) if half else hour
     if (

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.entities import URGENT, Entity
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
@@ -38,7 +38,7 @@ def aftermath(cast: Cast, clauses: Clauses) -> None:
             event.mode = "hypothetical"
     if own:
         last = max(e.word for e in own)
-        for entity in [e for e in cast.entities if _got_out(e, last, hits) or _broken(e, last, clauses)]:
+        for entity in [e for e in cast.entities if _came_after(e, last, hits, clauses) or _broken(e, last, clauses)]:
             cast.entities.remove(entity)
             clauses.events[:] = [e for e in clauses.events if e.agent is not entity]
 
@@ -61,7 +61,9 @@ def _charged(cast: Cast, event: Event) -> bool:
     word = cast.words[event.word]
     before = [w for w in cast.words[max(0, word.i - 9) : word.i] if w.sentence == word.sentence]
     at = next((n for n, w in enumerate(before) if w.lemma in CHARGES or w.norm in CHARGES), None)
-    return at is not None and any(w.norm in ("for", "with", "of") for w in before[at + 1 :])
+    after = before[at + 1 :] if at is not None else []
+    alone = not any(w.tag in ("VBD", "VBZ") for w in [*after, word])  # "cited 11-902, failure to yield turning left"
+    return any(w.norm in ("for", "with", "of") or w.norm == "," and alone for w in after)
 
 
 def _as_charged(event: Event, clauses: Clauses) -> None:
@@ -71,6 +73,17 @@ def _as_charged(event: Event, clauses: Clauses) -> None:
         event.mode = "hypothetical"
     else:
         event.order = min(e.order for e in clauses.events) - 0.1
+
+
+def _came_after(entity: Entity, last: int, hits: list[Event], clauses: Clauses) -> bool:
+    """Whether somebody is only told of after the last collision: who got out, who was hurt, who came to help."""
+    if _got_out(entity, last, hits):
+        return True
+    first = entity.mentions[0].word if entity.mentions else 0
+    if first <= last or any(entity in (e.agent, e.patient, *e.also) for e in hits):
+        return False
+    acts = any(entity in (e.agent, e.patient, *e.also) and e.done and e.act != "travel" for e in clauses.events)
+    return entity.type in URGENT or entity.person and entity.type != "animal" and not acts
 
 
 def _got_out(entity: Entity, last: int, hits: list[Event]) -> bool:

@@ -4,6 +4,7 @@ import re
 
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.who.mentions import Entity
 
@@ -86,6 +87,8 @@ def heading(clauses: Clauses, who: Entity) -> int | None:
         return found
     for event in clauses.events:
         if event.agent is who or who in event.also:
+            if (street := _off_street(clauses, event)) is not None:
+                return street
             own = [clauses.words[i] for i in sorted(event.words)]
             found = _heading(_told(clauses, own) if own else event.whole)
             if found is not None:
@@ -110,6 +113,22 @@ def sides_by_compass(clauses: Clauses) -> None:
         if edge and own is not None:
             turned = (COMPASS[edge["way"] or edge["to"]] - own) % 360
             event.side = {90: "right", 270: "left"}.get(turned)
+
+
+STREET = re.compile(
+    r"\b(?:from|out of|off|leave|exit|on) (?:\w+ ){1,4}(?:street|road|drive|lane|avenue|driveway|track|way)\b(?: ,)? "
+    r"(?:which|that) (?:meet|join|enter|intersect|come|run|lead|feed)\w*\b[^.;]*?\bfrom (?:the )?"
+    r"(?P<way>north|south|east|west)\b"
+)
+"""A side street of which it is told from which side it meets the road."""
+
+
+def _off_street(clauses: Clauses, event: Event) -> int | None:
+    """Which way one drives who comes out of such a street."""
+    sentence = clauses.words[event.word].sentence
+    rest = [w for w in clauses.words[event.word :] if w.sentence == sentence]
+    match = STREET.search(_told(clauses, rest)) if event.act in ("travel", "approach", "enter_road", "turn") else None
+    return (COMPASS[match["way"]] + 180) % 360 if match else None
 
 
 LANES_OF = re.compile(

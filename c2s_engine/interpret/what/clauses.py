@@ -75,6 +75,8 @@ class Clauses(Deverbal):
         ]
         if (told := self._going_begun_or_ended(word, text)) is not None:
             lemma, text = told
+        if lemma == "stop" and any(self.words[c].dep == "auxpass" for c in word.children):
+            complements = []  # "was stopped facing west"
         if lemma in ("let", "allow", "wait", "permit") and complements:
             text = f"{text} {self.render(self.own(self.words[complements[0]]))}"
         awaited: Entity | None = None
@@ -171,6 +173,8 @@ class Clauses(Deverbal):
             return
         if event.act == "collide" and self._over_a_place(word, own):
             return
+        if event.act == "stationary" and lemma == "lie" and event.agent.ego:
+            return  # "her phone, which was lying in the footwell"
         if passive and lemma in PUSHES and event.patient is None and agent is not event.agent:
             event.patient = agent
         if event.act == "start_straight":

@@ -29,7 +29,9 @@ def left_untold(cast: Cast, clauses: Clauses) -> None:
             event.act = "enter_road"
         elif event.mode == "negated" and _runs_on(cast, clauses, event):
             event.act, event.mode, event.patient = "collide", "fact", cast.ego
-        elif event.act in WAITED and event.mode in ("intended", "purpose") and struck_standing(clauses, event):
+        elif event.act == "evade" and event.mode == "negated" and _not_avoided(clauses, event):
+            event.act, event.mode = "collide", "fact"
+        elif _never_done(clauses, event) or _told_with_party(clauses, event):
             event.mode = "hypothetical"
 
 
@@ -56,6 +58,24 @@ def _runs_on(cast: Cast, clauses: Clauses, event: Event) -> bool:
     near = " ".join(w.norm for w in cast.words[max(0, event.word - 8) : event.word])
     stands = any(e.agent.ego and e.done and e.act in STANDS and e.order < event.order for e in clauses.events)
     return stands and not told and re.search(r"\bbehind\b", near) is not None
+
+
+def _never_done(clauses: Clauses, event: Event) -> bool:
+    """Whether one is struck that only waits to do it."""
+    return event.act in WAITED and event.mode in ("intended", "purpose") and struck_standing(clauses, event)
+
+
+def _not_avoided(clauses: Clauses, event: Event) -> bool:
+    """Whether one could not avoid another, and no blow (nor that there was none) is told."""
+    return event.patient is not None and not any(e.act == "collide" for e in clauses.events)
+
+
+def _told_with_party(clauses: Clauses, event: Event) -> bool:
+    """Whether the blow that one could not prevent is told with the other party, too."""
+    if event.act != "collide" or event.patient is not None or not event.done:
+        return False
+    others = (e for e in clauses.events if e.act == "collide" and e is not event and e.done and e.patient is not None)
+    return not event.also and event.agent.count == 1 and any(event.agent in (e.agent, e.patient) for e in others)
 
 
 def struck_standing(clauses: Clauses, event: Event | None = None) -> bool:

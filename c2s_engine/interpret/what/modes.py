@@ -18,6 +18,7 @@ SEEKS = language.words("seeks")
 THOSE = frozenset(("that", "this", "which"))
 ENDS = language.words("ends")
 RUNS = language.words("runs_of_tests")
+OPTIONS = frozenset(("option", "choice", "alternative", "possible", "feasible", "way"))
 NOBODY = ("nobody", "noone", "none")
 MEANWHILE = ("while", "whilst", "when", "as", "before", "after", "because", "since")
 DUTIES = ("have", "need", "require", "oblige", "suppose", "force")
@@ -160,6 +161,8 @@ class Modes(Agents):
         denied = word.dep == "csubj" and head.verb and self._reduced(word) is None
         if denied and self._mode(head) in ("negated", "hypothetical"):
             mode = self._mode(head)
+        if word.dep == "csubj" and self._no_option(head):
+            mode = "negated"
         if (
             word.dep == "pcomp"
             and (noun := self.words[head.head]).tag.startswith("NN")
@@ -181,6 +184,12 @@ class Modes(Agents):
         ):
             mode = "negated"
         return mode
+
+    def _no_option(self, verb: Word) -> bool:
+        """Whether what a clause tells is said to be none of one's options: "moving over was no option"."""
+        told = [self.words[c] for c in verb.children if self.words[c].dep in ("attr", "acomp")]
+        denied = any(self.words[c].norm in ("no", "not") for w in told for c in (*w.children, *verb.children))
+        return any(w.norm in ("impossible", "unthinkable") or denied and w.norm in OPTIONS for w in told)
 
     def _ends_run(self, verb: Word) -> bool:
         """Whether a verb tells what ends the test, not what happens in it."""

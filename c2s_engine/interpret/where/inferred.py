@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret.surroundings.whereabouts import STATES
-from c2s_engine.interpret.what.towards import side
+from c2s_engine.interpret.what.towards import OPPOSITE, side
 from c2s_engine.interpret.where.concealed import Concealed
 
 BEFORE_OR_BEHIND = re.compile(
@@ -18,6 +18,7 @@ SLOWS = frozenset(("brake", "brake_stop", "stop", "stationary"))
 HALTS = frozenset(("stop", "brake_stop", "brake", "evade"))
 
 
+DODGES = frozenset(("swerve", "lane_change", "evade"))
 ON_EGOS_LANE = re.compile(r"\b(?:block|obstruct|stand|stop|park|in|on)\w* (?:in |across )?@ego 's (?:\w+ )?lane\b")
 
 
@@ -151,7 +152,9 @@ class Inferred(Concealed):
                 continue
             met = any(re.search(rf"\b(around|round|avoid|evade|block) (the )?@{entity.key}\b", e.text) for e in own)
             halts = re.search(r"\bblock\w*\b", named) and any(e.act in HALTS for e in own)
-            if met or halts and not any(re.search(r"(left|right|middle)[\w-]* lane", e.whole) for e in own):
+            dodges = any(e.act in DODGES and side(e) == OPPOSITE[where.lane] for e in own)
+            named_so = {e.act for e in own if re.search(r"(left|right|middle)[\w-]* lane", e.whole)}
+            if met or halts and not named_so or dodges and named_so <= {"collide"}:
                 self.ego_lane = f"{where.lane}most"
                 where.lane, where.rel, where.side = "same", "ahead", None
 
@@ -229,4 +232,7 @@ class Inferred(Concealed):
             plain,
         ):
             found = next(g for g in match.groups() if g)
+        centre = re.search(r"(?:cent(?:er|re)|middle) lane(?!.*\b(?:left|right)(?:-hand|most)? lane)", plain)
+        if centre is not None and found is not None:  # seen from the outer lane that was told of before
+            return OPPOSITE[found]
         return found

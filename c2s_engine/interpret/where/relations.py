@@ -42,6 +42,8 @@ WITHIN = re.compile(
     r"(?:be|come|get|draw) (?:\w+ )?(?:closer|nearer|less|within|away|below|under)\b.*#dist"
     r"|(?:be|come|get) (?:only |just |about |less than )*#dist (?:away|from|off|distant)\b"
 )
+PASSES_IN = re.compile(r"in the (?:left|right|middle|cent(?:er|re))(?:-hand)? lane\b")
+"""The lane of one who "was passing in the right lane"."""
 HEADING = DIRECTED | {"to", "across", "over"}
 AND_ANOTHER = re.compile(r",? and (?:the |an? |another |one |two |some |three )?(?:\w+ )?@(?!ego).*$")
 """Who else is there ("there is a van ahead and a cyclist in the right lane"), with a place of its own."""
@@ -140,7 +142,10 @@ class Places(OwnWords, Inferred):
                     )
                     if event.act in ("cross_path", "turn"):  # whose path is crossed is not behind whom one starts
                         part = re.sub(r"\b(in front of|ahead of) (the )?@\w+", "", part)
-                    if not (event.act == "overtake" and re.match(r"in|on|ahead", part)):
+                    passing = event.act == "overtake" and (
+                        event.agent.ego or event.patient is not None or not PASSES_IN.match(part)
+                    )
+                    if not (passing and re.match(r"in|on|ahead", part)):
                         read(part, where, entity, self.cast, event.act)
                 comes_past = event.act == "cut_in" and any(e.act == "overtake" and e.done for e in events)
                 if event.act in ("cut_in", "brake", "follow", "run_red", "turn") and not comes_past:

@@ -22,6 +22,7 @@ SHIFTS = {
     **dict.fromkeys(("merge", "move", "shift", "change", "switch"), "lane_change"),
     "drift": "drift",
     "veer": "swerve",
+    "swerve": "swerve",
 }
 """What one does who "merges into" another."""
 INTO_REAR = re.compile(rf"\binto (?:the |its )?{END}|\binto @\w+ 's {END}")

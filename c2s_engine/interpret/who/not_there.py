@@ -11,13 +11,14 @@ from c2s_engine.interpret.reading.syntax import Word
 
 CARRIES = language.words("carries")
 HIDES = language.words("hides")
+LETS_OFF = frozenset(("drop", "pick", "collect", "discharge"))
 BEARS = frozenset(("carry", "transport", "ferry"))
 LOST, SAYS = language.words("lost"), language.words("says")
 WALKS_WITH = language.words("walks_with")
 PUSHED = frozenset(("bicycle", "motorcycle", "box", "debris", "trash", "container", "obstacle"))
 FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
 FIXED = frozenset(language.table("actors")["fixed"])
-PLACED_BY = frozenset(("at", "by", "near", "beside", "past", "outside", "opposite"))
+PLACED_BY = frozenset(("between", "at", "by", "near", "beside", "past", "outside", "opposite"))
 HEADS = frozenset(("actors", "objects", "vehicles", "participants", "users", "agents", "npcs", "obstacles", "others"))
 GROWS = frozenset(("trees", "bushes", "hedges", "shrubs", "shrubbery"))
 FACES = frozenset(("facing", "face", "faces", "against"))
@@ -45,6 +46,9 @@ class NotThere:
             return word.span is not None and word.span.data["type"] in PUSHED
         if word.norm in GROWS and by.norm in ("from", "of", "between", "among", "through"):
             return True  # "a deer bounds out of the trees"
+        noun = word.span.data.get("noun") if word.span is not None else ""
+        if word.dep == "dobj" and by.lemma in LETS_OFF and noun in language.table("actors")["riders"]:
+            return True  # "to drop off a rider"
         if word.dep == "dobj" and by.lemma in BEARS and word.span is not None and word.span.data["type"] in PERSONS:
             return not self._done_on_foot(by)  # "a coach carrying 40 children"
         if word.dep == "dobj" and (

@@ -72,7 +72,9 @@ class Nouns(Attached, NotThere, Counted):
         if (kind in ("pedestrian", "child") or noun in language.table("actors")["drivers"]) and self._rides(word):
             return None
         if kind in ("pedestrian", "child") and not data.get("plural"):
-            at_wheel = self._driver_of(word) or self._at_wheel(word) or self._aboard_before(word)
+            at_wheel = (
+                self._driver_of(word) or self._at_wheel(word, self._owner_told(word, noun)) or self._aboard_before(word)
+            )
             driver = at_wheel or self._steering(word) or self._keeper(word)
             if driver is not None:
                 driver.names.add(noun.split(" ")[-1])
@@ -131,6 +133,7 @@ class Nouns(Attached, NotThere, Counted):
             and self.of[word.head].type in ("vehicle", kind)
             and {"a", "an"} & set(before)
             and not self._elsewhere(word)
+            and not any(w.verb for w in self.words[word.head + 1 : word.i])
         ):
             host = self.of[word.head]
         if (
@@ -190,8 +193,9 @@ class Nouns(Attached, NotThere, Counted):
                 ):
                     entity.type = kind
                     return entity
+        first_told = self._told_again(word, kind, noun, count) if not other and ordinal is None else None
         titled = self._titled(word, kind) if not other and ordinal is None and count == 1 else None
-        if titled is not None:
+        if (titled := titled or first_told) is not None:
             return self._retyped(titled, kind, roles, noun)
         if kind != "vehicle" and previous in ("a", "an") or {"a", "an"} & set(before):
             named = self._revealed(word, kind)
@@ -242,25 +246,6 @@ class Nouns(Attached, NotThere, Counted):
         above = self.words[word.head]
         verb = self.words[above.head] if above.dep == "prep" else above
         return word.dep in ("pobj", "dobj") and verb.lemma in ("look", "watch", "check", "monitor", "scan", "glance")
-
-    def _alternative(self, word: Word) -> Entity | None:
-        """The first of two nouns of which either may be meant: "a tractor or a coach"."""
-        back = [w for w in self.words[max(0, word.i - 5) : word.i] if w.sentence == word.sentence]
-        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
-        if not re.search(r"@ (?:or|/) (?:(?:an?|maybe|perhaps|some|even) ){0,2}(?:[\w-]+ )?$", text + " "):
-            return None
-        return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
-
-    def _called(self, word: Word) -> Entity | None:
-        """Whose label stands right before a noun with nothing but adjectives between: "Unit 1 gray pickup"."""
-        for other in reversed(self.words[max(0, word.i - 3) : word.i]):
-            if other.sentence != word.sentence:
-                return None
-            if other.span is not None:
-                return self.of.get(other.i) if other.span.kind == "label" else None
-            if not other.tag.startswith(("JJ", "NN", "CD")) or other.norm in language.table("actors")["never"]:
-                return None
-        return None
 
     def _parties(self, word: Word, before: list[str], data: dict, roles: set[str]) -> Entity | None:
         """The other of the two parties that "the vehicles" means ("both vehicles", "the two cars"), once two single

@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
+import re
+
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import VEHICLES, Entity
+from c2s_engine.interpret.entities import PERSONS, VEHICLES, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.named import Named
 
+SOURCE = re.compile(
+    r"\b(?:according to|police (?:said|say|believe)|officers (?:said|say)|spokes\w+ (?:said|says)"
+    r"|it (?:happened|occurred)"
+    r"|(?:accident|crash|collision|incident) (?:happened|occurred|took place))\b"
+)
+"""What stands between a report in short and in full."""
+HITS = language.words("strikes") | {"knock", "run", "kill", "injure", "collide"}
 STANDING = frozenset(("stationary", "parked"))
 
 
@@ -34,6 +43,33 @@ class Titles(Named):
             title = first.sentence == 0 and (self._heading(0) or ends is not None)
             verbs = [w for w in self.words[: ends or first.i] if w.tag in ("VBZ", "VBD", "VBP", "MD")]
             if title and not verbs and (ends is not None or word.sentence > 0) and "another" not in between[-3:]:
+                return entity
+        return None
+
+    def _told_again(self, word: Word, kind: str, noun: str, count: int) -> Entity | None:
+        """Who was told of in short before: "a car hit a woman. According to the police, a grey estate car was ...";
+        a bare plural that was counted before ("two donkeys stood there. ... Donkeys unbothered")."""
+        before = set(self._modifiers(word)) | {w.norm for w in self.words[max(0, word.i - 1) : word.i]}
+        after = self.words[word.i + 1] if word.i + 1 < len(self.words) else word
+        described = after.tag in ("VBN", "VBG", "VBD", "IN") or after.norm == ","
+        if (
+            count > 1
+            and kind in PERSONS
+            and word.i
+            and self.words[word.i - 1].sentence != word.sentence
+            and not described
+        ):
+            return next((e for e in self.entities if e.noun == noun and e.count > 1), None)
+        if count > 1 or kind not in VEHICLES or "a" not in before or before & {"another", "second", "third", "other"}:
+            return None
+        for entity in self.entities:
+            first = self.words[entity.mentions[0].word] if entity.mentions else word
+            verb = self.words[first.head]
+            between = " ".join(w.norm for w in self.words[first.i : word.i])
+            named = [m for m in entity.mentions if m.kind != "pronoun"]  # not "it happened at ten"
+            briefly = entity.noun in ("car", "vehicle") and len(named) == 1 and first.sentence < word.sentence
+            hits = verb.lemma in HITS and verb.tag in ("VBD", "VBN") or self.words[verb.head].lemma in HITS
+            if briefly and hits and fits(entity, kind) and SOURCE.search(between) and entity.count == 1:
                 return entity
         return None
 

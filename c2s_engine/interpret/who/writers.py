@@ -11,6 +11,8 @@ from c2s_engine.interpret.who.titles import Titles
 
 OWN = language.table("ego")["own_vehicle"]
 BEFORE, HEADED, AFTER, ROUTE, ABOARD = (re.compile(OWN[k]) for k in ("before", "headed", "after", "route", "aboard"))
+STRUCK = re.compile(r"\b(?:following|behind) (?:me|us)\b.*\b(?:into|hit|struck) (?:the (?:back|rear|side) of )?the$")
+"""Before the vehicle that somebody behind the first person runs into."""
 STEERS = language.words("steers")
 FIRST = frozenset(("i", "me", "my", "we", "our", "us"))
 
@@ -40,7 +42,7 @@ class Writers(Titles):
         bare = bare and not self._now(word)
         the = [self.words[c].norm for c in word.children] == ["the"]
         passengers = ABOARD.search(" ".join(w.norm for w in self.words)) is not None
-        return bare or the and kind == "bus" and passengers
+        return bare or the and (kind == "bus" and passengers or STRUCK.search(before) is not None)
 
     def _now(self, word: Word) -> bool:
         """Whether a subject's verb tells what somebody watches: "Bus is at the stop. We brake", no report."""

@@ -6,6 +6,7 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.chosen import ORDINALS
 from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of
+from c2s_engine.interpret.changes.meant import is_there
 from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.surroundings import environment
@@ -47,7 +48,9 @@ def remove(clause: str, structure: Structure) -> Found | None:
     head = re.split(r"\b(?:for|by|between|to)\b", rest)[0]
     if head != rest and refer(head, structure) is None:
         return None  # something that he does
-    if component is None or component.id == "E" or re.search(r"\bother (traffic|vehicles|cars|road users)\b", rest):
+    if component is None or component.id == "E" or not is_there(rest, component):
+        return None
+    if re.search(r"\bother (traffic|vehicles|cars|road users)\b", rest):
         return None
     return _gone([component], structure), f"{name_of(component)} removed"
 
@@ -171,7 +174,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
             if who is None:
                 continue
         alike = not who or who in ("it", "that", "this", "one", "just one", "only one", "a single one")
-        component = _akin(kind, structure) if alike else refer(who, structure)
+        component = _akin(kind, structure) if alike else refer(who.split(" and ")[0] if plural else who, structure)
         if component is None and who and re.search(rf"\b(?:{'|'.join(ORDINALS)})\b", who):
             return [], "they are told of together: say how many stay and add another one"
         if component is None:

@@ -6,13 +6,14 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import notes, order
 from c2s_engine.interpret.changes.demands import demands, only_one, topic_of, whole
+from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.interpret.changes.speed import walked
 from c2s_engine.interpret.changes.told import introduced
 from c2s_engine.interpret.changes.unshown import unshown
 from c2s_engine.interpret.composing import describe
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import Edit, EditError, SetField, apply
+from c2s_engine.structure.edits import AddObject, Edit, EditError, SetField, apply
 
 Found = tuple[list[Edit], str]
 
@@ -25,8 +26,12 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     told, text = text, notes.text_of(text, structure)
     before, topic = "", topic_of(text, structure) or topic_of(told, structure) or only_one(text, structure)
     parts = demands(text)
-    if len(parts) > 1 and not order.retype(parts[0], structure) and (new := introduced(parts, structure)):
-        return _all(new, structure)
+    if len(parts) > 1 and not order.retype(parts[0], structure):
+        of_new = _of_the_new(parts, structure)
+        if len(of_new) > 1 and (new := introduced(of_new, structure)):
+            edits, said, current = new[0], [new[1]], _applied(new, structure)
+            parts, before = parts[len(of_new) :], of_new[-1]
+            topic = next((c for e in edits if isinstance(e, AddObject) and (c := _object(e))), topic)
     while parts:
         part = parts.pop(0)
         demand = notes.demand_of(whole(part, before, topic), current)
@@ -48,8 +53,15 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     return [*edits, *described(structure, current)], said
 
 
-def _all(found: Found, structure: Structure) -> tuple[list[Edit], list[str]]:
-    return [*found[0], *described(structure, _applied(found, structure))], [found[1]]
+def _of_the_new(parts: list[str], structure: Structure) -> list[str]:
+    """The first parts of a text, up to one that tells what somebody else does who is there."""
+    for number, part in enumerate(parts[1:], 1):
+        first = next((s for s in scan.names(part) if s.kind in ("actor", "ego")), None)
+        subject = first is not None and re.fullmatch(r"(?:and |then |but )*(?:the )?", part[: first.start])
+        there = refer(f"the {part[first.start : first.end]}", structure, alone=False) if first and subject else None
+        if there is not None and first is not None and re.match(r" (?!is hidden\b)\w", part[first.end :]):
+            return parts[:number]
+    return parts
 
 
 def _applied(found: Found, structure: Structure) -> Structure:

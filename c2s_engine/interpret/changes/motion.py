@@ -201,7 +201,11 @@ def reaction(clause: str, structure: Structure) -> Found | None:
                 SetField(component="E", path="reaction", value="none"),
                 SetField(component="E", path="hard", value=False),
             ], "ego does not react"
-        if re.search(r"evade|swerve|steer|avoid|change lane|lane change", body):
+        evades = re.search(r"evade|swerve|steer|avoid|change lane|lane change", body)
+        if evades and re.search(r"\bnot\b|n't|\bnever\b|\bwithout\b", clause):
+            again: list[Edit] = [SetField(component="E", path="reaction", value="brake")]
+            return again if getattr(component.spec, "reaction", "") == "evade" else [], "ego does not evade"
+        if evades:
             return [SetField(component="E", path="reaction", value="evade")], "ego evades"
         if re.search(r"\bbrak|\bstop", body):
             hard = bool(re.search(r"hard|emergency|sharply|suddenly|full", body))

@@ -27,6 +27,8 @@ def remove(clause: str, structure: Structure) -> Found | None:
     if sky and not scan.names(rest):
         return _without_weather([f.value for f in sky], structure)
     if re.match(r"(traffic )?lights?|signals?$", rest):
+        if getattr(structure.place.spec, "control", None) not in (None, "signal", "none"):
+            return [], "there are signs instead of traffic lights"
         return [SetField(component="R", path="control", value="none")], "no traffic lights"
     if re.match(r"(?:stop|yield|give[- ]way) signs?$", rest) and not refer(rest, structure, alone=False):
         return [SetField(component="R", path="control", value="none")], "no signs"

@@ -29,6 +29,7 @@ def plainly(plain: str, structure: Structure) -> str:
     for find, new in _table()["before"]:
         plain = re.sub(find, new, plain)
     plain = re.sub(_table()["pair"], lambda m: _pair(structure) or m[0], plain)
+    plain = re.sub(_table()["member"], lambda m: _member(m, structure), plain)
     plain = re.sub(_table()["two"], lambda m: _two(m, structure), plain)
     plain = _named(re.sub(_table()["row"], _row(structure) or r"\g<0>", plain), structure)
     sentences = re.split(r"(?<=[.;!?])\s+", plain)
@@ -51,6 +52,14 @@ def _pair(structure: Structure) -> str | None:
     """Both who are there by their nouns, where two are there."""
     two = structure.objects if len(structure.objects) == 2 else ()
     return " and ".join(called_by(c, structure) for c in two) or None
+
+
+def _member(match: re.Match[str], structure: Structure) -> str:
+    """One of those who are told of together: "the last parked car" of three that are one row."""
+    groups = [spec_of(c) for c in objects_of(structure, match["noun"])]
+    if len(groups) != 1 or groups[0].count < 2:
+        return match[0]
+    return f"the {match['which']} of the {language.plurals(groups[0].type.replace('_', ' '))[0]}"
 
 
 def _two(match: re.Match[str], structure: Structure) -> str:

@@ -33,7 +33,7 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
             parts, before = parts[len(of_new) :], of_new[-1]
             topic = next((c for e in edits if isinstance(e, AddObject) and (c := _object(e))), topic)
     while parts:
-        part = parts.pop(0)
+        part = _next(parts.pop(0), topic, current)
         demand = notes.demand_of(whole(part, before, topic), current)
         while parts and (both := _in_a_row(demand, parts[0], current)):
             demand = both
@@ -51,6 +51,16 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
         said.append(found[1])
         topic = next((c for e in reversed(found[0]) if (c := _object(e))), topic)
     return [*edits, *described(structure, current)], said
+
+
+def _next(part: str, topic: str | None, structure: Structure) -> str:
+    """What another does "then": after the one of whom was told before has acted."""
+    follows = re.match(r"(?:and )?then (?=(?:the|o\d) )", part)
+    subject = topic_of(part, structure) if follows else None
+    if follows is None or subject is None or topic is None or {subject, topic} & {"E"} or subject == topic:
+        return part
+    timed = re.search(r"\b(?:when|after|once|until|as soon as|before|instead)\b|\d", part)
+    return part if timed else f"{part[follows.end() :]} after {topic.lower()} acts"
 
 
 def _of_the_new(parts: list[str], structure: Structure) -> list[str]:

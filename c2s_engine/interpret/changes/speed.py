@@ -49,6 +49,8 @@ def speed(clause: str, structure: Structure) -> Found | None:
     who = _who(said, structure)
     if not who or quantity is None and change is None and base is None:
         return None
+    if quantity is not None and change is None and len(who) > 2:
+        who = [c for c in who if c.id == "E" or spec_of(c).type != "bicycle"]
     each = [_at_speed(c, quantity, change, base) for c in who]
     return [edit for edit, _ in each], "; ".join(words for _, words in each)
 

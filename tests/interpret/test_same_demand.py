@@ -48,6 +48,9 @@ CELLS = [
     (PAIR, "O2 at 9 km/h", "the man at 9 km/h | the gentleman does 9 km/h | the second one at 9 km/h"),
     (MERGE, "O2 at 180 km/h", "the faster one should be at 180 km/h | the quicker vehicle at 180 km/h"),
     (MERGE, "O1 is a bus", "the slower one is a bus | the bigger one should be a bus"),
+    (CARS, "O1 stops", "the car from the left stops | the left car stops"),
+    (CARS, "O3 is a van. O3 at 5 m", "make the follower a van, 5 m behind | the car behind ego is a van, 5 m away"),
+    (CARS, "remove O2", "remove the car which stops | the one that stops can go"),
     # for whom, and by whom
     (
         STREET,
@@ -86,6 +89,25 @@ CELLS = [
         "the pedestrian isn't supposed to walk until ego is 20 m away | let him wait till we're 20 m away | "
         "if distance ego - pedestrian < 20 m then pedestrian crosses | pedestrian trigger distance 20 m | "
         "the pedestrian steps out as soon as ego is 20 m in front of him | pedestrian: start at 20 m to ego",
+    ),
+    (ROW, "the child starts when ego is 10 m away", "child runs out only when it is nearly too late, say at 10 m"),
+    (
+        LIGHTS,
+        "O2 turns right after 5 s",
+        "after 5 s the motorcycle turns right | the motorcycle turns to the right after 5 seconds",
+    ),
+    # two or three at once
+    (STREET, "the car at 30 km/h. no rain", "the car at 30 and no rain | no rain and the car at 30 km/h"),
+    (LIGHTS, "at night. remove the motorcycle", "at night and no motorcycle | night, without the motorcycle"),
+    (
+        ROW,
+        "remove the bus",
+        "only ego, the child and the parked cars | no traffic besides the child and the parked cars",
+    ),
+    (
+        LIGHTS,
+        "the truck comes from the right. the truck at 50 km/h",
+        "the truck comes from the right at 50 km/h | truck from right with 50",
     ),
     # the sky
     (

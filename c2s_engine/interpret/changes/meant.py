@@ -148,9 +148,15 @@ def _fitting(match: re.Match[str], structure: Structure) -> str:
     acts = paced and match["before"] and re.fullmatch(_table()["acting"], match["before"])
     if not said or kind and len(found) == 1 and not acts:
         return match[0]
+    does = match["behind"] if re.fullmatch(r"[a-z]+s", match["behind"] or "") else None
+    if does and not re.search(rf"\b(?:{_table()['relative']}) {does}", match[0]):  # what he is to do
+        said.remove(does)
+        tail = f" {does}"
+    else:
+        tail = ""
     for words in said:
         found = _where(words, found)
-    return called_by(found[0], structure) if len(found) == 1 else match[0]
+    return f"{called_by(found[0], structure)}{tail}" if said and len(found) == 1 else match[0]
 
 
 def _where(words: str, components: list[Component]) -> list[Component]:

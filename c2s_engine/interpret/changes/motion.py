@@ -52,6 +52,8 @@ def distance(clause: str, structure: Structure) -> Found | None:
         return [edit], f"{name_of(component)}: {quantity['low']:g} m between them"
     if quantity is not None and not re.search(_table()["so_much_further"], clause):
         relative = wider = None  # a distance to have, not one more or less
+    if quantity is not None and quantity["high"] < 1.5 and not re.search(_table()["so_much_further"], clause):
+        return None  # beside somebody, not before or behind him
     factor = relative or _moved(clause, spec.placement) or wider
     now = spec.placement.gap
     base = middle(now) if now is not None else 25.0
@@ -127,7 +129,7 @@ def _factor(clause: str, rows: str) -> float | None:
 
 
 def _only_one(structure: Structure) -> Component | None:
-    return structure.objects[0] if structure.objects else None
+    return _followed(structure) or (structure.objects[0] if structure.objects else None)
 
 
 MIRROR = {

@@ -12,7 +12,7 @@ from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, RemoveObject, SetField, SetSpec, apply
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 
 
 def remove(clause: str, structure: Structure) -> Found | None:
@@ -204,6 +204,11 @@ def retype(clause: str, structure: Structure) -> Found | None:
             for one in edits:
                 now = apply(now, one)
             edits += [*_release(other, now), RemoveObject(component=other.id)]
+        if re.search(table["at_rest"], match["what"]):
+            edits += [
+                SetField(component=component.id, path="speed", value=0.0),
+                SetField(component=component.id, path="phases", value=(Phase(action="stationary"),)),
+            ]
         more, said = _rest(match.groupdict().get("rest"), component.id.lower(), edits, structure)
         return [*edits, *more], "; ".join([f"{component.id} is now {what}", *said])
     return None
@@ -231,7 +236,7 @@ def _rest(rest: str | None, who: str, edits: list[Edit], structure: Structure) -
     for edit in edits:
         structure = apply(structure, edit)
     table = language.table("refine")
-    rest = re.sub(table["with_it"], "", rest.strip())
+    rest = re.sub(table["with_it"], "", rest.strip(" ,"))
     verb = "is " if re.match(r"\w+ing\b", rest) else "comes " if rest.startswith("from") else ""
     return edits_of(f"{who} {verb}{re.sub(r'^(?:that|which|who) ', '', rest)}", structure) if rest else ([], [])
 

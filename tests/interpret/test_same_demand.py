@@ -109,6 +109,10 @@ CELLS = [
         "the truck comes from the right. the truck at 50 km/h",
         "the truck comes from the right at 50 km/h | truck from right with 50",
     ),
+    (LIGHTS, "the truck slower. the motorcycle faster", "truck slower and motorcycle faster"),
+    (ROW, "the parked cars are on the left. the child from the left", "row on the left, child as well"),
+    (ROW, "remove the parked cars", "all parked cars away | get rid of the row of parked cars"),
+    (MERGE, "O2 is a police car", "the sports car is a police car with blue lights"),
     # the sky
     (
         STREET,
@@ -176,3 +180,23 @@ def test_nothing_wrong_is_done(read) -> None:
 def test_no_new_scenario_and_no_question(read, text: str) -> None:
     turn = route(text, read(LIGHTS))
     assert turn.kind == "edit" and turn.edits
+
+
+@pytest.mark.parametrize(
+    "text", ["A cyclist follows ego.", "Ego is followed by a cyclist.", "A cyclist follows the ego vehicle at 20 km/h."]
+)
+def test_a_cyclist_follows(read, text: str) -> None:
+    spec = read(text)["O1"].spec
+    assert (spec.placement.position, [p.action for p in spec.phases]) == ("behind", ["follow"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Three cars are parked on the right. One of the parked cars pulls out.",
+        "Ego passes three parked cars. The second of the parked cars pulls out.",
+        "Three vans are parked on the left. The last of the parked vans drives off.",
+    ],
+)
+def test_one_of_the_parked_ones(read, text: str) -> None:
+    assert [o.spec.count for o in read(text).objects] == [2, 1]

@@ -30,7 +30,7 @@ def distance(clause: str, structure: Structure) -> Found | None:
     if (
         quantity is None
         and not (wider and re.search(r"\b(?:gap|distance|headway|spac)", clause))
-        and (relative is None or not re.search(r"away|closer|nearer|gap|distance|far|ahead|behind", clause))
+        and (relative is None or not re.search(r"away|closer|nearer|furth|gap|distance|far|ahead|behind", clause))
     ):
         return None
     if names_a_stranger(clause, structure) or re.search(_table()["no_gap"], clause):

@@ -39,7 +39,8 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
             demand = both
             parts.pop(0)
         before, topic = demand, topic_of(demand, current) or topic
-        found = unshown(demand) or _found(demand, current)
+        hidden = unshown(demand)
+        found = (order.retype(demand, current) or hidden) if hidden else _found(demand, current)
         if found is None:
             continue
         try:

@@ -7,6 +7,7 @@ from typing import Literal
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import asked, notes, put, refine, retold
 from c2s_engine.interpret.changes.refer import refer
+from c2s_engine.interpret.entities import MOVERS
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.reading.spelling import Mended
 from c2s_engine.structure.components import Structure
@@ -130,7 +131,7 @@ def _adds(plain: str) -> bool:
 
 def _goes_on(plain: str, structure: Structure) -> bool:
     """Whether one sentence tells more of one who is there: "the police car is chasing a red sports car"."""
-    if not plain.startswith("the ") or re.search(r"[.;] \w", plain) or len(plain.split()) > 25:
+    if re.match(r"(?:an?|one|two|another|some) ", plain) or re.search(r"[.;] \w", plain) or len(plain.split()) > 25:
         return False
     first = next((s for s in scan.names(plain) if s.kind == "actor"), None)
     return first is not None and first.start < 20 and refer(plain[: first.end], structure, alone=False) is not None
@@ -147,7 +148,7 @@ def _tells(plain: str, commanding: bool) -> bool:
         and _introduces(plain)
         and len({s.kind for s in scan.names(plain)}) + len(scan.names(plain)) >= 4
         and not re.match(r"^(the |ego )?\w* ?(should|must)\b", plain)
-        and "instead" not in plain
+        and not re.search(language.table("refine")["not_anew"], plain)
     ):
         return True
     if commanding and not re.search(r"[.;] \w+.*[.;] \w+", plain):
@@ -156,6 +157,9 @@ def _tells(plain: str, commanding: bool) -> bool:
     if words >= 9 and any(s.kind == "label" for s in scan.names(plain)) and not commanding:
         return True
     names = [s for s in scan.names(plain) if s.kind in ("actor", "ego", "label")]
+    new = language.table("refine")["introduces"]
+    if not any(s.data.get("type") in MOVERS for s in names if re.search(new, plain[: s.start])):
+        return False  # only a thing at the road is new
     return (
         words >= 9
         and (len(names) >= 2 or words >= 14)

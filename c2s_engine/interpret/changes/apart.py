@@ -9,10 +9,21 @@ from c2s_engine.interpret.changes.refer import refer, spec_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, Structure
 
-ALIKE = (("car", "van", "truck", "bus"), ("pedestrian", "animal"), ("child", "animal"), ("bicycle", "motorcycle"))
+ALIKE = (
+    ("car", "van", "truck", "bus"),
+    ("pedestrian", "animal"),
+    ("child", "animal"),
+    ("bicycle", "motorcycle"),
+    *((urgent, "van", "truck", "bus") for urgent in ("police_car", "ambulance", "fire_truck")),
+)
 """Types that can stand for each other."""
-MEANT = re.compile(r"(?:\b(?:the|that|this|our|my|both) |^)(?:(?!an? |and |the )[\w-]+ ){0,2}$")
+MEANT = re.compile(
+    r"(?:\b(?:the|that|this|our|my|both) |^)"
+    r"(?:(?!(?:an?|and|the|another|one|two|three|some|more|add|with) )[\w-]+ ){0,2}$"
+)
 """What stands before one who is there."""
+NEW = re.compile(r"\b(?:another|an?|one more|(?:a )?(?:second|third)) $")
+"""What stands before one who is new."""
 
 
 def told_apart(clause: str, structure: Structure) -> tuple[str, Structure]:
@@ -39,7 +50,11 @@ def _called(component: Component, nouns: dict[str, str]) -> Component:
 def _nouns(clause: str, structure: Structure) -> dict[str, str]:
     """By id, the nouns of those who share their type with another; none where these do not suffice."""
     types = [spec_of(c).type for c in structure.objects]
-    named = {s.data["type"] for s in scan.names(clause) if s.kind == "actor"}
+    spans = [s for s in scan.names(clause) if s.kind == "actor"]
+    named = {s.data["type"] for s in spans}
+    new = {s.data["type"] for s in spans if NEW.search(clause[: s.start])}
+    new &= {s.data["type"] for s in spans if re.search(r"\bthe $", clause[: s.start])}
+    types += sorted(new)
     found: dict[str, str] = {}
     for component in structure.objects:
         kind = spec_of(component).type
@@ -47,7 +62,7 @@ def _nouns(clause: str, structure: Structure) -> dict[str, str]:
         if types.count(kind) < 2 or not pool:
             continue
         taken = {*types, *named} - {kind} | set(found.values())
-        free = [noun for noun in (kind, *pool) if noun not in taken]
+        free = [noun for noun in (kind, *pool) if noun not in taken and not (noun == kind and kind in new)]
         if not free:
             return {}
         found[component.id] = free[0]

@@ -13,6 +13,7 @@ ROLES: dict[str, Callable[[ObjectSpec], bool]] = {
     "oncoming": lambda s: s.placement.position in ("oncoming_lane", "opposite_approach"),
     "following": lambda s: s.placement.position == "behind" or "follow" in {p.action for p in s.phases},
     "parked": lambda s: s.placement.position == "parked",
+    "crossing": lambda s: s.placement.position in ("crossing_left", "crossing_right"),
 }
 """Who has the role that a noun is told with."""
 NOUN_PHRASE = re.compile(r"(?:(?<=\bthe )|(?<=\bthat )|(?<=\bthis ))(?:[\w-]+ ){0,3}$|(?:[\w-]+ ){0,2}$")
@@ -23,9 +24,7 @@ PLAIN = frozenset(("the", "a", "an", "of", "car", "vehicle", "pedestrian", "othe
 
 def chosen(before: str, noun: str, roles: Sequence[str], found: list[Component]) -> Component | None:
     """The one of `found` whom a noun with what stands before it means; None where there are not so many."""
-    for role in roles:
-        fitting = [c for c in found if role in ROLES and ROLES[role](_spec(c))]
-        found = fitting or found
+    found = in_role(roles, found)
     words = re.findall(r"[\w-]+", NOUN_PHRASE.search(before)[0])  # type: ignore[index]
     if len(found) > 1:
         found = _called(words, noun, found)
@@ -38,6 +37,13 @@ def chosen(before: str, noun: str, roles: Sequence[str], found: list[Component])
     if "other" in words and len(found) > 1:
         return found[1]
     return found[0]
+
+
+def in_role(roles: Sequence[str], found: list[Component]) -> list[Component]:
+    """Those of `found` who have the roles that a noun is told with; all where none has them."""
+    for role in roles:
+        found = [c for c in found if role in ROLES and ROLES[role](_spec(c))] or found
+    return found
 
 
 def called(component: Component) -> set[str]:

@@ -56,6 +56,8 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
         if not re.search(table["owned"], demand) or not scan.names(demand):
             demand = re.sub(table["owned"], f"{who}'s", demand)
         demand = re.sub(r"\b(for|of|with|by|to) (?:it|them|him|her)$", rf"\g<1> {who}", demand)
+        if (subject := re.match(table["subject"], demand)) and subject[1] != who:
+            demand = re.sub(table["met"], rf"\g<1> {who}", demand)
         demand = re.sub(table["made"], f"{who} will ", demand)
         demand = re.sub(table["counted"], rf"\g<1> {who} ", demand)
         demand = re.sub(table["moved"], rf"\g<1>{who}", demand)
@@ -114,7 +116,7 @@ def _parts(sentence: str) -> list[str]:
     table = _table()
     starts, contrast, there = table["starts"], table["contrast"], table["there"]
     sentence = re.sub(table["reasoned"], "", sentence)
-    if joint := re.match(table["jointly"], sentence):
+    if joint := re.match(table["jointly"], sentence) or re.match(table["each"], sentence):
         return [f"{joint[name]} {joint['rest']}" for name in ("one", "other")]
     bounds = (
         r"\s+with (?=ego (?:in|on|at)\b)",

@@ -23,7 +23,8 @@ def _described() -> re.Pattern[str]:
     before = "|".join(row["before"] for row in table["where"] if row.get("before"))
     behind = "|".join(row["behind"] for row in table["where"] if row.get("behind"))
     return re.compile(
-        rf"(?:\b(?:the|that|this|our|my) |^)(?:(?P<before>{before}) )?(?P<head>{table['heads']})"
+        rf"(?:\b(?:the|that|this|our|my) |^|(?<=^no )|(?<=^without ))"
+        rf"(?:(?P<before>{before}) )?(?P<head>{table['heads']})"
         rf"(?:(?: (?:{table['relative']}))? (?P<behind>{behind})(?: {table['of_ego']})?)?(?![\w-])"
     )
 
@@ -38,12 +39,19 @@ def called(plain: str, structure: Structure) -> str:
     for component in structure.objects:
         name = spec_of(component).name.replace("_", " ")
         if len(name) > 3 and not scan.names(name):
-            plain = re.sub(rf"\b(?:the )?{re.escape(name)}(?![\w-])", called_by(component, structure), plain)
+            said = rf"\b(?:the )?{re.escape(name)}(?![\w-])"
+            plain = re.sub(said, lambda m, c=component: _noun_or(m, c, structure), plain)  # type: ignore[misc]
     if denied := re.match(_table()["denied"], plain):
         who = _agent(denied, structure)
         plain = plain if who == denied[0] else f"{who} should not {_table()['verbs'][denied['act']]}"
     plain = re.sub(_table()["acts"], lambda m: _actor(m, structure), plain)
     return described(plain, structure)
+
+
+def _noun_or(match: re.Match[str], component: Component, structure: Structure) -> str:
+    """One who is called by his name; the word itself where it only stands before a noun: "the oncoming truck"."""
+    behind = scan.names(match.string[match.end() :])
+    return match[0] if behind and behind[0].start == 1 else called_by(component, structure)
 
 
 def described(plain: str, structure: Structure) -> str:
@@ -124,6 +132,13 @@ def _by_another(match: re.Match[str], structure: Structure) -> str:
     return f"{called_by(found[0], structure)}{match['rest']}" if len(found) == 1 else f"somebody{match['rest']}"
 
 
+def is_there(words: str, component: Component) -> bool:
+    """Whether somebody is where the words tell him to be, as far as they do: "the car behind ego"."""
+    match = _described().search(f"the {words}")
+    said = [w for w in (match["before"], match["behind"]) if w] if match else []
+    return all(_where(w, [component]) for w in said)
+
+
 def _fitting(match: re.Match[str], structure: Structure) -> str:
     """The only one whom a description fits; the description itself where nobody or more than one does."""
     said = [w for w in (match["before"], match["behind"]) if w]
@@ -133,9 +148,15 @@ def _fitting(match: re.Match[str], structure: Structure) -> str:
     acts = paced and match["before"] and re.fullmatch(_table()["acting"], match["before"])
     if not said or kind and len(found) == 1 and not acts:
         return match[0]
+    does = match["behind"] if re.fullmatch(r"[a-z]+s", match["behind"] or "") else None
+    if does and not re.search(rf"\b(?:{_table()['relative']}) {does}", match[0]):  # what he is to do
+        said.remove(does)
+        tail = f" {does}"
+    else:
+        tail = ""
     for words in said:
         found = _where(words, found)
-    return called_by(found[0], structure) if len(found) == 1 else match[0]
+    return f"{called_by(found[0], structure)}{tail}" if said and len(found) == 1 else match[0]
 
 
 def _where(words: str, components: list[Component]) -> list[Component]:

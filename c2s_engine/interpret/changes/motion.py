@@ -30,7 +30,7 @@ def distance(clause: str, structure: Structure) -> Found | None:
     if (
         quantity is None
         and not (wider and re.search(r"\b(?:gap|distance|headway|spac)", clause))
-        and (relative is None or not re.search(r"away|closer|nearer|gap|distance|far|ahead|behind", clause))
+        and (relative is None or not re.search(r"away|closer|nearer|furth|gap|distance|far|ahead|behind", clause))
     ):
         return None
     if names_a_stranger(clause, structure) or re.search(_table()["no_gap"], clause):
@@ -52,6 +52,8 @@ def distance(clause: str, structure: Structure) -> Found | None:
         return [edit], f"{name_of(component)}: {quantity['low']:g} m between them"
     if quantity is not None and not re.search(_table()["so_much_further"], clause):
         relative = wider = None  # a distance to have, not one more or less
+    if quantity is not None and quantity["high"] < 1.5 and not re.search(_table()["so_much_further"], clause):
+        return None  # beside somebody, not before or behind him
     factor = relative or _moved(clause, spec.placement) or wider
     now = spec.placement.gap
     base = middle(now) if now is not None else 25.0
@@ -127,7 +129,7 @@ def _factor(clause: str, rows: str) -> float | None:
 
 
 def _only_one(structure: Structure) -> Component | None:
-    return structure.objects[0] if structure.objects else None
+    return _followed(structure) or (structure.objects[0] if structure.objects else None)
 
 
 MIRROR = {
@@ -196,12 +198,16 @@ def reaction(clause: str, structure: Structure) -> Found | None:
     if component is None:
         return None
     if component.id == "E":
-        if re.search(r"(not|n't|never|without) (brak|react|stop)|no reaction|ignores", clause):
+        if re.search(r"(not|n't|never|without) (brak|react|stop|swerv|evad)|no reaction|ignores", clause):
             return [
                 SetField(component="E", path="reaction", value="none"),
                 SetField(component="E", path="hard", value=False),
             ], "ego does not react"
-        if re.search(r"evade|swerve|steer|avoid|change lane|lane change", body):
+        evades = re.search(r"evade|swerve|steer|avoid|change lane|lane change", body)
+        if evades and re.search(r"\bnot\b|n't|\bnever\b|\bwithout\b", clause):
+            again: list[Edit] = [SetField(component="E", path="reaction", value="brake")]
+            return again if getattr(component.spec, "reaction", "") == "evade" else [], "ego does not evade"
+        if evades:
             return [SetField(component="E", path="reaction", value="evade")], "ego evades"
         if re.search(r"\bbrak|\bstop", body):
             hard = bool(re.search(r"hard|emergency|sharply|suddenly|full", body))

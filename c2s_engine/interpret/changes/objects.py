@@ -6,12 +6,13 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.chosen import ORDINALS
 from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of
+from c2s_engine.interpret.changes.meant import is_there
 from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, RemoveObject, SetField, SetSpec, apply
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 
 
 def remove(clause: str, structure: Structure) -> Found | None:
@@ -26,6 +27,8 @@ def remove(clause: str, structure: Structure) -> Found | None:
     if sky and not scan.names(rest):
         return _without_weather([f.value for f in sky], structure)
     if re.match(r"(traffic )?lights?|signals?$", rest):
+        if getattr(structure.place.spec, "control", None) not in (None, "signal", "none"):
+            return [], "there are signs instead of traffic lights"
         return [SetField(component="R", path="control", value="none")], "no traffic lights"
     if re.match(r"(?:stop|yield|give[- ]way) signs?$", rest) and not refer(rest, structure, alone=False):
         return [SetField(component="R", path="control", value="none")], "no signs"
@@ -47,7 +50,9 @@ def remove(clause: str, structure: Structure) -> Found | None:
     head = re.split(r"\b(?:for|by|between|to)\b", rest)[0]
     if head != rest and refer(head, structure) is None:
         return None  # something that he does
-    if component is None or component.id == "E" or re.search(r"\bother (traffic|vehicles|cars|road users)\b", rest):
+    if component is None or component.id == "E" or not is_there(rest, component):
+        return None
+    if re.search(r"\bother (traffic|vehicles|cars|road users)\b", rest):
         return None
     return _gone([component], structure), f"{name_of(component)} removed"
 
@@ -171,7 +176,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
             if who is None:
                 continue
         alike = not who or who in ("it", "that", "this", "one", "just one", "only one", "a single one")
-        component = _akin(kind, structure) if alike else refer(who, structure)
+        component = _akin(kind, structure) if alike else refer(who.split(" and ")[0] if plural else who, structure)
         if component is None and who and re.search(rf"\b(?:{'|'.join(ORDINALS)})\b", who):
             return [], "they are told of together: say how many stay and add another one"
         if component is None:
@@ -199,6 +204,11 @@ def retype(clause: str, structure: Structure) -> Found | None:
             for one in edits:
                 now = apply(now, one)
             edits += [*_release(other, now), RemoveObject(component=other.id)]
+        if re.search(table["at_rest"], match["what"]):
+            edits += [
+                SetField(component=component.id, path="speed", value=0.0),
+                SetField(component=component.id, path="phases", value=(Phase(action="stationary"),)),
+            ]
         more, said = _rest(match.groupdict().get("rest"), component.id.lower(), edits, structure)
         return [*edits, *more], "; ".join([f"{component.id} is now {what}", *said])
     return None
@@ -226,7 +236,7 @@ def _rest(rest: str | None, who: str, edits: list[Edit], structure: Structure) -
     for edit in edits:
         structure = apply(structure, edit)
     table = language.table("refine")
-    rest = re.sub(table["with_it"], "", rest.strip())
+    rest = re.sub(table["with_it"], "", rest.strip(" ,"))
     verb = "is " if re.match(r"\w+ing\b", rest) else "comes " if rest.startswith("from") else ""
     return edits_of(f"{who} {verb}{re.sub(r'^(?:that|which|who) ', '', rest)}", structure) if rest else ([], [])
 

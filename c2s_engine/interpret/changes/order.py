@@ -9,7 +9,7 @@ from c2s_engine.interpret.changes.scene import ending, length, own_lane, road, s
 from c2s_engine.interpret.changes.signs import sign
 from c2s_engine.interpret.changes.speed import kept, speed, speed_difference, still, walked
 from c2s_engine.interpret.changes.swap import swapped
-from c2s_engine.interpret.changes.timing import shifted
+from c2s_engine.interpret.changes.timing import at_once, shifted
 from c2s_engine.interpret.changes.told import acting, standing
 
 FORMS: tuple[Form, ...] = (
@@ -27,6 +27,7 @@ FORMS: tuple[Form, ...] = (
     remove,
     still,
     kept,
+    at_once,
     shifted,
     speed_difference,
     rate,

@@ -10,9 +10,10 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import notes
+from c2s_engine.interpret.changes.chosen import in_role
 from c2s_engine.interpret.changes.counted import numbered
 from c2s_engine.interpret.changes.meant import called_by, described
-from c2s_engine.interpret.changes.refer import actions_of, refer, spec_of
+from c2s_engine.interpret.changes.refer import actions_of, objects_of, refer, spec_of
 from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Structure
@@ -28,6 +29,8 @@ def plainly(plain: str, structure: Structure) -> str:
     for find, new in _table()["before"]:
         plain = re.sub(find, new, plain)
     plain = re.sub(_table()["pair"], lambda m: _pair(structure) or m[0], plain)
+    plain = re.sub(_table()["member"], lambda m: _member(m, structure), plain)
+    plain = re.sub(_table()["two"], lambda m: _two(m, structure), plain)
     plain = _named(re.sub(_table()["row"], _row(structure) or r"\g<0>", plain), structure)
     sentences = re.split(r"(?<=[.;!?])\s+", plain)
     rows = [(find, _with_doer(new, verb, structure)) for find, new, verb in _rows("sentences")]
@@ -49,6 +52,23 @@ def _pair(structure: Structure) -> str | None:
     """Both who are there by their nouns, where two are there."""
     two = structure.objects if len(structure.objects) == 2 else ()
     return " and ".join(called_by(c, structure) for c in two) or None
+
+
+def _member(match: re.Match[str], structure: Structure) -> str:
+    """One of those who are told of together: "the last parked car" of three that are one row."""
+    groups = [spec_of(c) for c in objects_of(structure, match["noun"])]
+    if len(groups) != 1 or groups[0].count < 2:
+        return match[0]
+    return f"the {match['which']} of the {language.plurals(groups[0].type.replace('_', ' '))[0]}"
+
+
+def _two(match: re.Match[str], structure: Structure) -> str:
+    """The only two of a type by their nouns: "the two pedestrians", "both crossing cars"."""
+    named = [s for s in scan.names(match["noun"]) if s.kind == "actor" and s.data.get("plural")]
+    found = in_role(named[0].data["roles"], objects_of(structure, named[0].data["type"])) if named else []
+    if len(found) != 2 or named[0].data["type"] == "vehicle" or any(spec_of(c).count > 1 for c in found):
+        return match[0]
+    return " and ".join(called_by(c, structure) for c in found)
 
 
 def questioned(plain: str, structure: Structure) -> str:

@@ -6,13 +6,14 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import notes, order
 from c2s_engine.interpret.changes.demands import demands, only_one, topic_of, whole
+from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.interpret.changes.speed import walked
 from c2s_engine.interpret.changes.told import introduced
 from c2s_engine.interpret.changes.unshown import unshown
 from c2s_engine.interpret.composing import describe
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import Edit, EditError, SetField, apply
+from c2s_engine.structure.edits import AddObject, Edit, EditError, SetField, apply
 
 Found = tuple[list[Edit], str]
 
@@ -25,16 +26,21 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     told, text = text, notes.text_of(text, structure)
     before, topic = "", topic_of(text, structure) or topic_of(told, structure) or only_one(text, structure)
     parts = demands(text)
-    if len(parts) > 1 and not order.retype(parts[0], structure) and (new := introduced(parts, structure)):
-        return _all(new, structure)
+    if len(parts) > 1 and not order.retype(parts[0], structure):
+        of_new = _of_the_new(parts, structure)
+        if len(of_new) > 1 and (new := introduced(of_new, structure)):
+            edits, said, current = new[0], [new[1]], _applied(new, structure)
+            parts, before = parts[len(of_new) :], of_new[-1]
+            topic = next((c for e in edits if isinstance(e, AddObject) and (c := _object(e))), topic)
     while parts:
-        part = parts.pop(0)
+        part = _next(parts.pop(0), topic, current)
         demand = notes.demand_of(whole(part, before, topic), current)
         while parts and (both := _in_a_row(demand, parts[0], current)):
             demand = both
             parts.pop(0)
         before, topic = demand, topic_of(demand, current) or topic
-        found = unshown(demand) or _found(demand, current)
+        hidden = unshown(demand)
+        found = (order.retype(demand, current) or hidden) if hidden else _found(demand, current)
         if found is None:
             continue
         try:
@@ -48,8 +54,25 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     return [*edits, *described(structure, current)], said
 
 
-def _all(found: Found, structure: Structure) -> tuple[list[Edit], list[str]]:
-    return [*found[0], *described(structure, _applied(found, structure))], [found[1]]
+def _next(part: str, topic: str | None, structure: Structure) -> str:
+    """What another does "then": after the one of whom was told before has acted."""
+    follows = re.match(r"(?:and )?then (?=(?:the|o\d) )", part)
+    subject = topic_of(part, structure) if follows else None
+    if follows is None or subject is None or topic is None or {subject, topic} & {"E"} or subject == topic:
+        return part
+    timed = re.search(r"\b(?:when|after|once|until|as soon as|before|instead)\b|\d", part)
+    return part if timed else f"{part[follows.end() :]} after {topic.lower()} acts"
+
+
+def _of_the_new(parts: list[str], structure: Structure) -> list[str]:
+    """The first parts of a text, up to one that tells what somebody else does who is there."""
+    for number, part in enumerate(parts[1:], 1):
+        first = next((s for s in scan.names(part) if s.kind in ("actor", "ego")), None)
+        subject = first is not None and re.fullmatch(r"(?:and |then |but )*(?:the )?", part[: first.start])
+        there = refer(f"the {part[first.start : first.end]}", structure, alone=False) if first and subject else None
+        if there is not None and first is not None and re.match(r" (?!is hidden\b)\w", part[first.end :]):
+            return parts[:number]
+    return parts
 
 
 def _applied(found: Found, structure: Structure) -> Structure:

@@ -49,6 +49,8 @@ def speed(clause: str, structure: Structure) -> Found | None:
     who = _who(said, structure)
     if not who or quantity is None and change is None and base is None:
         return None
+    if quantity is not None and change is None and len(who) > 2:
+        who = [c for c in who if c.id == "E" or spec_of(c).type != "bicycle"]
     each = [_at_speed(c, quantity, change, base) for c in who]
     return [edit for edit, _ in each], "; ".join(words for _, words in each)
 
@@ -76,9 +78,10 @@ def _factor(clause: str) -> float | None:
 
 def _who(clause: str, structure: Structure) -> list[Component]:
     """Whose speed it is."""
-    table = language.table("refine")
+    table = {**language.table("refine"), **_table()}
     if re.search(table["all"], clause):
-        return [structure.ego, *(c for c in _moving(structure) if spec_of(c).type not in PERSONS)]
+        others = [c for c in _moving(structure) if spec_of(c).type not in PERSONS]
+        return others if re.search(r"\b(?:else|others)\b", clause) else [structure.ego, *others]
     vehicles = [c for c in structure.objects if spec_of(c).type not in PERSONS and spec_of(c).speed]
     joint = re.match(table["joint"], clause)
     both = [refer(joint[name], structure, alone=False) for name in ("one", "other")] if joint else []
@@ -88,7 +91,8 @@ def _who(clause: str, structure: Structure) -> list[Component]:
     if re.search(r"\bboth\b", clause) and vehicles:
         return [structure.ego, vehicles[0]] if len(vehicles) == 1 else vehicles if len(vehicles) == 2 else []
     one = refer(clause, structure, alone=True)
-    unclear = structure.objects and re.search(r"\b(it|its)\b", clause) or names_a_stranger(clause, structure)
+    nobody = structure.objects and re.search(table["nobody"], clause)
+    unclear = nobody or names_a_stranger(clause, structure)
     if one is None and not unclear:
         one = structure.ego
     return [one] if one is not None else []

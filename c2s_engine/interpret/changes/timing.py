@@ -36,6 +36,23 @@ def shifted(clause: str, structure: Structure) -> Found | None:
     return [edit], f"{name_of(component)}: {moved.action.replace('_', ' ')} {'later' if later else 'earlier'}"
 
 
+def at_once(clause: str, structure: Structure) -> Found | None:
+    """ "The child runs at once", "no trigger for the child": what somebody waits for is left out."""
+    table = language.table("refine")["timing"]
+    match = next((m for pattern in table["at_once"] if (m := re.match(pattern, clause))), None)
+    component = refer(match["who"], structure, alone=False) if match else None
+    if component is None or component.id == "E":
+        return None
+    phases = spec_of(component).phases
+    number = next((i for i, p in enumerate(phases) if p.trigger), None)
+    if number is None:
+        return None
+    begun = phases[number].model_copy(update={"trigger": None})
+    value = (*phases[:number], begun, *phases[number + 1 :])
+    edit = SetField(component=component.id, path="phases", value=value)
+    return [edit], f"{name_of(component)}: {begun.action.replace('_', ' ')} at once"
+
+
 def _whose(clause: str, who: str | None, structure: Structure) -> Component | None:
     """Who is meant: by name, or by what is done."""
     named = refer(who, structure, alone=False) if who else None

@@ -13,7 +13,7 @@ from c2s_engine.interpret.changes.in_words import in_words
 from c2s_engine.interpret.changes.phases import PASSING, WAYS, afterwards, awaited, given_up, joined, mapped
 from c2s_engine.interpret.changes.places import cuts_in, on_a_side, placed_before
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
-from c2s_engine.interpret.changes.retold import indicative, read, scene, table
+from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField
@@ -27,6 +27,8 @@ SIGNS = frozenset(("stop_sign", "yield_sign", "speed_sign"))
 
 def acting(clause: str, structure: Structure) -> Found | None:
     """ "Let the car brake when the pedestrian is 10 m away", "add a parked van that hides the child": who does what."""
+    if re.search(r"\d ?(?:m|metres|meters) apart\b", clause) and not re.match(table()["adds"], clause):
+        return None
     return _told(clause, structure, lambda path: path.split(".")[0] in ("phases", "reaction", "manoeuvre", "+"))
 
 
@@ -74,7 +76,8 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
         told is None
         or not new
         and re.search(table()["relative"], clause)
-        or re.search(r"(?<!to the )(?<!across to )\b(?:other|opposite) side\b", clause)
+        or not new
+        and re.search(r"(?<!to the )(?<!across to )\b(?:other|opposite) side\b", clause)
     ):
         return None
     there_is = scene(structure, told)
@@ -111,6 +114,8 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
             changed = _changes(old, component, structure[cid], ids, clause, waited)
             if cid not in ("R", "E") and _only_beside(main, structure[cid], structure):
                 changed = [c for c in changed if c[0] in ("placement.hidden_by", "count")]
+            if cid == "R" and getattr(structure.place.spec, "ego_lane", None) == "middle" and not located_in(told):
+                changed = [c for c in changed if c[0] != "ego_lane"]  # it can leave the middle either way
             if cid == "R" and not (_names(told, structure.ego, structure) and re.search(table()["of_lanes"], told)):
                 changed = [c for c in changed if c[0] != "ego_lane"]
             if added and new and cid.startswith("O"):

@@ -104,9 +104,8 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
     if entity.type == "bicycle" and where.lane == "sidewalk":
         return {"position": "sidewalk", "side": edge or "right", "said": True}
     if along or entity.type == "bicycle":
-        if where.rel == "behind" and where.lane != "same":
-            return {"position": "behind", "said": True}
-        if where.rel == "behind":
+        follows = any(e.act == "follow" and e.patient is not None and e.patient.ego for e in scene.events(entity))
+        if where.rel == "behind" or follows and where.rel is None:
             return {"position": "behind", "said": True}
         if entity.person and where.lane in ("sidewalk", "roadside"):
             inside = re.search(r"inside the|in the lane|on the road|edge of the lane", text)

@@ -74,7 +74,7 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             "sidewalk"
             if where.lane == "sidewalk"
             or place.sidewalk
-            or where.lane is None
+            or where.lane in (None, "crossing")
             and (scene.road.setting == "urban" or scene.road.crosswalk)
             and entity.type != "animal"
             else "roadside"

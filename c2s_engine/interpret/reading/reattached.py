@@ -19,6 +19,7 @@ MANOEUVRES = language.words("manoeuvres") | language.words("drives")
 CONTACT = language.words("contact") | language.words("strikes")
 FAULTS = frozenset(("run", "fail", "disregard", "ignore", "neglect", "jump", "cross", "turn", "pull"))
 LOOSE = frozenset(("conj", "dep", "ccomp", "advcl"))
+TOLD = frozenset(("latter", "former", "first", "second", "third", "last", "other"))
 STOOD = frozenset(("stopped", "parked", "slowed", "standing", "waiting"))
 LEFT_STANDING = frozenset(("stop", "park", "leave", "hit", "strike", "follow", "queue", "drive", "pass", "overtake"))
 
@@ -47,6 +48,9 @@ def reattach(words: list[Word]) -> None:
             _hang(words, before, word)
             before.dep = "nsubj"  # "slowed and V1 struck it": V1 was taken for somebody else that slowed
         _between_two(words, word)
+        if word.verb:
+            _listed(words, word)
+            _behind_place(words, word)
         seen = _place_of_seen(words, word)
         if seen is not None:
             _hang(words, word, seen)
@@ -171,6 +175,35 @@ def _between_two(words: list[Word], verb: Word) -> None:
     if first is not None and any(w.norm == "and" for w in words[first.i + 1 : subjects[1].i]):
         _hang(words, subjects[1], first)
         subjects[1].dep = "conj"
+
+
+def _listed(words: list[Word], verb: Word) -> None:
+    """Make one of two subjects with a comma between: a list ("a car, a van and a truck drive"), or another name of the
+    first ("the vehicle ahead, a white van, brakes")."""
+    before = [words[c] for c in verb.children if c < verb.i and words[c].dep in ("nsubj", "dep")]
+    if len(before) != 2 or before[1].dep != "nsubj" or not all(_road_user(w) or w.norm in TOLD for w in before):
+        return
+    first, second = before
+    opens = min(second.i, *second.children) if second.children else second.i
+    cut = words[opens - 1].norm == "," and words[opens].norm in ("a", "an", "one", "another", "two", "three")
+    joined = any(words[c].dep == "cc" for c in second.children)
+    if cut and (joined or words[verb.i - 1].norm == "," or words[verb.i - 2].norm == ","):
+        _hang(words, second, first)
+        first.dep, second.dep = "nsubj", "conj" if joined else "appos"
+
+
+def _behind_place(words: list[Word], verb: Word) -> None:
+    """Give a verb its subject that was taken for another name of somebody in a place before: "ahead of ego, two cars
+    wait"."""
+    if verb.dep != "ROOT" or any(words[c].dep.startswith(("nsubj", "expl")) for c in verb.children):
+        return
+    apposed = [w for w in words[: verb.i] if w.sentence == verb.sentence and w.dep == "appos" and _road_user(w)]
+    for noun in apposed[:1]:
+        opens = min(noun.i, *noun.children) if noun.children else noun.i
+        last = max((w.i for w in words[noun.i : verb.i] if w.head == noun.i or w.dep == "conj"), default=noun.i)
+        if words[opens - 1].norm == "," and words[noun.head].dep == "pobj" and verb.i - max(last, noun.i) <= 2:
+            _hang(words, noun, verb)
+            noun.dep = "nsubj"
 
 
 def _joined(words: list[Word], word: Word) -> bool:

@@ -32,6 +32,7 @@ BESIDE = re.compile(
 FRONTED = re.compile(
     r"^(?:in|on) the (?:left|right|adjacent|next|neighbou?ring|adjoining|parallel|other|opposite|opposing|oncoming)"
     r"(?:-hand)? (?:\w+ )?(?:lane|side|carriageway|direction) ?,? (?:an?|another|one) (?:\w+ )?$"
+    r"|^from the (?:left|right|front|rear|side|opposite direction|other direction) ?,? (?:an?|another|one) (?:\w+ )?$"
 )
 """A place before one that is new."""
 AHEAD = re.compile(r"(?:be|drive|travel|ride|stand|wait) (?:\w+ly )?(?:ahead|in front) ?[.,;]?$")

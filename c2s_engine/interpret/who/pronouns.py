@@ -224,7 +224,8 @@ class Pronouns(Persons):
         last = word.i - 2
         if self.words[word.i - 1].norm != "," or last not in self.of or clause.dep != "relcl" or clause.head == last:
             return None
-        if self.words[last].span is None or not any(w.verb for w in self.words[clause.head : last]):
+        one = self.words[last].dep == "conj" and clause.tag in ("VBZ", "VBD")  # "a car and a van, which brakes"
+        if self.words[last].span is None or not one and not any(w.verb for w in self.words[clause.head : last]):
             return None
         return self._placed_beside(self.words[last]) or self.of[last]
 

@@ -1,0 +1,36 @@
+"""The phrases of a clause that tell where somebody starts."""
+
+import re
+from collections.abc import Iterator
+
+from c2s_engine.interpret.what.event import Event
+
+PLACE = re.compile(
+    r"\b(?:from|out of|off|leave|in|on|along|ahead of|behind) (?!to)[^,.;]*?(?=(?<!\bfrom) from\b|[,.;]|$)"
+)
+ORIGIN = re.compile(r"from|out of|off|leave")
+DONE_THERE = frozenset(
+    (
+        "brake",
+        "stop",
+        "brake_stop",
+        "accelerate",
+        "run_red",
+        "turn",
+        "keep_lane",
+        "lose_control",
+        "cross_path",
+        "overtake",
+    )
+)
+"""What is done where one starts: "brakes in the left lane"."""
+INTO = re.compile(r"\b(into|onto|to|towards) (the |its )?(@\w+ ''?s )?[\w -]*?(lane|road|street|path|way)\b")
+OF_PATH = re.compile(r"\b(in front of|ahead of) (the )?@\w+")
+
+
+def places_in(event: Event) -> Iterator[str]:
+    """Each such phrase, without where one goes and whose path is crossed."""
+    for match in PLACE.finditer(event.whole):
+        if ORIGIN.match(match[0]) or event.act in DONE_THERE:
+            part = INTO.sub("", match[0])
+            yield OF_PATH.sub("", part) if event.act in ("cross_path", "turn") else part

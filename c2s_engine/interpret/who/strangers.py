@@ -42,6 +42,8 @@ class Strangers:
         known = next((e for e in self.entities if "guessed" in e.roles and e.noun == word.norm), None)
         if known is not None:
             return known
+        if self._of_several(word):
+            return None  # "a group of pedestrians"
         told_by = {self.words[c].norm for c in word.children}
         if self._make_unknown(word, told_by):
             return self._new(Entity("", "vehicle", noun=word.norm, roles={"guessed"}))
@@ -62,6 +64,12 @@ class Strangers:
                     Entity("", guess["type"], noun=word.norm, roles={"guessed"}, typed=guess["type"] != "vehicle")
                 )
         return None
+
+    def _of_several(self, word: Word) -> bool:
+        """Whether a noun only counts road users: "a crowd of children"."""
+        of = [self.words[c] for c in word.children if self.words[c].norm == "of" and c == word.i + 1]
+        nouns = [self.words[c].span for prep in of for c in prep.children]
+        return any(s is not None and s.kind == "actor" and s.data.get("plural") for s in nouns)
 
     def _make_unknown(self, word: Word, before: set[str]) -> bool:
         """Whether a name with an article does what only vehicles do: "the Kluger braked"."""

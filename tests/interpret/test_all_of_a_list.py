@@ -103,3 +103,42 @@ def test_on_both_sides(read, text: str) -> None:
     s = read(text)
     assert [o.spec.placement.position for o in s.objects] == ["left_lane", "right_lane"]
     assert {o.spec.placement.along for o in s.objects} == {"abreast"}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A van leads a car. The van brakes.",
+        "A van, followed by a car, brakes.",
+        "A car follows a van. The van brakes.",
+        "A truck is followed by a car. The truck brakes hard.",
+    ],
+)
+def test_who_drives_behind_is_ego(read, text: str) -> None:
+    s = read(text)
+    assert s.ego.spec.type == "car"
+    assert [(o.spec.placement.position, [p.action for p in o.spec.phases]) for o in s.objects] == [("ahead", ["brake"])]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "An oncoming van turns left across the path of a car that goes straight on at an intersection.",
+        "At an intersection an oncoming van turns left across the path of a car going straight on.",
+        "A car drives in the right lane. A van in the left lane cuts in in front of it.",
+        "A bus is in the right lane. A van in the left lane cuts in in front of it.",
+    ],
+)
+def test_whose_way_is_taken_is_ego(read, text: str) -> None:
+    assert [o.spec.type for o in read(text).objects] == ["van"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A driver passes a parked van and a child runs out from behind it.",
+        "A driver stops and a woman walks across the road.",
+    ],
+)
+def test_a_driver_does_not_walk_because_another_does(read, text: str) -> None:
+    assert len([o for o in read(text).objects if o.spec.type in ("pedestrian", "child")]) == 1

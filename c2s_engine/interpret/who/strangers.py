@@ -83,7 +83,9 @@ class Strangers:
         if word.norm.split(" ")[-1] not in OCCUPANTS or word.dep not in ("nsubj", "nsubjpass"):
             return False
         verb = self.words[word.head]
-        verbs = [verb, *(self.words[c] for c in verb.children if self.words[c].dep == "conj")]
+        joined = [self.words[c] for c in verb.children if self.words[c].dep == "conj"]
+        own = {w.i for w in joined if not any(self.words[c].dep.startswith("nsubj") for c in w.children)}
+        verbs = [verb, *(w for w in joined if w.i in own)]
         rides = "passenger" in word.norm or "occupant" in word.norm
         after = [" ".join(w.norm for w in self.words[v.i : v.i + 7]) for v in verbs]
         off_road = not rides and any(AT_SPEED.match(text) for text in after)

@@ -135,3 +135,60 @@ def test_what_lies_there(read, text: str) -> None:
 )
 def test_slightly_ahead_is_not_slightly_braked(read, text: str) -> None:
     assert read(text)["O1"].spec.phases[-1].rate is None
+
+
+@pytest.mark.parametrize(
+    "place",
+    [
+        "coming the other way",
+        "facing us",
+        "in the same lane 30 m ahead",
+        "in the lane to our left",
+        "in ego's blind spot on the right",
+        "to the rear of ego",
+        "at the opposite arm of the junction",
+        "a few lengths ahead",
+    ],
+)
+def test_that_after_a_place_is_who_is_there(read, place: str) -> None:
+    told = read(f"Ego drives at 50 km/h. A van {place} suddenly brakes.")["O1"].spec
+    shown = read(f"Ego drives at 50 km/h and notices a van {place} that brakes.")["O1"].spec
+    assert [p.action for p in shown.phases][-1] == "brake"
+    assert shown.placement.position == told.placement.position
+
+
+@pytest.mark.parametrize(
+    "place",
+    ["by the roadside on the left", "between two parked cars on the left", "behind a parked van on the left"],
+)
+def test_that_after_a_place_of_somebody_on_foot(read, place: str) -> None:
+    s = read(f"Ego notices a pedestrian {place} that crosses the road.")
+    spec = next(o.spec for o in s.objects if o.spec.type == "pedestrian")
+    assert (spec.placement.side, [p.action for p in spec.phases]) == ("left", ["cross_road"])
+
+
+@pytest.mark.parametrize(
+    ("text", "type_", "count"),
+    [
+        ("A group of pedestrians crosses the road.", "pedestrian", 3),
+        ("A group of people on the left pavement crosses the road.", "pedestrian", 3),
+        ("A crowd of children runs across the road.", "child", 5),
+    ],
+)
+def test_a_group_is_all_of_them(read, text: str, type_: str, count: int) -> None:
+    assert [(o.spec.type, o.spec.count) for o in read(text).objects] == [(type_, count)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A pedestrian is at the bus stop on the right and crosses the road.",
+        "There is a pedestrian at the bus stop on the right. Suddenly he crosses the road.",
+        "A cyclist 30 m ahead on the right crosses the road.",
+        "A cyclist next to a parked van on the right crosses the road.",
+    ],
+)
+def test_who_is_at_the_road_crosses_it(read, text: str) -> None:
+    spec = next(o.spec for o in read(text).objects if o.spec.type in ("pedestrian", "bicycle"))
+    assert (spec.placement.position, spec.placement.side) == ("roadside", "right")
+    assert [p.action for p in spec.phases] == ["cross_road"]

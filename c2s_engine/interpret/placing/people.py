@@ -51,7 +51,8 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         if where.rel == "behind" and where.side and at_edge(scene, entity) and place.kind == "intersection":
             return {"position": "roadside", "side": where.side, "along": "behind", "said": True}
         own = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
-        if where.lane in ("left", "right") and (where.rel or place.ego_lane and where.lane != own):
+        beside = where.rel or place.ego_lane and where.lane != own
+        if where.lane in ("left", "right") and beside and "cross_road" not in acts:
             return {"position": f"{where.lane}_lane", "along": along_of(where.rel), "said": True}
         met = _met_at_junction(scene, entity, where, acts, place) if not crosses else None
         if met is not None:
@@ -74,7 +75,7 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             "sidewalk"
             if where.lane == "sidewalk"
             or place.sidewalk
-            or where.lane is None
+            or where.lane in (None, "crossing")
             and (scene.road.setting == "urban" or scene.road.crosswalk)
             and entity.type != "animal"
             else "roadside"

@@ -42,6 +42,13 @@ def sentences(text: str) -> list[tuple[int, int]]:
     return [(s, e) for s, e in found if s < e]
 
 
+ONLY_PLACE = re.compile(
+    r"\s*(?:(?:about |some |around |roughly )?\d[\d.]* ?(?:m|metres|meters|ft|feet|yards|km) )?"
+    r"(?:further )?(?:ahead|in front|on)(?: of (?:ego|us|it|me))?$"
+)
+"""A part of a note that only says where: "50 m ahead, debris lies there"."""
+
+
 def shorthand(plain: str, sentences: list[tuple[int, int]], names: list[Span]) -> list[tuple[int, int]]:
     """The sentences; bare notes ("bus at stop, ego 40, car ahead brakes") are cut where a new one is spoken of."""
     found: list[tuple[int, int]] = []
@@ -65,7 +72,7 @@ def shorthand(plain: str, sentences: list[tuple[int, int]], names: list[Span]) -
                 says = re.match(r"\s*[\w+-]", plain[name.end : end]) and not re.match(
                     r"\s*(?:and|or)\b", plain[name.end : end]
                 )
-                if told and says:
+                if told and says and not ONLY_PLACE.match(plain[at : at + comma.start()]):
                     found.append((at, at + comma.start()))
                     at = name.start
         found.append((at, end))

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 
 CONJUNCTIONS = frozenset(("as", "after", "before", "until", "since"))
 """What the tree takes for prepositions before a subject."""
+TOLD = frozenset(("latter", "former", "first", "second", "third", "last", "other"))
 
 
 def find_subject(words: list[Word], word: Word) -> None:
@@ -34,6 +35,9 @@ def find_subject(words: list[Word], word: Word) -> None:
         hang(words, before, word)
         before.dep = "nsubj"
     _between_two(words, word)
+    if word.verb:
+        _listed(words, word)
+        _behind_place(words, word)
 
 
 def _subject_of_second(words: list[Word], verb: Word) -> Word | None:
@@ -115,3 +119,32 @@ def _between_two(words: list[Word], verb: Word) -> None:
     if first is not None and any(w.norm == "and" for w in words[first.i + 1 : subjects[1].i]):
         hang(words, subjects[1], first)
         subjects[1].dep = "conj"
+
+
+def _listed(words: list[Word], verb: Word) -> None:
+    """Make one of two subjects with a comma between: a list ("a car, a van and a truck drive"), or another name of the
+    first ("the vehicle ahead, a white van, brakes")."""
+    before = [words[c] for c in verb.children if c < verb.i and words[c].dep in ("nsubj", "dep")]
+    if len(before) != 2 or before[1].dep != "nsubj" or not all(road_user(w) or w.norm in TOLD for w in before):
+        return
+    first, second = before
+    opens = min(second.i, *second.children) if second.children else second.i
+    cut = words[opens - 1].norm == "," and words[opens].norm in ("a", "an", "one", "another", "two", "three")
+    joined = any(words[c].dep == "cc" for c in second.children)
+    if cut and (joined or words[verb.i - 1].norm == "," or words[verb.i - 2].norm == ","):
+        hang(words, second, first)
+        first.dep, second.dep = "nsubj", "conj" if joined else "appos"
+
+
+def _behind_place(words: list[Word], verb: Word) -> None:
+    """Give a verb its subject that was taken for another name of somebody in a place before: "ahead of ego, two cars
+    wait"."""
+    if verb.dep != "ROOT" or any(words[c].dep.startswith(("nsubj", "expl")) for c in verb.children):
+        return
+    apposed = [w for w in words[: verb.i] if w.sentence == verb.sentence and w.dep == "appos" and road_user(w)]
+    for noun in apposed[:1]:
+        opens = min(noun.i, *noun.children) if noun.children else noun.i
+        last = max((w.i for w in words[noun.i : verb.i] if w.head == noun.i or w.dep == "conj"), default=noun.i)
+        if words[opens - 1].norm == "," and words[noun.head].dep == "pobj" and verb.i - max(last, noun.i) <= 2:
+            hang(words, noun, verb)
+            noun.dep = "nsubj"

@@ -118,7 +118,7 @@ def _nouns(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
             or not (
                 before[3] is not None
                 or before[0].endswith("ly")
-                or plain[before[1] : before[2]] in language.word_list("subject_ends")
+                or not language.word_list("subject_ends").isdisjoint(_ends(plain[before[1] : before[2]]))
                 or LANE_NUMBER.search(plain[: before[2]]) is not None
             )
         ):
@@ -134,6 +134,11 @@ def _nouns(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
             continue
         found[token.i] = "goes" if FOLLOWS.match(plain[end : end + 16]) else "takes"
     return found
+
+
+def _ends(word: str) -> tuple[str, str]:
+    """A word, and the last part of it: "on-ramp"."""
+    return word, word.rpartition("-")[2]
 
 
 def _relative(token: Any) -> bool:

@@ -22,6 +22,9 @@ BESIDE = re.compile(
     r"|diagonally (ahead|behind)|to (the|our|its) (front|rear)\b|(right |close |directly |just )?"
     r"behind(?= it\b| [a-z]+(?:s|ed)\b)"
     r"|in the (left|right|adjacent|next|oncoming|neighbou?ring|adjoining|parallel|other)"
+    r"|(on|at|in) the (opposite|opposing|far|left|right)(-hand)? "
+    r"(arm|leg|approach|branch|side of (the|an?) (junction|inter|cross))"
+    r"|(on|at|in) (the|a) (side|cross|minor)[ -]?(road|street) (on|to) the (left|right)"
     r"|occupying the (left|right|adjacent|next|neighbou?ring|adjoining|parallel|other)"
     r"|((travell?|driv|go|com|head|rid|mov|approach|stand)(ing|ed|es|e|s) )?(in|on|of|from|along) "
     r"(the )?(opposite|opposing|contraflow|facing"
@@ -32,6 +35,7 @@ BESIDE = re.compile(
 FRONTED = re.compile(
     r"^(?:in|on) the (?:left|right|adjacent|next|neighbou?ring|adjoining|parallel|other|opposite|opposing|oncoming)"
     r"(?:-hand)? (?:\w+ )?(?:lane|side|carriageway|direction) ?,? (?:an?|another|one) (?:\w+ )?$"
+    r"|^from the (?:left|right|front|rear|side|opposite direction|other direction) ?,? (?:an?|another|one) (?:\w+ )?$"
 )
 """A place before one that is new."""
 AHEAD = re.compile(r"(?:be|drive|travel|ride|stand|wait) (?:\w+ly )?(?:ahead|in front) ?[.,;]?$")
@@ -47,7 +51,7 @@ def beside_nobody(entity: Entity, cast: Cast) -> bool:
     titled = [m for m in entity.mentions if ":" not in [w.norm for w in cast.words[m.word + 1 : m.word + 2]]]
     at = (titled or entity.mentions)[0].word
     the = at < 3 or cast.words[at - 1].norm == "the"
-    first = " ".join(w.norm for w in cast.words[at : at + 7])
+    first = " ".join(w.norm for w in cast.words[at : at + 9])
     stands = entity.group is None and entity.count == 1 and the and re.match(r"\S+ (is|was|were) ", first)
     before = " ".join(w.norm for w in cast.words[max(0, at - 8) : at] if w.sentence == cast.words[at].sentence) + " "
     return not stands and (BESIDE.search(first) or FRONTED.search(before)) is not None

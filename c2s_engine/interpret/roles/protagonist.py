@@ -5,6 +5,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.reading.askers import bystanding
+from c2s_engine.interpret.roles.among_others import anchors, crossed, cut_off, who_is_led
 from c2s_engine.interpret.roles.aside import AHEAD, IS_AHEAD, after, beside_nobody, from_aside
 from c2s_engine.interpret.roles.at_stops import at_a_stop
 from c2s_engine.interpret.roles.bare import ROLE_WORDS, bare_first
@@ -135,15 +136,6 @@ def _runs_down(entity: Entity, clauses: Clauses) -> bool:
     return any(p is not None and p.mover and p.type not in MOTOR for p in hits)
 
 
-def _anchors(entity: Entity, clauses: Clauses) -> bool:
-    """Whether others are placed by it ("ahead of the coach", "behind the coach"): it is who the text is about."""
-    text = clauses.render(list(range(len(clauses.words))))
-    placed = set(
-        re.findall(rf"\b(ahead of|behind|in front of|alongside|beside|next to) (?:the )?@{entity.key}\b", text)
-    )
-    return len(placed) > 1
-
-
 def _on_its_own(entity: Entity) -> bool:
     """Whether it is told of by itself, if only as one of several ("one of them")."""
     return entity.group is None or entity.group.type in MOTOR and not entity.group.roles & ROLE_WORDS
@@ -188,6 +180,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
                 or "following" not in entity.roles
                 and (
                     beside_nobody(entity, cast)
+                    and not cut_off(entity, clauses)
                     or entity.group is not None
                     and beside_nobody(entity.group, cast)
                     or any(v.agent is entity and AHEAD.match(v.text) for v in clauses.events)
@@ -267,6 +260,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     others = [e for e in cast.entities if e not in candidates]
     best = next((e for e in candidates if "following" in e.roles), candidates[0])
     best = best if acting.get(best) else _who_met_it(best, candidates, clauses)
+    best = who_is_led(best, [e for e in vehicles if not e.roles & ROLE_WORDS], clauses)
     hit = {v.patient for v in clauses.events if v.act in ("collide", "overtake", "follow", "yield") and v.agent is best}
     if (
         len(candidates) == 1
@@ -286,7 +280,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         implied
         and not first
         and not met
-        and not _anchors(best, clauses)
+        and not anchors(best, clauses)
+        and not crossed(best, clauses)
         and best.mentions[0].word > 6
         and best is not (generic[0] if generic else None)
     ):

@@ -8,7 +8,7 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.scan import Span
 
-NUMBERS = {"two": 2, "three": 3, "four": 4, "five": 5, "six": 6}
+NUMBERS = {"two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "eight": 8}
 
 
 @dataclass
@@ -73,7 +73,7 @@ def read(plain: str, sentences: list[tuple[int, int]], quantities: list[Span]) -
                 if entry.get("ramp"):
                     road.ramp = True
                 if entry["kind"] == "curve":
-                    side = re.search(r"\b(left|right)\b", match[0])
+                    side = re.search(r"\b(left|right)", match[0])
                     if side and road.curve is None:
                         road.curve = side[1]
     _control(plain, sentences, road, data)
@@ -152,7 +152,8 @@ def _number(match: re.Match[str]) -> int | None:
     return None
 
 
-SINGLE = re.compile(r"one lane (each|per|in each|for each|either|in either) |single[- ]lane|single lane")
+ONE_WAY = re.compile(r"one-way|in this direction|per direction|each way|in each direction|same direction")
+SINGLE = re.compile(r"(?:one|a|1) lane (each|per|in each|for each|either|in either) |single[- ]lane|single lane")
 
 
 def _lanes(plain: str, sentences: list[tuple[int, int]], road: Road, data: dict[str, Any]) -> None:
@@ -169,7 +170,8 @@ def _lanes(plain: str, sentences: list[tuple[int, int]], road: Road, data: dict[
                     r"one-way|motorway|freeway|interstate|divided highway|carriageway|expressway|in this direction",
                     near + plain[match.end() : match.end() + 40],
                 ) and not re.search("undivided|two-way", near)
-                both = number >= 4 and re.search(r"(?<!un)divided", near)  # four lanes with a median: two each way
+                divided = re.search(r"(?<!un)divided|\bdual\b", near) or number >= 6
+                both = number >= 4 and divided and not ONE_WAY.search(near)  # with a median: two each way
                 number = number if (carriageway or number == 3) and not both else max(1, number // 2)
                 if not carriageway and number == 1 and not re.search(r"highway|motorway", near):
                     road.oncoming = True if road.oncoming is None else road.oncoming

@@ -32,6 +32,12 @@ FRONTED_FAR = re.compile(
     r"(?:a|an|another|the|one|some|two|three|several)(?: [a-z-]+){0,2} $"
 )
 """A place before the one who is there: "20 m behind the truck a motorcycle"."""
+FAR_AHEAD = re.compile(
+    r"^(?:about |around |roughly |some |only |just )?#dist (?:further )?(?:ahead|in front|on)"
+    r"(?: of (?:the )?@ego)? ,? ?"
+    r"(?:[a-z-]+ ){0,3}$"
+)
+"""How far ahead what the sentence then names lies: "50 m ahead, debris"."""
 
 
 @dataclass

@@ -13,6 +13,9 @@ PARTS = frozenset(
     ("door", "doors", "boot", "tailgate", "bonnet", "hood", "gate", "light", "lights", "barrier", "barriers")
 )
 
+OWN_WORDS = ("acl", "relcl", "prep", "advmod", "npadvmod")
+"""How what is told of a noun alone hangs behind it."""
+
 
 class Patients(Rendering):
     """The part of Clauses that finds the other parties of a verb or noun."""
@@ -41,7 +44,7 @@ class Patients(Rendering):
         """The others of a joint subject ("V1 and V3 met"), but not who is joined behind the verb."""
         if at is None:
             return []
-        found = list(self.cast.both.get(at, []))  # "both", "the two"
+        found = list(self.cast.both.get(at, [])) + self._listed_before(at, verb)  # "both", "the two"
         for child in self.words[at].children:
             if self.words[child].dep == "conj" and not at < verb < child:
                 other = self.cast.referent(child)
@@ -49,6 +52,19 @@ class Patients(Rendering):
                     found.append(other)
                     found += self._also(child, verb)
         return found
+
+    def _listed_before(self, at: int, verb: int) -> list[Entity]:
+        """The others of a list that is only said to be there, whose last has a participle: "there are two cars and a
+        truck waiting"."""
+        deed, noun = self.words[verb], self.words[at]
+        found: list[Entity] = []
+        while deed.dep == "acl" and deed.tag == "VBG" and noun.dep == "conj":
+            noun = self.words[noun.head]
+            other = self.cast.referent(noun.i)
+            if other is None or any(c > noun.i and self.words[c].dep in OWN_WORDS for c in noun.children):
+                return []
+            found.append(other)
+        return found if noun.dep == "attr" else []
 
     def _of_both(self, own: list[int]) -> bool:
         """Whether one of those words means ego and another ("both")."""

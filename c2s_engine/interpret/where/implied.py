@@ -188,7 +188,8 @@ def _comes_over(event: Event, of: dict[Entity, Where]) -> bool:
 def _overtakes_oncoming(event: Event, of: dict[Entity, Where]) -> bool:
     """Whether one who comes the other way overtakes somebody who is not told of: it does so in ego's lane."""
     waited = event.adverbial in ("until", "till", "after", "once", "when", "before")
-    towards = event.act == "overtake" and of[event.agent].lane == "oncoming" and not waited
+    where = of[event.agent]
+    towards = event.act == "overtake" and where.lane == "oncoming" and where.rel != "behind" and not waited
     return towards and (event.patient is None or event.patient.ego)
 
 

@@ -5,7 +5,15 @@ import re
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.surroundings.whereabouts import FRONTED, FRONTED_FAR, STATES, Where, read, side_of_text
+from c2s_engine.interpret.surroundings.whereabouts import (
+    FAR_AHEAD,
+    FRONTED,
+    FRONTED_FAR,
+    STATES,
+    Where,
+    read,
+    side_of_text,
+)
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.where.accompanied import WITH_ANOTHER, accompanied, within
 from c2s_engine.interpret.where.both_in import both_in_lane
@@ -16,6 +24,7 @@ from c2s_engine.interpret.where.implied_lanes import evaded_lane, followed_lane
 from c2s_engine.interpret.where.inferred import Inferred
 from c2s_engine.interpret.where.lane_numbers import number_lanes
 from c2s_engine.interpret.where.own_words import DIRECTED, PLACING, OwnWords
+from c2s_engine.interpret.where.places_in import places_in
 from c2s_engine.interpret.where.revealed import reveal
 from c2s_engine.interpret.where.struck import struck_places
 from c2s_engine.interpret.who.mentions import Cast, Entity
@@ -42,8 +51,6 @@ WITHIN = re.compile(
     r"(?:be|come|get|draw) (?:\w+ )?(?:closer|nearer|less|within|away|below|under)\b.*#dist"
     r"|(?:be|come|get) (?:only |just |about |less than )*#dist (?:away|from|off|distant)\b"
 )
-PASSES_IN = re.compile(r"in the (?:left|right|middle|cent(?:er|re))(?:-hand)? lane\b")
-"""The lane of one who "was passing in the right lane"."""
 HEADING = DIRECTED | {"to", "across", "over"}
 AND_ANOTHER = re.compile(r",? and (?:the |an? |another |one |two |some |three )?(?:\w+ )?@(?!ego).*$")
 """Who else is there ("there is a van ahead and a cyclist in the right lane"), with a place of its own."""
@@ -112,41 +119,8 @@ class Places(OwnWords, Inferred):
                 read(text, where, entity, self.cast, event.act)
                 self._gap(event.words, where, entity=entity)
             elif event.act not in ("collide",):
-                parts = [
-                    m[0]
-                    for m in re.finditer(
-                        r"\b(?:from|out of|off|leave|in|on|along|ahead of|behind) (?!to)[^,.;]*", event.whole
-                    )
-                    if re.match(r"from|out of|off|leave", m[0])
-                    or event.act
-                    in (
-                        "brake",
-                        "stop",
-                        "brake_stop",
-                        "accelerate",
-                        "run_red",
-                        "turn",
-                        "keep_lane",
-                        "lose_control",
-                        "cross_path",
-                        "overtake",
-                    )
-                ]
-                if event.act == "leave_road":  # what is left is the road, unless a lane is named
-                    parts = [part for part in parts if "lane" in part]
-                for part in parts:
-                    part = re.sub(
-                        r"\b(into|onto|to|towards) (the |its )?(@\w+ ''?s )?[\w -]*?(lane|road|street|path|way)\b",
-                        "",
-                        part,
-                    )
-                    if event.act in ("cross_path", "turn"):  # whose path is crossed is not behind whom one starts
-                        part = re.sub(r"\b(in front of|ahead of) (the )?@\w+", "", part)
-                    passing = event.act == "overtake" and (
-                        event.agent.ego or event.patient is not None or not PASSES_IN.match(part)
-                    )
-                    if not (passing and re.match(r"in|on|ahead", part)):
-                        read(part, where, entity, self.cast, event.act)
+                for part in places_in(event):
+                    read(part, where, entity, self.cast, event.act)
                 comes_past = event.act == "cut_in" and any(e.act == "overtake" and e.done for e in events)
                 if event.act in ("cut_in", "brake", "follow", "run_red", "turn") and not comes_past:
                     self._gap(event.words, where, only_ahead=event.act == "cut_in")
@@ -327,6 +301,9 @@ class Places(OwnWords, Inferred):
 
     def _fronted_far(self, word: Word, front: str, where: Where, entity: Entity) -> None:
         """A place and distance before a vehicle: "20 m behind the truck a motorcycle follows"."""
+        ahead = FAR_AHEAD.match(front + " ") if not entity.mover and where.gap is None else None
+        if ahead is not None:
+            self._gap([w.i for w in self.words[max(0, word.i - 9) : word.i] if w.sentence == word.sentence], where)
         match = FRONTED_FAR.search(front + " ") if entity.mover and not entity.person else None
         if match is None or word.span is None or word.dep not in ("nsubj", "ROOT", "nsubjpass", "attr"):
             return

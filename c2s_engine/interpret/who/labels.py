@@ -12,6 +12,7 @@ from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.nouns import Nouns
 
 STANDS = language.words("stands")
+BY_WHOM_PLACED = frozenset(("of", "behind", "beside", "to", "with"))
 
 
 class Labels(Nouns):
@@ -155,8 +156,10 @@ class Labels(Nouns):
         back = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
         at = next((n for n, w in enumerate(back) if w.norm == ","), 0)
         label = back[at - 1].span if at else None
+        placed = at and back[at - 1].dep == "pobj" and self.words[back[at - 1].head].norm in BY_WHOM_PLACED
         if (
             label is None
+            or placed  # "ahead of ego, a car, a van and a truck drive"
             or label.kind not in ("label", "ego")
             or not {"a", "an"} & {w.norm for w in back[at + 1 :][:1]}
         ):

@@ -14,6 +14,9 @@ from c2s_engine.interpret.who.persons import Persons
 SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offside"))
 LOOSE = frozenset(("debris", "box", "obstacle"))
 THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
+DOES = language.words("manoeuvres") | language.words("drives") | language.words("on_foot") | {"cross", "start"}
+SHOWS = language.words("notices") | language.words("has_before_one") | {"be", "see", "detect", "find", "approach"}
+STANDS = frozenset(("parked", "stationary"))
 BUMPED = language.words("bumped")
 MOVES = language.word_list("motion") | {"leave"}
 ROOTED = frozenset(language.table("actors")["fixed"]) | {"tree", "trees"}
@@ -44,7 +47,8 @@ class Pronouns(Persons):
             return self._new(Entity("", "pedestrian", noun=norm, typed=True))
         if norm in data["ego"]:
             return None if word.i in self.asking or self._only_a_name(word) else self.me
-        if norm in ("who", "which", "that", "whose", "whom") and word.tag in ("WDT", "WP", "WP$"):
+        taken = norm == "that" and word.dep == "nsubj" and self.words[word.head].dep == "relcl"  # for "that one"
+        if norm in ("who", "which", "that", "whose", "whom") and (word.tag in ("WDT", "WP", "WP$") or taken):
             return self._somebody(word, self._antecedent(word))
         if norm in ("it", "its", "itself"):
             if word.dep == "expl" or self._weather_it(word):
@@ -193,6 +197,8 @@ class Pronouns(Persons):
             clause = self.words[clause.head]
         if (near := self._right_before(word, clause)) is not None:
             return near
+        if (shown := self._shown_there(word)) is not None:
+            return shown
         if clause.dep == "relcl" and clause.head in self.of and clause.head < word.i:
             return self._placed_beside(self.words[clause.head]) or self.of[clause.head]
         previous = [
@@ -212,6 +218,20 @@ class Pronouns(Persons):
             return self.of.get(head.i) if head.i in self.of else None
         return self.of[previous[-1]]
 
+    def _shown_there(self, word: Word) -> Entity | None:
+        """Whom a sentence shows at a place right before: "ego notices a van coming the other way that brakes"."""
+        verb = self.words[word.head]
+        if word.dep != "nsubj" or word.head != word.i + 1 or verb.tag not in ("VBZ", "VBD") or verb.lemma not in DOES:
+            return None
+        for w in reversed(self.words[: word.i]):
+            if w.sentence != word.sentence or w.norm == "," or w.verb and w.tag != "VBG":
+                return None
+            who = self.of.get(w.i)
+            if who is not None and not who.ego and not (w.dep == "pobj" and (who.count > 1 or who.roles & STANDS)):
+                there = w.dep in ("dobj", "attr") and who.count == 1 and (self.words[w.head].lemma in SHOWS)
+                return who if there and w.i < word.i - 1 else None
+        return None
+
     def _somebody(self, word: Word, found: Entity | None) -> Entity | None:
         """Whom "who" means where a person is placed by the vehicle before: "a child behind a van who runs across"."""
         if word.norm != "who" or found is None or found.person or found.ego:
@@ -230,7 +250,8 @@ class Pronouns(Persons):
         last = word.i - 2
         if self.words[word.i - 1].norm != "," or last not in self.of or clause.dep != "relcl" or clause.head == last:
             return None
-        if self.words[last].span is None or not any(w.verb for w in self.words[clause.head : last]):
+        one = self.words[last].dep == "conj" and clause.tag in ("VBZ", "VBD")  # "a car and a van, which brakes"
+        if self.words[last].span is None or not one and not any(w.verb for w in self.words[clause.head : last]):
             return None
         return self._placed_beside(self.words[last]) or self.of[last]
 

@@ -62,6 +62,8 @@ class Salience(Members):
             clash = self._subject_of(verb)  # nobody goes across its own bows
         if word.dep == "poss" and BESIDE.match(self._around(word.i)) and above.dep == "pobj":
             clash = self.of.get(self.words[above.head].head) or clash  # "a coach to its left": not the coach's own
+        if (twin := self._gapped(word)) is not None and accept(twin):
+            return twin
         holder = self._placed(word)
         subject = clash
         if holder is not None and holder is not clash:
@@ -221,6 +223,17 @@ class Salience(Members):
             if earlier.sentence != word.sentence:
                 return None
             if earlier.norm == word.norm and BESIDE.match(self._around(earlier.i)):
+                return self.of.get(earlier.i)
+        return None
+
+    def _gapped(self, word: Word) -> Entity | None:
+        """Whom "it" meant just before, where no verb stands between: "a car is in front of it, a truck behind it"."""
+        if word.dep != "pobj" or self.words[word.head].norm not in ("of", "behind", "beside", "to", "alongside"):
+            return None
+        for earlier in reversed(self.words[: word.i]):
+            if earlier.sentence != word.sentence or earlier.verb:
+                return None
+            if earlier.norm == word.norm and earlier.dep == "pobj":
                 return self.of.get(earlier.i)
         return None
 

@@ -42,6 +42,8 @@ class Strangers:
         known = next((e for e in self.entities if "guessed" in e.roles and e.noun == word.norm), None)
         if known is not None:
             return known
+        if self._of_several(word):
+            return None  # "a group of pedestrians"
         told_by = {self.words[c].norm for c in word.children}
         if self._make_unknown(word, told_by):
             return self._new(Entity("", "vehicle", noun=word.norm, roles={"guessed"}))
@@ -68,6 +70,12 @@ class Strangers:
     def _children(self, word: Word) -> list[Word]:
         return [self.words[c] for c in word.children]
 
+    def _of_several(self, word: Word) -> bool:
+        """Whether a noun only counts road users: "a crowd of children"."""
+        of = [self.words[c] for c in word.children if self.words[c].norm == "of" and c == word.i + 1]
+        nouns = [self.words[c].span for prep in of for c in prep.children]
+        return any(s is not None and s.kind == "actor" and s.data.get("plural") for s in nouns)
+
     def _make_unknown(self, word: Word, before: set[str]) -> bool:
         """Whether a name with an article does what only vehicles do: "the Kluger braked"."""
         name = word.text[:1].isupper() and not word.text.isupper() and word.start > 0
@@ -80,7 +88,9 @@ class Strangers:
         if word.norm.split(" ")[-1] not in OCCUPANTS or word.dep not in ("nsubj", "nsubjpass"):
             return False
         verb = self.words[word.head]
-        verbs = [verb, *(self.words[c] for c in verb.children if self.words[c].dep == "conj")]
+        joined = [self.words[c] for c in verb.children if self.words[c].dep == "conj"]
+        own = {w.i for w in joined if not any(self.words[c].dep.startswith("nsubj") for c in w.children)}
+        verbs = [verb, *(w for w in joined if w.i in own)]
         rides = "passenger" in word.norm or "occupant" in word.norm
         after = [" ".join(w.norm for w in self.words[v.i : v.i + 7]) for v in verbs]
         off_road = not rides and any(AT_SPEED.match(text) for text in after)

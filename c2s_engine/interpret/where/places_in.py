@@ -1,0 +1,47 @@
+"""The phrases of a clause that tell where somebody starts."""
+
+import re
+from collections.abc import Iterator
+
+from c2s_engine.interpret.what.event import Event
+
+PLACE = re.compile(
+    r"\b(?:from|out of|off|leave|in|on|along|ahead of|behind) (?!to)[^,.;]*?(?=(?<!\bfrom) from\b|[,.;]|$)"
+)
+ORIGIN = re.compile(r"from|out of|off|leave")
+DONE_THERE = frozenset(
+    (
+        "brake",
+        "stop",
+        "brake_stop",
+        "accelerate",
+        "run_red",
+        "turn",
+        "keep_lane",
+        "lose_control",
+        "cross_path",
+        "overtake",
+    )
+)
+"""What is done where one starts: "brakes in the left lane"."""
+INTO = re.compile(r"\b(into|onto|to|towards) (the |its )?(@\w+ ''?s )?[\w -]*?(lane|road|street|path|way)\b")
+OF_PATH = re.compile(r"\b(in front of|ahead of) (the )?@\w+")
+
+PASSES_IN = re.compile(r"in the (?:left|right|middle|cent(?:er|re))(?:-hand)? lane\b")
+
+
+def _passed_there(event: Event, part: str) -> bool:
+    """Whether it is said where another is overtaken, not where one starts."""
+    whom = event.agent.ego or event.patient is not None or not PASSES_IN.match(part)
+    return event.act == "overtake" and whom and re.match(r"in|on|ahead", part) is not None
+
+
+def places_in(event: Event) -> Iterator[str]:
+    """Each such phrase, without where one goes and whose path is crossed."""
+    for match in PLACE.finditer(event.whole):
+        left = event.act != "leave_road" or "lane" in match[0]  # what is left is the road, unless a lane is named
+        if left and (ORIGIN.match(match[0]) or event.act in DONE_THERE):
+            part = INTO.sub("", match[0])
+            if _passed_there(event, part):
+                continue
+            yield OF_PATH.sub("", part) if event.act in ("cross_path", "turn") else part

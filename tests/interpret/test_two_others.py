@@ -38,3 +38,20 @@ def test_each_has_its_own(joined: str, first: tuple, second: tuple) -> None:
     read = [(o.spec.placement.position, *(p.action for p in o.spec.phases)) for o in structure.objects]
     assert sorted(read) == sorted([own, other]), text
     assert not structure.ego.spec.phases
+
+
+@pytest.mark.parametrize(
+    ("text", "types", "acts"),
+    [
+        ("The driver ahead turns left.", ["car"], [["turn_left"]]),
+        ("The driver behind honks and overtakes.", ["car"], [["overtake"]]),
+        ("The motorist in the left lane cuts in.", ["car"], [["cut_in"]]),
+        ("Neither the van ahead nor the bus behind brakes.", ["bus", "van"], [[], []]),
+        ("Not a pedestrian but a cyclist crosses from the right.", ["bicycle"], [["cross_road"]]),
+        ("The car ahead almost stops and then accelerates.", ["car"], [["brake", "accelerate"]]),
+    ],
+)
+def test_who_is_there_and_who_is_not(text: str, types: list[str], acts: list[list[str]]) -> None:
+    structure = EmbeddedInterpreter().interpret(text).structure
+    assert sorted(o.spec.type for o in structure.objects) == types
+    assert [[p.action for p in o.spec.phases] for o in structure.objects] == acts

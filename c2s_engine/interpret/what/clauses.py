@@ -24,6 +24,8 @@ STEERED = frozenset(("driven", "operated", "steered", "ridden", "piloted"))
 LETS, PASSES = frozenset(("let", "allow", "permit")), frozenset(("pass", "go", "by"))
 FASTER = re.compile(r"\b(?:behind|rear|overtak\w*|tailgat\w*|catch\w*|caught|faster|closing)\b")
 NEARLY = language.words("nearly")
+SHORT_OF = {"collide": "approach", "stop": "brake", "brake_stop": "brake"}
+"""What one does that nearly does something."""
 CAUSES = language.words("causes")
 BACKWARDS = re.compile(
     r"(?:roll|drive|move|slide|drift|go|come) (?:\w+ )?(?:back|backwards?|rearwards?) (?:and |into )"
@@ -200,8 +202,8 @@ class Clauses(Deverbal):
             led = [e.agent for e in self.events if self.words[e.word].sentence == word.sentence and e.agent.mover]
             event.patient = next((e for e in reversed(led) if e is not event.agent), None)
         event.words, event.mode, event.passive = own, self._mode(word), passive
-        if event.act == "collide" and any(self.words[c].norm in NEARLY for c in word.children):
-            event.act = "approach"
+        if any(self.words[c].norm in NEARLY for c in word.children):
+            event.act = SHORT_OF.get(event.act, event.act)
         if event.act == "stop" and passive and lemma != "bring" and event.agent is agent and not BY.search(whole):
             event.act = "stationary"
         struck = event.act == "collide" and passive and event.agent is agent and event.patient in (None, agent)

@@ -77,6 +77,8 @@ class NotThere:
         """Whether a noun belongs to a list that is denied: "neither cars nor a cyclist", "no cars or pedestrians"."""
         links = [self.words[c].norm for c in word.children if c < word.i]
         nor = any(w.norm == "nor" and w.sentence == word.sentence for w in self.words[word.i :])
+        if "the" in links:
+            return False  # "neither the van nor the car brakes": both are there
         if "nor" in links or "neither" in links and nor:  # "neither car brakes" denies nobody
             return True
         first = self.words[word.head]

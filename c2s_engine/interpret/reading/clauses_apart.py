@@ -38,10 +38,6 @@ def divide(words: list[Word]) -> None:
             _move(words, verb, main, "conj")
         if (placed := _place_set_off(words, verb)) is not None:
             _move(words, verb, placed, "prep")
-        if (subject := _behind_as(words, verb)) is not None:
-            mark = words[subject.head]
-            _move(words, subject, verb, "nsubj")
-            _move(words, mark, verb, "mark")
         first = _first_noun(words, verb)
         if first is None:
             continue
@@ -164,20 +160,6 @@ def _place_set_off(words: list[Word], prep: Word) -> Word | None:
     after = [w.norm for w in words[prep.i + 1 : prep.i + 5] if w.sentence == prep.sentence]
     placed = noun.head == prep.head and noun.dep == "nsubj" and words[prep.head].i > prep.i
     return noun if placed and "," in after and names_one(noun.span, MOVERS) else None
-
-
-def _behind_as(words: list[Word], verb: Word) -> Word | None:
-    """The noun of which "as" or "while" was taken for a preposition: "as V2, an oncoming vehicle, was turning"."""
-    finite = verb.tag in FINITE or any(words[c].dep in ("aux", "auxpass") for c in verb.children)
-    if not finite or verb.dep != "advcl" or any(words[c].dep.startswith("nsubj") for c in verb.children):
-        return None
-    i = verb.i - 1
-    while i > 0 and words[i].dep in BETWEEN and words[i].head == verb.i:
-        i -= 1
-    noun = words[_before_commas(words, i)]
-    mark = words[noun.head]
-    direct = noun.dep == "pobj" and mark.norm in ("as", "while", "when") and names_one(noun.span, MOVERS)
-    return noun if direct and noun.i < verb.i else None
 
 
 def _before_commas(words: list[Word], i: int) -> int:

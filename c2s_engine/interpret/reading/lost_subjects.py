@@ -9,7 +9,7 @@ from c2s_engine.interpret.reading.hanging import hang, road_user
 if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
 
-CONJUNCTIONS = frozenset(("as", "after", "before", "until", "since"))
+CONJUNCTIONS = frozenset(("as", "while", "when", "after", "before", "until", "since"))
 """What the tree takes for prepositions before a subject."""
 TOLD = frozenset(("latter", "former", "first", "second", "third", "last", "other"))
 
@@ -96,11 +96,14 @@ def _subject_before(words: list[Word], word: Word) -> Word | None:
 
 
 def _subject_on_time(words: list[Word], verb: Word) -> Word | None:
-    """The road user that is taken for a part of the time before it: "after ten seconds a car ahead brakes"."""
-    if verb.tag not in ("VBZ", "VBD", "VBP") or any(words[c].dep.startswith("nsubj") for c in verb.children):
+    """The road user that is taken for a part of the time before it ("after ten seconds a car ahead brakes"), or that a
+    conjunction is taken to go with ("as V2, an oncoming vehicle, was turning")."""
+    aux = {words[c].dep for c in verb.children} & {"aux", "auxpass"} and verb.dep == "advcl"
+    finite = verb.tag in ("VBZ", "VBD", "VBP") or aux
+    if not finite or any(words[c].dep.startswith("nsubj") for c in verb.children):
         return None
     for word in reversed(words[: verb.i]):
-        if word.sentence != verb.sentence or word.verb:
+        if word.sentence != verb.sentence or word.verb and word.head != verb.i:
             return None
         second = word.dep == "pobj" and [c for c in words[word.head].children if words[c].dep == "pobj"][0] < word.i
         told = word.dep == "pobj" and words[word.head].norm in CONJUNCTIONS and verb.dep == "advcl"

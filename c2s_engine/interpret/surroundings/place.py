@@ -7,8 +7,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.scan import Span
-
-NUMBERS = {"two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "eight": 8}
+from c2s_engine.interpret.surroundings.lanes import lanes_of
 
 
 @dataclass
@@ -80,7 +79,13 @@ def read(plain: str, sentences: list[tuple[int, int]], quantities: list[Span]) -
     names = [k for k, _ in kinds]
     road.bend, road.straight = "curve" in names, "straight" in names
     road.kind = _kind(names, road)
-    _lanes(plain, sentences, road, data)
+    road.lanes, lanes_told, beside = lanes_of(plain)
+    road.oncoming = True if beside else None
+    if lanes_told:
+        road.spans["lanes"] = lanes_told
+    for entry in data["ego_lane"]:
+        if hit := _re(entry["find"]).search(plain):
+            road.spans.setdefault("ego_lane", hit.span())
     for entry in data["oncoming"]:
         hit = _re(entry["find"]).search(plain)
         if hit and road.oncoming is None:
@@ -142,64 +147,6 @@ def _control(plain: str, sentences: list[tuple[int, int]], road: Road, data: dic
             if road.control in (None, "none"):
                 road.control = entry["is"]
             road.spans.setdefault("control", hits[0].span())
-
-
-def _number(match: re.Match[str]) -> int | None:
-    for name in ("n", "n2", "n3"):
-        text = match.groupdict().get(name)
-        if text:
-            return NUMBERS.get(text) or int(text)
-    return None
-
-
-ONE_WAY = re.compile(r"one-way|in this direction|per direction|each way|in each direction|same direction")
-SINGLE = re.compile(r"(?:one|a|1) lane (each|per|in each|for each|either|in either) |single[- ]lane|single lane")
-
-
-def _lanes(plain: str, sentences: list[tuple[int, int]], road: Road, data: dict[str, Any]) -> None:
-    single = SINGLE.search(plain) is not None
-    for entry in data["lanes"]:
-        for match in _re(entry["find"]).finditer(plain):
-            number = _number(match)
-            near = plain[max(0, match.start() - 20) : match.end() + 25]
-            if "not" in entry and _re(entry["not"]).search(near):
-                continue
-            road.spans.setdefault("lanes", match.span())
-            if entry.get("both") and number:
-                carriageway = re.search(
-                    r"one-way|motorway|freeway|interstate|divided highway|carriageway|expressway|in this direction",
-                    near + plain[match.end() : match.end() + 40],
-                ) and not re.search("undivided|two-way", near)
-                divided = re.search(r"(?<!un)divided|\bdual\b", near) or number >= 6
-                both = number >= 4 and divided and not ONE_WAY.search(near)  # with a median: two each way
-                number = number if (carriageway or number == 3) and not both else max(1, number // 2)
-                if not carriageway and number == 1 and not re.search(r"highway|motorway", near):
-                    road.oncoming = True if road.oncoming is None else road.oncoming
-            if number and (road.lanes is None or entry.get("per_direction")):
-                road.lanes = min(4, number)
-            least = entry.get("at_least")
-            if (
-                least
-                and (road.lanes or 0) < least
-                and not (re.search(r"both (lanes|directions)", match[0]) and (road.lanes == 1 or single))
-            ):
-                road.lanes = least
-    stated = re.search(
-        (
-            r"\b(?P<n>two|three|four|2|3|4)( \w+)? lanes (of|in|for|going|heading|travell?ing"
-            r"|running)( \w+){0,2}( the)?( same| each| this| one| direction| way)|\b(?P<n2>two|three"
-            r"|four) (\w+ )?lanes\b"
-        ),
-        plain,
-    )
-    if stated and road.lanes is None:
-        road.lanes = _number(stated)
-    if single:
-        road.lanes = 1 if not road.lanes or road.lanes < 2 else road.lanes
-    for entry in data["ego_lane"]:
-        hit = _re(entry["find"]).search(plain)
-        if hit:
-            road.spans.setdefault("ego_lane", hit.span())
 
 
 def _limit(plain: str, road: Road, data: dict[str, Any], quantities: list[Span]) -> None:

@@ -5,19 +5,24 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.surroundings.lanes import counted
 from c2s_engine.interpret.surroundings.whereabouts import STATES, Where
 from c2s_engine.interpret.what.bearings import heading
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
-NUMBERS = {"one": 1, "two": 2, "three": 3, "four": 4, "first": 1, "second": 2, "third": 3, "fourth": 4}
-COUNTED = r"(?P<n>one|two|three|four|[1-4]|first|second|third)"
-ORDINAL = r"(?P<o>first|second|third|fourth) lane"
+COUNTED = r"(?P<n>one|two|three|four|five|six|[1-6]|first|second|third)"
+NTH = "first|second|third|fourth|fifth"
+MANY = "two|three|four|five|six|[2-6]"
+ORDINAL = (
+    rf"(?P<o>{NTH})(?: lane| \w+ lane|(?: one)?(?= from (?:the )?(?:left|right)\b|(?: out)? of (?:the )?(?:{MANY})\b))"
+)
 NUMBERED = re.compile(rf"(?:number|lane number|(?<![\w-])lane|no\.?|#) {COUNTED}(?: lane)?\b(?!-)|\b{ORDINAL}\b")
 INTO = re.compile(rf"\b(?:in|on|over|across)?to (?:the )?(?:lane (?:number |no\.? )?{COUNTED}|{ORDINAL})\b")
 TOTAL = re.compile(
-    r"\blane \w+ (?:out )?of (?:the )?(?P<n>two|three|four|[2-4])\b|\b(?P<m>two|three|four|[2-4])[ -]lane"
+    rf"\b(?:lane \w+|(?:{NTH})(?: lane| one)?(?: from (?:the )?(?:left|right))?),? (?:out )?of (?:the )?(?P<n>{MANY})\b"
+    rf"|(?<!number )(?<!no\. )(?<!# )(?<!#)\b(?P<m>{MANY})(?: \w+)?[ -]+lane"
 )
 NAMED = re.compile(
     rf"\blane (?:number |no\.? )?{COUNTED}(?: of \w+)?(?: ,)?(?: \()?"
@@ -27,7 +32,7 @@ NAMED = re.compile(
     r"|(?P<right>right|far right|rightmost|slow|nearside|outer))\b"
 )
 FROM_SIDE = re.compile(
-    r"\blanes? (?:\w+ ){0,2}from (?:the )?(?P<side>left|right)\b(?! lane)"
+    rf"\b(?:lanes?|{NTH})(?: one)? (?:\w+ ){{0,2}}from (?:the )?(?:far )?(?P<side>left|right)\b(?! lane)"
     r"|count\w* from (?:the )?(?P<side2>left|right)\b"
 )
 NEAR = 25
@@ -42,11 +47,12 @@ def number_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str |
     for entity in (cast.ego, *cast.entities):
         for text in _told(entity, cast, clauses, of):
             match = NUMBERED.search(text)
-            if match and "lane" in match[0] and entity not in numbers:
-                numbers[entity] = _number(match["n"] or match["o"])
+            if match and ("lane" in match[0] or match["o"]) and entity not in numbers:
+                numbers[entity] = counted(match["n"] or match["o"])
                 ordinal = ordinal or match["o"] is not None
     own = numbers.get(cast.ego)
-    if own is None or ordinal and len(numbers) == 1 and not FROM_SIDE.search(_plain(cast)):
+    total = _total(cast)
+    if own is None or ordinal and len(numbers) == 1 and not _inner(own, cast) and not FROM_SIDE.search(_plain(cast)):
         return None
     rightwards = not _from_right(numbers, cast, clauses)
     for entity, number in numbers.items():
@@ -58,7 +64,7 @@ def number_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str |
         where.side = where.lane if number != own else where.side
         shifts = any(e.agent is entity and e.done and e.act in SHIFTS for e in clauses.events)
         where.rel = where.rel or ("ahead" if number == own else None if shifts else "beside")
-    return _named(own, _total(cast), rightwards)
+    return _named(own, total, rightwards)
 
 
 def _on_another_way(entity: Entity, cast: Cast, clauses: Clauses) -> bool:
@@ -84,14 +90,16 @@ def _plain(cast: Cast) -> str:
     return " ".join(w.norm for w in cast.words)
 
 
-def _number(word: str) -> int:
-    return NUMBERS.get(word) or int(word)
-
-
 def _total(cast: Cast) -> int | None:
     """How many lanes there are, where that is said."""
     match = TOTAL.search(_plain(cast))
-    return _number(match["n"] or match["m"]) if match else None
+    return counted(match["n"] or match["m"]) if match else None
+
+
+def _inner(own: int, cast: Cast) -> bool:
+    """Whether a lane is between others, from whichever side it is counted: "the third of four lanes"."""
+    match = TOTAL.search(_plain(cast))
+    return match is not None and match["n"] is not None and 1 < own < counted(match["n"])
 
 
 def _named(own: int, total: int | None, rightwards: bool) -> str:
@@ -110,7 +118,7 @@ def _into_own_lane(entity: Entity, own: int, cast: Cast, clauses: Clauses) -> No
             and event.done
             and event.act == "lane_change"
             and match
-            and _number(match["n"] or match["o"]) == own
+            and counted(match["n"] or match["o"]) == own
         ):
             event.act, event.patient = "cut_in", cast.ego
 
@@ -121,7 +129,7 @@ def _from_right(numbers: dict[Entity, int], cast: Cast, clauses: Clauses) -> boo
     if ordered is not None:
         return "right" in (ordered["side"], ordered["side2"])
     for match in NAMED.finditer(_plain(cast)):
-        if _number(match["n"]) != 2:
+        if counted(match["n"]) != 2:
             return bool(match["right"]) == (match["n"] in ("1", "one", "first"))
     own = numbers[cast.ego]
     for event in clauses.events:
@@ -133,7 +141,7 @@ def _from_right(numbers: dict[Entity, int], cast: Cast, clauses: Clauses) -> boo
         if event.act in SHIFTS and struck not in (None, number):
             return (match[1] == "left") == (number < struck)  # type: ignore[operator]
         into = INTO.search(event.text)
-        goal = _number(into["n"] or into["o"]) if into else own if "@ego" in event.text else number
+        goal = counted(into["n"] or into["o"]) if into else own if "@ego" in event.text else number
         if event.act in SHIFTS and goal != number:
             return (match[1] == "left") == (number < goal)
         if event.act == "overtake" and number != own and event.patient in (None, cast.ego):

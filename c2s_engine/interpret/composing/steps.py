@@ -147,6 +147,8 @@ def steps_of(
             return [Phase(action="enter_road", target=ego, trigger=trigger)]
         if placement.position in ("oncoming_lane",):
             return [Phase(action="oncoming", side="left", trigger=trigger)]
+        if placement.position == "partly_in_lane" and entity.type == "bicycle":
+            return [Phase(action="swerve", side=OPPOSITE[placement.side or "right"], trigger=trigger)]
         goal = {"left_lane": "right", "right_lane": "left"}.get(placement.position)
         if placement.position in ("ahead",) and not any(p.action == "overtake" for p in before):
             return [Phase(action="lane_change", side=towards or "left", trigger=trigger)] if towards else []

@@ -6,6 +6,8 @@ from c2s_engine.interpret.placing.compass import compass
 from c2s_engine.interpret.placing.flanks import comes_from
 from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, at_edge, passes_ego, told_of, wrong_way
 from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.scene import side as move_side
+from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.interpret.where.relations import Where, side_of_text
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import PlaceSpec
@@ -99,6 +101,13 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             walk = scene.road.crosswalk or scene.road.setting == "urban"
             return {"position": "sidewalk" if walk else "roadside", "side": edge, "said": True}
         return {"position": "behind" if _behind_ego(where) else "ahead", "said": True}
+    alone = entity.type == "bicycle" and entity.count == 1 and "overtake" not in acts
+    into = scene.does(entity, "cut_in") if alone and where.rel in (None, "ahead", "beside") else None
+    if into is not None and where.lane not in ("crossing", "oncoming") and not passes_ego(scene, entity):
+        kerb = OPPOSITE.get(move_side(into) or "", edge or "right")
+        if re.match(r"(?:cut|merge|change|switch)\b", into.text):
+            return {"position": f"{kerb}_lane", "along": "ahead", "said": where.lane is not None}
+        return {"position": "partly_in_lane", "side": kerb, "said": where.lane is not None}
     side = where.side or ("right" if where.rel == "beside" else None)
     if entity.type == "bicycle" and side and place.manoeuvre == side and where.rel in (None, "ahead", "beside"):
         return {"position": "partly_in_lane", "side": side, "said": True}

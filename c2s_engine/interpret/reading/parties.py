@@ -7,10 +7,29 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.motions import irregular, third_persons
 from c2s_engine.interpret.spans import Span
 
+KIND = re.compile(r"(?:car|van|truck|lorry|bus|coach|shuttle|taxi|vehicle|sedan|suv|pickup|minivan)s?$")
+EGO = re.compile(r"\bego\b")
+NEW_ONE = re.compile(r"\b(?:an?|another|one|two|three|some|several|other) (?:(?!ego)\w+ )?$")
+ITSELF = re.compile(r"\bego(?: \w+)?(?:,| is| was|,? being| as| \(| =|:|,? which is)\s?(?:an? )(?:\w+ )?$")
+"""What stands before the word for what ego is."""
+CALLED_EGO = re.compile(r",? ?\(?(?:the |called |named |our |as |is |which is |that is |being )*ego\b")
+BESIDE_EGO = re.compile(
+    r" (?:directly |right |close )?(?:ahead|in front|behind|beside|alongside|next to)(?: of)? (?:the )?ego\b"
+)
+
 
 def other_party(text: str, span: Span) -> bool:
-    """Whether "the claimant" is the other party, as the text tells of "the insured", too."""
-    return re.match(r"claimant|plaintiff|complainant", text[span.start : span.end]) is not None and "insured" in text
+    """Whether a name of ego means another: "the claimant", as the text tells of "the insured", too; "a robotaxi", where
+    ego is called so."""
+    name, before = text[span.start : span.end], text[: span.start]
+    if re.match(r"claimant|plaintiff|complainant", name):
+        return "insured" in text
+    if not KIND.search(name) or EGO.search(name) or not EGO.search(text) or ITSELF.search(before):
+        return False
+    after = re.split(r"[.;]\s", text[span.end :])[0]
+    told = EGO.search(before) or EGO.search(after)  # else it may be ego: "an AV drives here. The ego car ..."
+    new = told and NEW_ONE.search(before) or BESIDE_EGO.match(text, span.end)
+    return bool(new) and not CALLED_EGO.match(text, span.end)
 
 
 SOME_DRIVER = re.compile(

@@ -132,13 +132,7 @@ class Meanings(Patients):
     def _agrees(rule: dict[str, Any], actor: Entity) -> bool:
         who = rule.get("who")
         if who == "person":
-            return (
-                actor.person
-                or actor.type == "bicycle"
-                and rule["act"] == "cross_road"
-                or actor.type in ("bicycle",)
-                and rule["act"] == "move_along"
-            )
+            return actor.person or actor.type == "bicycle" and rule["act"] in ("cross_road", "move_along")
         if who == "rider":
             return actor.type in ("bicycle", "motorcycle")
         if who == "vehicle":

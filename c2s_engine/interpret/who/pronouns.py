@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import MOTOR, Entity
+from c2s_engine.interpret.entities import MOTOR, PERSONS, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.nearing import comes_near
 from c2s_engine.interpret.who.persons import Persons
@@ -17,6 +17,8 @@ THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
 DOES = language.words("manoeuvres") | language.words("drives") | language.words("on_foot") | {"cross", "start"}
 SHOWS = language.words("notices") | language.words("has_before_one") | {"be", "see", "detect", "find", "approach"}
 STANDS = frozenset(("parked", "stationary"))
+HAS = frozenset(("on", "in", "with", "aboard", "astride", "behind"))
+"""How one is told to have something with oneself."""
 BUMPED = language.words("bumped")
 MOVES = language.word_list("motion") | {"leave"}
 ROOTED = frozenset(language.table("actors")["fixed"]) | {"tree", "trees"}
@@ -64,6 +66,8 @@ class Pronouns(Persons):
             return self._thing(word)
         if norm in ("himself", "herself", "itself") and word.dep in ("nsubj", "npadvmod", "appos"):
             return None  # "the driver himself moved out"
+        if (owner := self._has_it(word)) is not None:
+            return self.of.get(owner.i)
         if norm in data["person"]:
             return self._he(word)
         if norm in ("theirs", "hers") and word.dep in ("nsubj", "nsubjpass", "dobj", "pobj", "conj"):
@@ -86,6 +90,21 @@ class Pronouns(Persons):
                 return person[-1]
             return self._salient(word, lambda e: e.mover)
         return self._elliptic(word) or self._unknown(word)
+
+    def _has_it(self, word: Word) -> Word | None:
+        """The person whose it is: "a woman on her bike", "a farmer driving his tractor", "a man rides his bike"."""
+        if word.norm not in ("his", "her", "their") or word.dep != "poss":
+            return None
+        noun = self.words[word.head]
+        joint = self.words[noun.head]
+        who = self.words[joint.head]
+        if noun.dep == "dobj":
+            subjects = [self.words[c] for c in joint.children if self.words[c].dep == "nsubj"]
+            who = who if joint.dep == "acl" else subjects[0] if subjects else joint
+        elif noun.dep != "pobj" or joint.norm not in HAS or joint.i - who.i > 2:
+            return None
+        person = who.span is not None and who.span.kind == "actor" and who.span.data.get("type") in PERSONS
+        return who if person and who.i < joint.i < word.i else None
 
     def _thing(self, word: Word) -> Entity | None:
         """The vehicle or thing that "it" means; an animal where it is hit or avoided."""

@@ -153,6 +153,8 @@ def _tells(plain: str, commanding: bool) -> bool:
         return True
     if commanding and not re.search(r"[.;] \w+.*[.;] \w+", plain):
         return False
+    if len(plain.split()) < 25 and re.search(language.table("refine")["of_those_there"], plain):
+        return False
     words = len(plain.split())
     if words >= 9 and any(s.kind == "label" for s in scan.names(plain)) and not commanding:
         return True

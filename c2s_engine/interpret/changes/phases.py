@@ -79,7 +79,9 @@ def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple
     if old and [p.action for p in new] == ["move_along"] and not re.search(r"\balong\b", clause):
         return old  # how fast it goes, not what it does
     crosses = bool(old) and old[-1].action == "cross_road"
-    if crosses and [p.action for p in new] == ["stop"] and re.search(table()["midway"], clause):
+    stops = {p.action for p in new} <= {"stop", "wait", "stationary"}
+    paused = [p.action for p in new] == ["stop", "wait"] and new[1].duration
+    if crosses and new and stops and (paused or re.search(table()["midway"], clause)):
         return (*old, *new)
     ways = [p for p in old if p.action in WAYS]
     passed = [p for p in old if p.action in PASSING]

@@ -58,6 +58,7 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
         demand = re.sub(r"\b(for|of|with|by|to) (?:it|them|him|her)$", rf"\g<1> {who}", demand)
         if (subject := re.match(table["subject"], demand)) and subject[1] != who:
             demand = re.sub(table["met"], rf"\g<1> {who}", demand)
+        demand = re.sub(table["made_so_fast"], f"{who} at ", demand)
         demand = re.sub(table["made"], f"{who} will ", demand)
         demand = re.sub(table["counted"], rf"\g<1> {who} ", demand)
         demand = re.sub(table["moved"], rf"\g<1>{who}", demand)

@@ -47,6 +47,18 @@ def afterwards(clause: str, edits: Sequence[Edit], structure: Structure) -> list
     return [SetField(component=waits.id, path="phases", value=value)]
 
 
+def at_rest(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
+    """The edits, and that nobody has a speed who only stands now: "the van has broken down"."""
+    found = list(edits)
+    paced = {e.component for e in edits if isinstance(e, SetField) and e.path == "speed"}
+    for edit in edits:
+        if isinstance(edit, SetField) and edit.path == "phases" and edit.component not in {"E", *paced}:
+            stands = [p.action for p in edit.value] == ["stationary"]
+            if stands and spec_of(structure[edit.component]).speed:
+                found.append(SetField(component=edit.component, path="speed", value=0.0))
+    return found
+
+
 def given_up(clause: str, structure: Structure) -> list[Edit]:
     """The edit after which ego does no longer what the clause denies; none for its way through an intersection."""
     assert isinstance(structure.ego.spec, EgoSpec)

@@ -39,6 +39,7 @@ def route(text: str, structure: Structure | None) -> Turn:
 
 def _route(text: str, structure: Structure | None) -> Turn:
     table = language.table("refine")
+    text = re.sub(table["both_ways"], r"swap \1 and \2", text)
     text = Mended(re.sub(table["arrows"], " becomes ", text), scene=False).text
     text = re.sub(table["lines"], ". ", text.strip())
     plain = " ".join(scan.normalised(text).split())
@@ -75,7 +76,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
 def _wished(plain: str, structure: Structure) -> tuple[list[Edit], str] | None:
     """The edits, and what they do, of a demand that is put as a question."""
     for wish in (put.questioned(plain, structure), asked.requested(plain), asked.supposed(plain)):
-        edits, said = refine.edits_of(wish, structure) if wish else ([], [])
+        edits, said = refine.edits_of(put.plainly(wish, structure), structure) if wish else ([], [])
         if edits:
             return edits, "; ".join(said)
     return None
@@ -152,6 +153,8 @@ def _tells(plain: str, commanding: bool) -> bool:
     ):
         return True
     if commanding and not re.search(r"[.;] \w+.*[.;] \w+", plain):
+        return False
+    if len(plain.split()) < 25 and re.search(language.table("refine")["of_those_there"], plain):
         return False
     words = len(plain.split())
     if words >= 9 and any(s.kind == "label" for s in scan.names(plain)) and not commanding:

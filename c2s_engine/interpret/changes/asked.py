@@ -17,9 +17,18 @@ def supposed(plain: str) -> str:
     match = next((m for pattern in _table()["supposed"] if (m := re.match(pattern, plain))), None)
     if not match:
         return ""
-    said = re.sub(r"^there (?:were|was|is|are) (?:also )?", "add ", match["said"].strip())
+    said = _present(match["said"].strip())
+    said = re.sub(r"^there (?:were|was|is|are) (?:also )?", "add ", said)
     subject = r"(?!add )(?P<what>(?:(?!\b(?:when|if|once|after|while|who|that|which)\b).)+?)"
     return re.sub(rf"^{subject} (?:were|was|is|are|be) (?P<how>.+)$", r"make \g<what> \g<how>", said)
+
+
+def _present(said: str) -> str:
+    """What is supposed in the past tense, in the present."""
+    table = language.table("wordings")["supposed_past"]
+    forms = table["forms"]
+    pattern = rf"{table['after']}(?P<verb>{'|'.join(forms)})\b(?! (?:overtaken|passed|followed|hit|replaced|removed)\b)"
+    return re.sub(pattern, lambda m: f"{m['before']}{forms[m['verb']]}", said)
 
 
 def requested(plain: str) -> str:
@@ -29,7 +38,7 @@ def requested(plain: str) -> str:
         said, number = re.subn(rf"^(?:please |and |so |ok,? )?(?:{pattern})", new, plain)
         if number:
             first, _, rest = said.rstrip("? ").partition(" ")
-            return re.sub(r"\bdid not\b", "does not", f"{table['orders'].get(first, first)} {rest}")
+            return _present(f"{table['orders'].get(first, first)} {rest}")
     return ""
 
 

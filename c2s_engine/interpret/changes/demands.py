@@ -58,6 +58,7 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
         demand = re.sub(r"\b(for|of|with|by|to) (?:it|them|him|her)$", rf"\g<1> {who}", demand)
         if (subject := re.match(table["subject"], demand)) and subject[1] != who:
             demand = re.sub(table["met"], rf"\g<1> {who}", demand)
+        demand = re.sub(table["made_so_fast"], f"{who} at ", demand)
         demand = re.sub(table["made"], f"{who} will ", demand)
         demand = re.sub(table["counted"], rf"\g<1> {who} ", demand)
         demand = re.sub(table["moved"], rf"\g<1>{who}", demand)
@@ -115,7 +116,9 @@ def only_one(text: str, structure: Structure) -> ComponentId | None:
 def _parts(sentence: str) -> list[str]:
     table = _table()
     starts, contrast, there = table["starts"], table["contrast"], table["there"]
-    sentence = re.sub(table["reasoned"], "", sentence)
+    sentence = re.sub(table["reason_behind"], "", re.sub(table["reasoned"], "", sentence))
+    if each := _each_of_two(sentence):
+        return each
     if joint := re.match(table["jointly"], sentence) or re.match(table["each"], sentence):
         return [f"{joint[name]} {joint['rest']}" for name in ("one", "other")]
     bounds = (
@@ -131,6 +134,20 @@ def _parts(sentence: str) -> list[str]:
     sentence = re.sub(r"\b(both|between) ((?:the )?[\w-]+) and ", r"\1 \2 & ", sentence)
     sentence = re.sub(table["together"], r"\g<one> & ", sentence)
     return [part.replace(" & ", " and ") for part in re.split("|".join(bounds), sentence)]
+
+
+def _each_of_two(sentence: str) -> list[str]:
+    """What is told of two in one as a demand for each: "the cars and the child are on the left"; else nothing."""
+    table = _table()["of_two"]
+    for one, other in pairwise(s for s in scan.names(sentence) if s.kind in ("actor", "ego")):
+        head = re.fullmatch(table["head"], sentence[: one.start])
+        said = re.fullmatch(table["said"], sentence[other.end :])
+        if head is None or said is None or not re.fullmatch(table["and"], sentence[one.end : other.start]):
+            continue
+        whom = (sentence[head.end("verb") : one.end], sentence[one.end : other.end])
+        bare = (re.sub(table["joining"], "", words) for words in whom)
+        return [" ".join(f"{head['verb']}{who} {said['what']}".split()) for who in bare]
+    return []
 
 
 def _folded(parts: list[str]) -> list[str]:

@@ -19,7 +19,8 @@ def remove(clause: str, structure: Structure) -> Found | None:
     """ "Remove the rain", "without the cyclist", "delete O2", "remove everything but the pedestrian"."""
     if alone := _all_but(clause, structure):
         return alone
-    match = next((m for p in language.table("refine")["removes"] if (m := re.match(p, clause))), None)
+    table = language.table("refine")
+    match = next((m for p in table["removes"] if (m := re.match(p, clause))), None)
     if not match:
         return None
     rest = match["what"]
@@ -46,6 +47,10 @@ def remove(clause: str, structure: Structure) -> Found | None:
         return _gone(several, structure), f"{', '.join(name_of(c) for c in several)} removed"
     if len(every := _every(rest, structure)) > 1:
         return _gone(every, structure), f"{', '.join(name_of(c) for c in every)} removed"
+    groups = [c for c in structure.objects if spec_of(c).count > 1]
+    if re.match(table["one_of_them"], rest) and len(groups) == 1:
+        left = spec_of(groups[0]).count - 1
+        return [SetField(component=groups[0].id, path="count", value=left)], f"{name_of(groups[0])}: {left}"
     component = refer(rest, structure, alone=len(structure.objects) == 1)
     head = re.split(r"\b(?:for|by|between|to)\b", rest)[0]
     if head != rest and refer(head, structure) is None:

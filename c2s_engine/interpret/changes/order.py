@@ -1,5 +1,6 @@
 """The forms of change that a turn may have, in the order in which they are tried."""
 
+from c2s_engine.interpret.changes.approach import start_distance
 from c2s_engine.interpret.changes.beside import abreast, each_lane
 from c2s_engine.interpret.changes.forms import Form
 from c2s_engine.interpret.changes.looks import blueprint, uncovered
@@ -18,6 +19,7 @@ FORMS: tuple[Form, ...] = (
     blueprint,
     uncovered,
     own_lane,
+    start_distance,
     each_lane,
     abreast,
     sign,

@@ -47,6 +47,18 @@ def afterwards(clause: str, edits: Sequence[Edit], structure: Structure) -> list
     return [SetField(component=waits.id, path="phases", value=value)]
 
 
+def at_rest(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
+    """The edits, and that nobody has a speed who only stands now: "the van has broken down"."""
+    found = list(edits)
+    paced = {e.component for e in edits if isinstance(e, SetField) and e.path == "speed"}
+    for edit in edits:
+        if isinstance(edit, SetField) and edit.path == "phases" and edit.component not in {"E", *paced}:
+            stands = [p.action for p in edit.value] == ["stationary"]
+            if stands and spec_of(structure[edit.component]).speed:
+                found.append(SetField(component=edit.component, path="speed", value=0.0))
+    return found
+
+
 def given_up(clause: str, structure: Structure) -> list[Edit]:
     """The edit after which ego does no longer what the clause denies; none for its way through an intersection."""
     assert isinstance(structure.ego.spec, EgoSpec)
@@ -79,7 +91,9 @@ def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple
     if old and [p.action for p in new] == ["move_along"] and not re.search(r"\balong\b", clause):
         return old  # how fast it goes, not what it does
     crosses = bool(old) and old[-1].action == "cross_road"
-    if crosses and [p.action for p in new] == ["stop"] and re.search(table()["midway"], clause):
+    stops = {p.action for p in new} <= {"stop", "wait", "stationary"}
+    paused = [p.action for p in new] == ["stop", "wait"] and new[1].duration
+    if crosses and new and stops and (paused or re.search(table()["midway"], clause)):
         return (*old, *new)
     ways = [p for p in old if p.action in WAYS]
     passed = [p for p in old if p.action in PASSING]

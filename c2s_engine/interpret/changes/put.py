@@ -14,9 +14,14 @@ from c2s_engine.interpret.changes.chosen import in_role
 from c2s_engine.interpret.changes.counted import numbered
 from c2s_engine.interpret.changes.meant import called_by, described
 from c2s_engine.interpret.changes.refer import actions_of, objects_of, refer, spec_of
+from c2s_engine.interpret.changes.resumed import resumed
+from c2s_engine.interpret.changes.sided import sided
 from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Structure
+
+RIDDEN = ("bicycle", "motorcycle")
+"""Vehicles whose rider is a "he" or a "she"."""
 
 
 @cache
@@ -32,7 +37,9 @@ def plainly(plain: str, structure: Structure) -> str:
     plain = re.sub(_table()["member"], lambda m: _member(m, structure), plain)
     plain = re.sub(_table()["two"], lambda m: _two(m, structure), plain)
     plain = _named(re.sub(_table()["row"], _row(structure) or r"\g<0>", plain), structure)
-    sentences = re.split(r"(?<=[.;!?])\s+", plain)
+    plain = sided(plain, structure)
+    plain = re.sub(_table()["hidden_one"], lambda m: _hidden(m, structure), plain)
+    sentences = [resumed(s, structure) for s in re.split(r"(?<=[.;!?])\s+", plain)]
     rows = [(find, _with_doer(new, verb, structure)) for find, new, verb in _rows("sentences")]
     return " ".join(
         notes.rewritten(_active(described(numbered(s, structure), structure)), rows, structure) for s in sentences
@@ -56,7 +63,9 @@ def _pair(structure: Structure) -> str | None:
 
 def _member(match: re.Match[str], structure: Structure) -> str:
     """One of those who are told of together: "the last parked car" of three that are one row."""
-    groups = [spec_of(c) for c in objects_of(structure, match["noun"])]
+    noun = match["noun"]
+    found = [c for c in structure.objects if spec_of(c).count > 1] if noun == "one" else objects_of(structure, noun)
+    groups = [spec_of(c) for c in found]
     if len(groups) != 1 or groups[0].count < 2:
         return match[0]
     return f"the {match['which']} of the {language.plurals(groups[0].type.replace('_', ' '))[0]}"
@@ -78,8 +87,9 @@ def questioned(plain: str, structure: Structure) -> str:
 
 
 def _named(plain: str, structure: Structure) -> str:
-    """The text with the only person who is there for "he" and "she", where nobody else is named last before."""
+    """The text with the only person, else rider, for "he" and "she", where nobody else is named last before."""
     persons = [c for c in structure.objects if spec_of(c).type in PERSONS]
+    persons = persons or [c for c in structure.objects if spec_of(c).type in RIDDEN]
     pronoun = re.search(r"\b(?:he|she|him|her)\b(?!['’]s)", plain)
     if pronoun is None or len(persons) != 1:
         return plain
@@ -88,6 +98,12 @@ def _named(plain: str, structure: Structure) -> str:
     if before is None or before.id != persons[0].id:
         return plain
     return f"{plain[: pronoun.start()]}{called_by(persons[0], structure)}{plain[pronoun.end() :]}"
+
+
+def _hidden(match: re.Match[str], structure: Structure) -> str:
+    """Whom something new hides, where only one person is there: "a van that hides him"."""
+    persons = [c for c in structure.objects if spec_of(c).type in PERSONS]
+    return f"{match['hides']}{called_by(persons[0], structure)}" if len(persons) == 1 else match[0]
 
 
 def _active(sentence: str) -> str:

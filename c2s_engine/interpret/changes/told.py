@@ -10,7 +10,7 @@ from typing import Any
 from c2s_engine.interpret.changes.apart import told_apart
 from c2s_engine.interpret.changes.forms import Found
 from c2s_engine.interpret.changes.in_words import in_words
-from c2s_engine.interpret.changes.phases import PASSING, WAYS, afterwards, awaited, given_up, joined, mapped
+from c2s_engine.interpret.changes.phases import PASSING, WAYS, afterwards, at_rest, awaited, given_up, joined, mapped
 from c2s_engine.interpret.changes.places import cuts_in, on_a_side, placed_before
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
@@ -126,7 +126,7 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
     if not any(wanted(path) for path in paths):
         return None
     edits += [*_light(clause, now, structure), *afterwards(clause, edits, structure)]
-    edits = _one_way(edits, structure)
+    edits = at_rest(_one_way(edits, structure), structure)
     return [*sorted(edits, key=lambda e: not isinstance(e, AddObject)), *_moves(now, ids, structure)]
 
 

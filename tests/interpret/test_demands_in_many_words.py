@@ -1,0 +1,173 @@
+"""Demands of two, of moments, of ends and of reasons in many wordings: each changes S as the plainest one does."""
+
+import pytest
+
+from c2s_engine.interpret.embedded import EmbeddedInterpreter
+from c2s_engine.interpret.turn import route
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import apply
+
+STREET = "In heavy rain ego follows a car at 50 km/h. The car brakes hard and a pedestrian crosses from the right."
+LIGHTS = (
+    "Ego approaches a signalised intersection at 40 km/h and turns left. An oncoming truck goes straight on. "
+    "A motorcycle follows ego."
+)
+MOTORWAY = (
+    "On a three-lane motorway ego drives at 108 km/h in the middle lane. A van 30 m ahead brakes. "
+    "A car on the left at 140 km/h overtakes ego."
+)
+ROW = (
+    "Ego drives at 30 km/h past three cars that are parked on the right. A child runs out from behind them. "
+    "A bus comes the other way."
+)
+
+
+def after(structure: Structure, text: str) -> dict[str, object]:
+    turn = route(text, structure)
+    assert turn.kind == "edit" and turn.edits, (text, turn)
+    for edit in turn.edits:
+        structure = apply(structure, edit)
+    return {c.id: c.spec for c in structure.components}
+
+
+CELLS = [
+    # how far from the place; two in one; who goes of several
+    (
+        LIGHTS,
+        "ego starts 60 m before the intersection",
+        "let ego start 60 metres away from the junction | the intersection is 60 m ahead of ego | "
+        "the distance to the junction should be 60 m | ego should begin 60 m short of the crossroads",
+    ),
+    (
+        ROW,
+        "put the parked cars on the left. put the child on the left",
+        "could the parked cars and the child be on the left side, please | move cars and child to the left | "
+        "both the parked cars and the child on the left | the child and the parked cars must start on the left",
+    ),
+    (ROW, "two parked cars", "remove the last one | without the last parked car | the last of the cars can go"),
+    # what one does when he has done what he does
+    (
+        MOTORWAY,
+        "the car overtakes, then it cuts in",
+        "once it is past, the car cuts in | having overtaken ego, the car should cut in | "
+        "when the overtaking is done the car cuts in | as soon as the car has passed us it cuts in",
+    ),
+    # from both sides
+    (
+        STREET,
+        "add a pedestrian who crosses from the left",
+        "two pedestrians, one from each side | pedestrians from both sides | "
+        "let one more pedestrian cross from the other side | a second pedestrian comes from the opposite side",
+    ),
+    # whom something new hides
+    (
+        STREET,
+        "add a parked van on the right that hides the pedestrian",
+        "ego must not see him at first, so put a parked van on the right which covers him | "
+        "put a parked van on the right, hiding the pedestrian from ego | "
+        "add a van parked on the right which is hiding the pedestrian",
+    ),
+    # moments
+    (
+        STREET,
+        "the car should brake after 5 s",
+        "it takes 5 seconds until the car brakes | wait 5 s before the car brakes | the car brakes at second 5",
+    ),
+    (
+        STREET,
+        "the pedestrian should cross when the car brakes",
+        "the braking of the car should trigger the crossing | the crossing should start together with the braking "
+        "of the car | ped crosses once the car brakes",
+    ),
+    (
+        STREET,
+        "the car should brake when the pedestrian crosses",
+        "it is strange that the car brakes before he crosses, it should brake when the pedestrian crosses | "
+        "the pedestrian's crossing makes the car brake | the pedestrian crosses first and the car brakes only then",
+    ),
+    (
+        STREET,
+        "the pedestrian should start when ego is 20 m away",
+        "the pedestrian must start crossing no earlier than 20 m before ego | the ped starts at 20m dist | "
+        "please make the pedestrian wait at the kerb until ego is only 20 m away and then cross",
+    ),
+    (
+        STREET,
+        "the pedestrian should start when the ttc is 2 s",
+        "2 s TTC for the pedestrian | the pedestrian starts crossing when ego would hit her in 2 s",
+    ),
+    # how long one stops
+    (
+        STREET,
+        "the pedestrian stops on the road for 3 s",
+        "the pedestrian should make a 3 second stop on the road | "
+        "the pedestrian pauses in the middle of the road for 3 s | "
+        "halfway across, the pedestrian stops for 3 seconds",
+    ),
+    # reasons, and what is wrong
+    (
+        MOTORWAY,
+        "the van is a truck",
+        "the van has to be a truck since a van is too small | the van must actually become a truck because vans brake "
+        "too well | it would be better if the van were a truck | use truck not van",
+    ),
+    (
+        MOTORWAY,
+        "the van is 20 m ahead",
+        "30 m to the van is too much, 20 m please | since our stopping distance is 25 m, the van should be 20 m ahead",
+    ),
+    (
+        LIGHTS,
+        "remove the motorcycle. the truck at 50 km/h",
+        "the motorcycle can go, and while you are at it make the "
+        "truck drive 50 km/h | I would like to remove the motorcycle and to have the truck at 50 km/h",
+    ),
+    (
+        ROW,
+        "the bus is a truck",
+        "a truck comes the other way, not a bus | it's a truck that comes the other way, not a bus",
+    ),
+    # lights and signs
+    (
+        LIGHTS,
+        "ego's light is red",
+        "when ego arrives, the light should be red | our signal should be red | signal red "
+        "for us | let the light be red when we come",
+    ),
+    (LIGHTS, "no traffic lights", "traffic lights are off | the lights don't work | nobody controls the intersection"),
+    (
+        LIGHTS,
+        "the junction has stop signs",
+        "the traffic lights should be stop signs | the junction should be stop controlled",
+    ),
+    # ego does nothing
+    (
+        MOTORWAY,
+        "ego does not react",
+        "ego stays passive | ego does not notice the van | ego keeps its speed no matter what happens | "
+        "disable the braking of ego",
+    ),
+]
+
+
+@pytest.mark.parametrize(("scene", "plain", "wordings"), CELLS, ids=[c[1] for c in CELLS])
+def test_a_demand_is_the_same_in_other_words(scene: str, plain: str, wordings: str) -> None:
+    structure = EmbeddedInterpreter().interpret(scene).structure
+    wanted = after(structure, plain)
+    for wording in wordings.split(" | "):
+        assert after(structure, wording) == wanted, wording
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("redo what i have just undone", "redo"),
+        ("bring back what I took back", "redo"),
+        ("repeat what was undone", "redo"),
+        ("undo what i have just changed", "undo"),
+        ("please revert what was changed last", "undo"),
+        ("make that change undone", "undo"),
+    ],
+)
+def test_back_and_forth(text: str, kind: str) -> None:
+    assert route(text, EmbeddedInterpreter().interpret(STREET).structure).kind == kind

@@ -50,7 +50,9 @@ def _label() -> re.Pattern[str]:
 
 @cache
 def _letter() -> re.Pattern[str]:
-    return re.compile(r"(?<![\w-])(?:the )?(?P<word>lv|pov|fv|tv|gvt|vt|bv|ov|nv)(?P<id>[1-9]?)(?![\w-])")
+    return re.compile(
+        r"(?<![\w-])(?:the )?(?P<word>lv|pov|fv|tv|gvt|vt|bv|ov|nv|sov|evt|pv|ltv|civ|cov)(?P<id>[1-9]?)(?![\w-])"
+    )
 
 
 @cache

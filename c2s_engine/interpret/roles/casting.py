@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.roles.only_named import mentioned_alone, put_there, seen
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import VEHICLES, ZONES, Entity
@@ -54,7 +55,7 @@ def actors(scene: Scene) -> list[Entity]:
             and (len(scene.cast.entities) == 1 or own or passive or where.rel or where.lane or entity.roles)
             or (entity.person or entity.type in ("bicycle", "motorcycle"))
             and entity.noun not in ("somebody", "someone", "people")
-            and _seen(scene, entity)
+            and seen(scene, entity)
         ):
             kept.append(entity)
             continue
@@ -67,7 +68,8 @@ def actors(scene: Scene) -> list[Entity]:
             and not entity.roles - {"adversary"}
             and where.rel is None
             and where.lane is None
-            and not _mentioned_alone(scene, entity)
+            and not mentioned_alone(scene, entity)
+            and not put_there(scene, entity)
         ):
             continue
         if entity.noun == "traffic" and any(
@@ -274,47 +276,3 @@ def _pass_on(scene: Scene, generic: Entity, members: list[Entity]) -> None:
             own.lane, own.rel = where.lane, where.rel or "ahead"
         if number == 0 and own.gap is None and where.gap is not None:
             own.gap = where.gap
-
-
-def _seen(scene: Scene, entity: Entity) -> bool:
-    """Whether a person is the object of seeing ("did not see the child")."""
-    return any(
-        scene.words[scene.words[m.word].head].lemma
-        in (
-            "see",
-            "notice",
-            "detect",
-            "spot",
-            "observe",
-            "recognize",
-            "recognise",
-            "overlook",
-            "perceive",
-            "identify",
-            "find",
-            "encounter",
-            "meet",
-            "pick",
-            "reveal",
-            "illuminate",
-            "catch",
-        )
-        for m in entity.mentions
-    )
-
-
-def _mentioned_alone(scene: Scene, entity: Entity) -> bool:
-    """A thing that is only named ("debris on the road") is there all the same; a vehicle in passing is not."""
-    return (
-        entity.type in ZONES
-        or any(scene.clauses.fragment(m.word) for m in entity.mentions)
-        and (scene.where(entity).rel is not None or scene.where(entity).lane is not None or entity in scene.speeds)
-        or (not entity.mover and entity.type not in ("obstacle",))
-        or any(
-            scene.words[m.word].dep in ("ROOT", "attr", "conj", "nsubj") and scene.words[m.word].span is not None
-            for m in entity.mentions
-        )
-        and (entity.person or entity.type in ("bicycle", "motorcycle"))
-        or any(scene.words[m.word].dep == "attr" and scene.words[m.word].span is not None for m in entity.mentions)
-        and entity.type in VEHICLES
-    )

@@ -275,7 +275,9 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         plain,
     )
     met = any("oncoming" in v.patient.roles for v in acting.get(best, []) if v.patient is not None)
-    first = bool(cast.asking) and best.mentions[0].word == min(m.word for e in cast.entities for m in e.mentions)
+    first = bool(cast.asking and best.mentions) and best.mentions[0].word == min(
+        m.word for e in cast.entities for m in e.mentions
+    )
     if (
         implied
         and not first

@@ -175,6 +175,9 @@ class Clauses(Deverbal):
             return
         if event.act == "collide" and self._over_a_place(word, own):
             return
+        dropped = event.act == "stationary" and passive and lemma in PUTS and BY.search(whole) is not None
+        if dropped and event.patient not in (None, event.agent):
+            event.agent, event.patient = event.patient, None  # "a pallet is dropped by the truck"
         if event.act == "stationary" and lemma == "lie" and event.agent.ego:
             return  # "her phone, which was lying in the footwell"
         if passive and lemma in PUSHES and event.patient is None and agent is not event.agent:

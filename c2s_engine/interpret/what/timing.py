@@ -181,7 +181,7 @@ class Timing(Modes):
                     elif quantity["dimension"] == "distance" and event.act in AT_A_DISTANCE and AWAY.match(text):
                         event.trigger = {"kind": "distance", "value": quantity["low"]}
                     elif quantity["dimension"] == "time" and (
-                        re.match(r"(only )?(after|at) (about |around |roughly |t = )?#time$", text)
+                        re.match(r"((only|right|left|hard|just|exactly|straight) )*(after|at) (\w+ |t = )?#time$", text)
                         or re.search(r"#time (into|later|after the start|in)", text)
                     ):
                         event.trigger = {"kind": "time", "value": quantity["low"]}
@@ -195,6 +195,7 @@ class Timing(Modes):
                         (
                             r"#time (later|into|in\b|after the start|after start)|(^|, )(after|at) (about |around "
                             r"|roughly |t ?= ?)?#time|\bat t ?= ?#time"
+                            r"|\b(right|left|hard|sharply|down) after (about )?#time\b"
                         ),
                         own,
                     ):

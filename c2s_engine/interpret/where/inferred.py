@@ -125,7 +125,8 @@ class Inferred(Concealed):
         """ "Two cars and a truck standing across the lane": what is said of the last holds for those before it."""
         for entity in self.cast.entities:
             where = self.of[entity]
-            if where.rel or where.lane or any(e.agent is entity or entity in e.also for e in self.clauses.events):
+            told = where.rel or where.lane or where.side
+            if told or any(e.agent is entity or entity in e.also for e in self.clauses.events):
                 continue
             for mention in entity.mentions:
                 for child in self.words[mention.word].children:

@@ -115,7 +115,7 @@ class Places(OwnWords, Inferred):
             if event.act in STATES or against or event.act == "follow" and event.patient is None:
                 text = WITH_ANOTHER.sub("", event.whole)
                 if any(self.words[c].dep == "expl" for c in self.words[event.word].children):
-                    text = AND_ANOTHER.sub("", text)
+                    text = AND_ANOTHER.sub("", text) if entity is event.agent or not where.phrases else ""
                 read(text, where, entity, self.cast, event.act)
                 self._gap(event.words, where, entity=entity)
             elif event.act not in ("collide",):
@@ -257,7 +257,7 @@ class Places(OwnWords, Inferred):
                 after
                 and word.dep == "dobj"
                 and re.match(
-                    r"(in|on) the (rear|side|back|front|left|right)"
+                    r"(in|on) the (rear|side(?! of the (?:road|street))|back|front|left|right)"
                     r"(?!(-hand|most)? (lane|pavement|sidewalk|footpath|kerb|curb|verge|shoulder))",
                     self.clauses.render(after),
                 )

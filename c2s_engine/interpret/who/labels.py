@@ -13,6 +13,12 @@ from c2s_engine.interpret.who.nouns import Nouns
 
 STANDS = language.words("stands")
 BY_WHOM_PLACED = frozenset(("of", "behind", "beside", "to", "with"))
+TOLD_BY_PLACE = re.compile(
+    r"\b(?:the|its|ego's) (?:\w+ )?(?P<noun>vehicle|actor|target|npc|participant|agent|object|opponent|adversary|one)"
+    r" (?:[\w']+ ){1,7}?[,(] (?:a|an) (?:[\w-]+ ){0,2}@(?: [^,();]{1,40}?)? ?(?:, [^,();]{1,30})?[,)] "
+    r"(?!and\b|or\b|a\b|an\b|the\b)"
+)
+"""A vehicle told by its place and named behind a comma, where the sentence then goes on about it."""
 
 
 class Labels(Nouns):
@@ -104,6 +110,8 @@ class Labels(Nouns):
         """The entity that a label or noun stands beside: "a car (V2)", "V2, a car", "V2 was a truck"."""
         if (host := self._in_brackets_of(word)) is not None:
             return host
+        if (host := self._told_by_place(word)) is not None:
+            return host
         before = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
         gap: list[str] = []
         for other in reversed(before):
@@ -130,6 +138,17 @@ class Labels(Nouns):
                 return None
             gap.append(other.norm)
         return None
+
+    def _told_by_place(self, word: Word) -> Entity | None:
+        """The vehicle that is told by its place and then named: "the vehicle preceding the ego, a pickup, brakes"."""
+        sentence = [w for w in self.words if w.sentence == word.sentence]
+        text = " ".join(w.norm if w.i != word.i else "@" for w in sentence)
+        match = TOLD_BY_PLACE.search(text)
+        if match is None:
+            return None
+        at = sentence[len(text[: match.start("noun")].split())]
+        host = self.of.get(at.i)
+        return host if host is not None and not host.ego and not host.typed and host.count == 1 else None
 
     def _in_brackets_of(self, word: Word) -> Entity | None:
         """Whose label stands before the bracket that says what it is: "V1 (2019 Isuzu NPR delivery truck)"."""

@@ -22,6 +22,7 @@ PLACED_BY = frozenset(("between", "at", "by", "near", "beside", "past", "outside
 HEADS = frozenset(("actors", "objects", "vehicles", "participants", "users", "agents", "npcs", "obstacles", "others"))
 GROWS = frozenset(("trees", "bushes", "hedges", "shrubs", "shrubbery"))
 FACES = frozenset(("facing", "face", "faces", "against"))
+STILL_THERE = re.compile(r"(?:(?:driving|travelling|traveling|going|just|right|directly) )*(?:ahead|in front)\b")
 
 
 class NotThere:
@@ -56,6 +57,9 @@ class NotThere:
         ):
             return word.span is not None and word.span.data["type"] in ("box", "trash", "container")
         lost = by.norm in ("by", "from", "off") and verb.tag in ("VBN", "VBD") and verb.norm in LOST
+        leads = word.span is not None and "lead" in word.span.data.get("roles", ())
+        if leads or STILL_THERE.match(" ".join(w.norm for w in self.words[word.i + 1 : word.i + 4])):
+            return False  # "a pallet dropped by the truck ahead"
         return lost and (
             verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))
         )

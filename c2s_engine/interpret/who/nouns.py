@@ -133,7 +133,7 @@ class Nouns(Attached, NotThere, Counted):
             and self.of[word.head].type in ("vehicle", kind)
             and {"a", "an"} & set(before)
             and not self._elsewhere(word)
-            and not any(w.verb for w in self.words[word.head + 1 : word.i])
+            and not any(w.verb and not self._tells_of(w, word.head) for w in self.words[word.head + 1 : word.i])
         ):
             host = self.of[word.head]
         if (
@@ -228,6 +228,10 @@ class Nouns(Attached, NotThere, Counted):
         if data.get("make"):  # "a Ford Focus": "the Ford" is the same
             found.names.add(data["make"])
         return self._new(found)
+
+    def _tells_of(self, verb: Word, noun: int) -> bool:
+        """Whether a participle only says which one a noun means: "the vehicle preceding ego, a pickup, brakes"."""
+        return verb.dep == "acl" and verb.head == noun and verb.tag in ("VBG", "VBN")
 
     def _of_a_person(self, word: Word, noun: str) -> bool:
         """Whether it is somebody's mother, friend or dog, of whom was not spoken before."""

@@ -15,6 +15,7 @@ ANYBODY = language.words("anybody")
 DRIVES_IT = frozenset(("you", "your", "he", "she", "his", "her"))
 """Words for ego that mean who is at the wheel."""
 COLOURS = language.words("colours")
+OF_EGO = language.words("of_ego")
 CARS = frozenset(("car", "vehicle", "van", "police_car"))
 TOLD_APART = frozenset(("oncoming", "crossing", "lead", "following", "cut_in", "adjacent", "adversary"))
 """Parts in the scene by which another one is meant, unless somebody had that part before."""
@@ -230,6 +231,7 @@ class Reference(Centre):
         scored = []
         centre = self._centre(word, noun)
         never = kind == "vehicle" and noun in language.actor_nouns() and noun not in ANYBODY
+        never = never or self._told_by_a_part(word, noun)
         for entity in [
             *candidates,
             *(
@@ -248,6 +250,13 @@ class Reference(Centre):
         if not scored and kind == self.ego.type and self.ego.typed:
             return self.ego
         return max(scored)[2] if scored else None
+
+    def _told_by_a_part(self, word: Word, noun: str) -> bool:
+        """Whether words before "vehicle" tell it from ego that has a name: "the ego ... the intruding vehicle"."""
+        names = [m for m in self.ego.mentions if self.words[m.word].norm not in ("vehicle", "car", "it", "its")]
+        before = [self.words[c] for c in word.children if c < word.i and self.words[c].dep in ("amod", "compound")]
+        by = [w for w in before if w.i not in self.of and w.norm not in OF_EGO and w.norm not in COLOURS]
+        return noun in ("vehicle", "car") and self.strong_ego and bool(names) and bool(by)
 
     def _run_by_its_own(self, word: Word) -> bool:
         """Whether it is the object of what its own system or driver does: "the function shall hold the vehicle"."""

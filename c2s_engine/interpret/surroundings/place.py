@@ -8,7 +8,7 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.scan import Span
 
-NUMBERS = {"two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "eight": 8}
+NUMBERS = {"two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "eight": 8, "ten": 10, "twelve": 12}
 
 
 @dataclass

@@ -11,13 +11,18 @@ from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
-NUMBERS = {"one": 1, "two": 2, "three": 3, "four": 4, "first": 1, "second": 2, "third": 3, "fourth": 4}
+NUMBERS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "first": 1, "second": 2, "third": 3, "fourth": 4}
 COUNTED = r"(?P<n>one|two|three|four|[1-4]|first|second|third)"
 ORDINAL = r"(?P<o>first|second|third|fourth) lane"
-NUMBERED = re.compile(rf"(?:number|lane number|(?<![\w-])lane|no\.?|#) {COUNTED}(?: lane)?\b(?!-)|\b{ORDINAL}\b")
+NUMBERED = re.compile(
+    rf"(?:number|lane number|(?<![\w-])lane|no\.?|#) {COUNTED}(?: lane| of (?:the )?(?:\w+ ){{1,2}}lanes)?\b(?!-)"
+    rf"|\b{ORDINAL}\b"
+)
 INTO = re.compile(rf"\b(?:in|on|over|across)?to (?:the )?(?:lane (?:number |no\.? )?{COUNTED}|{ORDINAL})\b")
 TOTAL = re.compile(
-    r"\blane \w+ (?:out )?of (?:the )?(?P<n>two|three|four|[2-4])\b|\b(?P<m>two|three|four|[2-4])[ -]lane"
+    r"\blane \w+ (?:out )?of (?:the )?(?P<n>two|three|four|five|[2-5])\b"
+    r"|(?<!# )(?<!number )(?<!no )\b(?P<m>two|three|four|five|[2-5])[ -]lane"
+    r"|\b(?P<k>two|three|four|five|[2-5]) (?:\w+bound |through |travel |traffic )*lanes\b"
 )
 NAMED = re.compile(
     rf"\blane (?:number |no\.? )?{COUNTED}(?: of \w+)?(?: ,)?(?: \()?"
@@ -91,7 +96,7 @@ def _number(word: str) -> int:
 def _total(cast: Cast) -> int | None:
     """How many lanes there are, where that is said."""
     match = TOTAL.search(_plain(cast))
-    return _number(match["n"] or match["m"]) if match else None
+    return _number(match["n"] or match["m"] or match["k"]) if match else None
 
 
 def _named(own: int, total: int | None, rightwards: bool) -> str:

@@ -43,8 +43,8 @@ def test_who_waits_to_turn_and_goes_turns(read, text: str) -> None:
     [
         "V1 was northbound. V2 was southbound. The driver of V1 let the car drift left over the center line "
         "and the front of V1 struck the front of V2.",
-        "V1 was eastbound on a two-lane road. V2 was westbound. The driver of V1 dozed off and allowed his vehicle to drift "
-        "across the center line, and V1 struck V2.",
+        "V1 was eastbound on a two-lane road. V2 was westbound. The driver of V1 dozed off and allowed his vehicle to "
+        "drift across the center line, and V1 struck V2.",
         "V1 was northbound on a two-lane road. V2 was southbound on the same road. V1 drifted left over the double "
         "yellow line. The left front of V1 struck the left front of V2 in the southbound lane.",
     ],
@@ -115,3 +115,69 @@ def test_how_far_behind_one_had_stopped(read) -> None:
     )
     assert s.objects[0].spec.placement.gap == 2.0
     assert s.objects[0].spec.speed < 5.0
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 was northbound and pulled out to pass a tractor. V2 was southbound. V1 sideswiped V2.",
+        "A southbound Camry moved left to overtake a bus and collided with a northbound truck.",
+        "V1 was eastbound. It swung out to overtake a lorry and struck V2, which was westbound.",
+    ],
+)
+def test_who_pulls_out_and_meets_another_was_in_its_lane(read, text: str) -> None:
+    s = read(text)
+    assert _acts(s.ego)[0] == "oncoming"
+    assert _acts(s.ego)[-1] == "collide"
+    assert "oncoming_lane" in [o.spec.placement.position for o in s.objects]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A lady on a bicycle came along the road. A taxi came up from behind her, went past, and turned right.",
+        "A cyclist rode along the street. A taxi came up behind him, passed and turned right in front of him.",
+    ],
+)
+def test_who_comes_up_behind_another_passes_that_one(read, text: str) -> None:
+    s = read(text)
+    assert _acts(s.ego) == ["overtake", "turn_right"]
+    assert [o.spec.type for o in s.objects] == ["bicycle"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Case vehicle V1 was eastbound and struck V2, which was stopped.",
+        "Subject vehicle V1 was eastbound and struck V2, which was stopped.",
+        "The striking vehicle, V1, was eastbound and struck V2, which was stopped.",
+    ],
+)
+def test_one_vehicle_by_two_names(read, text: str) -> None:
+    s = read(text)
+    assert _acts(s.ego) == ["collide"]
+    assert [o.spec.speed for o in s.objects] == [0.0]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "I had just opened my door when a cyclist rode into it.",
+        "I opened the door of my parked car and a cyclist rode straight into it.",
+    ],
+)
+def test_who_rides_into_a_door_hits_the_car(read, text: str) -> None:
+    s = read(text)
+    assert [(o.spec.type, _acts(o)) for o in s.objects] == [("bicycle", ["collide"])]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A witness saw a black van change lanes and hit a silver car.",
+        "He saw a black van change lanes and hit a silver car.",
+    ],
+)
+def test_what_somebody_saw_another_do(read, text: str) -> None:
+    s = read(text)
+    assert (s.ego.spec.type, _acts(s.ego)) == ("van", ["lane_change", "collide"])

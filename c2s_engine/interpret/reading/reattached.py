@@ -18,6 +18,7 @@ TOWED, SEES, WAITS = language.with_plurals("towed"), language.words("notices"), 
 MANOEUVRES = language.words("manoeuvres") | language.words("drives")
 CONTACT = language.words("contact") | language.words("strikes")
 FAULTS = frozenset(("run", "fail", "disregard", "ignore", "neglect", "jump", "cross", "turn", "pull"))
+ANSWERED = CONTACT | language.words("answers_nearing")
 ANSWERS = frozenset(("respond", "react", "answer", "reply"))
 LOOSE = frozenset(("conj", "dep", "ccomp", "advcl"))
 STOOD = frozenset(("stopped", "parked", "slowed", "standing", "waiting"))
@@ -47,7 +48,7 @@ def reattach(words: list[Word]) -> None:
             word.dep, word.tag = "acl", "VBN"
         if word.dep in ("ccomp", "xcomp") and (struck := _found_standing(words, word)) is not None:
             _make_participle(words, word, struck)
-        if word.dep == "acl" and word.norm in STOOD and road_user(words[word.head]):
+        if word.dep in ("acl", "relcl") and word.norm in (*STOOD, "stood") and road_user(words[word.head]):
             _went_on(words, word)
         find_subject(words, word)
         if word.norm == "by" and word.dep == "prep" and (answers := _answer(words, word)) is not None:
@@ -129,10 +130,10 @@ def _went_on(words: list[Word], stood: Word) -> None:
     if noun.dep not in ("dobj", "pobj") or above.tag != "VBD" or above.i > noun.i:
         return
     for child in [words[c] for c in stood.children if words[c].dep == "conj" and words[c].verb and c > stood.i]:
-        bare = not any(words[c].dep in ("aux", "auxpass", "nsubj", "nsubjpass", "agent") for c in child.children)
-        if bare and child.tag in ("VBD", "VBN") and child.norm not in STOOD:
+        bare = not any(words[c].dep in ("auxpass", "nsubj", "nsubjpass", "agent") for c in child.children)
+        if bare and child.norm not in STOOD and (child.lemma in ANSWERED or irregular().get(child.norm) in ANSWERED):
             hang(words, child, above)
-            child.tag = "VBD"
+            child.tag = "VBD" if child.tag == "VBN" else child.tag
 
 
 def _after(words: list[Word], word: Word) -> list[str]:

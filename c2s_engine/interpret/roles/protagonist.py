@@ -278,6 +278,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     first = bool(cast.asking) and best.mentions[0].word == min(m.word for e in cast.entities for m in e.mentions)
     if (
         implied
+        and not told_by
         and not first
         and not met
         and not anchors(best, clauses)

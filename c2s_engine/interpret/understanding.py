@@ -13,6 +13,7 @@ from c2s_engine.interpret.what.claims import claimed
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.headlines import headline
 from c2s_engine.interpret.what.left_untold import left_untold
+from c2s_engine.interpret.what.passing import came_up_behind
 from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.unsaid import unsaid
@@ -47,6 +48,7 @@ def understand(text: str) -> Scene:
     unnamed_doers(cast, clauses)
     pushed(clauses)
     merged_into(clauses)
+    came_up_behind(clauses)
     choose_ego(cast, clauses)
     unsaid(cast, clauses)
     claimed(cast, clauses)

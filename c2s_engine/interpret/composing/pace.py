@@ -101,7 +101,9 @@ def pace_of(
     factor = "same"
     if (
         "slow" in entity.roles
-        or re.search(r"\b(crawl|creep|trundle|slow(ly|er)|dawdle|grind|inch|plod|chug)\b", text)
+        or re.search(
+            r"\b(crawl|creep|trundle|slow(ly|er)|dawdle|grind|inch|nudge|plod|chug|roll (forward|ahead|into))\b", text
+        )
         or any(p.action == "overtake" and p.target == own_id for p in ego.phases)
         or _passed_by_another(scene, entity)
     ):

@@ -65,7 +65,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     direction = compass(scene, entity) if lane in (None, "same", "crossing", "left", "right", "adjacent") else None
     if direction in ("left", "right") and junction:
         return {"position": f"crossing_{direction}", "said": True}
-    if direction == "opposite" and (junction or "turn" in acts or rel is None):
+    if direction == "opposite" and (junction or "turn" in acts or rel in (None, "beside")):
         return {"position": "opposite_approach" if junction else "oncoming_lane", "said": True}
     text = " ".join(t for _, t in where.phrases)
     roles = entity.roles

@@ -59,6 +59,10 @@ def _objects(doc: Any) -> dict[int, str]:
         t.i: "takes"
         for t in doc[:-1]
         if t.tag_ == "VBZ" and t.dep_ in ("nsubj", "compound") and t.head.i == t.i + 1 and t.head.text in OBJECTS
+    } | {
+        t.i: "take"
+        for t in doc[:-1]
+        if t.text in ("change", "switch") and t.tag_ == "NN" and t.head.i == t.i + 1 and t.head.text in OBJECTS
     }
 
 

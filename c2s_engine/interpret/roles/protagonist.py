@@ -280,6 +280,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     )
     if (
         implied
+        and not told_by
         and not first
         and not met
         and not anchors(best, clauses)

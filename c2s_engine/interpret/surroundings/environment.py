@@ -75,12 +75,17 @@ def time_of_day(plain: str, sentences: list[tuple[int, int]]) -> Found | None:
     hits = _hits("time", plain, sentences)
     if not hits:
         return clock(plain)
+    hits = [h for h in hits if not EARLIER.search(plain[: h.span[0]])] or hits
+    if any(h.value == "night" for h in hits):  # a dark evening
+        hits = [h for h in hits if not plain[slice(*h.span)].startswith("evening")]
     values = [h.value for h in hits]
     if "day" in values and "night" in values:  # "night-time variant of the daytime test": the first that is said
         return min((h for h in hits if h.value in ("day", "night")), key=lambda h: h.span)
     return hits[0]
 
 
+EARLIER = re.compile(r"\b(?:earlier|before|previously)(?: on)?(?: in the| that| this| during the)? $")
+"""What stands before a time that was another: "wet from rain earlier in the evening"."""
 CLOCK = re.compile(
     r"\b(?:(?P<hour>[01]?\d|2[0-3])[:.h](?P<minute>[0-5]\d)(?!\d)(?: ?(?P<half>[ap])\.?m\b)?"
     r"|(?P<hour2>1[0-2]|[1-9]) ?(?P<half2>[ap])\.?m\b|(?P<hour3>[01]\d|2[0-3])[0-5]\d (?:hours"

@@ -89,6 +89,8 @@ def heading(clauses: Clauses, who: Entity) -> int | None:
         if event.agent is who or who in event.also:
             if (street := _off_street(clauses, event)) is not None:
                 return street
+            if (lane := _of_that_lane(clauses, event)) is not None:
+                return lane
             own = [clauses.words[i] for i in sorted(event.words)]
             found = _heading(_told(clauses, own) if own else event.whole)
             if found is not None:
@@ -113,6 +115,18 @@ def sides_by_compass(clauses: Clauses) -> None:
         if edge and own is not None:
             turned = (COMPASS[edge["way"] or edge["to"]] - own) % 360
             event.side = {90: "right", 270: "left"}.get(turned)
+
+
+THAT_LANE = re.compile(r"\bin (?:that|this|the same|the said) (?:very )?(?:\w+ )?lane\b")
+LANE_THERE = re.compile(r"\b(?P<way>north|south|east|west)bound (?:\w+ ){0,2}lane\b")
+
+
+def _of_that_lane(clauses: Clauses, event: Event) -> int | None:
+    """Which way the lane leads that was spoken of: "he could not see the westbound lane. V2 was in that lane"."""
+    if not THAT_LANE.search(event.whole):
+        return None
+    named = list(LANE_THERE.finditer(_told(clauses, clauses.words[: event.word])))
+    return COMPASS[named[-1]["way"]] if named else None
 
 
 STREET = re.compile(
@@ -152,3 +166,19 @@ def against_the_traffic(clauses: Clauses) -> None:
                 near = 0 < event.word - before.word < NEAR and before.agent is event.agent
                 if near and before.act == "drift" and side(before) in (None, "left"):
                     before.mode = "hypothetical"
+    _out_into_one_who_comes(clauses)
+
+
+TURNS = frozenset(("turn", "u_turn", "oncoming", "lane_change"))
+
+
+def _out_into_one_who_comes(clauses: Clauses) -> None:
+    """Who pulls out and then meets one that drives the other way was in its lane: "pulled out and struck V2"."""
+    for blow in [e for e in clauses.events if e.act == "collide" and e.done and e.patient is not None]:
+        one, other = heading(clauses, blow.agent), heading(clauses, blow.patient) if blow.patient else None
+        if one is None or other is None or (other - one) % 360 != 180:
+            continue
+        before = [e for e in clauses.events if e.done and e.order < blow.order and e.act in TURNS]
+        moves = [e for e in before if e.agent in (blow.agent, blow.patient)]
+        if len(moves) == 1 and moves[0].act == "lane_change" and side(moves[0]) in (None, "left"):
+            moves[0].act, moves[0].side, moves[0].patient = "oncoming", "left", None

@@ -8,6 +8,18 @@ from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
+UP_BEHIND = re.compile(r"\bcome (?:up )?(?:from )?behind (?:the )?@")
+UP_BEHIND_NEAR = 12
+"""Words within which one goes past whom it came up behind."""
+
+
+def came_up_behind(clauses: Clauses) -> None:
+    """Who comes up behind another and goes past, passes that one: "came up from behind her, went past"."""
+    ups = [e for e in clauses.events if e.act in ("approach", "travel", "follow") and UP_BEHIND.search(e.whole)]
+    for event in [e for e in clauses.events if e.act == "overtake" and e.patient is None]:
+        near = (e for e in ups if e.agent is event.agent and 0 < event.word - e.word < UP_BEHIND_NEAR)
+        event.patient = next((e.patient for e in near), None)
+
 
 def headings(cast: Cast, clauses: Clauses) -> None:
     """A title about merging ("Cooperative merging with three agents") does not say that ego does it."""

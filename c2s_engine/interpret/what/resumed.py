@@ -1,8 +1,11 @@
-"""Who goes on with what was begun: "After a motorcycle had passed, it completed its turn"."""
+"""Who goes on with what was begun: "After a motorcycle had passed, it completed its turn"; who turns that waited to."""
 
 import re
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.who.mentions import Cast
 
 RESUMES = re.compile(
@@ -25,3 +28,36 @@ def own_turns(cast: Cast, clauses: Clauses) -> None:
         meant = [e for e in earlier if e.mode in ("intended", "purpose")]
         if meant:
             event.agent, event.side = meant[-1].agent, event.side or meant[-1].side
+
+
+MEANS_TO = language.words("means_to")
+GOES = frozenset(("start", "go_straight", "cross_path", "cut_in", "cut_out", "enter_road"))
+STRAIGHT = re.compile(
+    r"\bstraight (?:on|ahead|through|over)\b|\binstead\b|\b(?:left|right)\b|\bu-turn\b|\boff (?:the )?(?:road|lane)\b"
+)
+"""What is no turn although one meant to turn."""
+NOT_YET = frozenset(("hypothetical", "intended", "purpose"))
+LATER = 60
+"""Words within which one goes that was said to wait to turn."""
+
+
+def waited_turns(clauses: Clauses) -> None:
+    """Who waits to turn and then just goes, turns: "was waiting to turn left. It set off across my lane"."""
+    for meant in [e for e in clauses.events if e.act == "turn" and side(e) is not None]:
+        if meant.mode == "hypothetical" and not _means_to(clauses, meant) or meant.mode not in NOT_YET:
+            continue
+        later = [e for e in clauses.events if e.agent is meant.agent and e.order > meant.order and e.mode == "fact"]
+        later = [e for e in later if e.word - meant.word < LATER]
+        goes = next((e for e in sorted(later, key=lambda e: e.order) if e.act in GOES), None)
+        if goes is None or STRAIGHT.search(goes.text) or any(e.act in ("turn", "u_turn") for e in later):
+            continue
+        goes.act, goes.side, goes.patient, meant.mode = "turn", side(meant), None, "hypothetical"
+        for echo in later:
+            if echo is not goes and echo.word == goes.word:
+                echo.mode = "hypothetical"
+
+
+def _means_to(clauses: Clauses, meant: Event) -> bool:
+    """Whether a turn hangs on a verb that says that it is still to come: "waiting to turn left"."""
+    word = clauses.words[meant.word]
+    return clauses._lemma(clauses.words[word.head]) in MEANS_TO

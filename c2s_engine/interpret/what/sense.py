@@ -14,7 +14,7 @@ from c2s_engine.interpret.what.looking_back import looking_back
 from c2s_engine.interpret.what.making_room import makes_room
 from c2s_engine.interpret.what.overtakings import PART, overtakings
 from c2s_engine.interpret.what.passing import across_the_bows, by_the_other_lane, headings, let_past, out_to_pass
-from c2s_engine.interpret.what.resumed import own_turns
+from c2s_engine.interpret.what.resumed import own_turns, waited_turns
 from c2s_engine.interpret.what.there_and_back import there_and_back
 from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.what.turn_lanes import turns_from_lane
@@ -203,6 +203,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
         if turns and event.agent.ego and event.act == "lane_change" and re.search(r"man(oeuvre|euver)", event.text):
             event.act = "turn"  # "a manoeuvre to the right", into a street
     own_turns(cast, clauses)
+    waited_turns(clauses)
     _waits(cast, clauses)
     _waits_for_somebody(cast, clauses)
     turns_from_lane(cast, clauses)

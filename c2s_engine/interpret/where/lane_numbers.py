@@ -18,11 +18,15 @@ MANY = "two|three|four|five|six|[2-6]"
 ORDINAL = (
     rf"(?P<o>{NTH})(?: lane| \w+ lane|(?: one)?(?= from (?:the )?(?:left|right)\b|(?: out)? of (?:the )?(?:{MANY})\b))"
 )
-NUMBERED = re.compile(rf"(?:number|lane number|(?<![\w-])lane|no\.?|#) {COUNTED}(?: lane)?\b(?!-)|\b{ORDINAL}\b")
+NUMBERED = re.compile(
+    rf"(?:number|lane number|(?<![\w-])lane|no\.?|#) {COUNTED}(?: lane| of (?:the )?(?:\w+ ){{1,2}}lanes)?\b(?!-)"
+    rf"|\b{ORDINAL}\b"
+)
 INTO = re.compile(rf"\b(?:in|on|over|across)?to (?:the )?(?:lane (?:number |no\.? )?{COUNTED}|{ORDINAL})\b")
 TOTAL = re.compile(
     rf"\b(?:lane \w+|(?:{NTH})(?: lane| one)?(?: from (?:the )?(?:left|right))?),? (?:out )?of (?:the )?(?P<n>{MANY})\b"
     rf"|(?<!number )(?<!no\. )(?<!# )(?<!#)\b(?P<m>{MANY})(?: \w+)?[ -]+lane"
+    rf"|\b(?P<k>{MANY}) (?:\w+bound |through |travel |traffic )*lanes\b"
 )
 NAMED = re.compile(
     rf"\blane (?:number |no\.? )?{COUNTED}(?: of \w+)?(?: ,)?(?: \()?"
@@ -93,7 +97,7 @@ def _plain(cast: Cast) -> str:
 def _total(cast: Cast) -> int | None:
     """How many lanes there are, where that is said."""
     match = TOTAL.search(_plain(cast))
-    return counted(match["n"] or match["m"]) if match else None
+    return counted(match["n"] or match["m"] or match["k"]) if match else None
 
 
 def _inner(own: int, cast: Cast) -> bool:

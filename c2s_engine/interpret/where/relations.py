@@ -122,7 +122,7 @@ class Places(OwnWords, Inferred):
                 for part in places_in(event):
                     read(part, where, entity, self.cast, event.act)
                 comes_past = event.act == "cut_in" and any(e.act == "overtake" and e.done for e in events)
-                if event.act in ("cut_in", "brake", "follow", "run_red", "turn") and not comes_past:
+                if event.act in ("cut_in", "brake", "follow", "stop", "run_red", "turn") and not comes_past:
                     self._gap(event.words, where, only_ahead=event.act == "cut_in")
             if self.words[event.word].dep == "relcl" and event.adverbial == "where":
                 head = self.words[event.word].head

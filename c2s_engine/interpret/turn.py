@@ -140,6 +140,8 @@ def _goes_on(plain: str, structure: Structure) -> bool:
 
 def _tells(plain: str, commanding: bool) -> bool:
     """Whether a text tells a scene of its own: ego and another, doing something, at length, and no command."""
+    if re.search(language.table("refine")["ordered"], plain):
+        return False
     opens = re.match(
         r"(an?|two|three|the ego|ego|the vehicle|on|at|in|while|when|during|night|day|it is|vehicle|unit|v)\b", plain
     )

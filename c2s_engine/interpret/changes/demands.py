@@ -50,7 +50,7 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
         if re.search(r"\b(?:brak|stop|slow|decelerat)", before):
             demand = re.sub(table["slowed"], f"{who} brakes down to ", demand)
         demand = re.sub(r"^to (?=down to )", f"{who} brakes ", re.sub(r"^to (?=up to )", f"{who} accelerates ", demand))
-        if re.match(r"(?:about |around )?\d[\d.]* ?[a-z]+ (?:between|apart|of space)", demand):
+        if re.match(r"(?:about |around )?\d[\d.]* ?[a-z]+ (?:between|in between|apart|of space)", demand):
             demand = f"{who} with {demand}"
         demand = re.sub(rf"^(then )?(?:it|he|she|they)\b(?!{table['impersonal']})", rf"\g<1>{who}", demand)
         if not re.search(table["owned"], demand) or not scan.names(demand):
@@ -65,6 +65,8 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
         if who == "ego":
             demand = re.sub(table["lets"], "ego lets ", demand)
         demand = re.sub(table["subjectless"], rf"\g<1>{who} ", demand)
+        demand = re.sub(table["obliged"], f"{who} should ", demand)
+        demand = re.sub(table["sets_off"], f"{who} should start ", demand)
         demand = re.sub(table["infinitive"], rf"\g<1>{who} will ", demand)
     if (side := re.search(r"\b(?:from|on) the (left|right)\b", before)) and not re.search(
         r"\b(?:left|right)\b", demand
@@ -87,7 +89,7 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
 
 def _value(demand: str, before: str, who: str) -> str:
     """A bare value ("ego is too slow. 50") with what it is one of."""
-    value = re.match(_table()["value"], demand)
+    value = None if re.search(r"\bapart$", demand) else re.match(_table()["value"], demand)
     if value is not None and value["unit"] and re.fullmatch(r" ?(?:m|met\w+)", value["unit"]):
         before = "gap"
     said = next((new for pattern, new in _table()["value_of"] if re.search(pattern, before)), None) if value else None
@@ -124,8 +126,11 @@ def _parts(sentence: str) -> list[str]:
     bounds = (
         r"\s+with (?=ego (?:in|on|at)\b)",
         table["apart"],
+        table["hides"],
+        table["forces"],
+        table["while_it"],
         r"\s*,\s+(?:and |but )?",
-        rf"\s+(?:and|but)\s+(?=(?:then )?{starts})",
+        rf"\s+(?:and|but)\s+(?=(?:then )?{starts}|(?:please|also|at the same time) \w|(?:to|should|must|has to) \w)",
         rf"\s+but\s+(?={contrast})",
         table["alone"],
         rf"(?<!only)\s+(?=then {starts})",

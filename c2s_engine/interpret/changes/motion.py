@@ -41,7 +41,7 @@ def distance(clause: str, structure: Structure) -> Found | None:
     if component is None or re.search(_table()["of_the_road"], clause):
         return None
     spec = spec_of(component)
-    between = re.search(r"\bbetween (?:the |each |them\b|one )|\bapart\b", clause)
+    between = re.search(r"\bbetween (?:the |each |them\b|one )|\bapart\b|\bin between\b", clause)
     if between and spec.count > 1 and quantity is None and wider:
         usual = middle(spec.spacing) if spec.spacing is not None else 3.0
         apart = round(usual * wider, 1)

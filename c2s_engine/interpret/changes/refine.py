@@ -66,7 +66,10 @@ def _next(part: str, topic: str | None, structure: Structure) -> str:
 
 def _of_the_new(parts: list[str], structure: Structure) -> list[str]:
     """The first parts of a text, up to one that tells what somebody else does who is there."""
+    anew = language.table("refine")["told"]["anew"]
     for number, part in enumerate(parts[1:], 1):
+        if re.match(anew, part):
+            return parts[:number]
         first = next((s for s in scan.names(part) if s.kind in ("actor", "ego")), None)
         subject = first is not None and re.fullmatch(r"(?:and |then |but )*(?:the )?", part[: first.start])
         there = refer(f"the {part[first.start : first.end]}", structure, alone=False) if first and subject else None

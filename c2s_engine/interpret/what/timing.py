@@ -166,7 +166,7 @@ class Timing(Modes):
                     ):
                         place = (
                             "intersection"
-                            if re.search(r"intersection|junction", text)
+                            if re.search(r"intersection|junction|crossroads|stop line|stop sign|lights?\b", text)
                             else "crosswalk"
                             if re.search(r"\b(?:crosswalk|crossing|zebra)", text)
                             else None

@@ -181,6 +181,13 @@ CELLS = [
         "the motorcycle is 20 m behind ego",
         "the motorcycle follows ego at 20 m | keep the motorcycle 20 m behind us",
     ),
+    # what follows for ego
+    (
+        ROW,
+        "the child crosses, then it stops. ego brakes hard",
+        "the child runs into the road and then stops there, so ego has to do an emergency brake | the child crosses, "
+        "then it gets scared and stops there, and because of this ego must brake hard",
+    ),
     # ego does nothing
     (
         MOTORWAY,

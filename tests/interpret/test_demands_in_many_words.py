@@ -140,6 +140,54 @@ CELLS = [
         "the junction has stop signs",
         "the traffic lights should be stop signs | the junction should be stop controlled",
     ),
+    # who follows, who comes into the lane, who goes first
+    (MOTORWAY, "let a vehicle follow ego", "someone follows ego | somebody should follow us"),
+    (MOTORWAY, "add a car that follows ego", "ego is followed by another car | let another car follow ego"),
+    (
+        ROW,
+        "the oncoming bus drifts into ego's lane",
+        "the bus in the oncoming lane gets into our lane | the oncoming bus is on our side of the road",
+    ),
+    (LIGHTS, "ego yields to the truck", "the truck has priority | truck first | ego stops and lets the truck pass"),
+    # the road
+    (STREET, "speed limit 30 km/h", "30 km/h zone | here only 30 km/h are allowed | the allowed speed is 30 km/h"),
+    (MOTORWAY, "on a country road", "we are on a country road"),
+    (MOTORWAY, "make it four lanes", "add a lane | one more lane | three lanes are not enough, make it four"),
+    (STREET, "less rain", "the rain should be light | the rain is too heavy | reduce the rain"),
+    (ROW, "no oncoming traffic", "clear the oncoming lane | remove everything in the oncoming lane"),
+    (ROW, "remove the parked cars", "remove the row | the roadside should be free of cars | clear the parked cars"),
+    # what is supposed
+    (
+        ROW,
+        "the child should start when ego is 15 m away",
+        "what if the child ran out at 15 m? | what if the child started when ego was 15 m away? | "
+        "have the child run only when ego is 15 m away",
+    ),
+    (STREET, "the car comes to a stop", "it would be better if the car stopped | what would happen if the car stopped"),
+    (
+        ROW,
+        "the child should start when the ttc is 1.5 s",
+        "the child should start a little later, at a TTC of 1.5 s instead of immediately | to really test the brakes "
+        "we need the child to start only when the time to collision has dropped to 1.5 s, everything else can stay | "
+        "the child must not start earlier than at a time to collision of 1.5 s",
+    ),
+    # who stands, who is parked, where he is
+    (MOTORWAY, "the van stands still", "make the van a broken-down vehicle | the van has broken down"),
+    (STREET, "the car is parked on the right", "park the car on the right | put the car on the right, parked"),
+    (MOTORWAY, "swap the van and the car", "van <-> car | switch van with car"),
+    (MOTORWAY, "the van is 100 m ahead", "van @ 100m | van from 30 to 100 m | van at 100 m"),
+    (
+        LIGHTS,
+        "the motorcycle is 20 m behind ego",
+        "the motorcycle follows ego at 20 m | keep the motorcycle 20 m behind us",
+    ),
+    # what follows for ego
+    (
+        ROW,
+        "the child crosses, then it stops. ego brakes hard",
+        "the child runs into the road and then stops there, so ego has to do an emergency brake | the child crosses, "
+        "then it gets scared and stops there, and because of this ego must brake hard",
+    ),
     # ego does nothing
     (
         MOTORWAY,
@@ -171,3 +219,11 @@ def test_a_demand_is_the_same_in_other_words(scene: str, plain: str, wordings: s
 )
 def test_back_and_forth(text: str, kind: str) -> None:
     assert route(text, EmbeddedInterpreter().interpret(STREET).structure).kind == kind
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["the bus should brake harder", "the pedestrian should wait 3 s", "the ambulance brakes with 5 m/s2"],
+)
+def test_nobody_else_changes_for_one_who_is_not_there(text: str) -> None:
+    assert not route(text, EmbeddedInterpreter().interpret(MOTORWAY).structure).edits

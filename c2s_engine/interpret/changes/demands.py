@@ -163,7 +163,10 @@ def _folded(parts: list[str]) -> list[str]:
     for part in (p.strip() for p in parts):
         if re.match(table["so"], part) and not re.match(table["reason"], part):
             adds = language.table("refine")["told"]["adds"]
-            found, ahead = [d for d in found if re.search(table["demanding"], d) or re.match(adds, found[0])], ""
+            told = bool(re.match(table["follows_from"], part)) and not re.search(table["judges"], ", ".join(found))
+            told = told and not re.match(r"(?:ego|we|i|it)\b", ", ".join(found))
+            kept = [d for d in found if told or re.search(table["demanding"], d) or re.match(adds, found[0])]
+            found, ahead = kept, ""
         if (
             not part
             or re.match(table["reason"], part)

@@ -246,6 +246,8 @@ def rate(clause: str, structure: Structure) -> Found | None:
         return None
     if re.search(r"\b(?:when|once|as soon as|if|until)\b", clause):
         return None  # it says when, too
+    if names_a_stranger(clause, structure):
+        return None
     doing = [c for c in (structure.ego, *structure.objects) if any(p.action in actions for p in _phases(c))]
     named = refer(clause, structure, alone=False)
     component = named if named in doing else doing[0] if doing and named is None else None

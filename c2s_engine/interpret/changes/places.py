@@ -34,3 +34,10 @@ def on_a_side(there: Component, clause: str) -> dict[str, Any]:
 def cuts_in(now: Component, there: Component) -> bool:
     """Whether where it is told to be is where one who starts behind cuts in."""
     return spec_of(there).placement.along == "behind" and any(p.action == "cut_in" for p in spec_of(now).phases)
+
+
+def keeps_level(now: Component, there: Component, clause: str) -> bool:
+    """Whether one who goes to another lane stays as far along as he is, nothing being told of that."""
+    lanes = ("left_lane", "right_lane")
+    moved = {spec_of(now).placement.position, spec_of(there).placement.position} == set(lanes)
+    return moved and not re.search(table()["lengthwise"], clause)

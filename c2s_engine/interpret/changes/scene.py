@@ -129,6 +129,8 @@ def road(clause: str, structure: Structure) -> Found | None:
     if found.lanes or lanes:
         words = {"one": 1, "two": 2, "three": 3, "four": 4}
         update["lanes"] = (words.get(lanes[1]) or int(lanes[1])) if lanes else found.lanes
+    if more := re.match(language.table("refine")["more_lanes"], clause):
+        update["lanes"] = min(4, (old.lanes or 1) + 1) if more["more"] else max(1, (old.lanes or 2) - 1)
     if (update.get("lanes") or 3) < 3 and old.ego_lane == "middle":
         update["ego_lane"] = "rightmost"
     if found.speed_limit:

@@ -11,7 +11,7 @@ from c2s_engine.interpret.changes.apart import told_apart
 from c2s_engine.interpret.changes.forms import Found
 from c2s_engine.interpret.changes.in_words import in_words
 from c2s_engine.interpret.changes.phases import PASSING, WAYS, afterwards, at_rest, awaited, given_up, joined, mapped
-from c2s_engine.interpret.changes.places import cuts_in, on_a_side, placed_before
+from c2s_engine.interpret.changes.places import cuts_in, keeps_level, on_a_side, placed_before
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
 from c2s_engine.interpret.reading import scan
@@ -282,7 +282,9 @@ def _changes(
             found += [
                 (f"placement.{key}", ids.get(part, part) if key in ("of", "hidden_by") else part)
                 for key, part in value.items()
-                if part != place[key] and not (key in ("gap", "along") and cuts_in(now, there))
+                if part != place[key]
+                and not (key in ("gap", "along") and cuts_in(now, there))
+                and not (key == "along" and keeps_level(now, there, clause))
             ]
         elif value == "none" and not re.search(table()["denies"], clause):
             continue  # how it reacts goes on, unless that is denied

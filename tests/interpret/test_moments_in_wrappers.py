@@ -99,3 +99,15 @@ def test_one_that_was_named_besides_its_part(read, text: str) -> None:
 def test_the_lane_that_ego_changes_to(read, text: str) -> None:
     (one,) = read(text).objects
     assert one.spec.placement.position == "left_lane"
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("Cyclists abreast on a two-way road. The ego vehicle catches up with three cyclists riding side by side.", 3),
+        ("Pedestrians ahead. Ego approaches three pedestrians who cross from the right.", 3),
+        ("Trucks in a platoon. Ego follows two trucks.", 2),
+    ],
+)
+def test_those_of_a_title_that_are_counted_then(read, text: str, count: int) -> None:
+    assert [o.spec.count for o in read(text).objects] == [count]

@@ -225,7 +225,7 @@ class Inferred(Concealed):
         found = None
         for match in re.finditer(
             (
-                r"(?:mov\w+|merg\w+|chang\w+|shift\w*|steer\w*|pull\w*)(?: over| out)?(?: to the"
+                r"(?:mov\w+|merg\w+|chang\w+|shift\w*|steer\w*|pull\w*)(?: lanes?)?(?: over| out)?(?: to the"
                 r"| to)? (left|right)\b|\b(left|right)(?:-hand|most)?(?: hand)? lane|lane (?:immediately "
                 r"|directly )?(?:to|on) (?:the|its|their) (left|right)|lane on the (left|right)"
                 r"|second lane[^.;]*(left|right)"

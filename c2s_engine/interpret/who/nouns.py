@@ -7,8 +7,8 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PERSONS, VEHICLES, ZONES, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.attached import Attached
 from c2s_engine.interpret.who.counted import Counted
+from c2s_engine.interpret.who.introduced import Introduced
 from c2s_engine.interpret.who.not_there import NotThere
 from c2s_engine.interpret.who.persons import DRIVERS
 
@@ -19,7 +19,7 @@ ON_LEASH = re.compile(r"\b(?:on|off) (?:an?|the|its|his|her|their) (?:\w+ )?$")
 AUTHORITIES = language.words("authorities")
 
 
-class Nouns(Attached, NotThere, Counted):
+class Nouns(Introduced, NotThere, Counted):
     """The part of Cast that reads nouns."""
 
     def _apposed(self, word: Word) -> Entity | None:
@@ -221,6 +221,8 @@ class Nouns(Attached, NotThere, Counted):
                 if found.noun == "traffic" and count > 1:
                     found.count, found.noun = count, noun
                 return found
+        if other and count == 1 and not roles and (pair := self._ego_and_another(word, kind)) is not None:
+            pair.roles.add("group")
         found = Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
         if count == 1:
             found.names |= COLOURS & set(before)
@@ -250,35 +252,6 @@ class Nouns(Attached, NotThere, Counted):
         above = self.words[word.head]
         verb = self.words[above.head] if above.dep == "prep" else above
         return word.dep in ("pobj", "dobj") and verb.lemma in ("look", "watch", "check", "monitor", "scan", "glance")
-
-    def _parties(self, word: Word, before: list[str], data: dict, roles: set[str]) -> Entity | None:
-        """The other of the two parties that "the vehicles" means ("both vehicles", "the two cars"), once two single
-        ones were spoken of and no group was."""
-        if not data.get("plural") or data.get("noun") not in ("vehicles", "cars") or roles or self._distinguished(word):
-            return None
-        if not {"the", "both", "these"} & set(before) or {"other", "three", "four"} & set(before):
-            return None
-        if self.words[word.head].norm in ("between", "of", "behind", "among") or word.dep not in ("nsubj", "nsubjpass"):
-            return None
-        told = [e for e in self.entities if e.type in VEHICLES and e.mentions]
-        alone = len(told) == 1 and self.ego.mentions or len(told) == 2 and not self.ego.mentions
-        if not alone or any(e.count > 1 for e in told):
-            return None
-        if {"both", "two"} & set(before):
-            self.both[word.i] = told[:-1] or [self.ego]
-        return told[-1]
-
-    def _revealed(self, word: Word, kind: str) -> Entity | None:
-        """The bare label that a colon explains: "V3 came into view: a disabled car"."""
-        sentence = [w for w in self.words[: word.i] if w.sentence == word.sentence]
-        if not any(w.norm == ":" for w in sentence[-4:]):
-            return None
-        labels = [
-            self.of[w.i]
-            for w in sentence
-            if w.i in self.of and self.of[w.i].label and self.of[w.i].type == "vehicle" and not self.of[w.i].ego
-        ]
-        return labels[-1] if labels and kind in MOTOR else None
 
     def _proper(self, word: Word) -> bool:
         """Whether the noun is part of a name ("Van Ness", "Ford")."""
@@ -321,4 +294,6 @@ class Nouns(Attached, NotThere, Counted):
         host.roles |= roles
         if noun and not host.noun:
             host.noun = noun
+        elif noun and not host.ego and noun != host.noun:
+            host.names.add(noun)
         return host

@@ -7,7 +7,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import ORDINALS, URGENT, VEHICLES, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.centre import Centre
+from c2s_engine.interpret.who.ego_by_noun import EgoByNoun
 
 OWNERS = language.words("owners")
 ANYBODY = language.words("anybody")
@@ -15,7 +15,6 @@ ANYBODY = language.words("anybody")
 DRIVES_IT = frozenset(("you", "your", "he", "she", "his", "her"))
 """Words for ego that mean who is at the wheel."""
 COLOURS = language.words("colours")
-OF_EGO = language.words("of_ego")
 CARS = frozenset(("car", "vehicle", "van", "police_car"))
 TOLD_APART = frozenset(("oncoming", "crossing", "lead", "following", "cut_in", "adjacent", "adversary"))
 """Parts in the scene by which another one is meant, unless somebody had that part before."""
@@ -32,14 +31,11 @@ AFOOT = frozenset(
 )
 ALL_OF_THEM = frozenset(("both", "the", "these", "all", "neither"))
 
-SYSTEMS, RUN_BY = language.words("systems"), language.words("run_by_systems")
 
-
-class Reference(Centre):
+class Reference(EgoByNoun):
     """The part of Cast that resolves definite nouns."""
 
     ego_named: bool
-    strong_ego: bool
 
     def _type_of_definite(self, word: Word, before: list[str], kind: str) -> Entity | None:
         for child in word.children:
@@ -108,6 +104,9 @@ class Reference(Centre):
         short = [e for e in self.entities if e.noun.startswith(f"{noun} ") and e.count == count and _alike(e, kind)]
         if short and (definite or bare) and not (roles or other or ordinal is not None):
             return short[-1]  # "an auto rickshaw ... the auto"
+        named = [e for e in candidates if noun in e.names and e.count == count and not e.person]
+        if named and definite and not (roles or other or ordinal is not None) and noun not in ("vehicle", "car"):
+            return named[-1]  # "the adversary, a sedan, comes ... the sedan"
         if noun in (brands := language.makes()):  # "the Kia hit the Hyundai"
             same = language.table("actors")["same_makes"].get(noun, noun)
             made = [e for e in self.entities if {noun, same} & e.names and e.count == 1]
@@ -251,40 +250,10 @@ class Reference(Centre):
             return self.ego
         return max(scored)[2] if scored else None
 
-    def _told_by_a_part(self, word: Word, noun: str) -> bool:
-        """Whether words before "vehicle" tell it from ego that has a name: "the ego ... the intruding vehicle"."""
-        names = [m for m in self.ego.mentions if self.words[m.word].norm not in ("vehicle", "car", "it", "its")]
-        before = [self.words[c] for c in word.children if c < word.i and self.words[c].dep in ("amod", "compound")]
-        by = [w for w in before if w.i not in self.of and w.norm not in OF_EGO and w.norm not in COLOURS]
-        return noun in ("vehicle", "car") and self.strong_ego and bool(names) and bool(by)
-
-    def _run_by_its_own(self, word: Word) -> bool:
-        """Whether it is the object of what its own system or driver does: "the function shall hold the vehicle"."""
-        verb = self.words[word.head]
-        subjects = [self.words[c] for c in verb.children if self.words[c].dep == "nsubj"]
-        own = any(w.lemma in SYSTEMS or w.norm in ("i", "we") and self.of.get(w.i) is self.ego for w in subjects)
-        return word.dep == "dobj" and own and verb.lemma in RUN_BY
-
     def _only_one(self, those: list[Entity]) -> bool:
         """Whether there is one only, that was told as one of two ("one vehicle"): the other is still to come."""
         first = those[0].mentions[0].word if those[0].mentions else 0
         return len(those) == 1 and first > 0 and self.words[first - 1].norm == "one" and not self.ego.mentions
-
-    def _ego_moving(self, roles: set[str], kind: str, definite: bool) -> bool:
-        """Whether ego is meant by what it does: "the turning truck", of a test vehicle that is a truck."""
-        doing = bool(roles) and roles <= {"turning", "slow", "fast"} and definite
-        return doing and self.ego.typed and kind == self.ego.type and not any(e.type == kind for e in self.entities)
-
-    def _ego_by(self, noun: str) -> bool:
-        """Whether ego was called by that noun ("the DCAS vehicle" makes "the vehicle" ego)."""
-        return any(
-            noun and self.words[m.word].norm.split(" ")[-1].split("-")[-1] == noun for m in self.ego.mentions
-        ) or (noun == "vehicle" and self.strong_ego and not any(e.type == "vehicle" for e in self.entities))
-
-    def _ego_besides(self, noun: str) -> bool:
-        """Whether ego was only called that beside a name of its own ("Ego, a car, drives")."""
-        called = [self.words[m.word] for m in self.ego.mentions]
-        return all(w.dep == "appos" for w in called if w.norm.split(" ")[-1] == noun)
 
     def _distinguished(self, word: Word) -> bool:
         """Whether the noun phrase goes on to say which one: "the car in front of it", "the van that ..."."""

@@ -52,6 +52,11 @@ class Titles(Named):
         before = set(self._modifiers(word)) | {w.norm for w in self.words[max(0, word.i - 1) : word.i]}
         after = self.words[word.i + 1] if word.i + 1 < len(self.words) else word
         described = after.tag in ("VBN", "VBG", "VBD", "IN") or after.norm == ","
+        begun = self.of.get(0)
+        counted = count > 1 and word.sentence > 0 and before & {*language.table("actors")["counts"]}
+        if begun is not None and counted and begun.noun == noun and begun.count > 1 and len(begun.mentions) == 1:
+            begun.count = count  # "Cyclists abreast. Ego catches up with three cyclists"
+            return begun
         if (
             count > 1
             and kind in PERSONS

@@ -1,0 +1,47 @@
+"""Whether a definite noun means ego: by how ego was called, by what it does, by what is told of it."""
+
+from __future__ import annotations
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.centre import Centre
+
+COLOURS = language.words("colours")
+OF_EGO = language.words("of_ego")
+SYSTEMS, RUN_BY = language.words("systems"), language.words("run_by_systems")
+
+
+class EgoByNoun(Centre):
+    """The part of Cast that knows whether a noun means ego."""
+
+    strong_ego: bool
+
+    def _ego_moving(self, roles: set[str], kind: str, definite: bool) -> bool:
+        """Whether ego is meant by what it does: "the turning truck", of a test vehicle that is a truck."""
+        doing = bool(roles) and roles <= {"turning", "slow", "fast"} and definite
+        return doing and self.ego.typed and kind == self.ego.type and not any(e.type == kind for e in self.entities)
+
+    def _told_by_a_part(self, word: Word, noun: str) -> bool:
+        """Whether words before "vehicle" tell it from ego that has a name: "the ego ... the intruding vehicle"."""
+        names = [m for m in self.ego.mentions if self.words[m.word].norm not in ("vehicle", "car", "it", "its")]
+        before = [self.words[c] for c in word.children if c < word.i and self.words[c].dep in ("amod", "compound")]
+        by = [w for w in before if w.i not in self.of and w.norm not in OF_EGO and w.norm not in COLOURS]
+        return noun in ("vehicle", "car") and self.strong_ego and bool(names) and bool(by)
+
+    def _run_by_its_own(self, word: Word) -> bool:
+        """Whether it is the object of what its own system or driver does: "the function shall hold the vehicle"."""
+        verb = self.words[word.head]
+        subjects = [self.words[c] for c in verb.children if self.words[c].dep == "nsubj"]
+        own = any(w.lemma in SYSTEMS or w.norm in ("i", "we") and self.of.get(w.i) is self.ego for w in subjects)
+        return word.dep == "dobj" and own and verb.lemma in RUN_BY
+
+    def _ego_by(self, noun: str) -> bool:
+        """Whether ego was called by that noun ("the DCAS vehicle" makes "the vehicle" ego)."""
+        return any(
+            noun and self.words[m.word].norm.split(" ")[-1].split("-")[-1] == noun for m in self.ego.mentions
+        ) or (noun == "vehicle" and self.strong_ego and not any(e.type == "vehicle" for e in self.entities))
+
+    def _ego_besides(self, noun: str) -> bool:
+        """Whether ego was only called that beside a name of its own ("Ego, a car, drives")."""
+        called = [self.words[m.word] for m in self.ego.mentions]
+        return all(w.dep == "appos" for w in called if w.norm.split(" ")[-1] == noun)

@@ -1,0 +1,113 @@
+"""When something is done, wherever and however the sentence says so: behind a comma, in a clause of its own."""
+
+import pytest
+
+ACTS = {
+    "the pedestrian": ("steps onto the road", "A pedestrian stands on the right sidewalk."),
+    "the lead car": ("brakes hard", "The lead car drives 30 m ahead of ego."),
+    "the van": ("cuts in", "A van drives in the left lane ahead of ego."),
+}
+MOMENTS = {
+    "when ego is 20 m away": ("distance", 20.0),
+    "if the distance to ego is less than 20 m": ("distance", 20.0),
+    "once the TTC falls below 2 s": ("ttc", 2.0),
+    "when ego's TTC is 2 s": ("ttc", 2.0),
+    "at a TTC of 2 s": ("ttc", 2.0),
+    "4 s after the scenario begins": ("time", 4.0),
+    "at the 4-second mark": ("time", 4.0),
+    "after 4 s": ("time", 4.0),
+}
+WRAPPERS = (
+    "{who} {does} {when}.",
+    "{when}, {who} {does}.",
+    "{who} {does}; this happens {when}.",
+    "{who} {does}, triggered {when}.",
+)
+
+
+@pytest.mark.parametrize("wrapper", WRAPPERS)
+@pytest.mark.parametrize("who", ACTS)
+def test_the_moment_is_kept(read, who: str, wrapper: str) -> None:
+    does, before = ACTS[who]
+    for when, (kind, value) in MOMENTS.items():
+        said = wrapper.format(who=who, does=does, when=when)
+        (one,) = read(f"Ego drives at 50 km/h. {before} {said[0].upper()}{said[1:]}").objects
+        trigger = one.spec.phases[-1].trigger
+        assert trigger is not None, said
+        assert (trigger.kind, trigger.value) == (kind, value), said
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Ego drives at 70 km/h where 50 is allowed.",
+        "Ego drives at 70 km/h (50 km/h allowed).",
+        "A car comes at 70 km/h, where only 50 km/h are permitted. Ego drives at 40 km/h.",
+    ],
+)
+def test_the_limit_that_is_told_beside_a_speed(read, text: str) -> None:
+    assert round(read(text).place.spec.speed_limit, 2) == 13.89
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Ego drives at 40 km/h. A cyclist crosses the lane from right to left.",
+        "Ego drives at 40 km/h. A cyclist crosses ego's lane from the right.",
+        "Ego drives at 40 km/h. A cyclist emerges from the right and crosses the lane from right to left.",
+        "Ego drives at 40 km/h. An e-scooter rider crosses the lane from right to left.",
+    ],
+)
+def test_a_cyclist_across_the_lane(read, text: str) -> None:
+    (one,) = read(text).objects
+    assert (one.spec.placement.position, one.spec.placement.side) == ("roadside", "right")
+    assert [p.action for p in one.spec.phases] == ["cross_road"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "There are two cars. Ego drives at 50 km/h from south to north, another car comes from the left.",
+        "There is two cars. Ego drives at 50 km/h from south to north, the other car comes from the left.",
+        "Two cars approach. Ego drives at 50 km/h from south to north, another car comes from the left.",
+    ],
+)
+def test_ego_and_another_are_the_two(read, text: str) -> None:
+    (one,) = read(text).objects
+    assert one.spec.placement.position == "crossing_left"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Ego turns left. An adversary, a sedan, comes the other way. Ego waits for the sedan that comes near.",
+        "Ego turns left. The first adversary, a sedan, comes the other way at 70 km/h. The sedan goes straight.",
+        "Ego drives. The lead vehicle, a pickup, brakes. The pickup then stops.",
+    ],
+)
+def test_one_that_was_named_besides_its_part(read, text: str) -> None:
+    assert len(read(text).objects) == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Ego drives at 70 km/h. It changes lanes to the left while a van in that lane brakes.",
+        "Ego drives at 70 km/h and changes lanes to the left. A van in that lane brakes.",
+    ],
+)
+def test_the_lane_that_ego_changes_to(read, text: str) -> None:
+    (one,) = read(text).objects
+    assert one.spec.placement.position == "left_lane"
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("Cyclists abreast on a two-way road. The ego vehicle catches up with three cyclists riding side by side.", 3),
+        ("Pedestrians ahead. Ego approaches three pedestrians who cross from the right.", 3),
+        ("Trucks in a platoon. Ego follows two trucks.", 2),
+    ],
+)
+def test_those_of_a_title_that_are_counted_then(read, text: str, count: int) -> None:
+    assert [o.spec.count for o in read(text).objects] == [count]

@@ -181,3 +181,34 @@ def test_who_rides_into_a_door_hits_the_car(read, text: str) -> None:
 def test_what_somebody_saw_another_do(read, text: str) -> None:
     s = read(text)
     assert (s.ego.spec.type, _acts(s.ego)) == ("van", ["lane_change", "collide"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 drifted to the right and struck the rear of V2, legally parked and unoccupied at the north curb.",
+        "V1 hit V2, parked and unattended on the right shoulder.",
+        "V1 struck V2 (Kia Soul), parked at the north curb.",
+        "V1 left the road and hit V2, already parked on the shoulder.",
+    ],
+)
+def test_who_is_struck_parked(read, text: str) -> None:
+    s = read(text)
+    assert "wait" not in _acts(s.ego)
+    assert [o.spec.placement.position for o in s.objects] == ["parked"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Vehicle 1 (2013 Toyota Prius, belted 34-year-old female) was southbound. V2, a 2017 Dodge, was northbound and "
+        "turned left in front of it.",
+        "V1, a 2016 Honda CR-V driven by a 71-year-old man with two passengers, was eastbound. V2, a 2008 Acura, was "
+        "westbound and turned left in front of V1.",
+        "V1 was in the eastbound lane. Its driver could not see into the westbound curb lane. V2 was in that curb lane "
+        "and turned left in front of V1.",
+    ],
+)
+def test_who_comes_the_other_way_by_the_compass(read, text: str) -> None:
+    s = read(text)
+    assert [(o.spec.placement.position, _acts(o)) for o in s.objects] == [("opposite_approach", ["turn_left"])]

@@ -83,15 +83,25 @@ def _stood(words: list[Word], word: Word) -> Word | None:
     """Who was hit standing, in notes: "struck rear of V2, stopped in traffic", "came upon V2 stopped in the lane"."""
     if _right_behind(words, word):
         return words[word.i - 1]
-    struck = words[word.i - 2] if word.i > 1 else None
-    where = [words[c].norm for c in word.children if words[c].dep == "prep" and c == word.i + 1]
-    if struck is None or words[word.i - 1].norm != "," or word.norm not in STOOD or not where or "after" in where:
+    struck = _before_comma(words, word)
+    where = [words[c].norm for c in word.children if words[c].dep in ("prep", "cc", "conj") and c == word.i + 1]
+    if struck is None or word.norm not in STOOD or not where or "after" in where:
         return None
     verb = struck
     while not verb.verb and verb.head != verb.i:
         verb = words[verb.head]
-    hits = {verb.lemma, irregular().get(verb.norm)} & CONTACT and struck.dep in ("dobj", "pobj")
+    hits = {verb.lemma, irregular().get(verb.norm)} & (CONTACT | {"push"}) and struck.dep in ("dobj", "pobj")
     return struck if hits and road_user(struck) and "scene" not in _after(words, word) else None
+
+
+def _before_comma(words: list[Word], word: Word) -> Word | None:
+    """Who is named before the comma of a participle: "V2, legally parked", "V2 (a Kia), parked"."""
+    at = word.i - 2 if words[word.i - 1].norm.endswith("ly") or words[word.i - 1].norm in PLACED else word.i - 1
+    if at < 1 or words[at].norm != ",":
+        return None
+    if words[at - 1].norm == ")":
+        at = next((n for n in range(at - 1, max(0, at - 12), -1) if words[n].norm == "("), at)
+    return words[at - 1] if at else None
 
 
 def _found_standing(words: list[Word], word: Word) -> Word | None:

@@ -212,3 +212,27 @@ def test_who_is_struck_parked(read, text: str) -> None:
 def test_who_comes_the_other_way_by_the_compass(read, text: str) -> None:
     s = read(text)
     assert [(o.spec.placement.position, _acts(o)) for o in s.objects] == [("opposite_approach", ["turn_left"])]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The AV was in the left turn lane, waiting on a red arrow. Traffic in the through lanes began to move on their "
+        "green. The car behind rolled forward and hit the AV.",
+        "V1 was stopped at a red light. The cross traffic had their green. V2 hit V1 from behind.",
+    ],
+)
+def test_the_green_of_others_is_not_that_of_ego(read, text: str) -> None:
+    assert read(text).settings.spec.light == "red"
+
+
+@pytest.mark.parametrize(
+    ("text", "limit"),
+    [
+        ("V1 was eastbound at 35 mph (posted 25) and struck a parked car.", 11.18),
+        ("V-1 was W/B at 40 mph (posted 40). V-2 braked hard ahead of V-1.", 17.88),
+        ("V1 was northbound at 70 km/h (limit 50) and struck a deer.", 13.89),
+    ],
+)
+def test_a_limit_beside_a_speed(read, text: str, limit: float) -> None:
+    assert read(text).place.spec.speed_limit == limit

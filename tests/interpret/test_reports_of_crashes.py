@@ -181,3 +181,58 @@ def test_who_rides_into_a_door_hits_the_car(read, text: str) -> None:
 def test_what_somebody_saw_another_do(read, text: str) -> None:
     s = read(text)
     assert (s.ego.spec.type, _acts(s.ego)) == ("van", ["lane_change", "collide"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 drifted to the right and struck the rear of V2, legally parked and unoccupied at the north curb.",
+        "V1 hit V2, parked and unattended on the right shoulder.",
+        "V1 struck V2 (Kia Soul), parked at the north curb.",
+        "V1 left the road and hit V2, already parked on the shoulder.",
+    ],
+)
+def test_who_is_struck_parked(read, text: str) -> None:
+    s = read(text)
+    assert "wait" not in _acts(s.ego)
+    assert [o.spec.placement.position for o in s.objects] == ["parked"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Vehicle 1 (2013 Toyota Prius, belted 34-year-old female) was southbound. V2, a 2017 Dodge, was northbound and "
+        "turned left in front of it.",
+        "V1, a 2016 Honda CR-V driven by a 71-year-old man with two passengers, was eastbound. V2, a 2008 Acura, was "
+        "westbound and turned left in front of V1.",
+        "V1 was in the eastbound lane. Its driver could not see into the westbound curb lane. V2 was in that curb lane "
+        "and turned left in front of V1.",
+    ],
+)
+def test_who_comes_the_other_way_by_the_compass(read, text: str) -> None:
+    s = read(text)
+    assert [(o.spec.placement.position, _acts(o)) for o in s.objects] == [("opposite_approach", ["turn_left"])]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The AV was in the left turn lane, waiting on a red arrow. Traffic in the through lanes began to move on their "
+        "green. The car behind rolled forward and hit the AV.",
+        "V1 was stopped at a red light. The cross traffic had their green. V2 hit V1 from behind.",
+    ],
+)
+def test_the_green_of_others_is_not_that_of_ego(read, text: str) -> None:
+    assert read(text).settings.spec.light == "red"
+
+
+@pytest.mark.parametrize(
+    ("text", "limit"),
+    [
+        ("V1 was eastbound at 35 mph (posted 25) and struck a parked car.", 11.18),
+        ("V-1 was W/B at 40 mph (posted 40). V-2 braked hard ahead of V-1.", 17.88),
+        ("V1 was northbound at 70 km/h (limit 50) and struck a deer.", 13.89),
+    ],
+)
+def test_a_limit_beside_a_speed(read, text: str, limit: float) -> None:
+    assert read(text).place.spec.speed_limit == limit

@@ -31,7 +31,7 @@ def compose_place(scene: Scene) -> PlaceSpec:
     if kind == "off_ramp" and exits and not any(e.agent.ego for e in exits):
         kind = "motorway"
     manoeuvre = None
-    if kind is None and road.signal:
+    if road.signal and (kind is None or kind == "straight" and not (road.crosswalk or road.no_intersection)):
         kind = "intersection"
     if kind == "intersection":
         if turn is not None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.reading.found_standing import found_standing
 from c2s_engine.interpret.reading.hanging import hang, road_user
 from c2s_engine.interpret.reading.lost_subjects import find_subject
 from c2s_engine.interpret.reading.motions import irregular, third_person
@@ -16,14 +17,8 @@ if TYPE_CHECKING:
 OBJECTS = frozenset(("it", "him", "her", "them"))
 TOWED, SEES, WAITS = language.with_plurals("towed"), language.words("notices"), language.words("waits")
 MANOEUVRES = language.words("manoeuvres") | language.words("drives")
-CONTACT = language.words("contact") | language.words("strikes")
 FAULTS = frozenset(("run", "fail", "disregard", "ignore", "neglect", "jump", "cross", "turn", "pull"))
-ANSWERED = CONTACT | language.words("answers_nearing")
 ANSWERS = frozenset(("respond", "react", "answer", "reply"))
-LOOSE = frozenset(("conj", "dep", "ccomp", "advcl"))
-STOOD = frozenset(("stopped", "parked", "slowed", "standing", "waiting"))
-PLACED = frozenset(("ahead", "there", "here", "in", "on", "already", "still"))
-STANDING_AT = PLACED | {"at", "for", "behind", "before", "near", "along", "across"}
 LEFT_STANDING = frozenset(("stop", "park", "leave", "hit", "strike", "follow", "queue", "drive", "pass", "overtake"))
 
 
@@ -43,13 +38,7 @@ def reattach(words: list[Word]) -> None:
             word.dep = "xcomp"  # "commences accelerating"
         if word.dep == "ccomp" and _joined(words, word):
             word.dep = "conj"  # "overtakes ego and 2 s later brakes"
-        if word.dep in LOOSE and (struck := _stood(words, word)) is not None:
-            hang(words, word, struck)
-            word.dep, word.tag = "acl", "VBN"
-        if word.dep in ("ccomp", "xcomp") and (struck := _found_standing(words, word)) is not None:
-            _make_participle(words, word, struck)
-        if word.dep in ("acl", "relcl") and word.norm in (*STOOD, "stood") and road_user(words[word.head]):
-            _went_on(words, word)
+        found_standing(words, word)
         find_subject(words, word)
         if word.norm == "by" and word.dep == "prep" and (answers := _answer(words, word)) is not None:
             hang(words, word, answers)  # "responds to a van braking by changing lanes"
@@ -77,67 +66,6 @@ def _tells(words: list[Word], verb: Word) -> bool:
     told = any(w.tag in ("VBD", "VBZ", "VBP", "MD") for w in rest) or any(w.norm == "by" for w in rest)
     ends = rest[-1].norm == "." and any(words[c].norm in ("a", "an", "the", "another") for c in noun.children)
     return verb.lemma in MANOEUVRES - LEFT_STANDING and ends and not told and len(rest) > 3
-
-
-def _stood(words: list[Word], word: Word) -> Word | None:
-    """Who was hit standing, in notes: "struck rear of V2, stopped in traffic", "came upon V2 stopped in the lane"."""
-    if _right_behind(words, word):
-        return words[word.i - 1]
-    struck = words[word.i - 2] if word.i > 1 else None
-    where = [words[c].norm for c in word.children if words[c].dep == "prep" and c == word.i + 1]
-    if struck is None or words[word.i - 1].norm != "," or word.norm not in STOOD or not where or "after" in where:
-        return None
-    verb = struck
-    while not verb.verb and verb.head != verb.i:
-        verb = words[verb.head]
-    hits = {verb.lemma, irregular().get(verb.norm)} & CONTACT and struck.dep in ("dobj", "pobj")
-    return struck if hits and road_user(struck) and "scene" not in _after(words, word) else None
-
-
-def _found_standing(words: list[Word], word: Word) -> Word | None:
-    """Who was hit or seen standing, where the tree has it stop: "struck a Ford stopped at a red light"."""
-    verb, noun = words[word.head], words[word.i - 1]
-    if word.norm not in STOOD or noun.i not in word.children or noun.dep != "nsubj" or not road_user(noun):
-        return None
-    if any(words[c].dep in ("mark", "aux", "advmod") and words[c].norm not in PLACED for c in word.children):
-        return None
-    hits = {verb.lemma, irregular().get(verb.norm)} & (CONTACT | SEES)
-    return noun if hits and verb.i < noun.i else None
-
-
-def _right_behind(words: list[Word], word: Word) -> bool:
-    """Whether a participle of standing without a subject stands right behind the object of another verb."""
-    noun, after = words[word.i - 1], words[word.i + 1].norm if word.i + 1 < len(words) else ""
-    bare = not any(words[c].dep in ("nsubj", "nsubjpass", "aux", "auxpass", "mark", "cc") for c in word.children)
-    alone = word.dep in ("advcl", "ccomp", "dep") and bare and word.norm in STOOD
-    return alone and noun.dep in ("dobj", "pobj") and road_user(noun) and after in STANDING_AT
-
-
-def _make_participle(words: list[Word], word: Word, noun: Word) -> None:
-    """Make a clause the participle of the noun it was taken to have as its subject."""
-    above = words[word.head]
-    hang(words, noun, above)
-    hang(words, word, noun)
-    noun.dep, word.dep, word.tag = "dobj", "acl", "VBN"
-
-
-def _went_on(words: list[Word], stood: Word) -> None:
-    """Hang what goes on with the verb before one who stood there: "noticed a van stopped ahead and braked"."""
-    noun = words[stood.head]
-    above = words[noun.head]
-    while not above.verb and above.head != above.i or above.dep == "xcomp":
-        above = words[above.head]
-    if noun.dep not in ("dobj", "pobj") or above.tag != "VBD" or above.i > noun.i:
-        return
-    for child in [words[c] for c in stood.children if words[c].dep == "conj" and words[c].verb and c > stood.i]:
-        bare = not any(words[c].dep in ("auxpass", "nsubj", "nsubjpass", "agent") for c in child.children)
-        if bare and child.norm not in STOOD and (child.lemma in ANSWERED or irregular().get(child.norm) in ANSWERED):
-            hang(words, child, above)
-            child.tag = "VBD" if child.tag == "VBN" else child.tag
-
-
-def _after(words: list[Word], word: Word) -> list[str]:
-    return [w.norm for w in words[word.i + 1 : word.i + 5]]
 
 
 def _first_of_several(words: list[Word], first: Word) -> bool:

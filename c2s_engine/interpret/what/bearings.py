@@ -19,7 +19,8 @@ TURNED = re.compile(r"\bturn\w* (?:\w+ ){0,2}?(left|right) (?:\w+ ){0,4}?(?:to|o
 INTO = re.compile(r"\b(?:into|onto|towards?|across|over|in front of) (?:the )?$")
 LANES = re.compile(r" (?:\w+ ){0,2}(?:lanes?|side|traffic|carriageway)\b")
 """Lanes into which somebody gets who came from elsewhere: "crossed into the northbound lanes"."""
-LOOKS_BACK, LOOKS_ON = 4, 12
+LOOKS_BACK, LOOKS_ON, INSERTED = 4, 12, 24
+TOLD = frozenset(("VBD", "VBZ", "VBP", "MD"))
 
 
 def _heading(text: str) -> int | None:
@@ -56,6 +57,19 @@ def _another(clauses: Clauses, word: Word, who: Entity) -> bool:
     return named is not None and named is not who and (named.ego or named.mover)
 
 
+def _beyond(clauses: Clauses, at: int) -> list[Word]:
+    """The words behind a name without what is put in beside it: "V1 (a 2013 Prius), driven by a woman, was"."""
+    rest = clauses.words[at + 1 :]
+    for first, last in (("(", ")"), (",", ",")):
+        if rest and rest[0].norm == first:
+            end = next((n for n, w in enumerate(rest[1:INSERTED], 1) if w.norm == last), None)
+            inner = rest[1:end] if end is not None else []
+            told = any(w.tag in TOLD and first == "," or WAY.fullmatch(w.norm) for w in inner)
+            if end is not None and inner and not told:
+                rest = rest[end + 1 :]
+    return rest
+
+
 def _by_mentions(clauses: Clauses, who: Entity) -> int | None:
     """The heading told right beside a mention: "a westbound Tahoe", "V1, eastbound on Main Street, ..."."""
     for mention in who.mentions:
@@ -67,7 +81,7 @@ def _by_mentions(clauses: Clauses, who: Entity) -> int | None:
             before.insert(0, word)
         after: list[Word] = []
         subject = clauses.words[mention.word].dep in ("nsubj", "nsubjpass", "poss", "ROOT")
-        for word in clauses.words[mention.word + 1 : mention.word + LOOKS_ON]:
+        for word in _beyond(clauses, mention.word)[: LOOKS_ON - 1]:
             if word.sentence != sentence or _another(clauses, word, who):
                 break
             if word.tag in ("VBD", "VBZ") and not subject and clauses.words[word.head].i != mention.word:

@@ -180,6 +180,13 @@ def test_run_red(town):
     assert town.facts(car, lights=[(0.0, "102", road, "red"), (4.0, "102", road, "green")]).light == "red"
 
 
+def test_the_light_that_a_program_sets_in_its_first_step(town):
+    lanes = town.through(102, "STRAIGHT", 0)
+    road = town.index.lanes[lanes[0]].road
+    stands = town.ride("ego", None, town.index.lanes[lanes[0]].length - 12, 0.0, lanes=lanes)
+    assert town.facts(stands, lights=[(0.0, "102", road, "green"), (0.1, "102", road, "red")]).light == "red"
+
+
 def test_run_stop(town):
     control = next(c for c in town.extras.controls if c.kind == "stop" and c.junction == 108)
     arm = next(a for a in range(4) if town.index.lanes[town.through(108, "STRAIGHT", a)[0]].road == str(control.road))

@@ -147,7 +147,8 @@ class EgoPath:
                 continue
             near = np.flatnonzero(np.hypot(ego.x - end[0], ego.y - end[1]) - ego.path.length / 2 <= NEAR_LIGHT)
             if len(near):
-                return state(self.situation, junction, lanes[one].road, int(near[0]))
+                acted = max(1, int(near[0]))  # a program sets lights in the first step
+                return state(self.situation, junction, lanes[one].road, acted)
             shown = ""
         return shown
 

@@ -4,7 +4,7 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.reading import each_apart, grids, notation, rephrased, telegraphic
+from c2s_engine.interpret.reading import each_apart, grids, notation, only_one, rephrased, structured, telegraphic
 from c2s_engine.interpret.reading.motions import irregular
 from c2s_engine.interpret.reading.rewritten import Replacement, Rewritten
 
@@ -20,6 +20,8 @@ class Mended:
         self._passes: list[Rewritten] = []
         unneeded = (notation.left_out,) if scene else ()
         for replacements in (
+            structured.structured,
+            only_one.only_one,
             grids.grids,
             notation.fields,
             *unneeded,

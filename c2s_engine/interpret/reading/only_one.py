@@ -1,0 +1,31 @@
+"""Names with a number and no second of the kind: "car1" or "truck_1" beside ego is "the car" or "the truck"."""
+
+import re
+from collections import defaultdict
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.reading.rewritten import Replacement
+
+EGO = re.compile(r"\bego\b", re.IGNORECASE)
+BEFORE = re.compile(r"(?:\b(?:the|a|an|one|two|three|with|of|by)|\d) ?$", re.IGNORECASE)
+
+
+def only_one(text: str) -> list[Replacement]:
+    """What such names stand for; nothing where ego has no name of its own, by which "car 1" may be ego."""
+    if not EGO.search(text):
+        return []
+    nouns = "|".join(language.table("ego")["labels"]["typed"] + ["car"])
+    named = re.compile(
+        rf"\b(?P<noun>{nouns})[ _]?(?P<number>[1-9])\b(?![.,]?\d| ?(?:m|km|s|g|%|mph|kph|metres?|meters?)\b)", re.I
+    )
+    found: defaultdict[str, list[re.Match[str]]] = defaultdict(list)
+    for match in named.finditer(text):
+        found[match["noun"].lower()].append(match)
+    alone = [m for all_ in found.values() if len({m["number"] for m in all_}) == 1 for m in all_]
+    return [(m.start(), m.end(), _noun(text, m)) for m in alone]
+
+
+def _noun(text: str, match: re.Match[str]) -> str:
+    """The noun alone at the head of a line or behind a determiner, else with an article."""
+    bare = text[match.end() : match.end() + 2].lstrip().startswith(":") or BEFORE.search(text[: match.start()])
+    return match["noun"] if bare else f"the {match['noun']}"

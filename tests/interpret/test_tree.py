@@ -1,6 +1,6 @@
 """Whatever is typed, the words of a sentence hang together as a tree."""
 
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from c2s_engine.interpret.understanding import understand
@@ -57,6 +57,8 @@ PIECES = [
 
 @settings(max_examples=150, deadline=None)
 @given(st.lists(st.sampled_from(PIECES), min_size=2, max_size=18))
+@example(["hits it", "turning left", "hits it", "turning left", "a van ahead of ego", "and", "V2"])
+@example(["turning left", "parked", "V2", "V2", "ahead", "parked", ".", "it"])
 def test_each_word_has_a_way_up_to_a_root(pieces: list[str]) -> None:
     words = understand(" ".join(pieces)).words
     for word in words:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOVERS
+from c2s_engine.interpret.reading.hanging import hang
 from c2s_engine.interpret.reading.motions import past_forms
 from c2s_engine.interpret.spans import names_one
 
@@ -28,16 +29,16 @@ def divide(words: list[Word]) -> None:
     for verb in words:
         if (labelled := _state_of_label(words, verb)) is not None:
             if labelled.head == verb.i:
-                _move(words, labelled, words[verb.head], "dobj")
-            _move(words, verb, labelled, "amod")
+                hang(words, labelled, words[verb.head], "dobj")
+            hang(words, verb, labelled, "amod")
         if (did := _of_first_subject(words, verb)) is not None:
             _two_clauses(words, did, verb)
         if (who := _behind_relative(words, verb)) is not None:
             _make_main(words, who, verb)
         if (main := _main_of_relative(words, verb)) is not None:
-            _move(words, verb, main, "conj")
+            hang(words, verb, main, "conj")
         if (placed := _place_set_off(words, verb)) is not None:
-            _move(words, verb, placed, "prep")
+            hang(words, verb, placed, "prep")
         first = _first_noun(words, verb)
         if first is None:
             continue
@@ -47,14 +48,14 @@ def divide(words: list[Word]) -> None:
         if above is None:
             continue
         if beside.head == verb.i:
-            _move(words, beside, above, "dobj")
-        _move(words, verb, above, "conj")
-        _move(words, noun, verb, _relation(words, verb))
-        _move(words, join, above, "cc")
+            hang(words, beside, above, "dobj")
+        hang(words, verb, above, "conj")
+        hang(words, noun, verb, _relation(words, verb))
+        hang(words, join, above, "cc")
         verb.tag = "VBD" if verb.tag == "VBN" and noun.dep == "nsubj" else verb.tag
         for later in [words[c] for c in above.children if c > verb.i and words[c].dep in ("dep", "conj")]:
             if later.tag in FINITE and not any(words[c].dep.startswith("nsubj") for c in later.children):
-                _move(words, later, verb, "conj")  # what the same one does next
+                hang(words, later, verb, "conj")  # what the same one does next
 
 
 def _first_noun(words: list[Word], verb: Word) -> tuple[Word, Word, Word] | None:
@@ -111,7 +112,7 @@ def _two_clauses(words: list[Word], did: Word, verb: Word) -> None:
     verb.head = did.i
     verb.dep = "conj"
     did.children = sorted([*did.children, verb.i])
-    _move(words, first, did, "nsubj")
+    hang(words, first, did, "nsubj")
 
 
 def _behind_relative(words: list[Word], verb: Word) -> Word | None:
@@ -134,9 +135,9 @@ def _make_main(words: list[Word], who: Word, verb: Word) -> None:
     relative = next(w for w in _upwards(words, words[verb.head])[1:] if w.verb)
     words[verb.head].children.remove(verb.i)
     verb.head, verb.dep, verb.tag = verb.i, "ROOT", "VBD"
-    _move(words, who, verb, "nsubj")
+    hang(words, who, verb, "nsubj")
     for child in [c for c in relative.children if c > verb.i]:
-        _move(words, words[child], verb, words[child].dep)
+        hang(words, words[child], verb, words[child].dep)
 
 
 def _main_of_relative(words: list[Word], verb: Word) -> Word | None:
@@ -180,8 +181,8 @@ def _behind_for(words: list[Word], beside: Word, verb: Word) -> None:
     subject = next((words[c] for c in verb.children if words[c].dep == "nsubj" and c < beside.i), None)
     if mark is None or subject is None or not beside.verb or verb.dep != "advcl" or beside.head != subject.i:
         return
-    _move(words, mark, words[verb.head], "prep")
-    _move(words, subject, mark, "pobj")
+    hang(words, mark, words[verb.head], "prep")
+    hang(words, subject, mark, "pobj")
 
 
 def _above(words: list[Word], beside: Word, verb: Word) -> Word | None:
@@ -223,11 +224,3 @@ def _upwards(words: list[Word], word: Word) -> list[Word]:
 def _below(words: list[Word], word: Word) -> list[int]:
     """All words of a noun phrase."""
     return [word.i, *(i for c in word.children for i in _below(words, words[c]))]
-
-
-def _move(words: list[Word], word: Word, above: Word, dep: str) -> None:
-    """Hang a word on another one."""
-    if word.head != word.i:
-        words[word.head].children.remove(word.i)
-    above.children = sorted([*above.children, word.i])
-    word.head, word.dep = above.i, dep

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from c2s_engine.interpret.reading.hanging import under
+
 if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
 
@@ -57,20 +59,11 @@ def _participle(words: list[Word], who: int, doing: int) -> None:
 
 def _unroot(words: list[Word], actor: Word, verb: Word) -> None:
     """Hang who stands before a comma and what is told there where its verb hung, that is none of the clause before."""
-    if not any(w.norm == "," for w in words[actor.i : verb.i]) or not _under(words, actor, verb):
+    if not any(w.norm == "," for w in words[actor.i : verb.i]) or not under(words, actor, verb):
         return
     actor.head, actor.dep = (actor.i, "ROOT") if verb.head == verb.i else (verb.head, verb.dep)
     for child in [words[c] for c in verb.children if c < verb.i and c != actor.i]:
         child.head = actor.i
-
-
-def _under(words: list[Word], word: Word, above: Word) -> bool:
-    """Whether the way up from a word leads to another one."""
-    for _ in words:
-        if word.head in (above.i, word.i):
-            return word.head == above.i
-        word = words[word.head]
-    return False
 
 
 def _made(words: list[Word], who: int, doing: int) -> None:

@@ -1,4 +1,5 @@
-"""What changes in a tree are made of: hanging a word elsewhere, and what counts as a road user there."""
+"""What changes in a tree are made of: hanging a word elsewhere, so that a tree remains, and what counts as a road user
+there."""
 
 from __future__ import annotations
 
@@ -14,12 +15,35 @@ if TYPE_CHECKING:
 TOWED = language.with_plurals("towed")
 
 
-def hang(words: list[Word], word: Word, above: Word) -> None:
-    """Hang a word on another one."""
-    words[word.head].children.remove(word.i)
-    above.children.append(word.i)
-    above.children.sort()
-    word.head = above.i
+def hang(words: list[Word], word: Word, above: Word, dep: str | None = None) -> None:
+    """Hang a word on another one, which comes first to where the word hung if it is a part of what hangs on it."""
+    if under(words, above, word):
+        _off(words, above)
+        above.head, above.dep = above.i if word.head == word.i else word.head, word.dep
+        if above.head != above.i:
+            _on(words, above)
+    _off(words, word)
+    word.head, word.dep = above.i, dep or word.dep
+    _on(words, word)
+
+
+def under(words: list[Word], word: Word, above: Word) -> bool:
+    """Whether the way up from a word leads to another one."""
+    for _ in words:
+        if word.head in (above.i, word.i):
+            return word.head == above.i and word is not above
+        word = words[word.head]
+    return False
+
+
+def _off(words: list[Word], word: Word) -> None:
+    if word.head != word.i:
+        words[word.head].children.remove(word.i)
+
+
+def _on(words: list[Word], word: Word) -> None:
+    above = words[word.head]
+    above.children = sorted([*above.children, word.i])
 
 
 def road_user(word: Word) -> bool:

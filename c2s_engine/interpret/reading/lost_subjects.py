@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from c2s_engine.interpret.reading.hanging import hang, road_user
+from c2s_engine.interpret.reading.hanging import hang, road_user, under
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
@@ -54,21 +54,10 @@ def _subject_of_second(words: list[Word], verb: Word) -> Word | None:
             return None
         own.add(word.i)
         if word.dep == "conj" and road_user(word) and not word.verb:
-            inside = all(_under(words, i, word.i) for i in own)
+            inside = all(i == word.i or under(words, words[i], word) for i in own)
             joined = any(w.norm == "and" for w in words[max(0, word.i - 4) : word.i])
-            return word if inside and joined and _under(words, verb.i, word.i) is False else None
+            return word if inside and joined and not under(words, verb, word) else None
     return None
-
-
-def _under(words: list[Word], i: int, top: int) -> bool:
-    """Whether a word belongs to another one's part of the tree."""
-    for _ in range(12):
-        if i == top:
-            return True
-        if words[i].head == i:
-            return False
-        i = words[i].head
-    return False
 
 
 def _named_after_place(words: list[Word], word: Word) -> Word | None:

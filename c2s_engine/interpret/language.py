@@ -64,6 +64,13 @@ def alternatives(words: list[str]) -> str:
     return "|".join(re.escape(w).replace(r"\ ", r"[\s-]+").replace(r"\-", r"[\s-]?") for w in ordered)
 
 
+def filled(pattern: str, words: dict[str, str]) -> str:
+    """A pattern with what stands for each <name> in it, also within that; names of groups stay as they are."""
+    while (new := re.sub(r"(?<!\?P)(?<!\\g)<(\w+)>", lambda m: words[m[1]], pattern)) != pattern:
+        pattern = new
+    return pattern
+
+
 @cache
 def actor_nouns() -> dict[str, tuple[str, bool, bool]]:
     """Noun -> (object type, is a plural, names a rider or driver)."""

@@ -2,32 +2,14 @@
 
 import pytest
 
-from c2s_engine.interpret.embedded import EmbeddedInterpreter
 from c2s_engine.interpret.turn import route
-from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import apply
+from tests.interpret.demanded import LIGHTS, MOTORWAY, assert_same
 
 STREET = "In heavy rain ego follows a car at 50 km/h. The car brakes hard and a pedestrian crosses from the right."
-LIGHTS = (
-    "Ego approaches a signalised intersection at 40 km/h and turns left. An oncoming truck goes straight on. "
-    "A motorcycle follows ego."
-)
-MOTORWAY = (
-    "On a three-lane motorway ego drives at 108 km/h in the middle lane. A van 30 m ahead brakes. "
-    "A car on the left at 140 km/h overtakes ego."
-)
 ROW = (
     "Ego drives at 30 km/h past three cars that are parked on the right. A child runs out from behind them. "
     "A bus comes the other way."
 )
-
-
-def after(structure: Structure, text: str) -> dict[str, object]:
-    turn = route(text, structure)
-    assert turn.kind == "edit" and turn.edits, (text, turn)
-    for edit in turn.edits:
-        structure = apply(structure, edit)
-    return {c.id: c.spec for c in structure.components}
 
 
 CELLS = [
@@ -199,11 +181,8 @@ CELLS = [
 
 
 @pytest.mark.parametrize(("scene", "plain", "wordings"), CELLS, ids=[c[1] for c in CELLS])
-def test_a_demand_is_the_same_in_other_words(scene: str, plain: str, wordings: str) -> None:
-    structure = EmbeddedInterpreter().interpret(scene).structure
-    wanted = after(structure, plain)
-    for wording in wordings.split(" | "):
-        assert after(structure, wording) == wanted, wording
+def test_a_demand_is_the_same_in_other_words(read, scene: str, plain: str, wordings: str) -> None:
+    assert_same(read(scene), plain, wordings)
 
 
 @pytest.mark.parametrize(
@@ -217,13 +196,13 @@ def test_a_demand_is_the_same_in_other_words(scene: str, plain: str, wordings: s
         ("make that change undone", "undo"),
     ],
 )
-def test_back_and_forth(text: str, kind: str) -> None:
-    assert route(text, EmbeddedInterpreter().interpret(STREET).structure).kind == kind
+def test_back_and_forth(read, text: str, kind: str) -> None:
+    assert route(text, read(STREET)).kind == kind
 
 
 @pytest.mark.parametrize(
     "text",
     ["the bus should brake harder", "the pedestrian should wait 3 s", "the ambulance brakes with 5 m/s2"],
 )
-def test_nobody_else_changes_for_one_who_is_not_there(text: str) -> None:
-    assert not route(text, EmbeddedInterpreter().interpret(MOTORWAY).structure).edits
+def test_nobody_else_changes_for_one_who_is_not_there(read, text: str) -> None:
+    assert not route(text, read(MOTORWAY)).edits

@@ -3,9 +3,8 @@
 import pytest
 
 from c2s_engine.interpret import EmbeddedInterpreter
-from c2s_engine.interpret.turn import route
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import apply
+from tests.interpret.demanded import changed, specs
 
 STREET = "Ego follows a car at 50 km/h on an urban road. The car brakes hard and a pedestrian crosses from the right."
 CROSSING = "At a stop-controlled intersection a police car comes from the right. Ego goes straight at 30 km/h."
@@ -15,15 +14,8 @@ COUNTRY = "Ego drives at 70 km/h on a rural road behind a cyclist."
 def after(scene: str, *turns: str) -> Structure:
     structure = EmbeddedInterpreter().interpret(scene).structure
     for text in turns:
-        turn = route(text, structure)
-        assert turn.kind == "edit", text
-        for edit in turn.edits:
-            structure = apply(structure, edit)
+        structure = changed(structure, text)
     return structure
-
-
-def specs(structure: Structure) -> dict:
-    return {c.id: c.spec for c in structure.components}
 
 
 @pytest.mark.parametrize(

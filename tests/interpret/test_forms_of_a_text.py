@@ -64,6 +64,13 @@ def test_each_form_is_the_scene(form: str) -> None:
     assert _shown(FORMS[form]) == _shown(PLAIN)
 
 
+def test_deeds_that_are_mappings_themselves() -> None:
+    deeds = [{"type": "cut_in", "side": "from the left"}, {"type": "brake", "to": "40 km/h"}]
+    data = {"ego": {"speed": "60 km/h"}, "actors": [{"type": "van", "position": "left lane", "actions": deeds}]}
+    plain = "Ego drives at 60 km/h. A van in the left lane cuts in from the left and then brakes to 40 km/h."
+    assert _shown(json.dumps(data)) == _shown(plain)
+
+
 def test_what_is_no_mapping_is_left_alone() -> None:
     for text in ("Ego: drives at 50 km/h. A car brakes.", "{broken", "a: 1\nb: 2\nc: 3", "", "[1, 2]", "{}"):
         assert structured(text) == []

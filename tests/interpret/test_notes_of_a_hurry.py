@@ -7,7 +7,7 @@ import pytest
 
 from c2s_engine.interpret.turn import route
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import apply
+from tests.interpret.demanded import changed
 
 TOWN = (
     "In heavy rain ego follows a lorry at 50 km/h on a two-lane urban road. The lorry brakes hard and a man crosses "
@@ -26,14 +26,6 @@ FAST = (
 )
 
 
-def after(before: Structure, text: str) -> Structure:
-    turn = route(text, before)
-    assert turn.kind == "edit" and turn.edits, turn
-    for edit in turn.edits:
-        before = apply(before, edit)
-    return before
-
-
 def value_of(structure: Structure, path: str) -> Any:
     cid, _, rest = path.partition(".")
     if cid not in structure:
@@ -50,7 +42,7 @@ def value_of(structure: Structure, path: str) -> Any:
 
 def becomes(before: Structure, text: str, expected: dict[str, Any]) -> None:
     """A demand changes these fields, and no other component."""
-    now = after(before, text)
+    now = changed(before, text)
     for path, wanted in expected.items():
         found = value_of(now, path)
         assert found == pytest.approx(wanted, abs=0.06) if isinstance(wanted, float) else found == wanted, path
@@ -100,7 +92,7 @@ def test_bare_values(read, scene: str, text: str, expected: dict[str, Any]) -> N
 )
 def test_who_goes(read, scene: str, text: str, gone: list[str]) -> None:
     before = read(scene)
-    now = after(before, text)
+    now = changed(before, text)
     assert set(before.ids) - set(now.ids) == set(gone) and set(now.ids) <= set(before.ids)
 
 
@@ -172,7 +164,7 @@ def test_when(read, scene: str, text: str, expected: dict[str, Any]) -> None:
 
 def test_when_ego_does_something(read) -> None:
     before = read("Ego turns left at an intersection. A motorcycle follows ego.")
-    now = after(before, "the rider gets impatient and overtakes ego exactly when ego begins turning left")
+    now = changed(before, "the rider gets impatient and overtakes ego exactly when ego begins turning left")
     trigger = now["O1"].spec.phases[0].trigger
     assert (trigger.kind, trigger.of, trigger.action) == ("action", "ego", "turn_left")
 
@@ -186,7 +178,7 @@ def test_when_ego_does_something(read) -> None:
     ],
 )
 def test_down_to(read, text: str, expected: dict[str, float]) -> None:
-    phase = after(read(FAST), text)["O1"].spec.phases[0]
+    phase = changed(read(FAST), text)["O1"].spec.phases[0]
     assert {name: getattr(phase, name) for name in expected} == pytest.approx(expected, abs=0.06)
 
 
@@ -208,7 +200,7 @@ def test_at_the_junction(read, text: str, expected: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize("text", ["left car level with ego", "put the car beside ego", "car abreast of us, not behind"])
 def test_level_with_ego(read, text: str) -> None:
-    place = after(read(FAST), text)["O2"].spec.placement
+    place = changed(read(FAST), text)["O2"].spec.placement
     assert (place.position, place.along) == ("left_lane", "abreast")
 
 
@@ -239,11 +231,11 @@ def test_what_else_is_demanded(read, scene: str, text: str, expected: dict[str, 
 def test_what_somebody_does_is_not_himself(read) -> None:
     before = read(FAST)
     assert not route("no lane change for the van please", before).edits
-    assert [p.action for p in after(before, "no overtaking")["O2"].spec.phases] == []
+    assert [p.action for p in changed(before, "no overtaking")["O2"].spec.phases] == []
 
 
 def test_one_in_each_lane(read) -> None:
     before = read(FAST)
-    now = after(before, "one truck in each lane")
+    now = changed(before, "one truck in each lane")
     new = [now[cid].spec.placement.position for cid in now.ids if cid not in before]
     assert new == ["left_lane", "ahead", "right_lane"]

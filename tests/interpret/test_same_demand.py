@@ -3,14 +3,9 @@
 import pytest
 
 from c2s_engine.interpret.turn import route
-from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import apply
+from tests.interpret.demanded import LIGHTS, after, assert_same
 
 STREET = "In heavy rain ego follows a car at 50 km/h. The car brakes and a pedestrian crosses from the right."
-LIGHTS = (
-    "Ego approaches a signalised intersection at 40 km/h and turns left. An oncoming truck goes straight on. "
-    "A motorcycle follows ego."
-)
 CARS = (
     "At an intersection with traffic lights ego goes straight on at 50 km/h. A car comes from the left and runs the "
     "red light. Another car comes from the right and stops. A third car follows ego."
@@ -24,14 +19,6 @@ ROW = (
     "Ego drives at 30 km/h past three cars parked on the right. A child runs out from behind them. "
     "A bus comes the other way."
 )
-
-
-def after(structure: Structure, text: str) -> dict[str, object]:
-    turn = route(text, structure)
-    assert turn.kind == "edit" and turn.edits, (text, turn)
-    for edit in turn.edits:
-        structure = apply(structure, edit)
-    return {c.id: c.spec for c in structure.components}
 
 
 CELLS = [
@@ -141,10 +128,7 @@ CELLS = [
 
 @pytest.mark.parametrize(("scene", "plainest", "wordings"), CELLS, ids=[cell[1] for cell in CELLS])
 def test_the_same_demand(read, scene: str, plainest: str, wordings: str) -> None:
-    before = read(scene)
-    wanted = after(before, plainest)
-    for wording in wordings.split(" | "):
-        assert after(before, wording) == wanted, wording
+    assert_same(read(scene), plainest, wordings)
 
 
 def test_more_is_told_than_who_is_new(read) -> None:

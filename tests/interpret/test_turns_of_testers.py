@@ -6,30 +6,14 @@ import pytest
 
 from c2s_engine.interpret.turn import route
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import apply
+from tests.interpret.demanded import MOTORWAY, ROW, changed
 
 STREET = "Ego follows a taxi at 50 km/h. The taxi brakes hard and a woman crosses from the right."
 JUNCTION = (
     "Ego approaches a signalised intersection at 40 km/h and turns left. An oncoming lorry goes straight on. "
     "A motorcycle follows ego."
 )
-MOTORWAY = (
-    "On a three-lane motorway ego drives at 108 km/h in the middle lane. A van 30 m ahead brakes. "
-    "A car on the left at 140 km/h overtakes ego."
-)
-ROW = (
-    "Ego drives at 30 km/h past three cars that are parked on the right. A boy runs out from behind them. "
-    "A bus comes the other way."
-)
 STOP = "At a four-way stop a police car comes from the right and runs the stop sign while ego goes straight on."
-
-
-def after(structure: Structure, text: str) -> Structure:
-    turn = route(text, structure)
-    assert turn.kind == "edit" and turn.edits, turn
-    for edit in turn.edits:
-        structure = apply(structure, edit)
-    return structure
 
 
 def value_of(structure: Structure, path: str) -> Any:
@@ -46,7 +30,7 @@ def value_of(structure: Structure, path: str) -> Any:
 
 def becomes(before: Structure, text: str, expected: dict[str, Any]) -> None:
     """A demand changes these fields, and nobody comes or goes."""
-    now = after(before, text)
+    now = changed(before, text)
     for path, wanted in expected.items():
         found = value_of(now, path)
         assert found == pytest.approx(wanted, abs=0.06) if isinstance(wanted, float) else found == wanted
@@ -176,7 +160,7 @@ def test_what_it_becomes(read, scene: str, text: str, expected: dict[str, Any]) 
 )
 def test_who_comes_besides(read, scene: str, text: str, expected: dict[str, Any]) -> None:
     before = read(scene)
-    now = after(before, text)
+    now = changed(before, text)
     assert {path: value_of(now, path) for path in expected} == expected
     assert len(now.ids) == len(before.ids) + 1
 
@@ -194,7 +178,7 @@ def test_who_comes_besides(read, scene: str, text: str, expected: dict[str, Any]
     ],
 )
 def test_who_goes_and_who_stays(read, scene: str, text: str, gone: str, stays: str) -> None:
-    now = after(read(scene), text)
+    now = changed(read(scene), text)
     assert gone not in now and stays in now
 
 

@@ -3,30 +3,13 @@
 import pytest
 
 from c2s_engine.interpret.turn import route
-from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import apply
+from tests.interpret.demanded import MOTORWAY, ROW, assert_same
 
 STREET = "Ego follows a taxi at 50 km/h. The taxi brakes hard and a woman crosses from the right."
 JUNCTION = (
     "Ego approaches a signalised intersection at 40 km/h and turns left. An oncoming lorry goes straight on. "
     "A motorcycle follows ego."
 )
-MOTORWAY = (
-    "On a three-lane motorway ego drives at 108 km/h in the middle lane. A van 30 m ahead brakes. "
-    "A car on the left at 140 km/h overtakes ego."
-)
-ROW = (
-    "Ego drives at 30 km/h past three cars that are parked on the right. A boy runs out from behind them. "
-    "A bus comes the other way."
-)
-
-
-def after(structure: Structure, text: str) -> dict[str, object]:
-    turn = route(text, structure)
-    assert turn.kind == "edit" and turn.edits, (text, turn)
-    for edit in turn.edits:
-        structure = apply(structure, edit)
-    return {c.id: c.spec for c in structure.components}
 
 
 CELLS = [
@@ -304,11 +287,7 @@ CELLS = [
 
 @pytest.mark.parametrize(("scene", "plain", "wordings"), CELLS, ids=[plain for _, plain, _ in CELLS])
 def test_each_wording_is_the_plain_demand(read, scene: str, plain: str, wordings: str) -> None:
-    structure = read(scene)
-    wanted = after(structure, plain)
-    assert wanted != {c.id: c.spec for c in structure.components}
-    wrong = [text for text in wordings.split(" | ") if after(structure, text) != wanted]
-    assert not wrong
+    assert_same(read(scene), plain, wordings)
 
 
 @pytest.mark.parametrize(

@@ -58,8 +58,4 @@ def _value(word: str) -> int:
 def _patterns() -> list[tuple[re.Pattern[str], str]]:
     table = language.table("wordings")["counts"]
     words = table["words"]
-    return [(re.compile(_filled(_filled(find, words), words)), sort) for find, sort in table["says"]]
-
-
-def _filled(pattern: str, words: dict[str, str]) -> str:
-    return re.sub(r"(?<!\?P)<(\w+)>", lambda m: words[m[1]], pattern)
+    return [(re.compile(language.filled(find, words)), sort) for find, sort in table["says"]]

@@ -87,6 +87,4 @@ def compiled(pattern: str, more: dict[str, str]) -> re.Pattern[str]:
     table = language.table("notes")
     names = {name: said.replace("{mark", r"‹\d").replace("}", "›") for name, said in table["names"].items()}
     words = {**table["words"], **names, **more}
-    while (filled := re.sub(r"(?<!\?P)(?<!\\g)<(\w+)>", lambda m: words[m[1]], pattern)) != pattern:
-        pattern = filled
-    return re.compile(pattern)
+    return re.compile(language.filled(pattern, words))

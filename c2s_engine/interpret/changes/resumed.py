@@ -48,5 +48,4 @@ def _table() -> dict[str, list[tuple[str, list[str]]]]:
 @cache
 def _patterns() -> list[re.Pattern[str]]:
     table = language.table("wordings")["resumed"]
-    words = table["words"]
-    return [re.compile(re.sub(r"(?<!\?P)<(\w+)>", lambda m: words[m[1]], form)) for form in table["forms"]]
+    return [re.compile(language.filled(form, table["words"])) for form in table["forms"]]

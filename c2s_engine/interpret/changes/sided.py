@@ -40,6 +40,4 @@ def _free_side(there: list[ObjectSpec]) -> str | None:
 @cache
 def _patterns() -> list[tuple[re.Pattern[str], str]]:
     table = language.table("wordings")["sided"]
-    words = table["words"]
-    rows = table["forms"]
-    return [(re.compile(re.sub(r"(?<!\?P)<(\w+)>", lambda m: words[m[1]], form)), new) for form, new in rows]
+    return [(re.compile(language.filled(form, table["words"])), new) for form, new in table["forms"]]

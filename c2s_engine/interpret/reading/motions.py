@@ -12,11 +12,7 @@ def rules(section: str) -> list[tuple[dict[str, Any], frozenset[str], dict[str, 
     found = []
     words: dict[str, str] = language.table("motions")["words"]
     for rule in language.table("motions")[section]:
-        patterns = {
-            k: re.compile(re.sub(r"<(\w+)>", lambda m: words[m[1]], rule[k]))
-            for k in ("after", "any", "not")
-            if k in rule
-        }
+        patterns = {k: re.compile(language.filled(rule[k], words)) for k in ("after", "any", "not") if k in rule}
         found.append((rule, frozenset(rule.get("verbs", rule.get("nouns", ()))), patterns))
     return found
 

@@ -6,6 +6,11 @@ from collections import defaultdict
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.rewritten import Replacement
 
+NUMBERED = re.compile(
+    rf"\b(?P<noun>{'|'.join([*language.table('ego')['labels']['typed'], 'car'])})[ _]?(?P<number>[1-9])\b"
+    r"(?![.,]?\d| ?(?:m|km|s|g|%|mph|kph|metres?|meters?)\b)",
+    re.IGNORECASE,
+)
 EGO = re.compile(r"\bego\b", re.IGNORECASE)
 BEFORE = re.compile(r"(?:\b(?:the|a|an|one|two|three|with|of|by)|\d) ?$", re.IGNORECASE)
 
@@ -14,12 +19,8 @@ def only_one(text: str) -> list[Replacement]:
     """What such names stand for; nothing where ego has no name of its own, by which "car 1" may be ego."""
     if not EGO.search(text):
         return []
-    nouns = "|".join(language.table("ego")["labels"]["typed"] + ["car"])
-    named = re.compile(
-        rf"\b(?P<noun>{nouns})[ _]?(?P<number>[1-9])\b(?![.,]?\d| ?(?:m|km|s|g|%|mph|kph|metres?|meters?)\b)", re.I
-    )
     found: defaultdict[str, list[re.Match[str]]] = defaultdict(list)
-    for match in named.finditer(text):
+    for match in NUMBERED.finditer(text):
         found[match["noun"].lower()].append(match)
     alone = [m for all_ in found.values() if len({m["number"] for m in all_}) == 1 for m in all_]
     return [(m.start(), m.end(), _noun(text, m)) for m in alone]

@@ -7,7 +7,6 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.motions import irregular, third_persons
 from c2s_engine.interpret.spans import Span
 
-KIND = re.compile(r"(?:car|van|truck|lorry|bus|coach|shuttle|taxi|vehicle|sedan|suv|pickup|minivan)s?$")
 EGO = re.compile(r"\bego\b")
 NEW_ONE = re.compile(r"\b(?:an?|another|one|two|three|some|several|other) (?:(?!ego)\w+ )?$")
 ITSELF = re.compile(r"\bego(?: \w+)?(?:,| is| was|,? being| as| \(| =|:|,? which is)\s?(?:an? )(?:\w+ )?$")
@@ -24,7 +23,12 @@ def other_party(text: str, span: Span) -> bool:
     name, before = text[span.start : span.end], text[: span.start]
     if re.match(r"claimant|plaintiff|complainant", name):
         return "insured" in text
-    if not KIND.search(name) or EGO.search(name) or not EGO.search(text) or ITSELF.search(before):
+    if (
+        re.split(r"[ -]", name)[-1] not in language.actor_nouns()
+        or EGO.search(name)
+        or not EGO.search(text)
+        or ITSELF.search(before)
+    ):
         return False
     after = re.split(r"[.;]\s", text[span.end :])[0]
     told = EGO.search(before) or EGO.search(after)  # else it may be ego: "an AV drives here. The ego car ..."

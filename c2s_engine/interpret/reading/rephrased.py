@@ -13,7 +13,7 @@ def _phrases() -> list[tuple[re.Pattern[str], str]]:
     data = language.table("rephrased")
     words: dict[str, str] = data["words"]
     return [
-        (re.compile(re.sub(r"<(\w+)>", lambda m: words.get(m[1], m[0]), find), re.IGNORECASE), new)
+        (re.compile(language.filled(find, words), re.IGNORECASE), new)
         for section in data["phrases"].values()
         for find, new in section
     ]

@@ -8,7 +8,7 @@ import yaml
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading import scan
-from c2s_engine.interpret.reading.motions import third_persons
+from c2s_engine.interpret.reading.motions import third_person, third_persons
 from c2s_engine.interpret.reading.rewritten import Replacement
 
 FENCE = re.compile(r"\A\s*```(?:json|ya?ml)?[ \t]*\n(?P<inside>.*?)\n?```\s*\Z", re.DOTALL)
@@ -50,12 +50,15 @@ def _of_mappings(data: dict[Any, Any]) -> bool:
     return bool(data) and all(isinstance(value, dict) for value in data.values())
 
 
+def _ended(said: str) -> str:
+    return said if said.endswith(".") else f"{said}."
+
+
 def _does(said: str) -> str:
     """What somebody does in the third person: "overtake_ego" is "overtakes ego"."""
     first, _, rest = said.replace("_", " ").strip().partition(" ")
-    forms = (f"{first}s", f"{first}es", f"{first[:-1]}ies")
-    third = next((form for form in forms if form.lower() in third_persons()), first)
-    return f"{third} {rest}".strip()
+    third = third_person(first)
+    return f"{third if third.lower() in third_persons() else first} {rest}".strip()
 
 
 class Lines:
@@ -78,11 +81,29 @@ class Lines:
                 self.actor(value, key)
             elif isinstance(value, dict):
                 self.mapping(value, whose)
-            elif isinstance(value, list) and _nested(value):
+            elif isinstance(value, list) and _nested(value) and not whose:
                 for item in value:
-                    self.actor(item, key) if isinstance(item, dict) and not whose else self.of(whose or "Ego", item)
+                    self._item(key, item)
+            elif isinstance(value, list) and _nested(value):
+                self._line(key, [self._deed(item) for item in value], whose)
             else:
                 self._line(key, value, whose)
+
+    def _item(self, key: str, item: Any) -> None:
+        """One of a list: a road user, or something that is said of the scene."""
+        if isinstance(item, dict):
+            self.actor(item, key)
+        elif item:
+            self.said.append(_ended(str(item)))
+
+    def _deed(self, item: Any) -> str:
+        """One of the deeds of somebody: {"type": "brake", "to": "20 km/h"} is "brake to 20 km/h"."""
+        if not isinstance(item, dict):
+            return str(item)
+        keys = {self._key(str(name)): value for name, value in item.items()}
+        named = next((k for k in (*self.table["in_order"], *self.table["kinds"]) if k in keys), None)
+        rest = (str(v) if k in self.table["plain"] else f"{k} {v}" for k, v in keys.items() if k != named)
+        return " ".join([str(keys.get(named, "")), *rest]).strip()
 
     def of(self, whose: str, value: Any) -> None:
         """What is said of ego or a road user."""
@@ -93,14 +114,12 @@ class Lines:
 
     def actor(self, data: dict[Any, Any], key: str) -> None:
         """A road user: its type under a number, then what is said of it; ego under its own name."""
-        kind = self._kind(data, key)
-        named = {self._key(str(name)): str(value) for name, value in data.items()}
-        if any(named.get(k, "").lower() in language.table("notation")["egos"] for k in self.table["kinds"]):
-            self.mapping({n: v for n, v in data.items() if self._key(str(n)) not in self.table["kinds"]}, "Ego")
-            return
-        self.actors += 1
-        whose = f"Actor {self.actors}"
-        self.said.append(f"{whose}: {kind or 'car'}")
+        named = {self._key(str(name)): str(value).lower() for name, value in data.items()}
+        whose = "Ego"
+        if not any(named.get(k) in language.table("notation")["egos"] for k in self.table["kinds"]):
+            self.actors += 1
+            whose = f"Actor {self.actors}"
+            self.said.append(f"{whose}: {self._kind(data, key) or 'car'}")
         self.mapping({n: v for n, v in data.items() if self._key(str(n)) not in self.table["kinds"]}, whose)
 
     def _kind(self, data: dict[Any, Any], key: str) -> str | None:
@@ -124,12 +143,12 @@ class Lines:
             return
         values = [str(v) for v in value] if isinstance(value, list) else [str(value)]
         if len(values) > 1 and all(len(v.split()) > 3 for v in values) and not whose:  # sentences
-            self.said += [v if v.endswith(".") else f"{v}." for v in values]
+            self.said += [_ended(v) for v in values]
             return
         acts = key in self.table["in_order"]
         said = " and then ".join(_does(v) for v in values) if acts else ", ".join(values)
         said = said.replace("_", " ") + (f" {unit}" if unit and re.fullmatch(r"-?[\d.]+", said) else "")
         if key in self.table["told"]:
-            self.said.append(said if said.endswith(".") else f"{said}.")
+            self.said.append(_ended(said))
         else:
-            self.said.append(f"{whose} {key}: {said}".strip().capitalize() if not whose else f"{whose} {key}: {said}")
+            self.said.append(f"{whose} {key}: {said}" if whose else f"{key[:1].upper()}{key[1:]}: {said}")

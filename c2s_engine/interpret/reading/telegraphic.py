@@ -179,7 +179,7 @@ def _subject(text: str, plain: str, first: int, name: Span) -> Subject:
 def _pieces() -> list[tuple[re.Pattern[str], dict[str, Any]]]:
     table = language.table("telegraphic")
     words: dict[str, str] = table["words"]
-    return [(re.compile(re.sub(r"<(\w+)>", lambda m: words[m[1]], entry["find"])), entry) for entry in table["pieces"]]
+    return [(re.compile(language.filled(entry["find"], words)), entry) for entry in table["pieces"]]
 
 
 def _read(rest: str, ego: bool, unit: str) -> Note | None:

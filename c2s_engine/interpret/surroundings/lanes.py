@@ -16,10 +16,6 @@ CARRIAGEWAY = re.compile(
 )
 ONE_WAY = re.compile(r"one-way|in this direction|per direction|each way|in each direction|same direction")
 SINGLE = re.compile(r"(?:one|a|1) lane (each|per|in each|for each|either|in either) |single[- ]lane|single lane")
-ALIKE = re.compile(
-    r"\b(?P<n>two|three|four|2|3|4)( \w+)? lanes (of|in|for|going|heading|travell?ing|running)( \w+){0,2}"
-    r"( the)?( same| each| this| one| direction| way)|\b(?P<n2>two|three|four) (\w+ )?lanes\b"
-)
 
 
 def counted(word: str) -> int:
@@ -63,8 +59,6 @@ def lanes_of(plain: str) -> tuple[int | None, tuple[int, int] | None, bool]:
             whole = re.search(r"both (lanes|directions)", match[0]) and (lanes == 1 or single)
             if (lanes or 0) < least and not whole:
                 lanes = least
-    if lanes is None and (stated := ALIKE.search(plain)):
-        lanes = _told(stated)
     return 1 if single and (lanes or 0) < 2 else lanes, span, oncoming
 
 

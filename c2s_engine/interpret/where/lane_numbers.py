@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret.entities import Entity
-from c2s_engine.interpret.surroundings.lanes import counted
+from c2s_engine.interpret.surroundings import lanes
 from c2s_engine.interpret.surroundings.whereabouts import STATES, Where
 from c2s_engine.interpret.what.bearings import heading
 from c2s_engine.interpret.what.clauses import Clauses
@@ -13,7 +13,7 @@ from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
 COUNTED = r"(?P<n>one|two|three|four|five|six|[1-6]|first|second|third)"
-NTH = "first|second|third|fourth|fifth"
+NTH = "|".join(lanes.NTH)
 MANY = "two|three|four|five|six|[2-6]"
 ORDINAL = (
     rf"(?P<o>{NTH})(?: lane| \w+ lane|(?: one)?(?= from (?:the )?(?:left|right)\b|(?: out)? of (?:the )?(?:{MANY})\b))"
@@ -52,7 +52,7 @@ def number_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str |
         for text in _told(entity, cast, clauses, of):
             match = NUMBERED.search(text)
             if match and ("lane" in match[0] or match["o"]) and entity not in numbers:
-                numbers[entity] = counted(match["n"] or match["o"])
+                numbers[entity] = lanes.counted(match["n"] or match["o"])
                 ordinal = ordinal or match["o"] is not None
     own = numbers.get(cast.ego)
     total = _total(cast)
@@ -97,13 +97,13 @@ def _plain(cast: Cast) -> str:
 def _total(cast: Cast) -> int | None:
     """How many lanes there are, where that is said."""
     match = TOTAL.search(_plain(cast))
-    return counted(match["n"] or match["m"] or match["k"]) if match else None
+    return lanes.counted(match["n"] or match["m"] or match["k"]) if match else None
 
 
 def _inner(own: int, cast: Cast) -> bool:
     """Whether a lane is between others, from whichever side it is counted: "the third of four lanes"."""
     match = TOTAL.search(_plain(cast))
-    return match is not None and match["n"] is not None and 1 < own < counted(match["n"])
+    return match is not None and match["n"] is not None and 1 < own < lanes.counted(match["n"])
 
 
 def _named(own: int, total: int | None, rightwards: bool) -> str:
@@ -122,7 +122,7 @@ def _into_own_lane(entity: Entity, own: int, cast: Cast, clauses: Clauses) -> No
             and event.done
             and event.act == "lane_change"
             and match
-            and counted(match["n"] or match["o"]) == own
+            and lanes.counted(match["n"] or match["o"]) == own
         ):
             event.act, event.patient = "cut_in", cast.ego
 
@@ -133,7 +133,7 @@ def _from_right(numbers: dict[Entity, int], cast: Cast, clauses: Clauses) -> boo
     if ordered is not None:
         return "right" in (ordered["side"], ordered["side2"])
     for match in NAMED.finditer(_plain(cast)):
-        if counted(match["n"]) != 2:
+        if lanes.counted(match["n"]) != 2:
             return bool(match["right"]) == (match["n"] in ("1", "one", "first"))
     own = numbers[cast.ego]
     for event in clauses.events:
@@ -145,7 +145,7 @@ def _from_right(numbers: dict[Entity, int], cast: Cast, clauses: Clauses) -> boo
         if event.act in SHIFTS and struck not in (None, number):
             return (match[1] == "left") == (number < struck)  # type: ignore[operator]
         into = INTO.search(event.text)
-        goal = counted(into["n"] or into["o"]) if into else own if "@ego" in event.text else number
+        goal = lanes.counted(into["n"] or into["o"]) if into else own if "@ego" in event.text else number
         if event.act in SHIFTS and goal != number:
             return (match[1] == "left") == (number < goal)
         if event.act == "overtake" and number != own and event.patient in (None, cast.ego):

@@ -45,7 +45,7 @@ def _set_off(structure: Structure, plan: Plan, pair: tuple[str, str], clashing: 
     for cid in _movable(structure, pair):
         spec = structure[cid].spec
         assert isinstance(spec, ObjectSpec)
-        start = _now(spec, plan)
+        start = _now(cid, spec, plan)
         for n in range(1, int(FURTHEST / STEP) + 1):
             placement = spec.placement.model_copy(update={"gap": round(start + STEP * n, 1)})
             changed = spec.model_copy(update={"placement": placement})
@@ -71,12 +71,12 @@ def _movable(structure: Structure, pair: tuple[str, str]) -> Iterator[str]:
         waiting += [spec.placement.of, *([spec.placement.hidden_by] if spec.placement.hidden_by else [])]
 
 
-def _now(spec: ObjectSpec, plan: Plan) -> float:
+def _now(cid: str, spec: ObjectSpec, plan: Plan) -> float:
     """The gap at which it starts as things are, m."""
     if plan.place.kind == "crosswalk" and uses_crosswalk(spec):
         return middle(plan.distance or 0.0)
     if spec.placement.position in APPROACH_ANGLE:
-        return middle(stations.to_junction(spec, plan))
+        return middle(stations.to_junction(cid, spec, plan))
     if spec.placement.position == "intersection_exit":
         return middle(stations.exit_gap(spec, plan))
     return middle(stations.gap(spec, plan)) if stations.along(spec) else 0.0

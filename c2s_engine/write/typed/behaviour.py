@@ -6,7 +6,21 @@ from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.steps import Step, steps
 from c2s_engine.write.typed.triggers import implicit, stated
 
-ONWARD = {"start", "wait", "go_straight", "turn_left", "turn_right", "accelerate"}
+ONWARD = {"start", "wait", "go_straight", "turn_left", "turn_right", "accelerate", "collide"}
+ON_THE_WAY = {
+    "go_straight",
+    "turn_left",
+    "turn_right",
+    "run_red",
+    "run_stop",
+    "keep_lane",
+    "move_along",
+    "brake",
+    "accelerate",
+}
+"""What the line over the junction, its lights and signs already say."""
+SLOW = "5"
+"""m/s at which somebody comes up to where it first stands."""
 AT_EDGE = Trigger(kind="place", place="intersection", value=0)
 
 
@@ -15,7 +29,7 @@ def body(actor: Actor) -> list[str]:
     course = Course(actor)
     out = [f"line = {actor.line}"]
     if actor.value > 0:
-        out.append(f"take SetSpeedAction({actor.speed})")
+        out.append(f"take SetSpeedAction({SLOW if actor.cid in actor.plan.set_out else actor.speed})")
     done = _steps(course)
     for i, (statements, until) in enumerate(done):
         *before, final = statements
@@ -34,11 +48,17 @@ def _usual(then: Step) -> str:
     return "for 0.5 seconds" if "strike(" in then[0][-1] else "for 3 seconds"
 
 
+def _up_to_contact(phases: list[Phase]) -> list[Phase]:
+    """The phases of one who comes by another road, without what is no more than its way to whom it hits there."""
+    hit = next((i for i, p in enumerate(phases) if p.action == "collide"), 0)
+    return [p for i, p in enumerate(phases) if i >= hit or p.action not in ON_THE_WAY or p.trigger is not None]
+
+
 def _steps(course: Course) -> list[Step]:
     phases = _phases(course.actor)
     done: list[Step] = []
     if not phases or phases[0].trigger is not None or implicit(course, phases[0]):
-        done.append(([course.drive()], ""))
+        done.append(([course.drive(SLOW if course.actor.cid in course.actor.plan.set_out else None)], ""))
     for i, phase in enumerate(phases):
         condition = stated(course, phase) if phase.trigger else implicit(course, phase, i == 0)
         if condition:
@@ -54,11 +74,16 @@ def _steps(course: Course) -> list[Step]:
 def _phases(actor: Actor) -> list[Phase]:
     """The phases, with what the place asks of ego (its red light, its stop sign) put first."""
     phases = list(actor.spec.phases)
-    if not actor.is_ego or not actor.plan.junction:
+    if actor.approach:
+        phases = _up_to_contact(phases)
+    if not actor.plan.junction or not (actor.is_ego or actor.approach):
         return phases
     for i, (phase, then) in enumerate(zip(phases, phases[1:], strict=False)):
-        if phase.action == "stop" and phase.trigger is None and then.action in ONWARD:  # at the junction's edge
-            phases[i] = phase.model_copy(update={"trigger": AT_EDGE})
+        stands = phase.action == "stop" or i == 0 and actor.cid in actor.plan.set_out
+        if stands and phase.trigger is None and then.action in ONWARD:  # at the junction's edge
+            phases[i] = phase.model_copy(update={"action": "stop", "trigger": AT_EDGE, "duration": None})
+    if not actor.is_ego:
+        return phases
     actions = {p.action for p in phases}
     light = getattr(actor.structure.settings.spec, "light", None)
     control = actor.plan.place.control

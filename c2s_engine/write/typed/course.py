@@ -34,6 +34,12 @@ class Actor:
         return self.cid == "E"
 
     @property
+    def oncoming(self) -> bool:
+        """Whether it comes towards ego on the same road."""
+        placement = getattr(self.spec, "placement", None)
+        return bool(placement and placement.position == "oncoming_lane")
+
+    @property
     def to_junction(self) -> str | None:
         """The lane by which it reaches the junction, if it does."""
         return self.approach or ("egoLane" if self.plan.junction else None)

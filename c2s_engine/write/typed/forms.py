@@ -1,10 +1,14 @@
 """One form for each thing that S can say in several: positions that the place or a manoeuvre turns into others."""
 
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
-from c2s_engine.write.typed.tables import OBSTRUCTING, is_static, is_vehicle
-from c2s_engine.write.typed.threats import IN_WAY
+from c2s_engine.write.typed.tables import LENGTH, OBSTRUCTING, is_static, is_vehicle
+from c2s_engine.write.typed.threats import IN_WAY, is_hit
+from c2s_engine.write.typed.usual import default_gap
 
+BEYOND = 15
+"""m from whom ego runs into to what stands further on."""
 AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
 """What somebody does about, or to, what lies in its way."""
 
@@ -35,7 +39,29 @@ def normal(structure: Structure) -> Structure:
             structure = structure.with_component(component.model_copy(update={"spec": found}))
     if place is not structure.place.spec:
         structure = structure.with_component(structure.place.model_copy(update={"spec": place}))
+    return _struck_first(structure, ego)
+
+
+def _struck_first(structure: Structure, ego: EgoSpec) -> Structure:
+    """What stands in ego's lane beyond whom ego runs into there, where nothing says what comes first."""
+    ahead = [c for c in structure.objects if isinstance(c.spec, ObjectSpec) and _open_ahead(c.spec)]
+    hit = next((c.id for c in ahead if is_hit(ego, c.id)), None)
+    if hit is None or any(p.action not in ("collide", "brake", "accelerate", "keep_lane") for p in ego.phases):
+        return structure
+    struck = structure[hit].spec
+    assert isinstance(struck, ObjectSpec)
+    beyond = default_gap(struck, middle(ego.speed or 0)) + struck.count * (LENGTH[struck.type] + 3) + BEYOND
+    for c in ahead[: [c.id for c in ahead].index(hit)]:
+        assert isinstance(c.spec, ObjectSpec)
+        if is_static(c.spec):
+            structure = structure.with_component(c.model_copy(update={"spec": _placed(c.spec, gap=round(beyond))}))
     return structure
+
+
+def _open_ahead(spec: ObjectSpec) -> bool:
+    """Whether an object is ahead in ego's lane, nobody says how far."""
+    at = spec.placement
+    return at.position == "ahead" and at.of == "ego" and at.gap is None and at.hidden_by is None
 
 
 def _in_the_way(cid: str, structure: Structure) -> bool:

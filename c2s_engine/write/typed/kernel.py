@@ -6,10 +6,17 @@ from importlib.resources import files
 
 ORDER = (
     "way", "approach", "ring_approach", "along", "bend_start", "straight_on",
-    "need", "most_need", "passed", "ttc", "pace", "meeting", "meet", "strike", "lurk", "lead_on",
-    "drive", "turn_round", "backwards", "walk",
+    "need", "most_need", "passed", "ttc", "pace", "meeting", "meet", "strike", "due", "lurk", "level", "lead_on",
+    "drive", "ram", "turn_round", "backwards", "back_into", "walk",
 )  # fmt: skip
-_NAMES = {"drive": "Drive", "turn_round": "TurnRound", "backwards": "Backwards", "walk": "Walk"}
+_NAMES = {
+    "drive": "Drive",
+    "ram": "Ram|near|touch",
+    "turn_round": "TurnRound",
+    "backwards": "Backwards",
+    "back_into": "BackInto",
+    "walk": "Walk",
+}
 
 
 @cache
@@ -20,8 +27,9 @@ def source(name: str) -> str:
 
 def needed(code: str) -> frozenset[str]:
     """The kernel parts whose names a piece of code uses."""
-    found = {p for p in ORDER if re.search(rf"\b{_NAMES.get(p, p)}\(", code)}
-    return frozenset(found | {"need"} if "most_need" in found else found)
+    found = {p for p in ORDER if re.search(rf"\b(?:{_NAMES.get(p, p)})\(", code)}
+    found |= {"need"} if "most_need" in found else set()
+    return frozenset(found | {"strike"} if "due" in found else found)
 
 
 def text(parts: frozenset[str]) -> str:

@@ -112,7 +112,7 @@ def _start(
     if stations.in_line(structure, spec, plan):
         return _in_line(structure, cid, spec, plan, draw, starts[placement.of], found)
     if position in APPROACH_ANGLE:
-        to = draw(cid, stations.to_junction(spec, plan))
+        to = draw(cid, stations.to_junction(cid, spec, plan))
         return _Start(approach_name(plan, position, turn_of(spec.phases)), -to, 0.0, to, onward=-1)
     if position == "on_ramp":
         to = stations.to_merge(spec, plan)

@@ -4,6 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import behaviour, reactions, scope
+from c2s_engine.write.typed.collisions import meeting_spot
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.placement import Spot, place_object
 from c2s_engine.write.typed.plan import Plan
@@ -19,6 +20,7 @@ from c2s_engine.write.typed.tables import (
     is_vehicle,
     is_walker,
 )
+from c2s_engine.write.typed.threats import is_hit
 from c2s_engine.write.typed.usual import far_side, reach, speed_of, turn_of, walks_first
 
 
@@ -136,7 +138,7 @@ def _driver(
         approach=spot.approach,
     )
     statements = behaviour.body(actor)
-    struck = any(p.action == "collide" and p.target in (cid, None) for p in getattr(structure.ego.spec, "phases", ()))
+    struck = isinstance(structure.ego.spec, EgoSpec) and is_hit(structure.ego.spec, cid)
     own = {"collide", "yield", "stop", "wait", *(() if struck else ("run_stop",))} & {p.action for p in spec.phases}
     statements = reactions.heeding(actor, statements)
     timed = spot.approach and spec.placement.position in APPROACH_ANGLE
@@ -144,7 +146,8 @@ def _driver(
         sooner = None if struck else _sooner(structure, spec, plan)
         bends = turn_of(spec.phases) != "STRAIGHT"
         statements = [_synchronised(s, prefix, sooner, bends) for s in statements]
-        statements.insert(1, "spot = meeting(line, way(egoLane, egoTurn))")
+        met = meeting_spot(True) if struck else ["spot = meeting(line, way(egoLane, egoTurn))"]
+        statements[1:1] = met
     if any(p.action == "run_red" for p in spec.phases):
         statements.insert(1, "take SetTrafficLightAction('red', distance=150)")
     return statements
@@ -154,7 +157,7 @@ def _synchronised(statement: str, prefix: str, sooner: float | None, bends: bool
     """On a crossing way it arrives when ego does, or a little sooner (s); None: ego is to hit it."""
     early = f", {scope.number(sooner)}" if sooner else ""
     timed = (
-        f"strike(self, ego, spot, {prefix}_SPEED{', 0.9' if bends else ''})"
+        f"strike(self, line, ego, others, spot, {prefix}_SPEED{', 0.9' if bends else ''})"
         if sooner is None
         else f"meet(self, ego, spot, {prefix}_SPEED{early})"
     )
@@ -178,8 +181,10 @@ def _sooner(structure: Structure, spec: ObjectSpec, plan: Plan) -> float:
     return 3.0 if turning else 1.8
 
 
-TO_LANE = "egoLane.centerline.distanceTo(self.position)"
-"""How far somebody is from the middle of ego's lane, m."""
+def _to_lane(spec: ObjectSpec) -> str:
+    """How far somebody is from the middle of the lane that ego then drives in, m."""
+    lane = "exitLane" if spec.placement.position == "intersection_exit" else "egoLane"
+    return f"{lane}.centerline.distanceTo(self.position)"
 
 
 def _start_condition(structure: Structure, spec: ObjectSpec, phase: Phase, plan: Plan, walk: float) -> str:
@@ -195,8 +200,8 @@ def _start_condition(structure: Structure, spec: ObjectSpec, phase: Phase, plan:
     if t and t.kind == "action":
         return f"{other}.speed < 0.5" if t.action in ("stop", "stationary") else f"(distance from self to {other}) < 25"
     seconds = scope.number(reach(spec, plan.place) / max(walk, 0.3))
-    if far_side(spec, plan.place):
-        seconds = f"{TO_LANE} / {scope.number(max(walk, 0.3))}"
+    if far_side(spec, plan.place) or spec.placement.position == "intersection_exit":
+        seconds = f"{_to_lane(spec)} / {scope.number(max(walk, 0.3))}"
     speed = "max(ego.speed, EGO_SPEED)" if spec.count > 1 else "ego.speed"  # it may already brake for the first of them
     return f"(distance from self to ego) < {seconds} * {speed} + 4"
 
@@ -204,8 +209,7 @@ def _start_condition(structure: Structure, spec: ObjectSpec, phase: Phase, plan:
 def _is_struck(structure: Structure, cid: str, spec: ObjectSpec) -> bool:
     """Whether ego is to hit it (or it ego): then it is still in the lane when ego comes."""
     ego = structure.ego.spec
-    by_ego = any(p.action == "collide" and p.target in (cid, None) for p in getattr(ego, "phases", ()))
-    return by_ego or any(p.action == "collide" for p in spec.phases)
+    return isinstance(ego, EgoSpec) and is_hit(ego, cid) or any(p.action == "collide" for p in spec.phases)
 
 
 def _walker(
@@ -240,7 +244,8 @@ def _walker(
         ending = f" for {scope.quantity(phase.duration)} seconds" if phase.duration is not None else ""
         if last and struck and phase.action in ("cross_road", "enter_road", "collide"):
             there = f"for {scope.number(reach(spec, plan.place) / max(value, 0.3))} seconds"
-            there = f"until {TO_LANE} < 0.4" if far_side(spec, plan.place) else there
+            far = far_side(spec, plan.place) or spec.placement.position == "intersection_exit"
+            there = f"until {_to_lane(spec)} < 0.4" if far else there
             lines += [f"{step} {there}", "do Walk(self.heading, 0)"]
             break
         if not ending and not last:

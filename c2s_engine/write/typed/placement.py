@@ -127,7 +127,7 @@ def _approaching(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -
     turn = turn_of(spec.phases)
     lane = approach_name(plan, spec.placement.position, turn)
     name = f"{scope.constant(structure, cid)}_TO_JUNCTION"
-    value = scope.quantity(stations.to_junction(spec, plan))
+    value = scope.quantity(stations.to_junction(cid, spec, plan))
     at = f"-({member(spec, name)})" if spec.count > 1 else f"-{name}"
     constants = [f"{name} = {value}  # m"]
     loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)

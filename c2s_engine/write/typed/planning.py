@@ -14,6 +14,7 @@ from c2s_engine.write.typed import room as rooms
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP
+from c2s_engine.write.typed.threats import hits_ego, is_hit
 from c2s_engine.write.typed.usual import speed_of, turn_of
 
 FAST = 11.5
@@ -59,6 +60,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     )
     speed, top = middle(speed_of(ego, place)), high(speed_of(ego, place))
     duration = getattr(restrictions, "duration", None) or 20.0
+    set_out = frozenset(cid for cid, o in objects.items() if _sets_out(o) and (hits_ego(o) or is_hit(ego, cid)))
     plan = Plan(
         place=place,
         duration=duration,
@@ -66,7 +68,9 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         ego_top=top,
         before=rooms.before(ego, objects, speed),
         after=rooms.after(place, top, duration, ego, objects),
-        distance=rooms.distance(place.model_copy(update={"kind": "on_ramp"}) if ramp else place, top, objects, room),
+        distance=rooms.distance(
+            place.model_copy(update={"kind": "on_ramp"}) if ramp else place, top, objects, room, bool(set_out)
+        ),
         offsets=offsets,
         base=base,
         approaches=approaches,
@@ -75,6 +79,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         ramp=ramp,
         exit_room=rooms.behind_junction(objects, speed, place),
         lane_of=lane_of,
+        set_out=set_out,
         leads=lanes.leads(ego, objects, lane_of, speed, place),
     )
     return _with_room(structure, plan)
@@ -129,11 +134,18 @@ def _runs_stop(o: ObjectSpec) -> bool:
     return any(p.action == "run_stop" for p in o.phases)
 
 
+def _sets_out(o: ObjectSpec) -> bool:
+    """Whether one who comes by another road first stands and then goes on."""
+    actions = [p.action for p in o.phases]
+    return o.placement.position in APPROACH_ANGLE and actions[:1] in (["stop"], ["wait"], ["stationary"])
+
+
 def _priority(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> bool:
-    """Whether the stop sign that another passes is not ego's: they collide, or ego comes faster than to a stop."""
+    """Whether the stop sign that another passes or starts from is not ego's: they collide, or ego comes faster than to
+    a stop."""
     if {"run_stop", "stop", "yield", "wait"} & {p.action for p in ego.phases} or ego.reaction == "yield":
         return False
-    passing = {cid for cid, o in objects.items() if _runs_stop(o)}
+    passing = {cid for cid, o in objects.items() if _runs_stop(o) or _sets_out(o)}
     meets = any(p.action == "collide" and p.target in (None, *passing) for p in ego.phases)
     meets = meets or any(p.action == "collide" for cid in passing for p in objects[cid].phases)
     return bool(passing) and (meets or middle(ego.speed or 0) > FAST)

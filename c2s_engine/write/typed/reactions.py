@@ -6,7 +6,7 @@ from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, is_static
-from c2s_engine.write.typed.threats import every, every_passed, once_seen, threatening
+from c2s_engine.write.typed.threats import every, every_passed, hits_ego, is_hit, once_seen, threatening
 from c2s_engine.write.typed.threats import on_foot as threats_on_foot
 from c2s_engine.write.typed.usual import turn_of
 
@@ -22,6 +22,8 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     spec = actor.spec
     assert isinstance(spec, EgoSpec)
     cids = threatening(actor.structure)
+    hit = {p.target for p in spec.phases if p.action == "collide"}
+    cids = [c for c in cids if spec.reaction != "yield" or c not in hit]
     if spec.reaction == "yield" and cids:  # whom it let pass may then be ahead
         moving = [c for c in cids if not is_static(actor.structure[c].spec)]  # type: ignore[arg-type]
         return _around(statements, once_seen(actor.structure, moving), 3, SOFT) if moving else statements
@@ -29,11 +31,11 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     cids = [c for c in cids if c not in round_it]  # ego drives past these
     if spec.reaction != "brake" or not cids or spec.react_to in round_it:
         return statements
+    strikers = [] if hit else _strikers(actor.structure, cids)
+    if hit or strikers and (spec.react_to in strikers or len(strikers) == len(cids)):  # it brakes, but too late
+        return _too_late(actor, statements, cids, hit, spec.hard)
+    cids = [c for c in cids if c not in strikers]
     threats = [every(actor.structure, spec.react_to)] if spec.react_to else once_seen(actor.structure, cids)
-    hit = {p.target for p in spec.phases if p.action == "collide"}
-    if hit:  # it brakes, but too little
-        met = [c for c in cids if c not in hit or not _beside(actor.structure, c)]
-        return _around(statements, once_seen(actor.structure, met), 3, "2") if met else statements
     limit, rate = (4, HARD) if spec.hard else (3, SOFT)
     forced = {p.action for p in spec.phases if p.trigger is None}
     if "swerve" in forced:  # it gets past first
@@ -51,6 +53,37 @@ def _stands(structure: Structure, cid: str | None) -> bool:
     """Whether an object never moves."""
     spec = structure[cid].spec if cid and cid in structure else None
     return isinstance(spec, ObjectSpec) and is_static(spec)
+
+
+def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str | None], hard: bool) -> list[str]:
+    """Ego's way with braking that does not keep it from whom it hits, or who hits it."""
+    s, rate = actor.structure, "4.5" if hard else "2.5"
+    met = [c for c in cids if c in hit or None in hit or c in _strikers(s, [c])]
+    others = [c for c in cids if c not in met]
+    aside = [scope.reference(s, c) for c in sorted(map(str, hit)) if c in s and _beside(s, c) and not is_moving(s, c)]
+    far = "".join(f"not near(self, {one}) and " for one in aside)
+    lines = _around(statements, once_seen(s, others), 6, rate, when=far)
+    lines[-1] += "".join(f" or near(self, {one})" for one in aside) if others else ""
+    for c in met:
+        one = scope.reference(s, c)
+        if not _beside(s, c) or is_moving(s, c):
+            lines += [
+                f"interrupt when need(self, {one}) > 6:",
+                f"    do Ram({one}, 0, {rate})",
+            ]
+    return lines if others or len(lines) > len(statements) + 1 else statements
+
+
+def is_moving(structure: Structure, cid: str) -> bool:
+    """Whether an object moves at some time."""
+    spec = structure[cid].spec
+    return isinstance(spec, ObjectSpec) and not is_static(spec)
+
+
+def _strikers(structure: Structure, cids: list[str]) -> list[str]:
+    """Who of them runs into ego."""
+    specs = [(c, structure[c].spec) for c in cids]
+    return [c for c, s in specs if isinstance(s, ObjectSpec) and hits_ego(s)]
 
 
 def _beside(structure: Structure, cid: str) -> bool:
@@ -80,7 +113,9 @@ def heeding(actor: Actor, statements: list[str]) -> list[str]:
     """Another driver's way, braking for those ahead in its lane, unless it is to hit somebody."""
     if joins_ego(actor):
         return _around(statements, ["ego"], 3, SOFT, when="self._lane is ego._lane and ")
-    leads = [c for c in actor.plan.leads.get(actor.cid, ()) if not _gets_past(actor, c)]
+    ego = actor.structure.ego.spec
+    hit = isinstance(ego, EgoSpec) and is_hit(ego, actor.cid)
+    leads = [c for c in actor.plan.leads.get(actor.cid, ()) if not _gets_past(actor, c) and not (hit and c == "ego")]
     if not leads or actor.value <= 0 or any(p.action == "collide" for p in actor.spec.phases):
         return statements
     return _around(statements, [every(actor.structure, cid) for cid in leads], 3, SOFT)
@@ -140,7 +175,8 @@ def reacting_phases(spec: EgoSpec, others: list[str], plan: Plan) -> tuple[Phase
     if plan.place.kind == "off_ramp" and -1 in plan.offsets and not changes:
         spec = spec.model_copy(update={"phases": (*phases, Phase(action="lane_change", side="right"))})
     actions = {p.action for p in spec.phases}
-    if spec.reaction == "yield" and others and "yield" not in actions:
+    hit = {p.target for p in spec.phases if p.action == "collide"}
+    if spec.reaction == "yield" and others and "yield" not in actions and (spec.react_to or others[0]) not in hit:
         yielding = Phase(action="yield", target=spec.react_to or others[0])
         aside = 1 if spec.phases and spec.phases[0].action == "lane_change" else 0  # out of the way first
         moved = tuple(p.model_copy(update={"duration": p.duration or 2.5}) for p in spec.phases[:aside])

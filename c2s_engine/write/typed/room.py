@@ -92,9 +92,9 @@ def behind_junction(objects: dict[str, ObjectSpec], speed: float, place: PlaceSp
 
 
 def distance(
-    place: PlaceSpec, speed: float, objects: dict[str, ObjectSpec], room: float
+    place: PlaceSpec, speed: float, objects: dict[str, ObjectSpec], room: float, met: bool = False
 ) -> float | tuple[float, float] | None:
-    """From ego's start to what lies ahead of it, m."""
+    """From ego's start to what lies ahead of it, m; `met`: somebody who stands there is to set out in time."""
     if place.kind not in JUNCTION | RAMP | {"crosswalk"}:
         return None
     far = max((_junction_side(o, speed, place) for o in objects.values()), default=0)
@@ -107,7 +107,10 @@ def distance(
     if speed == 0 and place.kind in JUNCTION:  # ego stands at the junction's edge
         return round(max(AT_THE_EDGE, far + 4), 1)
     base = max(
-        min(4.0 * speed, 110), min(35.0, 6.0 * speed), 12.0, *(_to_pass(o, speed, place) for o in objects.values())
+        min((7.0 if met else 4.0) * speed, 110),
+        min(35.0, 6.0 * speed),
+        12.0,
+        *(_to_pass(o, speed, place) for o in objects.values()),
     )
     base = max(base, 60.0) if place.kind in RAMP else base
     return round(max(base * max(room, 0.4), far + 4), 1)

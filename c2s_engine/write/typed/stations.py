@@ -105,14 +105,17 @@ def bodies(spec: ObjectSpec, parent: ObjectSpec, behind: bool) -> float:
     return (LENGTH[spec.type] + LENGTH[parent.type]) / 2 + row_beyond(parent, not behind)
 
 
-def to_junction(spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
+def to_junction(cid: str, spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
     """How far before the junction one on another approach starts: as stated, or so that it is there when ego is."""
     if spec.placement.gap is not None:
         return spec.placement.gap
+    if cid in plan.set_out:
+        return 10.0
     own = middle(speed_of(spec, plan.place))
     far = middle(plan.distance or 40)
     seconds = far / max(plan.ego_speed, 4) if plan.ego_speed > 0 else math.sqrt(far + 5)
     lead = 6 if spec.placement.position == "opposite_approach" else 3
+    lead -= 15 if plan.place.kind == "roundabout" else 0  # it still has a piece of the ring to go
     return max(8.0, min(own * seconds + lead, 130.0)) if own > 0 else 8.0
 
 

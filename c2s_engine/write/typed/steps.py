@@ -5,14 +5,25 @@ from collections.abc import Callable
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.collisions import (
+    LANE_WIDTH,
+    Step,
+    backs_into,
+    collides,
+    hit_next,
+    sets_out_to_meet,
+    struck_beside,
+)
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.tables import LANE_NAME, MOVES_OFF_ROAD, RAMP
-from c2s_engine.write.typed.towards import LANE_WIDTH, Step, collides, ending, struck_beside, yields
+from c2s_engine.write.typed.towards import ending, yields
 from c2s_engine.write.typed.usual import reach
 
 NARROW = 2.0
 """m that riders keep aside from the middle of a car's lane where they pass it on the inside."""
 NARROW_TYPES = {"bicycle", "motorcycle"}
+HITS_SOON = "for 1 seconds"
+"""How long one leaves its lane that then hits another."""
 FULL = 5
 """m/s2 from which braking is meant to be full."""
 
@@ -81,6 +92,9 @@ def _brake(c: Course, p: Phase) -> list[Step]:
 
 def _stop(c: Course, p: Phase) -> list[Step]:
     drive = c.drive("0", middle(p.rate) if p.rate else (7 if _hard(c) else 3.5))
+    if p.duration is None and (met := sets_out_to_meet(c)):
+        spot, until = met
+        return [([drive], "until self.speed < 0.2"), ([*spot, drive], until)]
     return [([drive], "until self.speed < 0.2"), ([drive], ending(p, "for 1 seconds"))]
 
 
@@ -103,6 +117,8 @@ def _follow(c: Course, p: Phase) -> list[Step]:
 
 def _u_turn(c: Course, p: Phase) -> list[Step]:
     back = c.drive(scope.number(c.wanted(p, 8)))
+    if hit_next(c, p):
+        return [(["do TurnRound()"], f"until near(self, {c.actor.ref(p.target)})")]
     return [(["do TurnRound()"], ""), (["line = way(oncomingLane)", back], "")]
 
 
@@ -110,8 +126,8 @@ def _reverse(c: Course, p: Phase) -> list[Step]:
     c.backwards = True
     pace = c.wanted(p, c.value or 2)
     spec, back = c.actor.spec, f"do Backwards({scope.number(pace)})"
-    if any(q.action == "collide" for q in spec.phases):  # until it is stopped by whom it hits
-        return [([back], "")]
+    if hit := next((q for q in spec.phases if q.action == "collide"), None):
+        return backs_into(c, c.actor.ref(hit.target), pace)
     if isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD:  # as far as onto the lane
         onto = f"for {scope.number(reach(spec, c.actor.plan.place) / max(pace, 0.5))} seconds"
         return [([back], ending(p, onto)), (["do Backwards(0)"], "for 3 seconds")]
@@ -127,11 +143,13 @@ def _moving(c: Course) -> float:
 
 
 def _lane_change(c: Course, p: Phase) -> list[Step]:
-    if c.lane is not None and len(c.actor.plan.offsets) == 1 and not c.on_ramp:  # by the oncoming lane or the verge
+    lasts = HITS_SOON if hit_next(c, p) else ""
+    narrow = c.lane is not None and len(c.actor.plan.offsets) == 1 and not c.on_ramp
+    if narrow or c.actor.oncoming:  # by the lane of the other direction, or the verge
         drive = c.drive(c.set(c.wanted(p, _moving(c))), offset=scope.number(_side(p, 1) * LANE_WIDTH))
-        return [([drive], ending(p, "for 6 seconds"))]
+        return [([drive], ending(p, lasts or "for 6 seconds"))]
     line = c.onto(_side(p, 1))
-    return [([line, c.drive(c.set(c.wanted(p, _moving(c))))], ending(p, "for 5 seconds"))]
+    return [([line, c.drive(c.set(c.wanted(p, _moving(c))))], ending(p, lasts or "for 5 seconds"))]
 
 
 def _cut_in(c: Course, p: Phase) -> list[Step]:
@@ -142,7 +160,7 @@ def _cut_in(c: Course, p: Phase) -> list[Step]:
     if forces and p == c.actor.spec.phases[-1]:  # ego has to brake for it, so it does not pull away
         slower = c.drive(scope.number(0.75 * min(c.value, plan.ego_speed)), 3)
         return [(change, "for 2.5 seconds"), ([slower], "for 3 seconds"), ([c.drive()], "")]
-    return [(change, ending(p, "for 4 seconds"))]
+    return [(change, ending(p, HITS_SOON if hit_next(c, p) else "for 4 seconds"))]
 
 
 def _enter_road(c: Course, p: Phase) -> list[Step]:
@@ -157,9 +175,9 @@ def _overtake(c: Course, p: Phase) -> list[Step]:
     other = c.actor.ref(p.target)
     c.set(c.wanted(p, max(c.value, c.target_speed(p) + 5)))
     past = f"until lead_on(self, {other}) > 12 + self.length"
-    back = c.drive(shift=4) if _scrapes(c, p) else ""
-    if back:  # it comes back too early
-        past = f"until lead_on(self, {other}) > -4"
+    scrapes = _scrapes(c, p)
+    if scrapes:  # it comes back too early
+        past = f"until lead_on(self, {other}) > -6"
     if c.oncoming_both(p):  # by ego's lane
         aside = c.drive(offset=scope.number(LANE_WIDTH), shift=2)
         return [([aside], past), ([c.drive()], "for 5 seconds")]
@@ -170,10 +188,10 @@ def _overtake(c: Course, p: Phase) -> list[Step]:
         line = c.onto(_side(p, 1))
         c.lane = home
         home_line = f"line = way({LANE_NAME[home]})"
-        return [([line, c.drive()], past), ([home_line, back or c.drive()], "for 5 seconds")]
+        return [([line, c.drive()], past), *([] if scrapes else [([home_line, c.drive()], "for 5 seconds")])]
     inside = NARROW if c.actor.spec.type in NARROW_TYPES else LANE_WIDTH
     sideways = scope.number(-inside if p.side == "right" else LANE_WIDTH)
-    return [([c.drive(offset=sideways, shift=2)], past), ([back or c.drive()], "for 5 seconds")]
+    return [([c.drive(offset=sideways, shift=2)], past), *([] if scrapes else [([c.drive()], "for 5 seconds")])]
 
 
 def _scrapes(c: Course, p: Phase) -> bool:
@@ -189,12 +207,16 @@ def _scrapes(c: Course, p: Phase) -> bool:
 def _sideways(c: Course, p: Phase, metres: float, shift: float, seconds: float | None) -> list[Step]:
     side = _side(p, -1 if metres < 0 else 1)
     out = c.drive(c.set(c.wanted(p, c.value)), offset=scope.number(side * abs(metres)), shift=shift)
+    if hit_next(c, p):
+        return [([out], ending(p, HITS_SOON))]
     if seconds is None:
         return [([out], ending(p, ""))]
     return [([out], ending(p, f"for {scope.number(seconds)} seconds")), ([c.drive()], "for 3 seconds")]
 
 
 def _swerve(c: Course, p: Phase) -> list[Step]:
+    if into := struck_beside(c, p):
+        return into
     found = _sideways(c, p, 2.2, 2.5, 2.5)
     if getattr(c.actor.spec, "reaction", "") == "brake" and p.speed is None and p.trigger is None:  # both at once
         slower = c.drive(scope.number(0.4 * c.value), 6, scope.number(_side(p, 1) * 2.2), 2.5)
@@ -203,6 +225,8 @@ def _swerve(c: Course, p: Phase) -> list[Step]:
 
 
 def _lose_control(c: Course, p: Phase) -> list[Step]:
+    if into := struck_beside(c, p):
+        return into
     return _sideways(c, p, 2.0, 4, 1.5)
 
 

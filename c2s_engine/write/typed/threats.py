@@ -10,6 +10,16 @@ from c2s_engine.write.typed.tables import is_static, is_walker
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
 
 
+def hits_ego(spec: ObjectSpec) -> bool:
+    """Whether somebody runs into ego."""
+    return any(p.action == "collide" and p.target in (None, "ego") for p in spec.phases)
+
+
+def is_hit(ego: EgoSpec, cid: str) -> bool:
+    """Whether ego runs into an object."""
+    return any(p.action == "collide" and p.target in (cid, None) for p in ego.phases)
+
+
 def threatening(structure: Structure) -> list[str]:
     """The ids of the objects that may come into ego's way: all that move, and what stands in its lane."""
     objects = [(c.id, c.spec) for c in structure.objects if isinstance(c.spec, ObjectSpec)]

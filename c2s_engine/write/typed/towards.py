@@ -1,22 +1,11 @@
-"""What a driver does towards another one: letting it pass, running into it."""
+"""How a driver lets another one pass."""
 
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.collisions import Step
 from c2s_engine.write.typed.course import Course
-from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, is_walker
-from c2s_engine.write.typed.threats import every_passed, slowed, standing
-
-LANE_WIDTH = 3.5
-"""m, of most maps' lanes."""
-LATE = "simulation().currentTime * simulation().timestep > 12"
-"""When whoever is to hit another no longer waits for that one to slow down."""
-
-GOES_THERE = frozenset(
-    ("oncoming", "leave_road", "reverse", "lane_change", "overtake", "turn_left", "turn_right", "u_turn")
-)
-"""What ego does that itself leads it out of its lane."""
-
-Step = tuple[list[str], str]
+from c2s_engine.write.typed.tables import is_walker
+from c2s_engine.write.typed.threats import every_passed, standing
 
 
 def ending(phase: Phase, natural: str) -> str:
@@ -71,72 +60,3 @@ def _until_forced(c: Course, p: Phase, other: str) -> list[Step]:
         ([c.drive()], f"until {near}"),
         ([c.drive(scope.number(0.5 * a.value), 2.5)], f"until {other}._lane is self._lane"),  # it lets it in
     ]
-
-
-def struck_beside(c: Course, p: Phase) -> list[Step]:
-    """How one leaves the road towards what it hits there, if it does: straight for it from shortly before."""
-    phases = c.actor.spec.phases
-    hit = next((q.target for q in phases[phases.index(p) + 1 :] if q.action == "collide"), None)
-    spec = c.actor.structure[hit].spec if hit and hit in c.actor.structure else None
-    if not hit or not isinstance(spec, ObjectSpec) or spec.placement.position not in MOVES_OFF_ROAD:
-        return []
-    return _straight_for(c, p, hit)
-
-
-def _straight_for(c: Course, p: Phase, hit: str) -> list[Step]:
-    """Along the lane, and from shortly before straight for what is beside it."""
-    other = c.actor.ref(hit)
-    near = f"until (distance from self to {other}) < 15 + 1.5 * self.speed"
-    straight = f"line = [self.position + ({other}.position - self.position).normalized() * (2 * k) for k in range(99)]"
-    return [([c.drive(c.set(c.wanted(p, c.value)))], near), ([straight, c.drive()], "for 8 seconds")]
-
-
-def collides(c: Course, p: Phase) -> list[Step]:
-    other = c.actor.ref(p.target)
-    goal = c.wanted(p, c.value)
-    c.set(goal)
-    beside = _beside_the_lane(c, p) if c.actor.is_ego else ""
-    if _over_the_middle(c) or beside == "oncoming_lane":
-        return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], "")]
-    if beside:
-        return _straight_for(c, p, p.target or "")
-    if c.lane is None and not c.actor.is_ego:
-        turn = ", egoTurn" if c.actor.plan.turning else ""
-        spot = f"spot = meeting(line, way(egoLane{turn}))"
-        later = (
-            ", -0.3" if c.actor.plan.turning and p.target in (None, "ego") else ""
-        )  # ego is in the midst of its turn
-        return [([spot, f"do Drive(line, lambda: strike(self, {other}, spot, {c.speed}{later}))"], "")]
-    if c.same_lane(p):
-        faster = max(goal, c.target_speed(p) + 4)
-        strike = ([c.drive(scope.number(faster) if faster > goal else None)], "")
-        if until := slowed(c.actor, p.target):  # behind it until then
-            behind = c.drive(f"lambda: pace(self, {other}, {scope.number(faster)})", 4)
-            return [([behind], f"until {until} or {LATE}"), strike]
-        return [strike]
-    if c.lane is not None and not c.actor.is_ego:  # beside it: close behind until it comes over
-        return [([f"do Drive(line, lambda: lurk(self, {other}, {c.speed}))"], "")]
-    return [([c.drive()], "")]
-
-
-def _over_the_middle(c: Course) -> bool:
-    """Whether it drives in the lane of those that come towards it, from where it starts or later."""
-    spec = c.actor.spec
-    if isinstance(spec, ObjectSpec):
-        return spec.placement.position == "oncoming_lane"
-    return any(q.action == "oncoming" for q in spec.phases)
-
-
-def _beside_the_lane(c: Course, p: Phase) -> str:
-    """Where whom ego hits without having left its lane is, if that is beside ego's lane; else ""."""
-    spec = c.actor.structure[p.target].spec if p.target and p.target in c.actor.structure else None
-    alone = not {q.action for q in c.actor.spec.phases} & GOES_THERE
-    if not alone or c.backwards or not isinstance(spec, ObjectSpec) or {"cross_road", "enter_road"} & _does(spec):
-        return ""
-    at = spec.placement.position or ""
-    along = at in MOVES_OFF_ROAD or at == "partly_in_lane" or at == "oncoming_lane" and "oncoming" not in _does(spec)
-    return at if along else ""
-
-
-def _does(spec: ObjectSpec) -> set[str]:
-    return {q.action for q in spec.phases}

@@ -4,6 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import low, middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.collisions import hit_beside, hit_next
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.tables import WORKS, is_static
 from c2s_engine.write.typed.threats import IN_WAY, shown, standing, threatening
@@ -45,8 +46,11 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         hard = getattr(a.spec, "hard", False) or (phase.rate is not None and middle(phase.rate) >= 4)
         limit = 1.2 if phase.action in ("swerve", "lane_change") else 4 if hard else 2
         seen = shown(a.structure, cid) if cid else ""
-        return f"until {seen + ' and ' if seen else ''}need(self, {a.ref(cid)}) > {limit}"
-    if phase.action == "cut_in" and _sideways_into(course, phase):
+        met = any(p.action == "collide" for p in a.spec.phases)
+        return f"until {seen + ' and ' if seen else ''}need(self, {a.ref(cid)}) > {limit}" + (
+            f" or near(self, {a.ref(cid)})" if met else ""
+        )
+    if phase.action == "cut_in" and (_sideways_into(course, phase) or a.is_ego and hit_next(course, phase)):
         return ""
     if phase.action == "cut_in":
         least, most = (scope.number(m) for m in _cut_in_gaps(course))
@@ -66,7 +70,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return f"until (distance from self to ego) < {scope.number(12 + 2.2 * (a.value + a.plan.ego_speed))}"
     if first and phase.action in ("brake", "stop") and _comes_over(a):
         return "until need(self, ego) > 1"
-    if not first or phase.action not in DELAYED or a.value <= 0:
+    if not first or phase.action not in DELAYED or a.value <= 0 or hit_beside(course, phase):
         return ""
     if course.oncoming:
         ahead = 5.5 if phase.action == "drift" else 2.8  # s that it takes to be over

@@ -32,7 +32,8 @@ RAMMER_AT = EGO_AT - 20 - 5  # m along the lane
 behavior RammerBehavior():
     line = way(egoLane)
     take SetSpeedAction(RAMMER_SPEED)
-    do Drive(line, RAMMER_SPEED)
+    do Drive(line, RAMMER_SPEED) until near(self, ego)
+    do Ram(ego, 18)
 
 rammer = new Car at egoLane.centerline.pointAlongBy(RAMMER_AT),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),

@@ -1,9 +1,16 @@
-def strike(car, other, spot, speed, sooner=0):
-    """The speed (m/s), about `speed`, at which `car` reaches the spot with `other`, or `sooner` s before it (a bend
-    slows it); while that stands before the spot, `car` hangs back so far as it then needs."""
-    own, far = (distance from car to spot), (distance from other to spot)
-    over = min((spot - one.position).rotatedBy(-one.heading).y for one in (car, other))
-    if over < 0 or own < 4 or far < 3:
+def to_go(points, car, spot):
+    """How far (m) `car` still has to go to the spot along points 2 m apart; negative: it is past it."""
+    def index(place):
+        return min(range(len(points)), key=lambda k: (points[k].x - place.x) ** 2 + (points[k].y - place.y) ** 2)
+    steps = index(spot) - index(car.position)
+    return (distance from car to spot) if 0 < steps < 6 else 2 * steps
+
+def strike(car, points, other, others, spot, speed, sooner=0):
+    """The speed (m/s), about `speed`, at which `car` on its points reaches the spot with `other` on those of it, or
+    `sooner` s before it (a bend slows it); while that stands before the spot, `car` hangs back so far as it then
+    needs."""
+    own, far = to_go(points, car, spot), to_go(others, other, spot)
+    if own < 4 or far < 3:
         return speed
     if other.speed < 1:
         return speed * max(0, min(1, (own - speed * math.sqrt(far)) / 30))

@@ -1,0 +1,183 @@
+"""Running into another: on the way to it, and from shortly before at it, until both touch."""
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.specs import ObjectSpec, Phase
+from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.course import Course
+from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, is_static, is_walker
+from c2s_engine.write.typed.threats import slowed
+from c2s_engine.write.typed.usual import reach
+
+LANE_WIDTH = 3.5
+"""m, of most maps' lanes."""
+LATE = "simulation().currentTime * simulation().timestep > 12"
+"""When whoever is to hit another no longer waits for that one to slow down."""
+SIDEWAYS = frozenset(
+    ("overtake", "lane_change", "cut_in", "cut_out", "swerve", "drift", "lose_control", "oncoming", "leave_road")
+)
+"""What leads out of the lane, so that the other is no longer straight ahead."""
+GOES_THERE = SIDEWAYS - {"swerve", "cut_in", "cut_out", "drift", "lose_control"} | {
+    "reverse", "turn_left", "turn_right", "u_turn",
+}  # fmt: skip
+"""What ego does that itself leads it out of its lane."""
+
+COMES_OVER = {"lane_change", "cut_in", "cut_out", "overtake", "drift", "swerve"}
+"""What ego does that leads it into the next lane."""
+
+Step = tuple[list[str], str]
+
+
+def collides(c: Course, p: Phase) -> list[Step]:
+    """The steps up to the contact."""
+    other, goal = c.actor.ref(p.target), c.wanted(p, c.value)
+    c.set(goal)
+    beside = _beside_the_lane(c, p) if c.actor.is_ego else ""
+    if "u_turn" in _before(c, p):
+        return _at_last(other, c.drive(), goal)
+    if _over_the_middle(c) or beside == "oncoming_lane":
+        return _at_last(other, c.drive(offset=scope.number(LANE_WIDTH), shift=2), goal)
+    if beside:
+        return straight_for(c, p, p.target or "")
+    if c.actor.is_ego:
+        if not _before(c, p) & (SIDEWAYS | {"brake"}) and (_on_foot(c, p) or _stays_ahead(c, p)):
+            return [([c.drive()], f"until touch(self, {other})")]
+        level = c.target_lane(p) is not None and c.target_speed(p) > 0
+        return _at_last(other, _level(c, other) if level else c.drive(), goal)
+    if c.lane is None:
+        return _at_the_junction(c, p, other, goal)
+    if not c.same_lane(p) and _leaves_the_lane(c.actor.structure):  # it waits for ego to come over
+        return _at_last(other, f"do Drive(line, lambda: lurk(self, {other}, {c.speed}))", goal)
+    if not c.same_lane(p) or _before(c, p) & SIDEWAYS:
+        return _at_last(other, _level(c, other), goal)
+    faster = max(goal, c.target_speed(p) + 4)
+    if side := _leaves_the_lane(c.actor.structure):  # after it
+        line = c.onto(side)
+        first, *rest = _at_last(other, c.drive(c.set(faster)), faster)
+        return [([line, *first[0]], first[1]), *rest]
+    strike = _at_last(other, c.drive(scope.number(faster) if faster > goal else None), faster)
+    if until := slowed(c.actor, p.target):  # behind it until then
+        behind = c.drive(f"lambda: pace(self, {other}, {scope.number(faster)})", 4)
+        return [([behind], f"until {until} or {LATE}"), *strike]
+    return strike
+
+
+def _before(c: Course, p: Phase) -> set[str]:
+    """What it does before a phase."""
+    phases = c.actor.spec.phases
+    return {q.action for q in phases[: phases.index(p)]} if p in phases else set()
+
+
+def _at_last(other: str, on_the_way: str, speed: float) -> list[Step]:
+    """On the way until the other is near, and then at it."""
+    ram = f"do Ram({other}, {scope.number(speed)})"
+    return [([on_the_way], f"until near(self, {other})"), ([ram], f"until touch(self, {other})")]
+
+
+def _at_the_junction(c: Course, p: Phase, other: str, goal: float) -> list[Step]:
+    """By another road to where it meets the other, with that one."""
+    spot = meeting_spot(c.actor.plan.turning)
+    goal *= 1.2 if "accelerate" in _before(c, p) else 1
+    c.set(goal)
+    later = ", -0.3" if c.actor.plan.turning and p.target in (None, "ego") else ""  # ego is in the midst of its turn
+    timed = f"do Drive(line, lambda: strike(self, line, {other}, others, spot, {c.speed}{later}))"
+    ram = f"do Ram({other}, {scope.number(goal)})"  # where it had to brake it is late
+    return [([*spot, timed], "until to_go(line, self, spot) < 1"), ([ram], f"until touch(self, {other})")]
+
+
+def meeting_spot(turning: bool) -> list[str]:
+    """The statements that find where its way meets ego's."""
+    return [f"others = way(egoLane{', egoTurn' if turning else ''})", "spot = meeting(line, others)"]
+
+
+def sets_out_to_meet(c: Course) -> tuple[list[str], str] | None:
+    """For one who stands before the junction and sets out into a collision with ego: how it finds where they meet, and
+    until when it waits."""
+    if c.actor.cid not in c.actor.plan.set_out:
+        return None
+    speed = c.speed if c.value > 0 else "8"
+    return meeting_spot(c.actor.plan.turning), f"until due(self, line, ego, others, spot, {speed}) or {LATE}"
+
+
+def hit_next(c: Course, p: Phase) -> bool:
+    """Whether somebody hits another right after a phase."""
+    phases = c.actor.spec.phases
+    later = phases[phases.index(p) + 1 :] if p in phases else ()
+    return bool(later) and later[0].action == "collide"
+
+
+def backs_into(c: Course, other: str, pace: float) -> list[Step]:
+    """Backwards until both touch; one who stands beside the road sets out when the other comes."""
+    spec, steps = c.actor.spec, []
+    back = f"do BackInto({other}, {scope.number(pace)})"
+    if isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD and other == "ego":
+        seconds = scope.number(reach(spec, c.actor.plan.place) / max(pace, 0.5))
+        steps = [(["do Backwards(0)"], f"until (distance from self to ego) < 6 + {seconds} * ego.speed")]
+    return [*steps, ([back], f"until touch(self, {other})")]
+
+
+def _stays_ahead(c: Course, p: Phase) -> bool:
+    """Whether the other is in its lane, and keeps to it."""
+    spec = c.actor.structure[p.target].spec if p.target and p.target in c.actor.structure else None
+    return c.same_lane(p) and isinstance(spec, ObjectSpec) and not _does(spec) & (SIDEWAYS | GOES_THERE)
+
+
+def _level(c: Course, other: str) -> str:
+    return c.drive(f"lambda: level(self, {other}, {c.speed})", 4)
+
+
+def _leaves_the_lane(structure: Structure) -> int:
+    """To which side ego changes lanes of its own accord (1: left, -1: right, 0: it does not)."""
+    over = [p for p in getattr(structure.ego.spec, "phases", ()) if p.action in COMES_OVER]
+    return (-1 if over[0].side == "right" else 1) if over else 0
+
+
+def struck_beside(c: Course, p: Phase) -> list[Step]:
+    """How one leaves the road towards what it hits there, if it does: straight for it from shortly before."""
+    hit = hit_beside(c, p)
+    return straight_for(c, p, hit) if hit else []
+
+
+def hit_beside(c: Course, p: Phase) -> str:
+    """What stands beside the road that somebody hits who leaves its lane in a phase; "": nothing."""
+    phases = c.actor.spec.phases
+    later = phases[phases.index(p) + 1 :] if p in phases and p.action in SIDEWAYS else ()
+    hit = next((q.target for q in later if q.action == "collide"), None)
+    spec = c.actor.structure[hit].spec if hit and hit in c.actor.structure else None
+    beside = isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD and is_static(spec)
+    return hit if hit and beside else ""
+
+
+def straight_for(c: Course, p: Phase, hit: str) -> list[Step]:
+    """Along the lane, and from shortly before straight for what is beside it."""
+    other = c.actor.ref(hit)
+    near = f"until (distance from self to {other}) < 15 + 1.5 * self.speed"
+    ram = f"do Ram({other}, {c.speed})"
+    return [([c.drive(c.set(c.wanted(p, c.value)))], near), ([ram], f"until touch(self, {other})")]
+
+
+def _on_foot(c: Course, p: Phase) -> bool:
+    spec = c.actor.structure[p.target].spec if p.target and p.target in c.actor.structure else None
+    return isinstance(spec, ObjectSpec) and (is_walker(spec.type) or spec.type in ("bicycle", "animal"))
+
+
+def _over_the_middle(c: Course) -> bool:
+    """Whether it drives in the lane of those that come towards it, from where it starts or later."""
+    spec = c.actor.spec
+    if isinstance(spec, ObjectSpec):
+        return spec.placement.position == "oncoming_lane"
+    return any(q.action == "oncoming" for q in spec.phases)
+
+
+def _beside_the_lane(c: Course, p: Phase) -> str:
+    """Where whom ego hits without having left its lane is, if that is beside ego's lane; else ""."""
+    spec = c.actor.structure[p.target].spec if p.target and p.target in c.actor.structure else None
+    alone = not {q.action for q in c.actor.spec.phases} & GOES_THERE
+    if not alone or c.backwards or not isinstance(spec, ObjectSpec) or {"cross_road", "enter_road"} & _does(spec):
+        return ""
+    at = spec.placement.position or ""
+    along = at in MOVES_OFF_ROAD or at == "partly_in_lane" or at == "oncoming_lane" and "oncoming" not in _does(spec)
+    return at if along else ""
+
+
+def _does(spec: ObjectSpec) -> set[str]:
+    return {q.action for q in spec.phases}

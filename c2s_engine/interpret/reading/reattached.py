@@ -28,6 +28,8 @@ def reattach(words: list[Word]) -> None:
     for word in words:
         if word.dep == "acl" and _tells(words, word):
             _raise(words, word)
+        if word.dep == "acl" and _goes_on(words, word):
+            _raise(words, word, below=words[words[word.head].head])
         if word.tag == "VBN" and word.dep == "ROOT" and _has_done(words, word):
             word.tag = "VBD"
         if word.dep == "advcl" and _first_of_several(words, word):
@@ -42,6 +44,7 @@ def reattach(words: list[Word]) -> None:
         find_subject(words, word)
         if word.norm == "by" and word.dep == "prep" and (answers := _answer(words, word)) is not None:
             hang(words, word, answers)  # "responds to a van braking by changing lanes"
+        _doer_of_passive(words, word)
         _object_of_relative(words, word)
         seen = _place_of_seen(words, word)
         if seen is not None:
@@ -97,7 +100,16 @@ def _has_done(words: list[Word], verb: Word) -> bool:
     return subject and not {"aux", "auxpass", "nsubjpass"} & {w.dep for w in before}
 
 
-def _raise(words: list[Word], verb: Word) -> None:
+def _goes_on(words: list[Word], verb: Word) -> bool:
+    """Whether a past form behind a noun that is joined to a verb tells on: "I braked but the car just carried on"."""
+    noun = words[verb.head]
+    joint = words[noun.i - len(noun.children) - 1 : noun.i] if noun.dep == "conj" and words[noun.head].verb else []
+    joined = any(w.norm in ("but", "and", "so") and w.head == noun.head for w in joint)
+    adverbs = all(w.dep == "advmod" or w.norm.endswith("ly") for w in words[noun.i + 1 : verb.i])
+    return joined and adverbs and verb.tag == "VBN" and road_user(noun) and verb.lemma not in LEFT_STANDING
+
+
+def _raise(words: list[Word], verb: Word, below: Word | None = None) -> None:
     """Make the verb of a clause that was taken for a noun phrase its head, and the noun its subject."""
     noun = words[verb.head]
     noun.children.remove(verb.i)
@@ -106,6 +118,9 @@ def _raise(words: list[Word], verb: Word) -> None:
         hang(words, words[child], verb)
     verb.children.sort()
     verb.tag, verb.dep, verb.head = "VBD", "ROOT", verb.i
+    if below is not None:
+        below.children = [verb.i if c == noun.i else c for c in below.children]
+        verb.dep, verb.head = "conj", below.i
     noun.dep, noun.head = "nsubj", verb.i
 
 
@@ -115,6 +130,17 @@ def _answer(words: list[Word], by: Word) -> Word | None:
     noun = words[doing.head]
     answers = words[words[noun.head].head] if words[noun.head].norm == "to" else None
     return answers if doing.dep == "acl" and answers is not None and answers.lemma in ANSWERS else None
+
+
+def _doer_of_passive(words: list[Word], verb: Word) -> None:
+    """Put who does what the passive says before the participle that tells of it: "was struck by V2 coming north"."""
+    by = words[verb.head]
+    if verb.tag != "VBG" or verb.dep != "pcomp" or by.dep != "agent":
+        return
+    doers = [words[c] for c in verb.children if by.i < c < verb.i and words[c].dep == "nsubj" and road_user(words[c])]
+    if doers:
+        hang(words, doers[0], by, "pobj")
+        hang(words, verb, doers[0], "acl")
 
 
 def _object_of_relative(words: list[Word], verb: Word) -> None:

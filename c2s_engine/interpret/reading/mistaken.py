@@ -33,7 +33,13 @@ def mistaken(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
         **_nouns(doc, piece, plain),
         **_objects(doc),
         **_infinitives(doc, piece, plain),
+        **_bursts(doc),
     }
+
+
+def _bursts(doc: Any) -> dict[int, str]:
+    """What a tyre does, taken for a noun: "a tyre burst and the car left the road"."""
+    return {t.i: "failed" for t in doc[1:] if t.text == "burst" and doc[t.i - 1].text in ("tyre", "tire")}
 
 
 def _infinitives(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:

@@ -49,6 +49,9 @@ def reattach(words: list[Word]) -> None:
         seen = _place_of_seen(words, word)
         if seen is not None:
             hang(words, word, seen)
+        accompanying = _accompanying(words, word)
+        if accompanying is not None:
+            hang(words, word, accompanying)
         beside = _beside(words, word)
         if beside is not None:
             hang(words, word, beside)
@@ -175,6 +178,19 @@ def _place_of_seen(words: list[Word], word: Word) -> Word | None:
     before = words[at]
     objects = [c for c in above.children if words[c].dep == "dobj" and above.i < c < word.i]
     return before if objects and before.noun and before.i != above.i else None
+
+
+def _accompanying(words: list[Word], word: Word) -> Word | None:
+    """Whose place it is that the tree gives to the one whom it accompanies: "a truck with Vehicle 2 behind it"."""
+    if word.dep not in ("prep", "advmod") or word.norm not in ("behind", "ahead", "beside", "alongside", "next"):
+        return None
+    at = word.i - 2 if words[word.i - 1].norm == "," else word.i - 1
+    other = words[at]
+    while other.dep == "appos":  # "with Vehicle 2, a Ford, behind it"
+        other = words[other.head]
+    beside = words[other.head]
+    below = word.head in (other.i, beside.i)
+    return other if other.dep == "pobj" and beside.norm == "with" and road_user(other) and not below else None
 
 
 def _beside(words: list[Word], word: Word) -> Word | None:

@@ -45,6 +45,7 @@ def reattach(words: list[Word]) -> None:
         if word.norm == "by" and word.dep == "prep" and (answers := _answer(words, word)) is not None:
             hang(words, word, answers)  # "responds to a van braking by changing lanes"
         _doer_of_passive(words, word)
+        _by_which(words, word)
         _object_of_relative(words, word)
         seen = _place_of_seen(words, word)
         if seen is not None:
@@ -133,6 +134,20 @@ def _answer(words: list[Word], by: Word) -> Word | None:
     noun = words[doing.head]
     answers = words[words[noun.head].head] if words[noun.head].norm == "to" else None
     return answers if doing.dep == "acl" and answers is not None and answers.lemma in ANSWERS else None
+
+
+def _by_which(words: list[Word], using: Word) -> None:
+    """Hang "using" on the verb whose object the tree takes for who uses it: "overtakes ego using the other lane"."""
+    if using.norm != "using" or using.dep not in ("acl", "ccomp"):
+        return
+    noun = words[using.head] if using.dep == "acl" else words[using.i - 1]
+    verb = _clause(words, noun) if using.dep == "acl" else words[using.head]
+    if verb is None or verb.lemma in SEES:
+        return
+    if using.dep == "acl" or noun.i in using.children and verb.verb:
+        if using.dep == "ccomp":
+            hang(words, noun, verb, "dobj")
+        hang(words, using, verb, "advcl")
 
 
 def _doer_of_passive(words: list[Word], verb: Word) -> None:

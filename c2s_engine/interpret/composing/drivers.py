@@ -5,6 +5,7 @@ import re
 from c2s_engine.interpret.composing.ego_pace import ego_pace
 from c2s_engine.interpret.composing.passive import RESPONSES, remains_passive
 from c2s_engine.interpret.composing.steps import duration_of, rate_of, target_speed, trigger_of
+from c2s_engine.interpret.composing.tidied import tidy
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.roles.ego_others import (
     ahead,
@@ -55,14 +56,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                 and not event.hard
                 and not others
             ):
-                phases.append(
-                    Phase(
-                        action="stop" if stop else "brake",
-                        rate=rate_of(event),
-                        speed=target_speed(event),
-                        trigger=trigger,
-                    )
-                )
+                phases += _halt(event)
                 continue
             said_reaction = True
             if stop and phases and phases[-1].action in ASIDE and _from_behind(scene):
@@ -130,8 +124,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                     trigger=trigger,
                 )
             )
-        elif act == "travel" and phases and phases[-1].action == "stationary" and ONWARDS.match(event.text):
-            phases.append(Phase(action="start", trigger=trigger))
+        elif act == "travel" and (onwards := _goes_on(phases, event, place)) is not None:
+            phases.append(Phase(action=onwards, trigger=trigger))  # type: ignore[arg-type]
         elif act == "go_straight" and place.kind == "intersection":
             phases.append(Phase(action="go_straight", trigger=trigger))
         elif act == "cross_path" and place.kind == "intersection":
@@ -187,7 +181,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         reaction, react_to = "none", None
     if reaction == "yield":
         phases = [p for p in phases if p.action != "wait"]
-    phases = _tidy(phases, place, reaction)
+    phases = tidy(phases, place)
     if (
         scene.road.signal
         and not any(p.action in ("run_red", "stop", "wait", "stationary") for p in phases)
@@ -242,10 +236,35 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
 
 ONWARDS = re.compile(
     r"(?:move|roll|creep|edge|inch|ease|drive|go|pull|nose) (?:\w+ly )?(?:forwards?|ahead|off|on|away|into|through)\b"
-    r"|(?:proceed|continue|resume)\b"
+    r"|(?:proceed|continue|resume|(?:go|carry|drive|move|ride|travel) on)\b"
 )
 """What one does who has stood and goes on."""
+INTO = re.compile(
+    r"(?:enter|pull|start|set|move|come|roll|edge|creep|inch|nose|ease|set|head)\b (?:\w+ )?"
+    r"(?:(?:in)?to |across |over )?(?:(?:the|an?|this|that) )?(?:\w+ )?(?:intersection|junction|crossroads?|crossing)\b"
+    r"|(?:start|set|move|pull) (?:(?:off|out) )?(?:across|over)\b"
+)
+"""How one goes in who has stopped before a junction."""
 ASIDE = ("lane_change", "leave_road", "drift")
+
+
+def _halt(event: Event) -> list[Phase]:
+    """A stop or a braking that nobody causes, and how long ego stands then."""
+    action = "brake" if event.act == "brake" else "stop"
+    halt = Phase(action=action, rate=rate_of(event), speed=target_speed(event), trigger=trigger_of(event))  # type: ignore[arg-type]
+    stands = duration_of(event) if action == "stop" else None
+    return [halt, Phase(action="wait", duration=stands)] if stands else [halt]
+
+
+def _goes_on(phases: list[Phase], event: Event, place: PlaceSpec) -> str | None:
+    """How ego goes on that has stopped: into a junction, or along its road."""
+    last = phases[-1] if phases else None
+    if last is None or last.action not in ("stop", "wait", "stationary") or last.target is not None:
+        return None
+    onwards = ONWARDS.match(event.text) is not None
+    if place.kind == "intersection" and (INTO.match(event.text) or onwards and last.action != "stationary"):
+        return "go_straight"
+    return "start" if onwards else None
 
 
 def _halted_by(scene: Scene, event: Event) -> bool:
@@ -280,51 +299,3 @@ def _makes_way(scene: Scene, react_to: str | None, phases: list[Phase], ids: dic
 def _lets_by(scene: Scene, react_to: str | None, ids: dict[Entity, str]) -> bool:
     """Whether whom ego lets pass comes from behind."""
     return any(scene.where(a).rel == "behind" and ids.get(a) == react_to for a in scene.actors if a.mover)
-
-
-def _tidy(phases: list[Phase], place: PlaceSpec, reaction: str) -> list[Phase]:
-    found: list[Phase] = []
-    for phase in phases:
-        there = found and found[-1].action == phase.action and found[-1].target == phase.target
-        if there and not (found[-1].side and phase.side and found[-1].side != phase.side):
-            continue
-        if phase.action in ("turn_left", "turn_right", "go_straight", "u_turn", "follow", "overtake") and any(
-            p.action == phase.action and p.target == phase.target for p in found
-        ):
-            continue
-        if found and found[-1].action == "lose_control" and phase.action in ("leave_road", "oncoming", "drift"):
-            found[-1] = phase
-            continue
-        if found and found[-1].action == "lane_change" and phase.action == "drift" and phase.side == found[-1].side:
-            continue
-        if found and found[-1].action in ("brake", "stop") and phase.action == "stop":
-            found[-1] = phase
-            continue
-        if (
-            found
-            and found[-1].action == "start"
-            and phase.action in ("turn_left", "turn_right", "go_straight", "enter_road")
-        ) and found[0].action == "start":
-            found.pop()
-        if found and found[-1].action == "enter_road" and phase.action in ("start", "lane_change"):
-            continue
-        if (
-            found
-            and found[-1].action in ("oncoming", "drift", "leave_road")
-            and phase.action in ("lose_control", "lane_change")
-            and phase.action == "lose_control"
-        ):
-            continue
-        if phase.action == "stationary" and found:
-            continue
-        found.append(phase)
-    if len(found) > 1 and found[0].action == "stationary":
-        found = (
-            found[1:]
-            if found[1].action in ("enter_road", "start", "turn_left", "turn_right", "go_straight", "reverse")
-            else found
-        )
-    turns = [p for p in found if p.action in ("turn_left", "turn_right", "u_turn")]
-    if turns and place.kind == "intersection":
-        found = [p for p in found if p.action != "go_straight"]
-    return [p for p in found if p.action != "keep_lane" or len(found) == 1]

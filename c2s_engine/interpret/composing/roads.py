@@ -8,11 +8,14 @@ from c2s_engine.interpret.placing.lengthwise import at_edge, wrong_way
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.surroundings import place as places
 from c2s_engine.interpret.surroundings.approach import start_distance
+from c2s_engine.interpret.surroundings.lanes import lanes_of
 from c2s_engine.interpret.what.overtakings import PART
+from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.interpret.who.mentions import MOTOR, Entity
 from c2s_engine.structure.specs import PlaceSpec
 
 LIES_AHEAD = frozenset(("intersection", "roundabout", "crosswalk", "on_ramp", "off_ramp"))
+STANDING = frozenset(("stationary", "parked"))
 CROSSING_ACTS = ("turn", "run_red", "run_stop")
 
 
@@ -50,6 +53,7 @@ def compose_place(scene: Scene) -> PlaceSpec:
         if manoeuvre is None and _ends_before(scene):
             manoeuvre = "straight"
         manoeuvre = manoeuvre or "straight"
+    _one_of_two(scene)
     needs_left, needs_right, oncoming = _neighbours(scene)
     ego_lane = ego_lane_of(scene)
     goes = next((side(e) for e in scene.events(scene.cast.ego) if e.act in ("lane_change", "cut_out")), None)
@@ -204,6 +208,28 @@ def _ego_on_ramp(scene: Scene) -> bool:
         ):
             return True
     return False
+
+
+def _one_of_two(scene: Scene) -> None:
+    """Place those ahead in ego's own lane who are told to be in one of two lanes, where others are in the other one, or
+    ego goes there: "two lanes; a crate lies in the right lane, a car is beside ego in the left lane"."""
+    if ego_lane_of(scene) is not None or lanes_of(scene.plain, counted_only=True)[0] != 2:
+        return
+    there = {s: [e for e in scene.actors if scene.where(e).lane == s and _by_ego(scene, e)] for s in OPPOSITE}
+    goes = next((side(e) for e in scene.events(scene.cast.ego) if e.act in ("lane_change", "cut_out")), None)
+    if not any(there.values()) or not all(there[s] or goes == s for s in OPPOSITE):
+        return
+    shut = [s for s in OPPOSITE for e in there[s] if not e.mover or e.roles & STANDING or scene.does(e, "stationary")]
+    passes = [s for s in OPPOSITE for e in there[s] if scene.does(e, "overtake") or scene.where(e).rel == "beside"]
+    own = OPPOSITE[goes] if goes else shut[0] if shut else OPPOSITE[passes[0]] if passes else "right"
+    for entity in there[own]:
+        where = scene.where(entity)
+        where.lane, where.rel = "same", where.rel or "ahead"
+
+
+def _by_ego(scene: Scene, entity: Entity) -> bool:
+    """Whether it is placed by ego or by nobody."""
+    return scene.where(entity).of in (None, scene.cast.ego)
 
 
 def _neighbours(scene: Scene) -> tuple[bool, bool, bool]:

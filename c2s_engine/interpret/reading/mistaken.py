@@ -33,7 +33,29 @@ def mistaken(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
         **_nouns(doc, piece, plain),
         **_objects(doc),
         **_infinitives(doc, piece, plain),
+        **_bursts(doc),
+        **_same_in_past(doc, piece, plain),
     }
+
+
+def _same_in_past(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
+    """Past tenses like the present, taken for the noun that a road user qualifies: "a van cut in just before me"."""
+    found = {}
+    for token in doc[1:]:
+        _, start, end, span = piece[token.i]
+        before = doc[token.i - 1]
+        if token.tag_ != "NN" or span is not None or past_forms().get(plain[start:end]) != plain[start:end]:
+            continue
+        if before.dep_ == "compound" and before.head.i == token.i and names_one(piece[before.i][3], MOVERS):
+            rest = plain[end : end + 24]
+            if OBJECT.match(rest) or DIRECTED.match(rest):
+                found[token.i] = "took" if OBJECT.match(rest) else "went"
+    return found
+
+
+def _bursts(doc: Any) -> dict[int, str]:
+    """What a tyre does, taken for a noun: "a tyre burst and the car left the road"."""
+    return {t.i: "failed" for t in doc[1:] if t.text == "burst" and doc[t.i - 1].text in ("tyre", "tire")}
 
 
 def _infinitives(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:

@@ -28,6 +28,8 @@ def reattach(words: list[Word]) -> None:
     for word in words:
         if word.dep == "acl" and _tells(words, word):
             _raise(words, word)
+        if word.dep == "acl" and _goes_on(words, word):
+            _raise(words, word, below=words[words[word.head].head])
         if word.tag == "VBN" and word.dep == "ROOT" and _has_done(words, word):
             word.tag = "VBD"
         if word.dep == "advcl" and _first_of_several(words, word):
@@ -42,10 +44,15 @@ def reattach(words: list[Word]) -> None:
         find_subject(words, word)
         if word.norm == "by" and word.dep == "prep" and (answers := _answer(words, word)) is not None:
             hang(words, word, answers)  # "responds to a van braking by changing lanes"
+        _doer_of_passive(words, word)
+        _by_which(words, word)
         _object_of_relative(words, word)
         seen = _place_of_seen(words, word)
         if seen is not None:
             hang(words, word, seen)
+        accompanying = _accompanying(words, word)
+        if accompanying is not None:
+            hang(words, word, accompanying)
         beside = _beside(words, word)
         if beside is not None:
             hang(words, word, beside)
@@ -97,7 +104,16 @@ def _has_done(words: list[Word], verb: Word) -> bool:
     return subject and not {"aux", "auxpass", "nsubjpass"} & {w.dep for w in before}
 
 
-def _raise(words: list[Word], verb: Word) -> None:
+def _goes_on(words: list[Word], verb: Word) -> bool:
+    """Whether a past form behind a noun that is joined to a verb tells on: "I braked but the car just carried on"."""
+    noun = words[verb.head]
+    joint = words[noun.i - len(noun.children) - 1 : noun.i] if noun.dep == "conj" and words[noun.head].verb else []
+    joined = any(w.norm in ("but", "and", "so") and w.head == noun.head for w in joint)
+    adverbs = all(w.dep == "advmod" or w.norm.endswith("ly") for w in words[noun.i + 1 : verb.i])
+    return joined and adverbs and verb.tag == "VBN" and road_user(noun) and verb.lemma not in LEFT_STANDING
+
+
+def _raise(words: list[Word], verb: Word, below: Word | None = None) -> None:
     """Make the verb of a clause that was taken for a noun phrase its head, and the noun its subject."""
     noun = words[verb.head]
     noun.children.remove(verb.i)
@@ -106,6 +122,9 @@ def _raise(words: list[Word], verb: Word) -> None:
         hang(words, words[child], verb)
     verb.children.sort()
     verb.tag, verb.dep, verb.head = "VBD", "ROOT", verb.i
+    if below is not None:
+        below.children = [verb.i if c == noun.i else c for c in below.children]
+        verb.dep, verb.head = "conj", below.i
     noun.dep, noun.head = "nsubj", verb.i
 
 
@@ -115,6 +134,31 @@ def _answer(words: list[Word], by: Word) -> Word | None:
     noun = words[doing.head]
     answers = words[words[noun.head].head] if words[noun.head].norm == "to" else None
     return answers if doing.dep == "acl" and answers is not None and answers.lemma in ANSWERS else None
+
+
+def _by_which(words: list[Word], using: Word) -> None:
+    """Hang "using" on the verb whose object the tree takes for who uses it: "overtakes ego using the other lane"."""
+    if using.norm != "using" or using.dep not in ("acl", "ccomp"):
+        return
+    noun = words[using.head] if using.dep == "acl" else words[using.i - 1]
+    verb = _clause(words, noun) if using.dep == "acl" else words[using.head]
+    if verb is None or verb.lemma in SEES:
+        return
+    if using.dep == "acl" or noun.i in using.children and verb.verb:
+        if using.dep == "ccomp":
+            hang(words, noun, verb, "dobj")
+        hang(words, using, verb, "advcl")
+
+
+def _doer_of_passive(words: list[Word], verb: Word) -> None:
+    """Put who does what the passive says before the participle that tells of it: "was struck by V2 coming north"."""
+    by = words[verb.head]
+    if verb.tag != "VBG" or verb.dep != "pcomp" or by.dep != "agent":
+        return
+    doers = [words[c] for c in verb.children if by.i < c < verb.i and words[c].dep == "nsubj" and road_user(words[c])]
+    if doers:
+        hang(words, doers[0], by, "pobj")
+        hang(words, verb, doers[0], "acl")
 
 
 def _object_of_relative(words: list[Word], verb: Word) -> None:
@@ -149,6 +193,19 @@ def _place_of_seen(words: list[Word], word: Word) -> Word | None:
     before = words[at]
     objects = [c for c in above.children if words[c].dep == "dobj" and above.i < c < word.i]
     return before if objects and before.noun and before.i != above.i else None
+
+
+def _accompanying(words: list[Word], word: Word) -> Word | None:
+    """Whose place it is that the tree gives to the one whom it accompanies: "a truck with Vehicle 2 behind it"."""
+    if word.dep not in ("prep", "advmod") or word.norm not in ("behind", "ahead", "beside", "alongside", "next"):
+        return None
+    at = word.i - 2 if words[word.i - 1].norm == "," else word.i - 1
+    other = words[at]
+    while other.dep == "appos":  # "with Vehicle 2, a Ford, behind it"
+        other = words[other.head]
+    beside = words[other.head]
+    below = word.head in (other.i, beside.i)
+    return other if other.dep == "pobj" and beside.norm == "with" and road_user(other) and not below else None
 
 
 def _beside(words: list[Word], word: Word) -> Word | None:

@@ -2,6 +2,8 @@
 
 import re
 
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast, Entity
 
 FROM_ASIDE = re.compile(
@@ -65,3 +67,10 @@ def after(i: int, cast: Cast) -> str:
 def from_aside(i: int, cast: Cast) -> bool:
     """Whether one is said to come from a side, not who does something meanwhile ("by a car while crossing")."""
     return FROM_ASIDE.search(re.split(r" (?:while|whilst|when|as|who)\b", after(i, cast))[0]) is not None
+
+
+def only_hides(entity: Entity, acts: list[Event], clauses: Clauses) -> bool:
+    """Whether all that is told of it is that somebody comes out from behind it: "a boy ran out from behind the bus"."""
+    behind = re.compile(rf"\bfrom (?:behind|in front of|between|beside) (?:the |a |an )?(?:\w+ )?@{entity.key}\b")
+    met = [v for v in clauses.events if v.patient is entity and not behind.search(v.whole)]
+    return not acts and not met and any(behind.search(v.whole) for v in clauses.events if v.agent.person)

@@ -139,6 +139,7 @@ def actors(scene: Scene) -> list[Entity]:
         same = [e for e in specific if entity.type == "obstacle" or e.type in VEHICLES]
         if (
             same
+            and "oncoming" not in entity.roles
             and not [e for e in scene.events(entity) if e.act not in ("travel", "approach", "stationary")]
             and (entity.type == "obstacle" or entity.count > 1)
         ):

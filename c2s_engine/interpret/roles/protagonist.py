@@ -6,7 +6,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.reading.askers import bystanding
 from c2s_engine.interpret.roles.among_others import anchors, crossed, cut_off, who_is_led
-from c2s_engine.interpret.roles.aside import AHEAD, IS_AHEAD, after, beside_nobody, from_aside
+from c2s_engine.interpret.roles.aside import AHEAD, IS_AHEAD, after, beside_nobody, from_aside, only_hides
 from c2s_engine.interpret.roles.at_stops import at_a_stop
 from c2s_engine.interpret.roles.bare import ROLE_WORDS, bare_first
 from c2s_engine.interpret.roles.paired import leave_group, one_of_both
@@ -205,7 +205,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
             continue  # "a truck follows 20 m behind": behind ego
         if any(v.act in TOWARDS and v.agent is cast.ego and v.patient is entity for v in clauses.events):
             continue
-        if not acts and not any(v.patient is entity for v in clauses.events):
+        if not acts and not any(v.patient is entity for v in clauses.events) or only_hides(entity, acts, clauses):
             continue
         held = _held_up(entity, acting[entity], clauses)
         if acts and not EGO_LIKE & set(acts) and not held:

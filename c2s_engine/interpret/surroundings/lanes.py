@@ -39,11 +39,14 @@ def patterns() -> list[tuple[re.Pattern[str], re.Pattern[str] | None, dict[str, 
     ]
 
 
-def lanes_of(plain: str) -> tuple[int | None, tuple[int, int] | None, bool]:
-    """The lanes in ego's direction, the words that say it, and whether the other direction has its lane beside them."""
+def lanes_of(plain: str, counted_only: bool = False) -> tuple[int | None, tuple[int, int] | None, bool]:
+    """The lanes in ego's direction, the words that say it, and whether the other direction has its lane beside them;
+    on demand only where their number is told, not that there must be more than one."""
     single = SINGLE.search(plain) is not None
     lanes, span, oncoming = None, None, False
     for find, but, entry in patterns():
+        if counted_only and "at_least" in entry:
+            continue
         for match in find.finditer(plain):
             near = plain[max(0, match.start() - 20) : match.end() + 25]
             if but is not None and but.search(near):

@@ -174,6 +174,8 @@ def against_the_traffic(clauses: Clauses) -> None:
     for event in clauses.events:
         lanes = LANES_OF.search(event.text) if event.done and event.act in GETS_OVER and event.agent.mover else None
         own = heading(clauses, event.agent) if lanes else None
+        if lanes and own is None and any(BEHIND.search(e.whole) for e in clauses.events if e.agent is event.agent):
+            own = heading(clauses, clauses.cast.ego)  # it drives behind ego
         if lanes and own is not None and (COMPASS[lanes["way"]] - own) % 360 == 180 and not lanes[0].startswith("in "):
             event.act, event.side, event.patient = "oncoming", "left", None
             for before in clauses.events:  # "departed its lane to the left, entered the northbound lane": one move
@@ -183,6 +185,9 @@ def against_the_traffic(clauses: Clauses) -> None:
     _out_into_one_who_comes(clauses)
 
 
+BEHIND = re.compile(
+    r"\b(?:behind|follow|overtake|pass|go (?:past|around|round)|get (?:past|around|round)) (?:the )?@ego\b"
+)
 TURNS = frozenset(("turn", "u_turn", "oncoming", "lane_change"))
 
 

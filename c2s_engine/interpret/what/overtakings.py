@@ -8,13 +8,16 @@ from c2s_engine.interpret.what.towards import OPPOSITE, side
 
 BACK = re.compile(r"\b(?:back|again|return\w*|in|re-?join\w*|re-?enter\w*)\b")
 HOME = re.compile(r"\bback\b|\bagain\b|return")
+COMES_IN = re.compile(r"\b\w+ (?:\w+ly )?back (?:in|over|across)\b")
 PART = "part"
 """The mode of what another event tells, too."""
 
 
 def overtakings(clauses: Clauses) -> None:
     """What belongs to an overtaking is told once: pulling out is part of it, coming back in cuts in on ego."""
-    for event in [e for e in clauses.events if e.act == "overtake" and e.done]:
+    passing = [e for e in clauses.events if e.act == "overtake" and e.done]
+    _comes_back_in(clauses, [e for e in passing if not e.agent.ego and (e.patient is None or e.patient.ego)])
+    for event in passing:
         own = [e for e in clauses.events if e.agent is event.agent and e.done and e is not event]
         if event.agent.person or not event.agent.mover and not event.agent.ego:
             continue
@@ -24,6 +27,20 @@ def overtakings(clauses: Clauses) -> None:
             _by_ego(event, out, back)
         elif not event.agent.ego and (event.patient is None or event.patient.ego):
             _past_ego(event, out, back)
+
+
+def _comes_back_in(clauses: Clauses, passing: list[Event]) -> None:
+    """Who comes back in has passed: "a van overtook us; a car was coming, so he dived back in before us"."""
+    for event in [e for e in clauses.events if e.act in ("cut_in", "lane_change", "travel") and e.done]:
+        earlier = [e for e in passing if e.order < event.order]
+        if event.agent.ego or not earlier or not COMES_IN.search(event.text):
+            continue
+        subjects = [clauses.words[c] for c in clauses.words[event.word].children]
+        pronoun = any(w.dep == "nsubj" and w.tag == "PRP" for w in subjects)
+        if pronoun and all(e.agent is not event.agent for e in earlier):
+            event.agent = earlier[-1].agent
+        if event.act == "travel" and any(e.agent is event.agent for e in earlier):
+            event.act, event.patient = "cut_in", earlier[-1].patient
 
 
 def _stands_aside(clauses: Clauses, event: Event) -> bool:

@@ -19,6 +19,7 @@ def came_up_behind(clauses: Clauses) -> None:
     for event in [e for e in clauses.events if e.act == "overtake" and e.patient is None]:
         near = (e for e in ups if e.agent is event.agent and 0 < event.word - e.word < UP_BEHIND_NEAR)
         event.patient = next((e.patient for e in near), None)
+    _between_the_lines(clauses)
 
 
 def headings(cast: Cast, clauses: Clauses) -> None:
@@ -52,8 +53,36 @@ OTHER_LANE = re.compile(
 )
 
 
+OVER_LINE = re.compile(
+    r"\bover (?:the |a )?(?:\w+ )?(?:solid|double|continuous|unbroken|yellow|white|cent(?:re|er)|middle)"
+    r"(?: \w+){0,2} ?(?:lines?)?\b"
+)
+BETWEEN_LINES = re.compile(r"\bbetween (?:the |two |both |stationary |slow )*(?:lines|rows|queues|columns|lanes) of\b")
+
+
+def _others_by_that_lane(clauses: Clauses, road: Road) -> None:
+    """Who gets past ego by the lane of oncoming traffic, or over the line, gets into that lane."""
+    for event in [e for e in clauses.events if e.act == "overtake" and e.done and e.agent.mover and not e.agent.ego]:
+        where = OTHER_LANE.search(event.text)
+        over = where is not None and where["lane"] != "other" or OVER_LINE.search(event.text) is not None
+        own = [e for e in clauses.events if e.act in ("oncoming", "lane_change") and e.agent is event.agent and e.done]
+        for by in own:
+            if clauses.words[by.word].head == event.word and clauses.words[by.word].tag == "VBG":
+                by.order = event.order - 0.1  # "overtakes ego using the oncoming lane"
+        if over and not own and road.kind != "motorway" and (event.patient is None or event.patient.ego):
+            clauses.events.append(Event.echo(event, act="oncoming", order=event.order - 0.1, side="left"))
+
+
+def _between_the_lines(clauses: Clauses) -> None:
+    """Who comes up between two lines of others comes past ego, too: "filtering up between the lines of cars"."""
+    for event in clauses.events:
+        if event.act == "overtake" and not event.agent.ego and BETWEEN_LINES.search(event.text):
+            event.patient = None
+
+
 def by_the_other_lane(clauses: Clauses, road: Road) -> None:
-    """Ego that gets past by the lane of oncoming traffic gets into it."""
+    """Who gets past by the lane of oncoming traffic gets into it."""
+    _others_by_that_lane(clauses, road)
     if any(e.act == "oncoming" and e.agent.ego for e in clauses.events) or road.kind == "motorway":
         return
     for event in list(clauses.events):

@@ -3,18 +3,25 @@
 from __future__ import annotations
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.reading.motions import irregular
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.centre import Centre
 
 COLOURS = language.words("colours")
 OF_EGO = language.words("of_ego")
 SYSTEMS, RUN_BY = language.words("systems"), language.words("run_by_systems")
+RUNS_AWAY = language.words("gets_out_of_hand")
+FIRST = frozenset(("i", "we", "me", "us", "my", "our", "mine"))
 
 
 class EgoByNoun(Centre):
     """The part of Cast that knows whether a noun means ego."""
 
     strong_ego: bool
+
+    @property
+    def driven_by_me(self) -> bool:
+        raise NotImplementedError
 
     def _ego_moving(self, roles: set[str], kind: str, definite: bool) -> bool:
         """Whether ego is meant by what it does: "the turning truck", of a test vehicle that is a truck."""
@@ -34,6 +41,16 @@ class EgoByNoun(Centre):
         subjects = [self.words[c] for c in verb.children if self.words[c].dep == "nsubj"]
         own = any(w.lemma in SYSTEMS or w.norm in ("i", "we") and self.of.get(w.i) is self.ego for w in subjects)
         return word.dep == "dobj" and own and verb.lemma in RUN_BY
+
+    def _out_of_my_hand(self, word: Word) -> bool:
+        """Whether it is what the first person was driving and then could not hold: "I braked but the car slid on"."""
+        verb = self.words[word.head]
+        goes = word.dep == "nsubj" and irregular().get(verb.norm, verb.lemma) in RUNS_AWAY
+        if not goes or verb.tag == "VBG" or not self.driven_by_me or self.words[word.i - 1].norm != "the":
+            return False
+        before = [w for w in self.words[: word.i] if w.sentence >= word.sentence - 1 and w.norm in FIRST]
+        after = [w for w in self.words[word.i : verb.i + 8] if w.sentence == word.sentence]
+        return bool(before) and not any(w.norm in FIRST for w in after)
 
     def _ego_by(self, noun: str) -> bool:
         """Whether ego was called by that noun ("the DCAS vehicle" makes "the vehicle" ego)."""

@@ -11,7 +11,7 @@ from c2s_engine.interpret.reading.scan import Span
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.nouns import Nouns
 
-STANDS = language.words("stands")
+STANDS, STANDS_STILL = language.words("stands"), language.words("stands_still")
 BY_WHOM_PLACED = frozenset(("of", "behind", "beside", "to", "with"))
 TOLD_BY_PLACE = re.compile(
     r"\b(?:the|its|ego's) (?:\w+ )?(?P<noun>vehicle|actor|target|npc|participant|agent|object|opponent|adversary|one)"
@@ -193,6 +193,9 @@ class Labels(Nouns):
         near = [w.norm for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
         if {"behind", "beside", "near", "past", "between"} & set(near):
             return None
+        if word.dep == "pobj" and head.norm == "as" and (verb := self.words[head.head]).lemma in STANDS_STILL:
+            subjects = (c for c in verb.children if self.words[c].dep in ("nsubj", "nsubjpass") and c < word.i)
+            return next((self.of[c] for c in subjects if c in self.of), None)  # "stopped as the last car"
         if word.dep == "attr" and head.lemma == "be":
             for child in head.children:
                 if (

@@ -16,7 +16,7 @@ from c2s_engine.interpret.entities import (
     Mention,
     fits,
 )
-from c2s_engine.interpret.reading.askers import asked, narrator, quoted, told_by_others
+from c2s_engine.interpret.reading.askers import asked, bystanding, narrator, quoted, told_by_others
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.labels import Labels
 
@@ -47,6 +47,7 @@ class Cast(Labels):
     def __init__(self, words: list[Word]) -> None:
         self.words = words
         self.asking = _asking(words)
+        self.onlooker = bystanding(" ".join(w.norm for w in words))
         self.ego = Entity("ego", "car")
         self.entities: list[Entity] = []
         self.of: dict[int, Entity] = {}

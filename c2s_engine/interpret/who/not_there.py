@@ -11,9 +11,11 @@ from c2s_engine.interpret.reading.syntax import Word
 
 CARRIES = language.words("carries")
 HIDES = language.words("hides")
+LADEN = language.words("laden")
 LETS_OFF = frozenset(("drop", "pick", "collect", "discharge"))
 BEARS = frozenset(("carry", "transport", "ferry"))
 LOST, SAYS = language.words("lost"), language.words("says")
+SEES = language.words("notices") | {"watch", "hear", "look", "help"}
 WALKS_WITH = language.words("walks_with")
 PUSHED = frozenset(("bicycle", "motorcycle", "box", "debris", "trash", "container", "obstacle"))
 FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
@@ -30,6 +32,7 @@ class NotThere:
 
     words: list[Word]
     of: dict[int, Entity]
+    onlooker: bool  # whether somebody off the road tells the text
 
     def _near(self, word: Word) -> list[str]:
         raise NotImplementedError
@@ -43,6 +46,8 @@ class NotThere:
         """Whether it is only who lost something on the road before: "a ladder, shed by an unknown vehicle"."""
         by = self.words[word.head]
         verb = self.words[by.head]
+        if self._goods(word) or self._beside_onlooker(word):
+            return True
         if word.dep == "dobj" and by.lemma in WALKS_WITH and self._done_on_foot(by):
             return word.span is not None and word.span.data["type"] in PUSHED
         if word.norm in GROWS and by.norm in ("from", "of", "between", "among", "through"):
@@ -63,6 +68,31 @@ class NotThere:
         return lost and (
             verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))
         )
+
+    def _goods(self, word: Word) -> bool:
+        """Whether it is what a vehicle has on it: "a truck loaded with logs", "piled high with boxes"."""
+        first = word
+        while first.dep == "conj" and first.head != first.i:
+            first = self.words[first.head]
+        by = self.words[first.head]
+        before = [w.norm for w in self.words[max(0, by.i - 2) : by.i] if w.norm != "high"]
+        return first.dep == "pobj" and by.norm == "with" and before[-1:] != [] and before[-1] in LADEN
+
+    def _beside_onlooker(self, word: Word) -> bool:
+        """Whether it is only what somebody off the road had or stood at: "I was walking the dog when I saw ..."."""
+        above = self.words[word.head]
+        verb = self.words[above.head] if above.dep == "prep" else above
+        if (
+            not self.onlooker
+            or word.span is None
+            or not verb.verb
+            or verb.lemma in SEES
+            or word.dep.startswith("nsubj")
+        ):
+            return False
+        subjects = [self.words[c].norm for c in verb.children if self.words[c].dep.startswith("nsubj")]
+        fixed = word.span.data["type"] not in VEHICLES or word.span.data["type"] == "animal"
+        return subjects in (["i"], ["we"]) and fixed
 
     def _done_on_foot(self, verb: Word) -> bool:
         """Whether somebody on foot does it."""

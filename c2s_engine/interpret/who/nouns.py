@@ -17,6 +17,7 @@ TWO_WHEELERS = language.words("two_wheelers")
 THIRD = frozenset(("his", "her", "its", "their"))
 ON_LEASH = re.compile(r"\b(?:on|off) (?:an?|the|its|his|her|their) (?:\w+ )?$")
 AUTHORITIES = language.words("authorities")
+RIDES = frozenset(("ride", "rides", "rode", "riding", "ridden"))
 
 
 class Nouns(Introduced, NotThere, Counted):
@@ -47,8 +48,10 @@ class Nouns(Introduced, NotThere, Counted):
                     entity.roles |= roles
                     return entity
             return self._new(Entity("", "vehicle", label=data["label"], roles=roles))
-        if noun in TWO_WHEELERS and kind == "bicycle" and self._motor_bike():
+        if noun in TWO_WHEELERS and kind == "bicycle" and self._motor_bike(word):
             kind = "motorcycle"
+        if kind == "car" and noun in language.makes() and word.dep == "dobj" and self.words[word.head].norm in RIDES:
+            kind = "motorcycle"  # "I was riding my Honda"
         if noun == "scooter" and (who := self._aboard(word)) is not None and who.span.data["type"] == "child":
             kind = "bicycle"  # "a kid on a scooter"
         if noun in language.table("actors")["riders"] and (mount := self._mount(word)) is not None:
@@ -242,10 +245,17 @@ class Nouns(Introduced, NotThere, Counted):
         mine = any(w.i in self.of and self.of[w.i].ego for w in owners)
         return person and not mine and all(e.noun != noun for e in self.entities)
 
-    def _motor_bike(self) -> bool:
+    def _motor_bike(self, word: Word) -> bool:
         """Whether "the bike" is a motorcycle spoken of before, as no bicycle was."""
-        kinds = {e.type for e in self.entities}
-        return "motorcycle" in kinds and "bicycle" not in kinds
+        new = {"a", "an", "another"} & {self.words[c].norm for c in word.children}
+        kinds = {e.type for e in self.entities} | ({self.ego.type} if self.ego.typed else set())
+        return "bicycle" not in kinds and ("motorcycle" in kinds or not new and self._ridden_by_me())
+
+    def _ridden_by_me(self) -> bool:
+        """Whether the first person, who drives in the story, is said to ride: "I was riding along at 50"."""
+        rides = (w for w in self.words if w.norm in RIDES and w.dep != "amod")
+        subjects = (self.words[c].norm for w in rides for c in w.children if self.words[c].dep == "nsubj")
+        return self.driven_by_me and not {"i", "we"}.isdisjoint(subjects)
 
     def _watched(self, word: Word) -> bool:
         """Whether traffic is only looked at or checked for."""

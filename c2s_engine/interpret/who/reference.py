@@ -169,7 +169,7 @@ class Reference(EgoByNoun):
         alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
         if second and alone and not self._distinguished(word) and self.words[word.i - 1].norm == "the":
             return self.ego  # a driver is told what to do: "you will feel the car"
-        if alone and self._run_by_its_own(word):
+        if alone and (self._run_by_its_own(word) or self._out_of_my_hand(word)):
             return self.ego
         asks = any(self.words[c].norm in ("shall", "must") for c in self.words[word.head].children)
         if alone and asks and self.ego_named and word.dep == "nsubj" and not self._distinguished(word):

@@ -31,8 +31,10 @@ class Writers(Titles):
             return False
         if self.ego.typed or not self._tells_first() or any(e.type == kind for e in self.entities):
             return False
-        if self._steered(word):
+        if self._steered(word, kind):
             return True
+        if kind == "motorcycle" and self._ridden_by_me():
+            return {self.words[c].norm for c in word.children} <= {"the", "my"}  # "the bike is a write-off"
         before, after = self._beside(word)
         if self._heading(word.sentence):
             told = " ".join(w.norm for w in self.words if w.sentence <= word.sentence)
@@ -44,17 +46,24 @@ class Writers(Titles):
         passengers = ABOARD.search(" ".join(w.norm for w in self.words)) is not None
         return bare or the and (kind == "bus" and passengers or STRUCK.search(before) is not None)
 
+    def _ridden_by_me(self) -> bool:
+        raise NotImplementedError
+
     def _now(self, word: Word) -> bool:
         """Whether a subject's verb tells what somebody watches: "Bus is at the stop. We brake", no report."""
         verb = self.words[word.head]
         return any(w.tag == "VBZ" for w in (verb, *(self.words[c] for c in verb.children)))
 
-    def _steered(self, word: Word) -> bool:
+    def _steered(self, word: Word, kind: str) -> bool:
         """Whether it is driven by the first person, or by nobody who is named: "Driving an artic when a van hit me"."""
-        verb = self.words[word.head]
+        above = self.words[word.head]
+        astride = above.norm == "on" and kind in ("motorcycle", "bicycle")  # "I was out on my Ducati"
+        verb = self.words[above.head] if astride else above
         told = [self.words[c].norm for c in verb.children if self.words[c].dep in ("nsubj", "nsubjpass")]
         own = verb.dep == "ROOT" or self.words[verb.i - 1].sentence != verb.sentence or verb.i == 0
         mine = told in (["i"], ["we"]) and not any(self.words[c].norm == "the" for c in word.children)
+        if astride:
+            return mine and {self.words[c].norm for c in word.children} & {"my", "our"} != set()
         return word.dep == "dobj" and verb.norm in STEERS and (mine or not told and own)
 
     def _headings(self, word: Word) -> str:

@@ -1,0 +1,52 @@
+"""The phases of ego without repetitions, and without those that another one already says."""
+
+from c2s_engine.structure.specs import Phase, PlaceSpec
+
+
+def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
+    """Each phase once, and only what comes of it where one leads into the next."""
+    found: list[Phase] = []
+    for phase in phases:
+        there = found and found[-1].action == phase.action and found[-1].target == phase.target
+        if there and not (found[-1].side and phase.side and found[-1].side != phase.side):
+            continue
+        if phase.action in ("turn_left", "turn_right", "go_straight", "u_turn", "follow", "overtake") and any(
+            p.action == phase.action and p.target == phase.target for p in found
+        ):
+            continue
+        if found and found[-1].action == "lose_control" and phase.action in ("leave_road", "oncoming", "drift"):
+            found[-1] = phase
+            continue
+        if found and found[-1].action == "lane_change" and phase.action == "drift" and phase.side == found[-1].side:
+            continue
+        if found and found[-1].action in ("brake", "stop") and phase.action == "stop":
+            found[-1] = phase
+            continue
+        if (
+            found
+            and found[-1].action == "start"
+            and phase.action in ("turn_left", "turn_right", "go_straight", "enter_road")
+        ) and found[0].action == "start":
+            found.pop()
+        if found and found[-1].action == "enter_road" and phase.action in ("start", "lane_change"):
+            continue
+        if (
+            found
+            and found[-1].action in ("oncoming", "drift", "leave_road")
+            and phase.action in ("lose_control", "lane_change")
+            and phase.action == "lose_control"
+        ):
+            continue
+        if phase.action == "stationary" and found:
+            continue
+        found.append(phase)
+    if len(found) > 1 and found[0].action == "stationary":
+        found = (
+            found[1:]
+            if found[1].action in ("enter_road", "start", "turn_left", "turn_right", "go_straight", "reverse")
+            else found
+        )
+    turns = [p for p in found if p.action in ("turn_left", "turn_right", "u_turn")]
+    if turns and place.kind == "intersection":
+        found = [p for p in found if p.action != "go_straight"]
+    return [p for p in found if p.action != "keep_lane" or len(found) == 1]

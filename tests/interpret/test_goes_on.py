@@ -1,0 +1,73 @@
+"""Who has stopped and goes on; what a driver cannot hold; who does what a passive says, in a participle."""
+
+import pytest
+
+
+def actions(component) -> list[str]:
+    return [p.action for p in component.spec.phases]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Unit 1 stopped at the stop sign then pulled into the intersection and was struck by Unit 2 from the right.",
+        "V1 stopped for the stop sign, then entered the intersection, where V2 struck it from the right.",
+        "V1 halted at the sign and proceeded, and V2 hit it from the right at the crossroads.",
+        "The truck stopped at the stop sign and then drove on, and V2 hit it from the right.",
+        "It is an all way stop. V1 stopped, then started into the intersection, and V2 ran into it from the right.",
+    ],
+)
+def test_who_stops_before_a_junction_then_goes_in(read, text: str) -> None:
+    structure = read(text)
+    assert [a for a in actions(structure["E"]) if a != "start"] == ["stop", "go_straight"]
+    assert actions(structure.objects[0]) == ["collide"]
+
+
+@pytest.mark.parametrize(
+    "text", ["The ego stops for 3 seconds and then drives on.", "Ego stops for 3 s at the crosswalk and continues."]
+)
+def test_who_stops_for_a_while_then_starts(read, text: str) -> None:
+    phases = read(text)["E"].spec.phases
+    assert [p.action for p in phases] == ["stop", "wait", "start"]
+    assert phases[1].duration == 3
+
+
+@pytest.mark.parametrize(
+    ("text", "act"),
+    [
+        ("I turned the wheel but the car went straight on into the ditch.", "leave_road"),
+        ("I hit a patch of ice and the car spun off the road.", "leave_road"),
+        ("I lost it on the bend and the car just slid into a fence.", "collide"),
+        ("We were doing 50 when a tyre burst and the car hit a tree.", "collide"),
+    ],
+)
+def test_the_car_that_gets_out_of_hand_is_ones_own(read, text: str, act: str) -> None:
+    structure = read(text)
+    assert actions(structure["E"])[-1] == act
+    assert all(o.spec.type != "car" for o in structure.objects)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "I was driving at 50 km/h and the car hit me from behind.",
+        "We were doing 80 when the car swerved into our lane.",
+        "I braked but the car behind carried on and ran into me.",
+    ],
+)
+def test_the_car_that_does_something_to_me_is_another(read, text: str) -> None:
+    assert [o.spec.type for o in read(text).objects] == ["car"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 entered the junction and was struck by V2 coming from the left.",
+        "Unit 1 was crossing and was hit by Unit 2 travelling through from the left.",
+        "The AV was rear-ended by V2 going about 30 mph.",
+    ],
+)
+def test_who_is_named_before_a_participle_does_it(read, text: str) -> None:
+    structure = read(text)
+    assert actions(structure.objects[0])[-1] == "collide"
+    assert "collide" not in actions(structure["E"])

@@ -183,7 +183,7 @@ class Reference(EgoByNoun):
             if not generic and (len(candidates) != 1 or not plain):
                 return None
         if bare and not roles and self._distinguished(word):
-            return None
+            return self._by_place(word, candidates) if count == 1 else None  # "car in front stops. Car in front moves"
         if bare and not roles:
             called = (e for e in reversed(candidates) if e.noun == noun or e.noun.endswith(f" {noun}"))
             same = next(called, None)

@@ -13,7 +13,7 @@ from c2s_engine.interpret.what.heeded import hindered, merged_back, unheeded
 from c2s_engine.interpret.what.looking_back import looking_back
 from c2s_engine.interpret.what.making_room import makes_room
 from c2s_engine.interpret.what.overtakings import PART, overtakings
-from c2s_engine.interpret.what.passing import across_the_bows, by_the_other_lane, headings, let_past, out_to_pass
+from c2s_engine.interpret.what.passing import by_the_other_lane, headings, let_past, out_to_pass, passed
 from c2s_engine.interpret.what.resumed import own_turns, waited_turns
 from c2s_engine.interpret.what.there_and_back import there_and_back
 from c2s_engine.interpret.what.towards import side
@@ -195,7 +195,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             if waits and stands and not later:
                 event.mode = "hypothetical"
     headings(cast, clauses)
-    across_the_bows(clauses)
+    passed(cast, clauses)
     by_the_other_lane(clauses, road)
     abandoned(cast, clauses)
     turns = [e for e in clauses.events if e.agent.ego and e.act == "turn" and e.done and side(e) is None]

@@ -101,8 +101,10 @@ class NotThere:
         return fills or acts and word.dep in ("nsubj", "nsubjpass", "ROOT")
 
     def _reports(self, word: Word) -> bool:
-        """Whether police only say something or are told it: "he told troopers", "officers said"."""
+        """Whether police only say something or are told it: "he told troopers", "according to officers"."""
         verb = self.words[word.head]
+        if self.words[verb.head].norm == "according":
+            return True
         above = self.words[verb.head] if verb.norm in ("to", "by") else verb
         return (verb if verb.verb else above).lemma in SAYS
 

@@ -112,10 +112,17 @@ class Pronouns(Persons):
         things = THINGS if bumped else LOOSE
         i = self._first_person() and not self._ego_is_thing()
         moves = word.dep == "nsubj" and self.words[word.head].lemma in MOVES
+        joint = [
+            e
+            for at, others in self.both.items()
+            if word.dep == "nsubj" and self.words[at].sentence == word.sentence
+            for e in (self.of[at], *others)
+            if at in self.of
+        ]  # "after both have passed, it sets off"
 
         def fits(e: Entity) -> bool:
             alive = e.person and not e.noun.endswith(("target", "dummy"))
-            if moves and e.noun in ROOTED:
+            if moves and e.noun in ROOTED or e in joint:
                 return False
             return (not alive and e.sex != "i" and e.mover or e.type in things) and not (i and e.ego)
 
@@ -147,6 +154,8 @@ class Pronouns(Persons):
         """The thing that was the subject of the sentence before: "a mattress lies there. The car swerves around it"."""
         told = [e for i, e in self.subjects if self.words[i].sentence in (word.sentence - 1, word.sentence)]
         things = [e for e in told if e.type in THINGS]
+        here = [self.of[w.i] for w in self.words[: word.i] if w.sentence == word.sentence and w.i in self.of]
+        things += [e for e in here if e.roles & STANDS and not e.ego]  # "swerves around it"
         return things[-1] if things else None
 
     def _not_he(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:

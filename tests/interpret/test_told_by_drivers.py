@@ -1,0 +1,72 @@
+"""What drivers tell of their own speed, doors that open, and people who step out in front of a vehicle."""
+
+import pytest
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The driver of the Tahoe told troopers he was doing 45 mph. A boy ran into the path of the Tahoe.",
+        "A boy ran into the path of a Tahoe. The driver told police he was doing 45 mph.",
+        "A man stepped in front of a van. The van's driver said that he was travelling at 45 mph.",
+        "A boy ran in front of a car. Its driver told officers that he was doing 45 mph.",
+        "According to troopers the Tahoe was doing 45 mph when a boy ran out in front of it.",
+    ],
+)
+def test_own_speed(read, text: str) -> None:
+    scene = read(text)
+    assert scene.ego.spec.speed == pytest.approx(20.12, abs=0.01)
+    (person,) = (o.spec for o in scene.objects)
+    assert person.speed < 3.0
+    assert [p.action for p in person.phases] == ["cross_road"]
+
+
+@pytest.mark.parametrize(
+    ("text", "speed"),
+    [
+        ("Our driver in the right lane with the cruise control at 62. A van cuts in. (Speeds in mph.)", 27.72),
+        ("I was on I-75 doing about 70 when a deer ran out.", 31.29),
+        ("A tractor-trailer was westbound on Interstate 80 at about 60 behind an SUV. The SUV braked.", 26.82),
+        ("Driver was sitting on 125 when a kangaroo hopped onto the road.", 34.72),
+        ("I was in lane 1, 90 on the clock. A car cut in in front of me.", 25.0),
+        ("I was sitting at 90 km/h in the middle lane when a van moved over on me.", 25.0),
+    ],
+)
+def test_speeds_without_unit(read, text: str, speed: float) -> None:
+    assert read(text).ego.spec.speed == pytest.approx(speed, abs=0.01)
+
+
+@pytest.mark.parametrize("text", ["moved over on me", "merged right on top of us", "came over on me", "cut in on us"])
+def test_over_on_me(read, text: str) -> None:
+    (van,) = (o.spec for o in read(f"I was driving at 70 mph in the middle lane when a van {text}.").objects)
+    assert [p.action for p in van.phases] == ["cut_in"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The driver of a parked van flings open the door as a cyclist passes. The ego is behind the cyclist.",
+        "The door of a parked van opens as a cyclist rides past. The ego is behind the cyclist.",
+        "A man in a parked van opens his door and a cyclist ahead of the ego swerves around it.",
+    ],
+)
+def test_past_a_door(read, text: str) -> None:
+    van, cyclist = (o.spec for o in read(text).objects)
+    assert [p.action for p in van.phases] == ["stationary"]
+    assert [(p.action, p.target) for p in cyclist.phases] == [("overtake", "O1")]
+
+
+def test_one_then_another(read) -> None:
+    for text in (
+        "A car comes by, then a van. When both have passed, the ego sets off from the kerb.",
+        "The ego is parked. A car and a van come from behind. After both have passed, it sets off.",
+    ):
+        scene = read(text)
+        assert [p.action for p in scene.ego.spec.phases] == ["enter_road"], text
+        assert [[p.target for p in o.spec.phases] for o in scene.objects] == [["ego"], ["ego"]], text
+
+
+def test_hands_and_the_hurt_are_nobody(read) -> None:
+    scene = read("VUT drives at 80 km/h, driver hands resting. A van ahead brakes.")
+    assert scene.ego.spec.phases == ()
+    assert len(read("Two persons are light injured. A lorry hits the ego.").objects) == 1

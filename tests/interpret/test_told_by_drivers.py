@@ -70,3 +70,66 @@ def test_hands_and_the_hurt_are_nobody(read) -> None:
     scene = read("VUT drives at 80 km/h, driver hands resting. A van ahead brakes.")
     assert scene.ego.spec.phases == ()
     assert len(read("Two persons are light injured. A lorry hits the ego.").objects) == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The highway pilot shall bring the vehicle to a standstill behind a broken-down vehicle.",
+        "The ADS brings the vehicle to a halt behind a broken-down vehicle.",
+        "The autopilot brought the car to a stop behind a broken-down vehicle.",
+    ],
+)
+def test_systems_bring_ego_to_a_stand(read, text: str) -> None:
+    scene = read(text)
+    assert [p.action for p in scene.ego.spec.phases] == ["stop"]
+    assert len(scene.objects) == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A woman in a Golf pulled out from a side road. A motorcyclist hit the vehicle at the driver's door.",
+        "Mrs Pell, in her Land Rover, pulled out of a side road. Mr Osei, on a motorcycle, hit the vehicle.",
+        "The ego pulls out from a side road. A motorcyclist from the left hits it.",
+    ],
+)
+def test_struck_while_pulling_out(read, text: str) -> None:
+    scene = read(text)
+    (rider,) = (o.spec for o in scene.objects)
+    assert [(p.action, p.target) for p in rider.phases] == [("collide", "ego")]
+    assert "lane_change" not in [p.action for p in scene.ego.spec.phases] or "out of" in text
+
+
+def test_we_all(read) -> None:
+    scene = read("A van is ahead of me and a bus behind me. We all brake hard.")
+    assert [[p.action for p in o.spec.phases] for o in scene.objects] == [["brake"], ["brake"]]
+    scene = read("A sedan comes from the right, a van from the left. We all stop. The sedan goes first.")
+    assert [[p.action for p in o.spec.phases] for o in scene.objects] == [["stop", "go_straight"], ["stop"]]
+
+
+def test_times_of_a_film(read) -> None:
+    scene = read("0:22 red Mazda overtakes me, 0:26 stands on the brakes for nothing.")
+    assert scene.settings.spec.time is None or scene.settings.spec.time != "night"
+    assert [p.action for o in scene.objects for p in o.spec.phases] == ["overtake", "brake"]
+    scene = read("0:05 a van is parked on the right; 0:08 a child runs out from behind it; 0:09 I brake hard.")
+    assert scene.ego.spec.hard
+
+
+def test_only_imagined(read) -> None:
+    scene = read("The indicator came on late, a cyclist would not have known what we were about to do.")
+    assert not scene.objects
+    scene = read("A cyclist ahead would have been hit if the ego had not braked.")
+    assert scene.ego.spec.reaction == "brake" and len(scene.objects) == 1
+
+
+def test_follows_again(read) -> None:
+    text = "Ego follows a van. The van brakes to a full stop; it moves off after 4 s and the ego resumes following."
+    assert [p.action for p in read(text).ego.spec.phases] == ["follow", "stop", "follow"]
+
+
+def test_light_turns_green(read) -> None:
+    text = (
+        "The AV was first in line at a red light. When the light turned green the AV began to move, then stopped again."
+    )
+    assert [p.action for p in read(text).ego.spec.phases] == ["start", "stop"]

@@ -3,7 +3,7 @@
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.roles.only_named import mentioned_alone, put_there, seen
+from c2s_engine.interpret.roles.only_named import imagined, mentioned_alone, put_there, seen
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import VEHICLES, ZONES, Entity
@@ -39,6 +39,8 @@ def actors(scene: Scene) -> list[Entity]:
         where = scene.where(entity)
         passive = [e for e in scene.clauses.events if e.patient is entity and (e.done or _tried(e))]
         if "group" in entity.roles or _mere_background(scene, entity) or _title_only(scene, entity):
+            continue
+        if imagined(scene, entity):
             continue
         if not own and not passive and where.rel is None and where.lane is None and _only_spoken_of(scene, entity):
             continue

@@ -48,7 +48,8 @@ class Pronouns(Persons):
         if self._on_foot(word):
             return self._new(Entity("", "pedestrian", noun=norm, typed=True))
         if norm in data["ego"]:
-            return None if word.i in self.asking or self._only_a_name(word) else self.me
+            mine = None if word.i in self.asking or self._only_a_name(word) else self.me
+            return self._we_all(word) if mine is self.ego and norm == "we" else mine
         taken = norm == "that" and word.dep == "nsubj" and self.words[word.head].dep == "relcl"  # for "that one"
         if norm in ("who", "which", "that", "whose", "whom") and (word.tag in ("WDT", "WP", "WP$") or taken):
             return self._somebody(word, self._antecedent(word))
@@ -90,6 +91,13 @@ class Pronouns(Persons):
                 return person[-1]
             return self._salient(word, lambda e: e.mover)
         return self._elliptic(word) or self._unknown(word)
+
+    def _we_all(self, word: Word) -> Entity:
+        """Ego, with all others where "we all" stand for them."""
+        others = [e for e in self.entities if e.mover and not e.person]
+        if others and self.words[word.i + 1].norm in ("all", "both") and word.dep == "nsubj":
+            self.both[word.i] = others
+        return self.ego
 
     def _has_it(self, word: Word) -> Word | None:
         """The person whose it is: "a woman on her bike", "a farmer driving his tractor", "a man rides his bike"."""

@@ -181,7 +181,7 @@ class Reference(EgoByNoun):
             if asked and not generic and word.dep == "nsubj" and all(e.type in URGENT for e in candidates):
                 return None  # "when an ambulance approaches, the vehicle shall clear the lane"
             if not generic and (len(candidates) != 1 or not plain):
-                return None
+                return self._struck_by(word, plain, MOVES)
         if bare and not roles and self._distinguished(word):
             return self._by_place(word, candidates) if count == 1 else None  # "car in front stops. Car in front moves"
         if bare and not roles:

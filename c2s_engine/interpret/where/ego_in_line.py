@@ -44,6 +44,8 @@ def ego_in_line(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str | 
 
 def _same(group: Entity, number: int, at: int, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Who is told by that number is ego; to be "third in line" is no standing."""
+    if not cast.ego.typed and group.type != "vehicle":
+        cast.ego.type, cast.ego.typed = group.type, True
     for one in list(cast.entities):
         member = one.group is group and (one.ordinal if one.ordinal != -1 else group.count) == at
         counted = one.group is None and one.ordinal == at - 1 and one is not group

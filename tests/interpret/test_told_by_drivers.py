@@ -133,3 +133,36 @@ def test_light_turns_green(read) -> None:
         "The AV was first in line at a red light. When the light turned green the AV began to move, then stopped again."
     )
     assert [p.action for p in read(text).ego.spec.phases] == ["start", "stop"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A man walked away with bruises after his pickup ended up in a ditch. The man was northbound when a deer ran out.",
+        "A man walked away unhurt when his pickup rolled over. The man was doing 50 mph when a deer ran out.",
+        "I was riding my Honda when a deer ran out.",
+        "V1, a 2019 Harley-Davidson touring motorcycle with rider and passenger, was westbound. A deer ran out.",
+        "I was going down the hill when a deer ran out, and the car just carried on.",
+    ],
+)
+def test_who_drives_is_nobody_else(read, text: str) -> None:
+    scene = read(text)
+    (deer,) = (o.spec for o in scene.objects)
+    assert deer.type == "animal"
+    wanted = "truck" if "pickup" in text else "car" if "car" in text else "motorcycle"
+    assert scene.ego.spec.type == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "types"),
+    [
+        ("A lorry stands in our lane. As our nose draws level with the cab, a man walks out.", ["truck", "pedestrian"]),
+        ("Ego follows a tractor. Many tractors turn left into a field without a warning.", ["truck"]),
+        ("Some motorcycles carry two small lamps. In ego's lane a motorcycle rides at 60 km/h.", ["motorcycle"]),
+        ("A motorcycle with its rider waits on the left. The ego brakes.", ["motorcycle"]),
+        ("P-2 on a bicycle moved left in front of V-1. V-1 hit it.", ["bicycle"]),
+        ("Crash with cyclist from the right. A turns right. B rides a bicycle and comes from A's right.", ["bicycle"]),
+    ],
+)
+def test_told_once(read, text: str, types: list[str]) -> None:
+    assert [o.spec.type for o in read(text).objects] == types

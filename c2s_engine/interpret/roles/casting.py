@@ -192,7 +192,9 @@ def _title_only(scene: Scene, entity: Entity) -> bool:
     later = [e for e in others if e.mentions[-1].word > last and (e.type in kinds or e.type == entity.type)]
     done = {e.act for e in scene.clauses.events if e.word > last}
     own = {e.act for e in scene.clauses.events if e.agent is entity}
-    open_still = where.open and where.side is None and where.gap is None or scene.words[last].norm == ":"
+    there = (where.lane, where.side) if where.lane is not None and where.gap is None else None
+    again = any((scene.where(e).lane, scene.where(e).side) == there for e in later)
+    open_still = where.open and where.side is None and where.gap is None or again or scene.words[last].norm == ":"
     named = bool(later) and open_still and own <= done | {"travel"}
     states = entity.roles & {"stationary", "slow", "parked"}
     if named and not later[0].ego and not any(e.roles & states for e in later):

@@ -35,6 +35,16 @@ class EgoByNoun(Centre):
         own = any(w.lemma in SYSTEMS or w.norm in ("i", "we") and self.of.get(w.i) is self.ego for w in subjects)
         return word.dep == "dobj" and own and verb.lemma in RUN_BY
 
+    def _my_car(self, word: Word) -> bool:
+        """Whether it is the vehicle of who tells the story: "I braked and the car just carried on"."""
+        told = any(self.words[m.word].norm in ("i", "my") for m in self.ego.mentions if m.word < word.i)
+        rest = {w.norm for w in self.words[word.i :] if w.sentence == word.sentence}
+        the = self.words[word.i - 1].norm == "the" and word.dep == "nsubj"
+        return told and the and not self._distinguished(word) and not rest & {"me", "us", "my", "our"}
+
+    def _distinguished(self, word: Word) -> bool:
+        raise NotImplementedError
+
     def _ego_by(self, noun: str) -> bool:
         """Whether ego was called by that noun ("the DCAS vehicle" makes "the vehicle" ego)."""
         return any(

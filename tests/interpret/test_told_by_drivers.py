@@ -138,7 +138,7 @@ def test_light_turns_green(read) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "A man walked away with bruises after his pickup ended up in a ditch. The man was northbound when a deer ran out.",
+        "A man walked away with cuts after his pickup ended up in a ditch. The man was northbound when a deer ran out.",
         "A man walked away unhurt when his pickup rolled over. The man was doing 50 mph when a deer ran out.",
         "I was riding my Honda when a deer ran out.",
         "V1, a 2019 Harley-Davidson touring motorcycle with rider and passenger, was westbound. A deer ran out.",
@@ -166,3 +166,26 @@ def test_who_drives_is_nobody_else(read, text: str) -> None:
 )
 def test_told_once(read, text: str, types: list[str]) -> None:
     assert [o.spec.type for o in read(text).objects] == types
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "I was driving along when a van pulled out.",
+        "A van suddenly pulled out and I braked.",
+        "A van pulls out as the ego approaches.",
+    ],
+)
+def test_pulled_out_of_nowhere(read, text: str) -> None:
+    (van,) = (o.spec for o in read(text).objects)
+    assert (van.placement.position, [p.action for p in van.phases]) == ("parked", ["enter_road"])
+    (van,) = (o.spec for o in read("I was on the motorway at 110 km/h when a van pulled out.").objects)
+    assert [p.action for p in van.phases] == ["cut_in"]
+    (van,) = (o.spec for o in read("The ego is on a motorway. A van ahead of it pulls out.").objects)
+    assert [p.action for p in van.phases] == ["cut_out"]
+
+
+def test_turns_across_my_lane(read) -> None:
+    for text in ("An estate turned left across my lane.", "A car turns left across the ego's path."):
+        (car,) = (o.spec for o in read(text).objects)
+        assert (car.placement.position, [p.action for p in car.phases]) == ("opposite_approach", ["turn_left"]), text

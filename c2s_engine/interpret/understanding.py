@@ -15,6 +15,7 @@ from c2s_engine.interpret.what.headlines import headline
 from c2s_engine.interpret.what.left_untold import left_untold
 from c2s_engine.interpret.what.passing import came_up_behind
 from c2s_engine.interpret.what.passives import unnamed_doers
+from c2s_engine.interpret.what.pulled_out import pulled_out
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.unsaid import unsaid
 from c2s_engine.interpret.where.relations import Places
@@ -53,6 +54,7 @@ def understand(text: str) -> Scene:
     unsaid(cast, clauses)
     claimed(cast, clauses)
     aftermath(cast, clauses)
+    pulled_out(cast, clauses, road)
     against_the_traffic(clauses)
     sides_by_compass(clauses)
     places = Places(cast, clauses)

@@ -123,8 +123,10 @@ def _distance(scene: Scene) -> float | None:
     return start_distance(scene.plain, scene.sentences, quantities, [m.start for m in scene.cast.ego.mentions])
 
 
-FROM_LANE = re.compile(r"\b(?:from|in|out of) (?:the |its |an? )?(?:[\w-]+ ){0,3}lane\b")
-"""The lane from which one turns."""
+FROM_LANE = re.compile(
+    r"\b(?:from|in|out of) (?:the |its |an? )?(?:[\w-]+ ){0,3}lane\b|\bacross (?:the )?(?:@\w+ 's lane\b|lane of @?)"
+)
+"""The lane from which one turns, or which one crosses."""
 
 
 def _at_junction(scene: Scene) -> bool:

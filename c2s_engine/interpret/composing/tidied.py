@@ -10,9 +10,9 @@ def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
         there = found and found[-1].action == phase.action and found[-1].target == phase.target
         if there and not (found[-1].side and phase.side and found[-1].side != phase.side):
             continue
-        if phase.action in ("turn_left", "turn_right", "go_straight", "u_turn", "follow", "overtake") and any(
-            p.action == phase.action and p.target == phase.target for p in found
-        ):
+        resumes = phase.action == "follow" and found and found[-1].action in ("stop", "wait")
+        once = phase.action in ("turn_left", "turn_right", "go_straight", "u_turn", "follow", "overtake")
+        if once and not resumes and any(p.action == phase.action and p.target == phase.target for p in found):
             continue
         if found and found[-1].action == "lose_control" and phase.action in ("leave_road", "oncoming", "drift"):
             found[-1] = phase

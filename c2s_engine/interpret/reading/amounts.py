@@ -8,6 +8,11 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.scan import Span
 
 MILES = re.compile(r"\bmph\b|\bmiles?\b|\bfeet\b|(?<!on )(?<!by )\bfoot\b|\d ?ft\b|\byards?\b")
+AMERICAN = re.compile(
+    r"\bi-\d{1,3}\b|\binterstate\b|\btroopers?\b|\bsheriff\b|\bhighway patrol\b|\bstate (?:police|route)\b"
+    r"|\b(?:18|eighteen)-wheelers?\b|\btractor[- ]trailers?\b|\bus[- ]\d{1,3}\b"
+)
+METRIC = re.compile(r"\bkm\b|\bkm/h\b|\bk[mp]?ph\b|\bkmh\b|\bkilomet|\d ?m\b|\bmet(?:er|re)s?\b|\d ?m/s")
 DIGITS = "zero|one|two|three|four|five|six|seven|eight|nine|niner"
 TENS = "(?:twenty|thirty|forty|fifty|sixty|seventy|eighty|ninety)"
 
@@ -44,14 +49,17 @@ def _bare() -> re.Pattern[str]:
         rf"|in (?:left|right)\b"
         rf"|tops\b|max\b|or so\b|coming\b|heading\b|approaching\b|towards?\b|up to\b|down the\b|along\b"
         rf"|past\b|at the most\b|when a\b))"
+        rf"|\bcruise(?: control)?(?: is| was)?(?: set)? (?:at|to|on) (?P<cruise>\d{{2,3}})(?=\s*(?:[.,;)]|$|and\b))"
+        rf"|\b(?:sat|sitting|sits) on (?:about |around )?(?P<sat>\d{{2,3}})(?=\s*(?:[.,;)]|$|and\b|in\b|when\b))"
+        rf"|(?<![\w.])(?P<dial>\d{{2,3}})(?= on the (?:limiter|clock|speedo\w*|dial|cruise)\b)"
         rf"|\bat (?:about |around |maybe )?(?P<most>\d{{2}})(?= (?:tops|max|or so|at (?:the )?most)\b)"
         rf"|\b(?:ego|lead|lv|sv|vut|target) (?P<head>\d{{2,3}})(?= (?!(?:m|s|sec\w*|min\w*|hours?"
         rf"|years?|people|cars|vehicles|trucks|km|ft|feet|degrees|percent|to|of|lanes?|am"
         rf"|pm)\b)[a-z])"
         rf"|\b(?:(?:north|south|east|west)bound|driv\w+|travel\w*|going|cruis\w+|moving|sit\w*"
-        rf"|approach\w*|arriv\w+|rid\w+|coming|runs?)(?: [a-z][\w'-]*){{0,3}} at (?:about |around "
+        rf"|approach\w*|arriv\w+|rid\w+|coming|runs?)(?: [a-z][\w'-]*| (?<=interstate )\d+){{0,3}} at (?:about |around "
         rf"|roughly |a steady )?(?P<at>[1-9]\d?[05]|(?:{number}))(?=\s*(?:[,.;)]|$|and\b|when\b"
-        rf"|in\b|on\b|because\b|as\b|while\b|with\b))"
+        rf"|in\b|on\b|because\b|as\b|while\b|with\b|behind\b|towards?\b))"
         rf"|\b(?:{nouns}|ego|lead|v[12]) \((?P<bracket>\d{{2,3}})(?=[,)])"
         rf"|(?:speed|doing|going|at) (?:of )?(?P<spelt>(?:{DIGITS}) (?:{DIGITS})(?: "
         rf"(?:{DIGITS}))?)(?=\s*(?:[,.;)]|$|and\b|in\b|on\b))"
@@ -70,9 +78,10 @@ def _bare() -> re.Pattern[str]:
 
 def bare_speeds(text: str) -> list[Span]:
     """Numbers without a unit after a road user or its lane, in the shorthand of tests ("ego 60, lead 40"): mph where
-    the text has mph anywhere, else km/h."""
+    the text has mph anywhere or is American, else km/h."""
     found = []
-    factor = 0.44704 if MILES.search(text) else 1 / 3.6
+    miles = MILES.search(text) or AMERICAN.search(text) and not METRIC.search(text)
+    factor = 0.44704 if miles else 1 / 3.6
     for match in _bare().finditer(text):
         group = next(name for name, value in match.groupdict().items() if value)
         value = value_of(match[group])

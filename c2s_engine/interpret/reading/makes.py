@@ -4,6 +4,7 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.reading.motions import past_forms, third_persons
 from c2s_engine.interpret.spans import Span
 
 MAKE = re.compile(r"(?<![\w-])(?!an |the |my )(?P<make>[a-z]{2,}(?:-[a-z]+)?)[ -]$")
@@ -15,7 +16,8 @@ def stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
     if (state := _state().search(before)) is not None:  # "a disabled Honda CR-V"
         before = before[: state.start()] + before[state.end() :]
     model = re.match(r"[\s-]+([\w-]+)", after)
-    if model and model[1] in language.makes() or re.match(r"[\s-]+(?:[\w-]+\s+)?(?:" + _noun_words() + r")\b", after):
+    noun = re.match(r"[\s-]+(?:(?P<kind>[\w-]+)\s+)?(?:" + _noun_words() + r")\b", after)
+    if model and model[1] in language.makes() or noun and not _goes_on(noun["kind"] or ""):
         return False
     named = re.search(
         (
@@ -25,6 +27,11 @@ def stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
         before,
     )
     return bool(named)
+
+
+def _goes_on(word: str) -> bool:
+    """Whether a word is no kind of vehicle, but tells what one does or where: "the Tahoe told troopers"."""
+    return word in past_forms() or word in third_persons() or word in language.words("behind_a_make")
 
 
 @cache

@@ -3,7 +3,7 @@
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.roles.only_named import mentioned_alone, put_there, seen
+from c2s_engine.interpret.roles.only_named import imagined, mentioned_alone, put_there, seen
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import VEHICLES, ZONES, Entity
@@ -39,6 +39,8 @@ def actors(scene: Scene) -> list[Entity]:
         where = scene.where(entity)
         passive = [e for e in scene.clauses.events if e.patient is entity and (e.done or _tried(e))]
         if "group" in entity.roles or _mere_background(scene, entity) or _title_only(scene, entity):
+            continue
+        if imagined(scene, entity):
             continue
         if not own and not passive and where.rel is None and where.lane is None and _only_spoken_of(scene, entity):
             continue
@@ -191,7 +193,9 @@ def _title_only(scene: Scene, entity: Entity) -> bool:
     later = [e for e in others if e.mentions[-1].word > last and (e.type in kinds or e.type == entity.type)]
     done = {e.act for e in scene.clauses.events if e.word > last}
     own = {e.act for e in scene.clauses.events if e.agent is entity}
-    open_still = where.open and where.side is None and where.gap is None or scene.words[last].norm == ":"
+    there = (where.lane, where.side) if where.lane is not None and where.gap is None else None
+    again = any((scene.where(e).lane, scene.where(e).side) == there for e in later)
+    open_still = where.open and where.side is None and where.gap is None or again or scene.words[last].norm == ":"
     named = bool(later) and open_still and own <= done | {"travel"}
     states = entity.roles & {"stationary", "slow", "parked"}
     if named and not later[0].ego and not any(e.roles & states for e in later):

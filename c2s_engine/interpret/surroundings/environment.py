@@ -102,6 +102,8 @@ def _time_of(match: re.Match[str], plain: str) -> Found | None:
     """The time of day by one time of the clock."""
     if re.match(r"\s?(?:m|s|km|ft|g|%)\b", plain[match.end() : match.end() + 4]):
         return None
+    if match["hour"] == "0" and not plain[: match.start()].endswith("at "):
+        return None  # of a film
     hour = int(match["hour"] or match["hour2"] or match["hour3"] or match["hour4"])
     half = match["half"] or match["half2"]
     hour = hour % 12 + (12 if half == "p" else 0) if half else hour

@@ -22,6 +22,37 @@ def came_up_behind(clauses: Clauses) -> None:
     _between_the_lines(clauses)
 
 
+def passed(cast: Cast, clauses: Clauses) -> None:
+    """Whom those pass of whom it is not said, or said of another."""
+    past_who_stands(cast, clauses)
+    one_then_another(cast, clauses)
+    across_the_bows(clauses)
+
+
+def past_who_stands(cast: Cast, clauses: Clauses) -> None:
+    """Whom one goes past is told before: "a man in a parked car opens the door as a cyclist passes"."""
+    for event in clauses.events:
+        if event.act != "overtake" or event.patient is not None or event.adverbial not in ("as", "when", "while"):
+            continue
+        number = cast.words[event.word].sentence
+        before = [cast.of[w.i] for w in cast.words[: event.word] if w.i in cast.of and w.sentence == number]
+        others = [e for e in before if e is not event.agent]
+        if others and others[-1].roles & {"parked", "stationary"} and not others[-1].ego:
+            event.patient = others[-1]
+
+
+def one_then_another(cast: Cast, clauses: Clauses) -> None:
+    """Who comes past after another does as that one does: "a cyclist comes by, then a van"."""
+    for event in clauses.events:
+        who = event.patient
+        if event.act != "overtake" or who is None or who.ego:
+            continue
+        nouns = [cast.words[i] for i in event.words if cast.of.get(i) is who and i > event.word]
+        before = [w.norm for w in cast.words[nouns[0].i - 3 : nouns[0].i]] if nouns else []
+        if before[1:] in (["then", "a"], ["then", "an"], ["by", "a"]) and before[0] in (",", "and", "followed"):
+            event.patient, event.also = None, [*event.also, who]
+
+
 def headings(cast: Cast, clauses: Clauses) -> None:
     """A title about merging ("Cooperative merging with three agents") does not say that ego does it."""
     told = {cast.words[m.word].sentence for m in cast.ego.mentions}

@@ -30,6 +30,17 @@ def own_turns(cast: Cast, clauses: Clauses) -> None:
             event.agent, event.side = meant[-1].agent, event.side or meant[-1].side
 
 
+def goes_first(clauses: Clauses) -> None:
+    """Who stopped at a junction and then goes first, goes over it: "we all stop. The van goes first"."""
+    for event in clauses.events:
+        if event.act != "travel" or event.agent.ego or not GOES_FIRST.match(event.text):
+            continue
+        own = [e for e in clauses.events if event.agent in (e.agent, *e.also) and e.done and e.word < event.word]
+        if any(e.act in ("stop", "brake_stop", "stationary") for e in own):
+            event.act = "go_straight"
+
+
+GOES_FIRST = re.compile(r"(?:go|set off|move off|move|drive off|proceed|pull off|pull away)\b[^.;,]*?\bfirst\b")
 MEANS_TO = language.words("means_to")
 GOES = frozenset(("start", "go_straight", "cross_path", "cut_in", "cut_out", "enter_road"))
 STRAIGHT = re.compile(

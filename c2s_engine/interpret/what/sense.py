@@ -13,8 +13,8 @@ from c2s_engine.interpret.what.heeded import hindered, merged_back, unheeded
 from c2s_engine.interpret.what.looking_back import looking_back
 from c2s_engine.interpret.what.making_room import makes_room
 from c2s_engine.interpret.what.overtakings import PART, overtakings
-from c2s_engine.interpret.what.passing import across_the_bows, by_the_other_lane, headings, let_past, out_to_pass
-from c2s_engine.interpret.what.resumed import own_turns, waited_turns
+from c2s_engine.interpret.what.passing import by_the_other_lane, headings, let_past, out_to_pass, passed
+from c2s_engine.interpret.what.resumed import goes_first, own_turns, waited_turns
 from c2s_engine.interpret.what.there_and_back import there_and_back
 from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.what.turn_lanes import turns_from_lane
@@ -31,6 +31,7 @@ PULLS_OUT = re.compile(
 )
 JERKS = ("swerve", "veer", "jink")
 INTO = re.compile(r"\b(?:in|on)to (?:the |an? |its )?(?:\w+ )?(?:road|street|drive\w*|lot|lane|avenue|entrance)\b")
+SIDE_ROAD = re.compile(r"\b(?:(?:side|minor) (?:road|street)|driveway|junction|intersection|t-junction)\b")
 FIRST = re.compile(r"(?:pass|go|drive|proceed|cross|move|turn|enter|get|come|travel|clear)\b[^.;]*?\bfirst\b")
 
 
@@ -41,6 +42,12 @@ def _at_junction(event: Event, clauses: Clauses, road: Road) -> bool:
     """Whether who goes first there goes over a junction before ego."""
     turns = any(e.act == "turn" and e.agent.ego for e in clauses.events)
     return turns or road.kind in ("intersection", "roundabout") or bool(event.agent.roles & {"oncoming", "crossing"})
+
+
+def _from_minor(event: Event, road: Road) -> bool:
+    """Whether one pulls out of a side road, or at a sign that has it wait."""
+    minor = road.stop_sign or road.yield_sign or SIDE_ROAD.search(event.whole) is not None
+    return minor and FROM_MINOR.match(event.text) is not None
 
 
 def _at_a_light(told: str) -> bool:
@@ -130,7 +137,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
         ):
             out = "go_straight" if event.agent.ego else "cross_path"
             event.act = out if "lane" not in event.whole and (not event.agent.ego or road.stop_sign) else event.act
-        leaves_sign = event.agent.ego and road.stop_sign and FROM_MINOR.match(event.text) is not None
+        leaves_sign = event.agent.ego and _from_minor(event, road)
         if leaves_sign and event.act in ("lane_change", "cut_in", "travel") and "lane" not in event.whole:
             event.act = "go_straight"
         if event.act == "travel" and road.kind not in ("intersection", "roundabout") and PULLS_OUT.match(event.text):
@@ -195,7 +202,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             if waits and stands and not later:
                 event.mode = "hypothetical"
     headings(cast, clauses)
-    across_the_bows(clauses)
+    passed(cast, clauses)
     by_the_other_lane(clauses, road)
     abandoned(cast, clauses)
     turns = [e for e in clauses.events if e.agent.ego and e.act == "turn" and e.done and side(e) is None]
@@ -204,6 +211,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             event.act = "turn"  # "a manoeuvre to the right", into a street
     own_turns(cast, clauses)
     waited_turns(clauses)
+    goes_first(clauses)
     _waits(cast, clauses)
     _waits_for_somebody(cast, clauses)
     turns_from_lane(cast, clauses)

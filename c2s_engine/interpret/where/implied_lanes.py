@@ -23,6 +23,8 @@ NEAR_JUNCTION = re.compile(
 SIDEWAYS = re.compile(
     r"^side-?swip|^(?:merge|drift|veer|swerve|steer|cut|move over|pull over|stray|wander|slide)\w* (?:\w+ )?into\b"
 )
+HALTS = ("stationary", "stop", "brake_stop")
+BEHIND = re.compile(r"(?:(?!lane|left|right|,|;)\S+ ){1,6}behind (?:the |an? )?(?:[\w-]+ )?@(?P<who>a\d+)\b(?! 's)")
 STANDING_OR_LED = frozenset(("stationary", "parked", "lead", "oncoming", "crossing"))
 
 
@@ -117,16 +119,23 @@ def evaded_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
 
 
 def followed_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
-    """Ego's lane where it follows one "in the right lane": it is the same."""
+    """Ego's lane where it follows one "in the right lane", or waits behind it: it is the same."""
     for event in clauses.events:
-        where = of.get(event.patient) if event.patient is not None else None
-        behind = event.act == "follow" or event.act == "collide" and _runs_up_to(event, clauses)
+        other = _stood_behind(event, of) or event.patient
+        where = of.get(other) if other is not None else None
+        behind = event.act in ("follow", *HALTS) or event.act == "collide" and _runs_up_to(event, clauses)
         if not behind or not event.done or not event.agent.ego or where is None or where.of is not None:
             continue
         if where.lane in ("left", "right") and where.rel in (None, "ahead"):
             lane, where.lane, where.side, where.rel = where.lane, "same", None, "ahead"
             return f"{lane}most"
     return None
+
+
+def _stood_behind(event: Event, of: dict[Entity, Where]) -> Entity | None:
+    """Behind whom ego stands or stops, where no lane of its own is told before."""
+    match = BEHIND.match(event.text) if event.act in HALTS else None
+    return next((e for e in of if match and e.key == match["who"]), None)
 
 
 def _runs_up_to(hit: Event, clauses: Clauses) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.surroundings import lanes
 from c2s_engine.interpret.surroundings.whereabouts import STATES, Where
@@ -15,8 +16,10 @@ from c2s_engine.interpret.who.mentions import Cast
 COUNTED = r"(?P<n>one|two|three|four|five|six|[1-6]|first|second|third)"
 NTH = "|".join(lanes.NTH)
 MANY = "two|three|four|five|six|[2-6]"
+USERS = language.alternatives([noun for noun, (_, several, _) in language.actor_nouns().items() if several])
 ORDINAL = (
-    rf"(?P<o>{NTH})(?: lane| \w+ lane|(?: one)?(?= from (?:the )?(?:left|right)\b|(?: out)? of (?:the )?(?:{MANY})\b))"
+    rf"(?P<o>{NTH})(?: lane| \w+ lane|(?: one)?(?= from (?:the )?(?:left|right)\b|(?: out)? of (?:the )?(?:{MANY})\b"
+    rf"(?! (?:\w+ )?(?:{USERS})\b)))"
 )
 NUMBERED = re.compile(
     rf"(?:number|lane number|(?<![\w-])lane|no\.?|#) {COUNTED}(?: lane| of (?:the )?(?:\w+ ){{1,2}}lanes)?\b(?!-)"

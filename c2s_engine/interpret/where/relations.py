@@ -18,6 +18,7 @@ from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.where.accompanied import WITH_ANOTHER, accompanied, within
 from c2s_engine.interpret.where.both_in import both_in_lane
 from c2s_engine.interpret.where.closures import closed_lanes
+from c2s_engine.interpret.where.ego_in_line import ego_in_line
 from c2s_engine.interpret.where.groups import abreast, goes_on_abreast, split_groups
 from c2s_engine.interpret.where.implied import implied_places
 from c2s_engine.interpret.where.implied_lanes import evaded_lane, followed_lane
@@ -76,6 +77,7 @@ class Places(OwnWords, Inferred):
                 self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
         accompanied(cast, clauses, self.of)
         self.ego_lane = self.ego_lane or closed_lanes(cast, clauses, self.of)
+        self.ego_lane = ego_in_line(cast, clauses, self.of) or self.ego_lane
         goes_on_abreast(clauses)
         split_groups(cast, clauses, self.of)
         abreast(clauses, self.of)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from c2s_engine.interpret.entities import VEHICLES, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.nearing import ANSWERS
+from c2s_engine.interpret.who.persons import RIDDEN
 from c2s_engine.interpret.who.pronouns import Pronouns
 
 
@@ -28,3 +29,10 @@ class Centre(Pronouns):
         )
         answers = self._governor(word).lemma in ANSWERS and self._rests(centre)
         return None if again or answers and not before else centre
+
+    def _struck_by(self, word: Word, those: list[Entity], verbs: frozenset[str]) -> Entity | None:
+        """The one vehicle beside who strikes it: "a motorcyclist hit the vehicle", after a car was told of."""
+        verb = self._governor(word)
+        doer = self._subject_of(verb) if word.dep in ("dobj", "pobj") and verb.lemma in verbs else None
+        rest = [e for e in those if e is not doer and e.type in VEHICLES - RIDDEN]
+        return rest[0] if doer in those and len(rest) == 1 else None

@@ -52,6 +52,16 @@ class EgoByNoun(Centre):
         after = [w for w in self.words[word.i : verb.i + 8] if w.sentence == word.sentence]
         return bool(before) and not any(w.norm in FIRST for w in after)
 
+    def _my_car(self, word: Word) -> bool:
+        """Whether it is the vehicle of who tells the story: "I braked and the car just carried on"."""
+        told = any(self.words[m.word].norm in ("i", "my") for m in self.ego.mentions if m.word < word.i)
+        rest = {w.norm for w in self.words[word.i :] if w.sentence == word.sentence}
+        the = self.words[word.i - 1].norm == "the" and word.dep == "nsubj"
+        return told and the and not self._distinguished(word) and not rest & {"me", "us", "my", "our"}
+
+    def _distinguished(self, word: Word) -> bool:
+        raise NotImplementedError
+
     def _ego_by(self, noun: str) -> bool:
         """Whether ego was called by that noun ("the DCAS vehicle" makes "the vehicle" ego)."""
         return any(

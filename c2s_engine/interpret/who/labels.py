@@ -106,6 +106,19 @@ class Labels(Nouns):
         self.entities.remove(entity)
         self.subjects = [(i, self.ego if e is entity else e) for i, e in self.subjects]
 
+    def _aboard_label(self, word: Word, kind: str) -> Entity | None:
+        """Who is only called by a label and told to be on a bicycle: "P-2 on a bicycle", or with a rider."""
+        by = self.words[word.head]
+        host = self.of.get(by.head) if word.dep == "pobj" else None
+        if host is None or host.ego and kind != "rider":
+            return None
+        if kind == "rider" and by.norm == "with" and host.type in ("motorcycle", "bicycle"):
+            return host  # "a motorcycle with rider and passenger"
+        rides = by.norm == "on" and kind in ("bicycle", "motorcycle") and host.label and host.person
+        if rides:
+            host.type, host.typed = kind, True
+        return host if rides else None
+
     def _apposed(self, word: Word) -> Entity | None:
         """The entity that a label or noun stands beside: "a car (V2)", "V2, a car", "V2 was a truck"."""
         if (host := self._in_brackets_of(word)) is not None:
@@ -122,7 +135,7 @@ class Labels(Nouns):
                 if re.fullmatch(
                     (
                         r"(\(|,|, which (is|was)|:|-+|, (driven|operated) by)?( ?(the|a|an|another|called"
-                        r"|designated|labelled|labeled|as|known as|i\.e\.|ie|namely))?( [\w-]+){0,2}"
+                        r"|designated|labelled|labeled|as|known as|i\.e\.|ie|namely))?( [\w-]+){0,4}"
                     ),
                     text,
                 ) and (gap and gap[-1] in ("(", ",", "-", "--", ":") or not gap):

@@ -131,8 +131,10 @@ class NotThere:
         return fills or acts and word.dep in ("nsubj", "nsubjpass", "ROOT")
 
     def _reports(self, word: Word) -> bool:
-        """Whether police only say something or are told it: "he told troopers", "officers said"."""
+        """Whether police only say something or are told it: "he told troopers", "according to officers"."""
         verb = self.words[word.head]
+        if self.words[verb.head].norm == "according":
+            return True
         above = self.words[verb.head] if verb.norm in ("to", "by") else verb
         return (verb if verb.verb else above).lemma in SAYS
 
@@ -142,6 +144,34 @@ class NotThere:
         if len(spans) < 2 or spans[0].data["plural"] or following.sentence != word.sentence:
             return False
         return spans[0].data["type"] not in MOVERS | ZONES and spans[1].data["type"] in VEHICLES
+
+    def _cab_of(self, word: Word, noun: str) -> bool:
+        """Whether "the cab" is where the driver of a truck sits that was told of, and no taxi."""
+        the = word.i > 0 and self.words[word.i - 1].norm in ("the", "its", "his")
+        return noun == "cab" and the and any(e.type == "truck" for e in self.of.values()) and not self._taxi_told()
+
+    def _taxi_told(self) -> bool:
+        """Whether a taxi was told of."""
+        return any(e.noun.endswith(("cab", "taxi")) for e in self.of.values())
+
+    def _all_of_a_kind(self, word: Word) -> bool:
+        """Whether all of a kind are spoken of, not who is there: "many tractors turn off without a warning"."""
+        alike = any(e.count == 1 and e.type == word.span.data["type"] for e in self.of.values()) if word.span else False
+        verb = self.words[word.head]
+        kinds = self.words[word.i - 1].norm in ("many", "most", "some", "all") and word.dep == "nsubj"
+        later = (
+            any(
+                w.i > word.i
+                and w.span is not None
+                and w.span.kind == "actor"
+                and not w.span.data.get("plural")
+                and w.span.data["type"] == word.span.data["type"]
+                for w in self.words
+            )
+            if word.span
+            else False
+        )
+        return kinds and verb.tag == "VBP" and (alike or later)
 
     def _only_a_place(self, word: Word, noun: str) -> bool:
         """Whether a thing that stands by the road only tells where somebody is: "a girl waits at the mailbox"."""

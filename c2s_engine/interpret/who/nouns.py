@@ -26,6 +26,9 @@ class Nouns(Introduced, NotThere, Counted):
     def _apposed(self, word: Word) -> Entity | None:
         raise NotImplementedError
 
+    def _aboard_label(self, word: Word, kind: str) -> Entity | None:
+        raise NotImplementedError
+
     def _copula(self, word: Word) -> Entity | None:
         raise NotImplementedError
 
@@ -50,10 +53,12 @@ class Nouns(Introduced, NotThere, Counted):
             return self._new(Entity("", "vehicle", label=data["label"], roles=roles))
         if noun in TWO_WHEELERS and kind == "bicycle" and self._motor_bike(word):
             kind = "motorcycle"
-        if kind == "car" and noun in language.makes() and word.dep == "dobj" and self.words[word.head].norm in RIDES:
-            kind = "motorcycle"  # "I was riding my Honda"
+        if kind == "car" and noun in language.makes() and self._ridden(word):
+            kind = "motorcycle"
         if noun == "scooter" and (who := self._aboard(word)) is not None and who.span.data["type"] == "child":
             kind = "bicycle"  # "a kid on a scooter"
+        if (aboard := self._aboard_label(word, "rider" if noun == "rider" else kind)) is not None:
+            return aboard
         if noun in language.table("actors")["riders"] and (mount := self._mount(word)) is not None:
             return mount
         if (puller := self._pulled(word, noun)) is not None:
@@ -84,7 +89,8 @@ class Nouns(Introduced, NotThere, Counted):
                 return driver
         if kind == self.me.type == "pedestrian" and not data.get("plural") and self._heading(word.sentence):
             return self.me  # "School patrol, 8.25. I walked out ..."
-        if data.get("person") and kind in MOTOR and not data.get("plural") and self._on_foot(word):
+        drives = data.get("person") and (kind in MOTOR or noun.endswith("courier"))
+        if drives and not data.get("plural") and self._on_foot(word):
             return self._new(Entity("", "pedestrian", noun=noun, typed=True))  # "the van driver gets out"
         if word.i in self.wheels:
             return self._retyped(self.wheels[word.i], kind, roles, noun)
@@ -93,6 +99,8 @@ class Nouns(Introduced, NotThere, Counted):
         if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word) or self._faced(word)):
             return None
         if self._gone(word, before) or self._only_a_place(word, noun) or self._heads_list(word):
+            return None
+        if self._cab_of(word, noun) or data.get("plural") and self._all_of_a_kind(word):
             return None
         if self._writers_own(word, kind):
             return self._retyped(self.ego, kind, roles, noun)

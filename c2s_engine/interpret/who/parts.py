@@ -9,6 +9,9 @@ from c2s_engine.interpret.who.strangers import Strangers
 
 DRIVING = language.words("driving")
 
+AT_EGOS_WHEEL = language.words("systems") - {"stack"} | {"motorist", "driver", "operator"}
+"""Who drives ego, where nobody else's is meant."""
+
 
 class Parts(Strangers):
     """The part of Cast that finds whom a part belongs to."""
@@ -126,18 +129,6 @@ class Parts(Strangers):
                     for target in other.children:
                         if target in self.of and self.of[target].count > 1:
                             return self.of[target]
-        if word.lemma in (
-            "feature",
-            "function",
-            "motorist",
-            "dcas",
-            "alks",
-            "aebs",
-            "aeb",
-            "system",
-            "driver",
-            "operator",
-            "acc",
-        ):
+        if word.lemma in AT_EGOS_WHEEL or word.norm in AT_EGOS_WHEEL:
             return self.ego
         return None

@@ -86,7 +86,7 @@ class Persons(Salience):
         fits = lambda e: alive(e) and not (wanted and e.sex and e.sex != wanted) and not me(e)  # noqa: E731
         told = lambda e: fits(e) and bool(wanted) and e.sex == wanted  # noqa: E731
         sexed = self._salient(word, told) if any(e.person and told(e) for e in self.entities) else None
-        found = self._reacting(word, fits) or sexed or self._salient(word, fits)
+        found = self._telling(word, fits) or self._reacting(word, fits) or sexed or self._salient(word, fits)
         if found is None and mine:
             found = self._salient(word, lambda e: e.mover and not e.ego and e.sex != "i")
         if found is None or not found.manned and found.type not in RIDDEN and self._rests(found):
@@ -124,6 +124,22 @@ class Persons(Salience):
         afoot = any(w.lemma in AFOOT for w in self.words if w.sentence == word.sentence)
         opens = word.dep == "nsubj" and word.norm in OBLIQUE
         return self.ego if opens and not afoot and not spans & {"ego", "label"} and not self.entities else None
+
+    def _telling(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
+        """Who tells of himself at the wheel: "the driver of the van told police he was doing 40"."""
+        verb = self._governor(word)
+        above = self.words[verb.head]
+        says = above if above.verb else self.words[above.head]  # hung on "police"
+        if word.dep != "nsubj" or verb.dep not in ("ccomp", "relcl") or says.lemma not in SAYS or says.i > word.i:
+            return None
+        who = next((self.words[c] for c in says.children if self.words[c].dep == "nsubj" and c < says.i), None)
+        if who is None:
+            return None
+        owners = [i for c in who.children if self.words[c].norm in ("of", "'s") for i in self.words[c].children]
+        found = next((self.of[i] for i in (who.i, *owners, *who.children) if i in self.of), None)
+        if found is None and who.lemma in DRIVERS:
+            found = self._salient(word, lambda e: e.mover and not e.person and e.sex != "i" and not self._rests(e))
+        return found if found is not None and (accept(found) or who.lemma in DRIVERS) else None
 
     def _reacting(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
         """Whom the sentence before left in trouble, where somebody reacts then: "... in front of him. He braked"."""

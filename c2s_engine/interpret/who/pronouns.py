@@ -48,7 +48,8 @@ class Pronouns(Persons):
         if self._on_foot(word):
             return self._new(Entity("", "pedestrian", noun=norm, typed=True))
         if norm in data["ego"]:
-            return None if word.i in self.asking or self._only_a_name(word) else self.me
+            mine = None if word.i in self.asking or self._only_a_name(word) else self.me
+            return self._we_all(word) if mine is self.ego and norm == "we" else mine
         taken = norm == "that" and word.dep == "nsubj" and self.words[word.head].dep == "relcl"  # for "that one"
         if norm in ("who", "which", "that", "whose", "whom") and (word.tag in ("WDT", "WP", "WP$") or taken):
             return self._somebody(word, self._antecedent(word))
@@ -91,6 +92,13 @@ class Pronouns(Persons):
             return self._salient(word, lambda e: e.mover)
         return self._elliptic(word) or self._unknown(word)
 
+    def _we_all(self, word: Word) -> Entity:
+        """Ego, with all others where "we all" stand for them."""
+        others = [e for e in self.entities if e.mover and not e.person]
+        if others and self.words[word.i + 1].norm in ("all", "both") and word.dep == "nsubj":
+            self.both[word.i] = others
+        return self.ego
+
     def _has_it(self, word: Word) -> Word | None:
         """The person whose it is: "a woman on her bike", "a farmer driving his tractor", "a man rides his bike"."""
         if word.norm not in ("his", "her", "their") or word.dep != "poss":
@@ -112,10 +120,17 @@ class Pronouns(Persons):
         things = THINGS if bumped else LOOSE
         i = self._first_person() and not self._ego_is_thing()
         moves = word.dep == "nsubj" and self.words[word.head].lemma in MOVES
+        joint = [
+            e
+            for at, others in self.both.items()
+            if word.dep == "nsubj" and self.words[at].sentence == word.sentence
+            for e in (self.of[at], *others)
+            if at in self.of
+        ]  # "after both have passed, it sets off"
 
         def fits(e: Entity) -> bool:
             alive = e.person and not e.noun.endswith(("target", "dummy"))
-            if moves and e.noun in ROOTED:
+            if moves and e.noun in ROOTED or e in joint:
                 return False
             return (not alive and e.sex != "i" and e.mover or e.type in things) and not (i and e.ego)
 
@@ -147,6 +162,8 @@ class Pronouns(Persons):
         """The thing that was the subject of the sentence before: "a mattress lies there. The car swerves around it"."""
         told = [e for i, e in self.subjects if self.words[i].sentence in (word.sentence - 1, word.sentence)]
         things = [e for e in told if e.type in THINGS]
+        here = [self.of[w.i] for w in self.words[: word.i] if w.sentence == word.sentence and w.i in self.of]
+        things += [e for e in here if e.roles & STANDS and not e.ego]  # "swerves around it"
         return things[-1] if things else None
 
     def _not_he(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:

@@ -7,9 +7,8 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import ORDINALS, URGENT, VEHICLES, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.ego_by_noun import EgoByNoun
+from c2s_engine.interpret.who.owned import MOVES, Owned
 
-OWNERS = language.words("owners")
 ANYBODY = language.words("anybody")
 """Nouns of no type by which ego may be meant, too: not "the target", "the attacker"."""
 DRIVES_IT = frozenset(("you", "your", "he", "she", "his", "her"))
@@ -25,63 +24,13 @@ def _alike(entity: Entity, kind: str) -> bool:
     return entity.type == kind or entity.type in VEHICLES and kind in VEHICLES
 
 
-MOVES = language.word_list("motion") | language.words("strikes") | language.words("manoeuvres")
-AFOOT = frozenset(
-    (*language.table("people")["walks"], "run", "cross", "stand", "wait", "load", "unload", "watch", "see")
-)
 ALL_OF_THEM = frozenset(("both", "the", "these", "all", "neither"))
 
 
-class Reference(EgoByNoun):
+class Reference(Owned):
     """The part of Cast that resolves definite nouns."""
 
     ego_named: bool
-
-    def _type_of_definite(self, word: Word, before: list[str], kind: str) -> Entity | None:
-        for child in word.children:
-            if (
-                self.words[child].tag == "PRP$"
-                and child in self.of
-                and self.of[child].ego
-                and kind in VEHICLES
-                and word.span is not None
-                and not word.span.data.get("words")
-            ):
-                return self.ego
-        owner = next((self.of[c] for c in word.children if self.words[c].dep == "poss" and c in self.of), None)
-        if owner is not None and not owner.ego and kind in VEHICLES and owner.noun in OWNERS:
-            owner.type, owner.typed = (kind, True) if kind != "vehicle" else (owner.type, owner.typed)
-            return owner  # "the defendant's car"
-        if owner is not None and self._own_vehicle(word, owner, kind):
-            if owner.type == "vehicle":
-                owner.type, owner.typed = kind, kind != "vehicle"
-            return owner
-        if before and before[0] in ("our", "my"):
-            return self.ego if kind in VEHICLES else None
-        return None
-
-    def _own_vehicle(self, word: Word, owner: Entity, kind: str) -> bool:
-        """Whether it is what somebody at the wheel drives: "his car", after "Mr Hansen was driving"."""
-        assert word.span is not None
-        if kind not in VEHICLES or word.span.data.get("words"):
-            return False
-        if owner.person and self._moves(word) and not self._afoot(owner):
-            owner.names.add(owner.noun.split(" ")[-1])  # "a man was hurt when his pickup left the road ... the man"
-            owner.type, owner.noun, owner.typed, owner.manned, owner.count = kind, word.norm, True, True, 1
-            return True
-        if not owner.manned or owner.person:
-            return False
-        return kind in ("vehicle", owner.type) or owner.type == "vehicle" or fits(owner, kind)
-
-    def _moves(self, word: Word) -> bool:
-        """Whether a noun is who moves or is hit."""
-        verb = self._governor(word)
-        return word.dep in ("nsubj", "nsubjpass") and verb.lemma in MOVES
-
-    def _afoot(self, person: Entity) -> bool:
-        """Whether somebody was told of on foot, or as no one at the wheel."""
-        verbs = (self._governor(self.words[m.word]).lemma for m in person.mentions if m.kind != "pronoun")
-        return person.type == "animal" or person.sex == "i" or any(v in AFOOT for v in verbs)
 
     def _definite(
         self,
@@ -169,7 +118,7 @@ class Reference(EgoByNoun):
         alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
         if second and alone and not self._distinguished(word) and self.words[word.i - 1].norm == "the":
             return self.ego  # a driver is told what to do: "you will feel the car"
-        if alone and (self._run_by_its_own(word) or self._out_of_my_hand(word)):
+        if alone and (self._run_by_its_own(word) or self._out_of_my_hand(word) or self._my_car(word)):
             return self.ego
         asks = any(self.words[c].norm in ("shall", "must") for c in self.words[word.head].children)
         if alone and asks and self.ego_named and word.dep == "nsubj" and not self._distinguished(word):
@@ -181,9 +130,9 @@ class Reference(EgoByNoun):
             if asked and not generic and word.dep == "nsubj" and all(e.type in URGENT for e in candidates):
                 return None  # "when an ambulance approaches, the vehicle shall clear the lane"
             if not generic and (len(candidates) != 1 or not plain):
-                return None
+                return self._struck_by(word, plain, MOVES)
         if bare and not roles and self._distinguished(word):
-            return None
+            return self._by_place(word, candidates) if count == 1 else None  # "car in front stops. Car in front moves"
         if bare and not roles:
             called = (e for e in reversed(candidates) if e.noun == noun or e.noun.endswith(f" {noun}"))
             same = next(called, None)

@@ -106,6 +106,9 @@ class Strangers:
                 ),
                 after,
             )
+            or re.match(
+                r"(?:sort|load|unload)\w* |st(?:and|ood)\w* (?:right )?(?:at|by|beside|next to|outside) ", after
+            )
             or re.match(r"(?:walk|stroll|limp|kneel|crouch)\w* |step\w* (?!on the (?:brake|gas|acc|pedal))", after)
             or re.match(
                 r"(exit|leav|left|disembark)\w* (the|his|her|their|its) (?!\w*road|\w*lane|\w*way\b|street)",

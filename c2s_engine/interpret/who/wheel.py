@@ -7,7 +7,8 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import VEHICLES, Entity
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.reference import OWNERS, Reference
+from c2s_engine.interpret.who.owned import OWNERS
+from c2s_engine.interpret.who.reference import Reference
 from c2s_engine.interpret.who.strangers import WALKS
 
 DRIVES = language.words("at_the_wheel")

@@ -1,0 +1,71 @@
+"""Whose vehicle a noun with an owner means: "his car", "the defendant's van", "my Honda"."""
+
+from __future__ import annotations
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import VEHICLES, Entity, fits
+from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.ego_by_noun import EgoByNoun
+
+OWNERS = language.words("owners")
+MOVES = language.word_list("motion") | language.words("strikes") | language.words("manoeuvres")
+MISHAPS = language.words("mishaps")
+AFOOT = frozenset(
+    (*language.table("people")["walks"], "run", "cross", "stand", "wait", "load", "unload", "watch", "see")
+)
+
+
+class Owned(EgoByNoun):
+    """The part of Cast that resolves vehicles by who owns or drives them."""
+
+    def _type_of_definite(self, word: Word, before: list[str], kind: str) -> Entity | None:
+        for child in word.children:
+            if (
+                self.words[child].tag == "PRP$"
+                and child in self.of
+                and self.of[child].ego
+                and kind in VEHICLES
+                and word.span is not None
+                and not word.span.data.get("words")
+            ):
+                return self.ego
+        owner = next((self.of[c] for c in word.children if self.words[c].dep == "poss" and c in self.of), None)
+        if owner is not None and not owner.ego and kind in VEHICLES and owner.noun in OWNERS:
+            owner.type, owner.typed = (kind, True) if kind != "vehicle" else (owner.type, owner.typed)
+            return owner  # "the defendant's car"
+        if owner is not None and self._own_vehicle(word, owner, kind):
+            if owner.type == "vehicle":
+                owner.type, owner.typed = kind, kind != "vehicle"
+            return owner
+        if before and before[0] in ("our", "my"):
+            return self.ego if kind in VEHICLES else None
+        return None
+
+    def _ridden(self, word: Word) -> bool:
+        """Whether a make is that of a motorcycle: "I was riding my Honda", "out on my BMW"."""
+        by = self.words[word.head]
+        return by.norm == "on" or word.dep == "dobj" and by.lemma == "ride"
+
+    def _own_vehicle(self, word: Word, owner: Entity, kind: str) -> bool:
+        """Whether it is what somebody at the wheel drives: "his car", after "Mr Hansen was driving"."""
+        assert word.span is not None
+        if kind not in VEHICLES or word.span.data.get("words"):
+            return False
+        if owner.person and self._moves(word) and not self._afoot(owner):
+            owner.names.add(owner.noun.split(" ")[-1])  # "a man was hurt when his pickup left the road ... the man"
+            owner.type, owner.noun, owner.typed, owner.manned, owner.count = kind, word.norm, True, True, 1
+            return True
+        if not owner.manned or owner.person:
+            return False
+        return kind in ("vehicle", owner.type) or owner.type == "vehicle" or fits(owner, kind)
+
+    def _moves(self, word: Word) -> bool:
+        """Whether a noun is who moves or is hit."""
+        verb = self._governor(word)
+        return word.dep in ("nsubj", "nsubjpass") and verb.lemma in MOVES | MISHAPS
+
+    def _afoot(self, person: Entity) -> bool:
+        """Whether somebody was told of on foot, or as no one at the wheel."""
+        verbs = [self._governor(self.words[m.word]) for m in person.mentions if m.kind != "pronoun"]
+        walks = (v.lemma in AFOOT for v in verbs if self.words[v.i + 1].norm != "away")  # "walked away with bruises"
+        return person.type == "animal" or person.sex == "i" or any(walks)

@@ -1,0 +1,191 @@
+"""What drivers tell of their own speed, doors that open, and people who step out in front of a vehicle."""
+
+import pytest
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The driver of the Tahoe told troopers he was doing 45 mph. A boy ran into the path of the Tahoe.",
+        "A boy ran into the path of a Tahoe. The driver told police he was doing 45 mph.",
+        "A man stepped in front of a van. The van's driver said that he was travelling at 45 mph.",
+        "A boy ran in front of a car. Its driver told officers that he was doing 45 mph.",
+        "According to troopers the Tahoe was doing 45 mph when a boy ran out in front of it.",
+    ],
+)
+def test_own_speed(read, text: str) -> None:
+    scene = read(text)
+    assert scene.ego.spec.speed == pytest.approx(20.12, abs=0.01)
+    (person,) = (o.spec for o in scene.objects)
+    assert person.speed < 3.0
+    assert [p.action for p in person.phases] == ["cross_road"]
+
+
+@pytest.mark.parametrize(
+    ("text", "speed"),
+    [
+        ("Our driver in the right lane with the cruise control at 62. A van cuts in. (Speeds in mph.)", 27.72),
+        ("I was on I-75 doing about 70 when a deer ran out.", 31.29),
+        ("A tractor-trailer was westbound on Interstate 80 at about 60 behind an SUV. The SUV braked.", 26.82),
+        ("Driver was sitting on 125 when a kangaroo hopped onto the road.", 34.72),
+        ("I was in lane 1, 90 on the clock. A car cut in in front of me.", 25.0),
+        ("I was sitting at 90 km/h in the middle lane when a van moved over on me.", 25.0),
+    ],
+)
+def test_speeds_without_unit(read, text: str, speed: float) -> None:
+    assert read(text).ego.spec.speed == pytest.approx(speed, abs=0.01)
+
+
+@pytest.mark.parametrize("text", ["moved over on me", "merged right on top of us", "came over on me", "cut in on us"])
+def test_over_on_me(read, text: str) -> None:
+    (van,) = (o.spec for o in read(f"I was driving at 70 mph in the middle lane when a van {text}.").objects)
+    assert [p.action for p in van.phases] == ["cut_in"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The driver of a parked van flings open the door as a cyclist passes. The ego is behind the cyclist.",
+        "The door of a parked van opens as a cyclist rides past. The ego is behind the cyclist.",
+        "A man in a parked van opens his door and a cyclist ahead of the ego swerves around it.",
+    ],
+)
+def test_past_a_door(read, text: str) -> None:
+    van, cyclist = (o.spec for o in read(text).objects)
+    assert [p.action for p in van.phases] == ["stationary"]
+    assert [(p.action, p.target) for p in cyclist.phases] == [("overtake", "O1")]
+
+
+def test_one_then_another(read) -> None:
+    for text in (
+        "A car comes by, then a van. When both have passed, the ego sets off from the kerb.",
+        "The ego is parked. A car and a van come from behind. After both have passed, it sets off.",
+    ):
+        scene = read(text)
+        assert [p.action for p in scene.ego.spec.phases] == ["enter_road"], text
+        assert [[p.target for p in o.spec.phases] for o in scene.objects] == [["ego"], ["ego"]], text
+
+
+def test_hands_and_the_hurt_are_nobody(read) -> None:
+    scene = read("VUT drives at 80 km/h, driver hands resting. A van ahead brakes.")
+    assert scene.ego.spec.phases == ()
+    assert len(read("Two persons are light injured. A lorry hits the ego.").objects) == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The highway pilot shall bring the vehicle to a standstill behind a broken-down vehicle.",
+        "The ADS brings the vehicle to a halt behind a broken-down vehicle.",
+        "The autopilot brought the car to a stop behind a broken-down vehicle.",
+    ],
+)
+def test_systems_bring_ego_to_a_stand(read, text: str) -> None:
+    scene = read(text)
+    assert [p.action for p in scene.ego.spec.phases] == ["stop"]
+    assert len(scene.objects) == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A woman in a Golf pulled out from a side road. A motorcyclist hit the vehicle at the driver's door.",
+        "Mrs Pell, in her Land Rover, pulled out of a side road. Mr Osei, on a motorcycle, hit the vehicle.",
+        "The ego pulls out from a side road. A motorcyclist from the left hits it.",
+    ],
+)
+def test_struck_while_pulling_out(read, text: str) -> None:
+    scene = read(text)
+    (rider,) = (o.spec for o in scene.objects)
+    assert [(p.action, p.target) for p in rider.phases] == [("collide", "ego")]
+    assert "lane_change" not in [p.action for p in scene.ego.spec.phases] or "out of" in text
+
+
+def test_we_all(read) -> None:
+    scene = read("A van is ahead of me and a bus behind me. We all brake hard.")
+    assert [[p.action for p in o.spec.phases] for o in scene.objects] == [["brake"], ["brake"]]
+    scene = read("A sedan comes from the right, a van from the left. We all stop. The sedan goes first.")
+    assert [[p.action for p in o.spec.phases] for o in scene.objects] == [["stop", "go_straight"], ["stop"]]
+
+
+def test_times_of_a_film(read) -> None:
+    scene = read("0:22 red Mazda overtakes me, 0:26 stands on the brakes for nothing.")
+    assert scene.settings.spec.time is None or scene.settings.spec.time != "night"
+    assert [p.action for o in scene.objects for p in o.spec.phases] == ["overtake", "brake"]
+    scene = read("0:05 a van is parked on the right; 0:08 a child runs out from behind it; 0:09 I brake hard.")
+    assert scene.ego.spec.hard
+
+
+def test_only_imagined(read) -> None:
+    scene = read("The indicator came on late, a cyclist would not have known what we were about to do.")
+    assert not scene.objects
+    scene = read("A cyclist ahead would have been hit if the ego had not braked.")
+    assert scene.ego.spec.reaction == "brake" and len(scene.objects) == 1
+
+
+def test_follows_again(read) -> None:
+    text = "Ego follows a van. The van brakes to a full stop; it moves off after 4 s and the ego resumes following."
+    assert [p.action for p in read(text).ego.spec.phases] == ["follow", "stop", "follow"]
+
+
+def test_light_turns_green(read) -> None:
+    text = (
+        "The AV was first in line at a red light. When the light turned green the AV began to move, then stopped again."
+    )
+    assert [p.action for p in read(text).ego.spec.phases] == ["start", "stop"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A man walked away with cuts after his pickup ended up in a ditch. The man was northbound when a deer ran out.",
+        "A man walked away unhurt when his pickup rolled over. The man was doing 50 mph when a deer ran out.",
+        "I was riding my Honda when a deer ran out.",
+        "V1, a 2019 Harley-Davidson touring motorcycle with rider and passenger, was westbound. A deer ran out.",
+        "I was going down the hill when a deer ran out, and the car just carried on.",
+    ],
+)
+def test_who_drives_is_nobody_else(read, text: str) -> None:
+    scene = read(text)
+    (deer,) = (o.spec for o in scene.objects)
+    assert deer.type == "animal"
+    wanted = "truck" if "pickup" in text else "car" if "car" in text else "motorcycle"
+    assert scene.ego.spec.type == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "types"),
+    [
+        ("A lorry stands in our lane. As our nose draws level with the cab, a man walks out.", ["truck", "pedestrian"]),
+        ("Ego follows a tractor. Many tractors turn left into a field without a warning.", ["truck"]),
+        ("Some motorcycles carry two small lamps. In ego's lane a motorcycle rides at 60 km/h.", ["motorcycle"]),
+        ("A motorcycle with its rider waits on the left. The ego brakes.", ["motorcycle"]),
+        ("P-2 on a bicycle moved left in front of V-1. V-1 hit it.", ["bicycle"]),
+        ("Crash with cyclist from the right. A turns right. B rides a bicycle and comes from A's right.", ["bicycle"]),
+    ],
+)
+def test_told_once(read, text: str, types: list[str]) -> None:
+    assert [o.spec.type for o in read(text).objects] == types
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "I was driving along when a van pulled out.",
+        "A van suddenly pulled out and I braked.",
+        "A van pulls out as the ego approaches.",
+    ],
+)
+def test_pulled_out_of_nowhere(read, text: str) -> None:
+    (van,) = (o.spec for o in read(text).objects)
+    assert (van.placement.position, [p.action for p in van.phases]) == ("parked", ["enter_road"])
+    (van,) = (o.spec for o in read("I was on the motorway at 110 km/h when a van pulled out.").objects)
+    assert [p.action for p in van.phases] == ["cut_in"]
+    (van,) = (o.spec for o in read("The ego is on a motorway. A van ahead of it pulls out.").objects)
+    assert [p.action for p in van.phases] == ["cut_out"]
+
+
+def test_turns_across_my_lane(read) -> None:
+    for text in ("An estate turned left across my lane.", "A car turns left across the ego's path."):
+        (car,) = (o.spec for o in read(text).objects)
+        assert (car.placement.position, [p.action for p in car.phases]) == ("opposite_approach", ["turn_left"]), text

@@ -25,6 +25,7 @@ from c2s_engine.interpret.where.inferred import Inferred
 from c2s_engine.interpret.where.lane_numbers import number_lanes
 from c2s_engine.interpret.where.own_words import DIRECTED, PLACING, OwnWords
 from c2s_engine.interpret.where.places_in import places_in
+from c2s_engine.interpret.where.ranked import ranked
 from c2s_engine.interpret.where.revealed import reveal
 from c2s_engine.interpret.where.struck import struck_places
 from c2s_engine.interpret.who.mentions import Cast, Entity
@@ -78,6 +79,8 @@ class Places(OwnWords, Inferred):
         self.ego_lane = self.ego_lane or closed_lanes(cast, clauses, self.of)
         goes_on_abreast(clauses)
         split_groups(cast, clauses, self.of)
+        self.row, lane = ranked(cast, clauses, self.of)
+        self.ego_lane = self.ego_lane or lane
         abreast(clauses, self.of)
         implied_places(cast, clauses, self.of)
         struck_places(cast, clauses, self.of)
@@ -89,7 +92,8 @@ class Places(OwnWords, Inferred):
         self._joined()
         self._encroached()
         self._shared()
-        self.ego_lane = self.ego_lane or number_lanes(cast, clauses, self.of)
+        if self.row is None:
+            self.ego_lane = self.ego_lane or number_lanes(cast, clauses, self.of)
         self._overtaken()
         self._in_the_way()
         self._mutual()
@@ -190,7 +194,7 @@ class Places(OwnWords, Inferred):
             (
                 r"(?:^|, |\band |: )((?:from|to|on|at|in) (?:the |its |@\w+ 's )+(?:left|right)(?:-?hand|most)?"
                 r"(?: side| lane| pavement| sidewalk| footpath| verge| shoulder| kerb| curb| edge)?)"
-                r"(?: (?!(?:and|but)\b)\w+){0,3}$"
+                r"(?:(?<=lane) ,)?(?: (?!(?:and|but)\b)\w+){0,3}$"
             ),
             front,
         )

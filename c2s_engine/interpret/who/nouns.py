@@ -99,7 +99,7 @@ class Nouns(Introduced, NotThere, Counted):
                 return several[-1]  # "three pupils cross ... until every child is across"
         if previous == "neither" and kind in MOTOR:
             data, noun = {**data, "plural": True}, language.plurals(noun)[0]  # "neither car brakes": of two
-        count = self._count(word, before, data)
+        count = 2 if noun == "traffic" and not roles and self._flows(word) else self._count(word, before, data)
         parties = self._parties(word, before, data, roles)
         if parties is not None:
             return parties

@@ -97,8 +97,8 @@ def test_followed_by_metres(read, text: str) -> None:
 
 def test_round_a_thing_of_no_account(read) -> None:
     s = read(
-        "A cyclist rides ahead of the ego in the bike lane to its right. He swerves left into the lane of the ego to get"
-        " around a car door."
+        "A cyclist rides ahead of the ego in the bike lane to its right. "
+        "He swerves left into the lane of the ego to get around a car door."
     )
     spec = s.objects[0].spec
     assert spec.placement.along == "ahead" and [p.action for p in spec.phases] == ["move_along", "cut_in"]

@@ -128,3 +128,21 @@ def test_what_the_writer_drives(read, text: str, kind: str) -> None:
 def test_a_dummy_bicycle_is_one_thing(read) -> None:
     s = read("The dummy bicycle comes up from behind on the right-hand side of the lorry. The lorry turns right.")
     assert [(o.spec.type, o.spec.placement.side) for o in s.objects] == [("bicycle", "right")]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The left lane is closed by cones. A truck is parked in the closed lane. V1 was in the left lane and hit it.",
+        "V1 was in the right lane, which was closed off with cones. A truck was parked in the closed lane. V1 hit it.",
+        "The lorry was parked in the closed inside lane. The ego hit the lorry.",
+    ],
+)
+def test_parked_in_the_closed_lane(read, text: str) -> None:
+    truck = next(o.spec for o in read(text).objects if o.spec.type == "truck")
+    assert (truck.placement.position, truck.speed) == ("ahead", 0.0)
+
+
+def test_in_the_closed_lane_beside(read) -> None:
+    s = read("Cones close the left lane and a truck is parked in the closed lane. The ego drives in the right lane.")
+    assert {o.spec.placement.position for o in s.objects} == {"left_lane"}

@@ -77,11 +77,13 @@ def time_of_day(plain: str, sentences: list[tuple[int, int]]) -> Found | None:
         return clock(plain)
     always = [m.span() for m in ALWAYS.finditer(plain)]
     hits = [h for h in hits if not any(start <= h.span[0] < end for start, end in always)] or hits
-    hits = [h for h in hits if not EARLIER.search(plain[: h.span[0]])] or hits
-    late = clock(plain)
+    told, late = [h for h in hits if not EARLIER.search(plain[: h.span[0]])], clock(plain)
+    if not told and late is not None:
+        return late
+    hits = told or hits
     if any(h.value == "night" for h in hits):  # a dark evening
         hits = [h for h in hits if not plain[slice(*h.span)].startswith("evening")]
-    elif late is not None and late.value == "night" and all(PART.match(plain[slice(*h.span)]) for h in hits):
+    elif late is not None and HALF.search(plain[: late.span[1]]) and late.value == "night" and _parts(plain, hits):
         return late  # "on Wednesday evening at about 9.45 p.m."
     values = [h.value for h in hits]
     if "day" in values and "night" in values:  # "night-time variant of the daytime test": the first that is said
@@ -94,6 +96,14 @@ EARLIER = re.compile(
     r"|previous|next|following|preceding) $"
 )
 """What stands before a time that was another: "rain earlier in the evening", "awake since the previous morning"."""
+
+
+def _parts(plain: str, hits: list[Found]) -> bool:
+    """Whether only parts of a day are told."""
+    return all(PART.match(plain[slice(*h.span)]) for h in hits)
+
+
+HALF = re.compile(r"[ap]\.?m\.?$")
 ALWAYS = re.compile(r"\b(?:by )?day(?:time|light)?(?: (?:and|or|as well as) |/)(?:by |at )?night")
 """What holds at every time: "motorways, day and night"."""
 PART = re.compile("evening|morning")

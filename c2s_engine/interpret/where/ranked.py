@@ -76,7 +76,8 @@ def _of_a_group(
     if not ego.typed and ego.type == "car":
         ego.type = group.type
     of[group].gap = of[group].gap or _apart(group, cast)
-    _part(group, rank - 1, group.count - rank, cast, clauses, of)
+    ahead = min(rank - 1, group.count)  # "the third in line, two cars in front of it"
+    _part(group, ahead, max(0, group.count - rank), cast, clauses, of)
     return group
 
 
@@ -92,7 +93,9 @@ def _apart(group: Entity, cast: Cast) -> tuple[float, float] | None:
 
 def _rank(nth: str, count: int) -> int:
     """A rank by its word."""
-    return (count + 1) // 2 if nth in ("middle", "central") else NTH.get(nth, -1) % (count + 1)
+    if nth in ("middle", "central"):
+        return (count + 1) // 2
+    return count if NTH.get(nth, -1) < 0 else NTH[nth]
 
 
 def _part(group: Entity, ahead: int, behind: int, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:

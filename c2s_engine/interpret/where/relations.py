@@ -17,7 +17,7 @@ from c2s_engine.interpret.surroundings.whereabouts import (
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.where.accompanied import WITH_ANOTHER, accompanied, within
 from c2s_engine.interpret.where.both_in import both_in_lane
-from c2s_engine.interpret.where.closures import closed_lanes
+from c2s_engine.interpret.where.closures import closed_lanes, in_closed_lanes
 from c2s_engine.interpret.where.groups import abreast, goes_on_abreast, split_groups
 from c2s_engine.interpret.where.implied import implied_places
 from c2s_engine.interpret.where.implied_lanes import evaded_lane, followed_lane
@@ -78,6 +78,7 @@ class Places(OwnWords, Inferred):
         accompanied(cast, clauses, self.of)
         self.ego_lane = self.ego_lane or closed_lanes(cast, clauses, self.of)
         goes_on_abreast(clauses)
+        in_closed_lanes(cast, clauses, self.of)
         split_groups(cast, clauses, self.of)
         self.row, lane = ranked(cast, clauses, self.of)
         self.ego_lane = self.ego_lane or lane

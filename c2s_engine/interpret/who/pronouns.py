@@ -137,7 +137,9 @@ class Pronouns(Persons):
     def _owned(self, word: Word) -> Entity | None:
         """The animal whose owner is told of, or after which somebody runs: "its owner runs after it"."""
         head = self.words[word.head]
-        if not (word.dep == "poss" and head.norm in OWNERS or word.dep == "pobj" and head.norm == "after"):
+        runner = self._subject_of(self._governor(word)) if word.dep == "pobj" and head.norm == "after" else None
+        runs = runner is not None and runner.person and runner.type != "animal"
+        if not (word.dep == "poss" and head.norm in OWNERS or runs):
             return None
         return next((e for e in reversed(self.entities) if e.type == "animal"), None)
 

@@ -146,3 +146,16 @@ def test_parked_in_the_closed_lane(read, text: str) -> None:
 def test_in_the_closed_lane_beside(read) -> None:
     s = read("Cones close the left lane and a truck is parked in the closed lane. The ego drives in the right lane.")
     assert {o.spec.placement.position for o in s.objects} == {"left_lane"}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A car in the adjacent lane moves across the separating marking into the lane of the system car.",
+        "With the system active, a passenger car in the adjacent lane moves into the lane of the system vehicle.",
+        "A car in the next lane drifts over the solid marking and cuts in in front of the system car.",
+    ],
+)
+def test_cut_in_over_a_marking(read, text: str) -> None:
+    spec = read(text).objects[0].spec
+    assert (spec.placement.position, spec.phases[-1].action) == ("left_lane", "cut_in")

@@ -115,3 +115,20 @@ def test_an_owner_without_an_animal_is_nobody(read) -> None:
 def test_after_the_ball(read) -> None:
     s = read("A ball rolls into the road from the left. A boy runs after it.")
     assert s.objects[0].spec.placement.side == "left"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A courier stood behind the van. The ego passes the van.",
+        "A van is parked ahead. The courier was standing at the van's rear doors. The ego passes it.",
+        "The tow operator, who was standing behind the car, jumped over the guardrail. The ego hit the car.",
+    ],
+)
+def test_who_stands_beside_a_vehicle_is_on_foot(read, text: str) -> None:
+    assert "pedestrian" in [o.spec.type for o in read(text).objects]
+
+
+def test_a_rider_at_the_lights_rides(read) -> None:
+    s = read("A courier on a bicycle stood at the lights. The ego stopped behind him.")
+    assert [o.spec.type for o in s.objects] == ["bicycle"]

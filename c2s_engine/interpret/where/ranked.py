@@ -24,7 +24,7 @@ COUNTS = language.table("actors")["counts"]
 APART = frozenset(("apart", "between", "gap", "gaps", "spacing", "interval", "intervals", "spaced", "headway"))
 IN_LINE = re.compile(
     rf"\b(?:(?P<nth>{_NTH})(?: (?:one|truck|vehicle|car|@\w+))?(?: \w+)? )?"
-    r"in (?:(?:a|the|this|that|its) (?:[\w-]+ ){0,2}?(?:queue|tailback|jam|line|row|@a\d+)|line)\b"
+    r"in (?:(?:a|the|this|that|its) (?:[\w-]+ ){0,2}?(?:queue|tailback|jam|line|row)|line)\b"
     r"(?! (?:with|of (?:sight|fire|the)))"
 )
 BETWEEN = re.compile(

@@ -81,7 +81,7 @@ class Nouns(Introduced, NotThere, Counted):
                 return driver
         if kind == self.me.type == "pedestrian" and not data.get("plural") and self._heading(word.sentence):
             return self.me  # "School patrol, 8.25. I walked out ..."
-        if data.get("person") and kind in MOTOR and not data.get("plural") and self._on_foot(word):
+        if data.get("person") and kind in MOTOR | {"bicycle"} and not data.get("plural") and self._on_foot(word):
             return self._new(Entity("", "pedestrian", noun=noun, typed=True))  # "the van driver gets out"
         if word.i in self.wheels:
             return self._retyped(self.wheels[word.i], kind, roles, noun)

@@ -60,7 +60,10 @@ class Salience(PlaceWords):
         if word.dep == "poss" and above.norm in BOWS and self.words[max(0, word.i - 1)].norm == "across":
             clash = self._subject_of(verb)  # nobody goes across its own bows
         if word.dep == "poss" and BESIDE.match(self._around(word.i)) and above.dep == "pobj":
-            clash = self.of.get(self.words[above.head].head) or clash  # "a coach to its left": not the coach's own
+            placed = self.words[self.words[above.head].head]
+            if placed.norm in ("lane", "side"):  # "five cars in the lane to its left"
+                placed = self.words[self.words[placed.head].head]
+            clash = self.of.get(placed.i) or clash  # "a coach to its left": not the coach's own
         if word.dep == "nsubj" and (polite := self._lets_before(word, verb)) is not None and accept(polite):
             return polite
         if (twin := self._gapped(word)) is not None and accept(twin):

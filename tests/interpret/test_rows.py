@@ -132,3 +132,31 @@ def test_who_stands_beside_a_vehicle_is_on_foot(read, text: str) -> None:
 def test_a_rider_at_the_lights_rides(read) -> None:
     s = read("A courier on a bicycle stood at the lights. The ego stopped behind him.")
     assert [o.spec.type for o in s.objects] == ["bicycle"]
+
+
+@pytest.mark.parametrize(
+    ("text", "gaps"),
+    [
+        (
+            "On a motorway the ego drives in the left lane and passes a truck. "
+            "A car comes towards it in the same lane; the initial distance is 400 m.",
+            [None, 400.0],
+        ),
+        ("A bus is behind the ego. A van drives ahead of the ego, the gap is 15 m.", [None, 15.0]),
+        ("The ego follows a truck. The initial distance is 30 m.", [30.0]),
+    ],
+)
+def test_whose_distance_it_is(read, text: str, gaps: list) -> None:
+    assert [o.spec.placement.gap for o in read(text).objects] == gaps
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A bike that was splitting the lanes from behind me takes my left mirror off.",
+        "A bike, lane-splitting, hit my mirror from behind.",
+        "The bike behind us was filtering between the lanes. We changed lanes.",
+    ],
+)
+def test_a_bike_that_splits_lanes(read, text: str) -> None:
+    assert [o.spec.type for o in read(text).objects] == ["motorcycle"]

@@ -47,7 +47,7 @@ class Nouns(Introduced, NotThere, Counted):
                     entity.roles |= roles
                     return entity
             return self._new(Entity("", "vehicle", label=data["label"], roles=roles))
-        if noun in TWO_WHEELERS and kind == "bicycle" and self._motor_bike():
+        if noun in TWO_WHEELERS and kind == "bicycle" and (self._motor_bike() or self._splits_lanes(word)):
             kind = "motorcycle"
         if noun == "scooter" and (who := self._aboard(word)) is not None and who.span.data["type"] == "child":
             kind = "bicycle"  # "a kid on a scooter"
@@ -241,6 +241,11 @@ class Nouns(Introduced, NotThere, Counted):
         person = any(w.norm in THIRD or w.i in self.of and self.of[w.i].person for w in owners)
         mine = any(w.i in self.of and self.of[w.i].ego for w in owners)
         return person and not mine and all(e.noun != noun for e in self.entities)
+
+    def _splits_lanes(self, word: Word) -> bool:
+        """Whether a bike is one that splits the lanes: a motorcycle."""
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 8] if w.sentence == word.sentence)
+        return re.search(r"\b(?:split|filter)\w* (?:\w+ ){0,3}lanes?\b|\blane ?-? ?split", after) is not None
 
     def _motor_bike(self) -> bool:
         """Whether "the bike" is a motorcycle spoken of before, as no bicycle was."""

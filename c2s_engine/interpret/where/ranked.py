@@ -20,6 +20,7 @@ RANK = re.compile(
     r"(?:(?:of|in|among) (?:a |an |the |these |those )?(?P<of>[^.;,]+)|(?<=one )(?=[.;,])|(?<=one )$)"
 )
 ROW = re.compile(r"\b(?:platoon|convoy|queue|row|line|column|group|string|caravan) of (?P<n>\w+)")
+THEM = re.compile(r"(?:them|these|those|two|three|four|five|six)\b(?! \w+)")
 COUNTS = language.table("actors")["counts"]
 APART = frozenset(("apart", "between", "gap", "gaps", "spacing", "interval", "intervals", "spaced", "headway"))
 IN_LINE = re.compile(
@@ -46,7 +47,7 @@ def ranked(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> tuple[Entit
         elif event.act == "stationary" and (match := IN_LINE.search(event.text)) is not None:
             struck = any(e.act == "collide" and e.done and e.patient is cast.ego for e in clauses.events)
             if match["nth"] or not struck:
-                _in_a_queue(match["nth"], event, cast, of)
+                _in_a_queue(match["nth"], event, cast, clauses, of)
         whole = clauses.render([w.i for w in said])
         if event.act == "stationary" and "park" in whole and (match := BETWEEN.search(whole)) is not None:
             _parked_between(match, cast, clauses, of)
@@ -60,13 +61,16 @@ def _of_a_group(
     ego, near = cast.ego, range(cast.words[event.word].sentence - 1, cast.words[event.word].sentence + 1)
     groups = [e for e in cast.entities if e.count > 1 and e.type in MOTOR]
     groups = [e for e in groups if any(cast.words[m.word].sentence in near for m in e.mentions)]
-    told = ROW.search(match["of"] or "")
+    among = match["of"]
+    if among is not None and not THEM.match(among):
+        groups = [e for e in groups if e.noun and e.noun in among]
+    told = ROW.search(among or "")
     if not groups and told is not None and COUNTS.get(told["n"], 0) > 1:
         noun = ego.noun or "car"
         groups = [_row(ego.type, noun, COUNTS[told["n"]], event, cast, of)]
         of[groups[0]].rel = None
-    if not groups and match["of"] and IN_LINE.search("in the " + match["of"]):
-        _in_a_queue(match["nth"], event, cast, of)
+    if not groups and among and IN_LINE.search("in the " + among):
+        _in_a_queue(match["nth"], event, cast, clauses, of)
     if not groups or of[groups[0]].rel not in (None, "ahead"):
         return None
     group = groups[0]
@@ -116,11 +120,12 @@ def _part(group: Entity, ahead: int, behind: int, cast: Cast, clauses: Clauses, 
             event.also = [*event.also, twin]
 
 
-def _in_a_queue(nth: str | None, event: Event, cast: Cast, of: dict[Entity, Where]) -> None:
+def _in_a_queue(nth: str | None, event: Event, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Those who stand before ego in a queue, where nobody else is told to be there."""
     if nth and NTH.get(nth) == 1:
         return
-    event.act = "stationary"
+    if not any(e.agent.ego and e.act == "stationary" and e.done for e in clauses.events):
+        event.act = "stationary"
     if any(e.type in MOTOR and (w.rel == "ahead" or e.count > 1 and w.rel is None) for e, w in of.items()):
         return
     row = _row("car", "cars", max(NTH.get(nth or "", 0) - 1, 0) or 2, event, cast, of)

@@ -12,6 +12,7 @@ from c2s_engine.interpret.what.bearings import against_the_traffic, sides_by_com
 from c2s_engine.interpret.what.claims import claimed
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.headlines import headline
+from c2s_engine.interpret.what.indicated import indicated
 from c2s_engine.interpret.what.left_untold import left_untold
 from c2s_engine.interpret.what.passing import came_up_behind
 from c2s_engine.interpret.what.passives import unnamed_doers
@@ -57,6 +58,7 @@ def understand(text: str) -> Scene:
     pulled_out(cast, clauses, road)
     against_the_traffic(clauses)
     sides_by_compass(clauses)
+    indicated(cast, clauses)
     places = Places(cast, clauses)
     rules_of_sense(cast, clauses, road)
     left_untold(cast, clauses)

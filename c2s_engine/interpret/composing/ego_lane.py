@@ -37,6 +37,8 @@ def ego_lane_of(scene: Scene) -> str | None:
         below = scene.clauses._below(mention.word)
         texts.append(" ".join(scene.words[i].norm for i in below if i > mention.word))
     texts += _lanes_where(scene)
+    if scene.places.row is not None:  # "the second of three trucks"
+        texts = [t for t in texts if "lane" in t]
     if same := next((m for t in texts if (m := SAME_LANE.search(t))), None):
         begins = min((m.start for m in ego.mentions if f"{same[0]}" in scene.plain[m.start : m.start + 90]), default=0)
         if named := scene.places._last_lane(begins):

@@ -71,7 +71,11 @@ def _may_be_of(scene: Scene, entity: Entity, span: Span, match: re.Match[str]) -
     """Whether the parties that are named with a distance, if any, are ego and that one."""
     start = max(0, span.start - 90) + match.start("whose")
     named = {e for i, e in scene.cast.of.items() if start <= scene.words[i].start < span.start and not e.ego}
-    return not named or named == {entity}
+    if not named:  # "a car comes towards it; the initial distance is 400 m"
+        at = next((w.sentence for w in scene.words if w.start >= span.start), None)
+        named = {e for i, e in scene.cast.of.items() if scene.words[i].sentence == at and not e.ego and e.mover}
+        return not named or entity in named
+    return named == {entity}
 
 
 def _start_ttc(scene: Scene) -> float | None:

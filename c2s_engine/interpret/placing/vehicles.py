@@ -15,6 +15,7 @@ from c2s_engine.interpret.placing.lengthwise import (
     wrong_way,
 )
 from c2s_engine.interpret.scene import Scene, side
+from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.overtakings import PART
 from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.interpret.where.relations import Where, side_of_text
@@ -146,9 +147,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         )
     ):
         return {"position": "intersection_exit", "said": True}
-    passing = scene.does(scene.cast.ego, "overtake") if place.ego_lane == "leftmost" and rel is None else None
-    on_right = rf"@{entity.key} (?:that is )?on (?:the |its )?right\b(?! side)"
-    if passing is not None and passing.patient is entity and re.search(on_right, passing.whole):
+    if rel is None and lane is None and _passed_from_left_lane(scene, entity, place):
         return {"position": "right_lane", "along": "ahead", "said": True}
     if lane == "adjacent" or "adjacent" in roles:
         free = {"leftmost": "right", "rightmost": "left"}.get(place.ego_lane or "")
@@ -190,7 +189,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             or (place.oncoming or place.lanes in (None, 1) and place.kind not in ("motorway",))
             and _cut_side(scene, entity) != "right"
             or scene.does(entity, "leave_road") is not None
-            or rel == "behind"
+            or (rel == "behind" or first is not None and first.act == "follow" and _of_ego(first))
             and (entity.type in URGENT or "lane_change" in acts[: acts.index("overtake")])  # out of ego's lane
         ):
             return {"position": "behind", "said": True}
@@ -207,6 +206,21 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     if "following" in roles:
         return {"position": "behind", "said": True}
     return implied_start(scene, entity, acts, place, first)
+
+
+def _of_ego(event: Event) -> bool:
+    """Whether what another does is about ego."""
+    return event.patient is not None and event.patient.ego
+
+
+def _passed_from_left_lane(scene: Scene, entity: Entity, place: PlaceSpec) -> bool:
+    """Whether ego passes it from the left lane in which it drives already: then it is in the right one."""
+    ego = scene.cast.ego
+    passing = scene.does(ego, "overtake") if place.ego_lane == "leftmost" else None
+    if passing is None or passing.patient is not entity or re.search(r"\bon (?:the |its )right side", passing.whole):
+        return False
+    before = [e for e in scene.events(ego) if e.order < passing.order]
+    return not any(e.act in ("lane_change", "oncoming") or e.patient is entity for e in before)
 
 
 def _kerbside(scene: Scene, entity: Entity) -> str | None:

@@ -61,10 +61,21 @@ def models(text: str, plain: str) -> list[Span]:
         known = model in language.actor_nouns() or model.split()[0] in language.actor_nouns() or model in NO_MODEL
         if known or not match["make"][0].isupper() or not stands_for_a_vehicle(plain, match.start(), match.end()):
             continue
-        kind = language.actor_nouns()[make][0]
+        kind = ridden(plain, match.start(), language.actor_nouns()[make][0])
         data = {"type": kind, "plural": False, "person": False, "noun": make, "roles": [], "words": [], "make": make}
         found.append(Span("actor", match.start(), match.end(), data))
     return found
+
+
+RIDES = re.compile(
+    r"\b(?:(?:rid(?:e|es|ing|den)|rode|astride)|(?:was|am|is|were|out|sat|sitting|got|'m|'s) on)"
+    r" (?:my|his|her|their|our|an?|the) (?:[\w-]+ )?$"
+)
+
+
+def ridden(plain: str, start: int, kind: str) -> str:
+    """The type of a make at that place: a motorcycle where somebody rides it ("riding my Honda")."""
+    return "motorcycle" if kind == "car" and RIDES.search(plain[max(0, start - 40) : start]) else kind
 
 
 NO_MODEL = frozenset(("av", "ads", "i", "and", "driver"))

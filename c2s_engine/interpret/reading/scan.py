@@ -7,7 +7,7 @@ from functools import cache
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.askers import asked
-from c2s_engine.interpret.reading.makes import MAKE, stands_for_a_vehicle
+from c2s_engine.interpret.reading.makes import MAKE, ridden, stands_for_a_vehicle
 from c2s_engine.interpret.reading.parties import other_party, short_labels, some_driver
 from c2s_engine.interpret.spans import Span
 
@@ -60,7 +60,8 @@ def _actor() -> re.Pattern[str]:
     nouns = language.alternatives(list(language.actor_nouns()))
     role = language.alternatives(list(language.roles()))
     return re.compile(
-        rf"(?<![\w-])(?P<roles>(?:(?:{role})[\s-]+)*)(?P<noun>{nouns})(?:[\s-]+(?:target|dummy|surrogate))?(?![\w]|-(?!(?:and|or)\b)\w)"
+        rf"(?<![\w-])(?P<roles>(?:(?:{role})[\s-]+)*)(?:(?:dummy|mock-?up|inflatable)[\s-]+)?(?P<noun>{nouns})"
+        r"(?:[\s-]+(?:target|dummy|surrogate))?(?![\w]|-(?!(?:and|or)\b)\w)"
     )
 
 
@@ -156,6 +157,8 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
             and text[max(0, start - 12) : start].strip().split(" ")[-1] in tables["leads"]
         ):
             continue
+        if noun in tables["with_animals"] and not _of_an_animal(text, start, end):
+            continue
         if noun == "pick up" and text[max(0, start - 3) : start] == "to " or noun == "mini" and _MINI.match(text, end):
             continue
         if noun == "cycle" and re.search(r"\b(?:i|we|to) $", text[max(0, start - 5) : start]):
@@ -179,6 +182,7 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
         if make and make["make"] in language.makes() and not match["roles"]:
             start -= len(make[0])  # "a Honda Civic"
         kind, plural, person = _noun(noun)
+        kind = ridden(text, start, kind) if made else kind
         plural = plural or noun in tables["invariant"] and _several(text, match.start(), end)
         words = re.split(r"[\s]+", match["roles"].strip()) if match["roles"].strip() else []
         known = language.roles()
@@ -211,6 +215,15 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
             continue
         kept.append(span)
     return kept
+
+
+def _of_an_animal(text: str, start: int, end: int) -> bool:
+    """Whether an owner is that of an animal of the text."""
+    owns = re.match(r" (?:of|operator)\b", text[end : end + 10]) or re.search(
+        r"\b(?:vehicle|car|truck|van|bus|bike|house|home|property|shop|land|business|registered)(?:'s)? $", text[:start]
+    )
+    known = language.actor_nouns()
+    return not owns and any(known.get(word, ("",))[0] == "animal" for word in re.findall(r"[a-z]+", text))
 
 
 def _several(text: str, start: int, end: int) -> bool:

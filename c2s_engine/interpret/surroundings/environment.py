@@ -75,17 +75,39 @@ def time_of_day(plain: str, sentences: list[tuple[int, int]]) -> Found | None:
     hits = _hits("time", plain, sentences)
     if not hits:
         return clock(plain)
-    hits = [h for h in hits if not EARLIER.search(plain[: h.span[0]])] or hits
+    always = [m.span() for m in ALWAYS.finditer(plain)]
+    hits = [h for h in hits if not any(start <= h.span[0] < end for start, end in always)] or hits
+    told, late = [h for h in hits if not EARLIER.search(plain[: h.span[0]])], clock(plain)
+    if not told and late is not None:
+        return late
+    hits = told or hits
     if any(h.value == "night" for h in hits):  # a dark evening
         hits = [h for h in hits if not plain[slice(*h.span)].startswith("evening")]
+    elif late is not None and HALF.search(plain[: late.span[1]]) and late.value == "night" and _parts(plain, hits):
+        return late  # "on Wednesday evening at about 9.45 p.m."
     values = [h.value for h in hits]
     if "day" in values and "night" in values:  # "night-time variant of the daytime test": the first that is said
         return min((h for h in hits if h.value in ("day", "night")), key=lambda h: h.span)
     return hits[0]
 
 
-EARLIER = re.compile(r"\b(?:earlier|before|previously)(?: on)?(?: in the| that| this| during the)? $")
-"""What stands before a time that was another: "wet from rain earlier in the evening"."""
+EARLIER = re.compile(
+    r"\b(?:(?:earlier|before|previously)(?: on)?(?: in the| that| this| during the)?"
+    r"|previous|next|following|preceding) $"
+)
+"""What stands before a time that was another: "rain earlier in the evening", "awake since the previous morning"."""
+
+
+def _parts(plain: str, hits: list[Found]) -> bool:
+    """Whether only parts of a day are told."""
+    return all(PART.match(plain[slice(*h.span)]) for h in hits)
+
+
+HALF = re.compile(r"[ap]\.?m\.?$")
+ALWAYS = re.compile(r"\b(?:by )?day(?:time|light)?(?: (?:and|or|as well as) |/)(?:by |at )?night")
+"""What holds at every time: "motorways, day and night"."""
+PART = re.compile("evening|morning")
+"""Words for a part of a day that a time of the clock says more of."""
 CLOCK = re.compile(
     r"\b(?:(?P<hour>[01]?\d|2[0-3])[:.h](?P<minute>[0-5]\d)(?!\d)(?: ?(?P<half>[ap])\.?m\b)?"
     r"|(?P<hour2>1[0-2]|[1-9]) ?(?P<half2>[ap])\.?m\b|(?P<hour3>[01]\d|2[0-3])[0-5]\d (?:hours"

@@ -175,13 +175,13 @@ def is_limit(before: str, after: str) -> bool:
         (
             r"[\s-]*(or (more|above|higher|less|over|faster) (is |are |was )?(allowed|permitted|may)|(is"
             r"|was|being) (the )?(posted |speed )*(limit|allowed|permitted)|(speed )?(limit|zone)"
-            r"|or (more|higher|above) may|(are|is) (allowed|permitted)|(city|urban"
+            r"|(speed )?signs?\b(?! off)|or (more|higher|above) may|(are|is) (allowed|permitted)|(city|urban"
             r"|residential) (street|road)?\s?(limit)|(is|was) posted|may be (driven|done)|posted|max\b"
             r"|tops?\b)"
         ),
         after,
     )
-    if re.search(r"\d( ?(km/?h|kph|mph|k))? in an? $", before):  # "50 in a 30"
+    if re.search(r"\d( ?(km/?h|kph|mph|k))? in an? $|, posted( at)? $", before):  # "50 in a 30", "50 mph, posted 30"
         return True
     return bool(near or follows) and not re.search(
         r"travel|\bdriv(es?|ing)\b|drove|going at|cruis|set speed", before[-25:]

@@ -29,6 +29,12 @@ def overtakings(clauses: Clauses) -> None:
             _past_ego(event, out, back)
 
 
+ROUND = re.compile(
+    r"(?:get|go|steer|swerve|make (?:its|his|her) way|manoeuvre) (?:a?round|past|clear of)\b(?! (?:the )?@ego)"
+)
+SIDEWAYS = frozenset(("lane_change", "cut_in", "cut_out", "swerve", "drift", "evade", "overtake"))
+
+
 def _comes_back_in(clauses: Clauses, passing: list[Event]) -> None:
     """Who comes back in has passed: "a van overtook us; a car was coming, so he dived back in before us"."""
     for event in [e for e in clauses.events if e.act in ("cut_in", "lane_change", "travel") and e.done]:
@@ -41,6 +47,15 @@ def _comes_back_in(clauses: Clauses, passing: list[Event]) -> None:
             event.agent = earlier[-1].agent
         if event.act == "travel" and any(e.agent is event.agent for e in earlier):
             event.act, event.patient = "cut_in", earlier[-1].patient
+
+
+def round_things(clauses: Clauses) -> None:
+    """Why one moves aside is no move of its own: "it veers left to get around a car door"."""
+    for event in [e for e in clauses.events if e.mode == "purpose" and e.patient is None and ROUND.match(e.text)]:
+        number = clauses.words[event.word].sentence
+        moves = (e for e in clauses.events if e is not event and e.agent is event.agent and e.done)
+        if any(e.act in SIDEWAYS and clauses.words[e.word].sentence == number for e in moves):
+            clauses.events.remove(event)
 
 
 def _stands_aside(clauses: Clauses, event: Event) -> bool:

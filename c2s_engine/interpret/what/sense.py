@@ -12,7 +12,7 @@ from c2s_engine.interpret.what.halfway import go_after, set_out
 from c2s_engine.interpret.what.heeded import hindered, merged_back, unheeded
 from c2s_engine.interpret.what.looking_back import looking_back
 from c2s_engine.interpret.what.making_room import makes_room
-from c2s_engine.interpret.what.overtakings import PART, overtakings
+from c2s_engine.interpret.what.overtakings import PART, overtakings, round_things
 from c2s_engine.interpret.what.passing import by_the_other_lane, headings, let_past, out_to_pass, passed
 from c2s_engine.interpret.what.resumed import goes_first, own_turns, waited_turns
 from c2s_engine.interpret.what.there_and_back import there_and_back
@@ -218,6 +218,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     echoes(cast, clauses)
     _meant_and_done(clauses)
     there_and_back(clauses)
+    round_things(clauses)
     overtakings(clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:

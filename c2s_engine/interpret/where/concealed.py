@@ -36,6 +36,10 @@ HIDDEN = (
     rf"@KEY\b[^;]*?\bin (?:the )?(?:blind (?:area|zone)|(?:view |sight |radar )?shadow|cover|lee) of {_A}@(?P<by>a\d+)",
     rf"(?:because of|due to|owing to) {_A}@(?P<by>a\d+)[^.;@]* @ego [^.;@]*(?:not|unable to|n't|cannot|hardly)"
     rf" (?:\w+ )?(?:see|notice|spot|detect) {_A}@KEY\b",
+    rf"@(?P<by>a\d+)\b[^.;@]*?\b(?:so|hence|therefore|thus|why)\b(?: that)? (?:the )?@ego [^.;@]*?"
+    rf"(?:not|n't|cannot|hardly|unable to|never) (?:\w+ ){{0,2}}?(?:see|notice|spot|detect) {_A}@KEY\b",
+    rf"@(?P<by>a\d+)\b[^.;@]*?\b(?:so|hence|therefore|thus|why)\b(?: that)? (?:the )?@ego (?:\w+ ){{0,2}}?"
+    rf"(?:see|notice|spot|detect) {_A}@KEY (?:[\w']+ ){{0,4}}?(?:late|only|just)\b",
     rf"@KEY\b[^.;]*?(?:not|n't|cannot|hardly|never) (?:\w+ ){{0,2}}(?:see|visible|notice|spot|detect)\b[^.;@]*?"
     rf"(?:because of|due to|behind|owing to) {_A}@(?P<by>a\d+)",
     rf"@(?P<by>a\d+) (?:\w+ )?{_TAKES} (?:(?:the|its|our|@ego 's) )?"

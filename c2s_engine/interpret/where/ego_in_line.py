@@ -31,12 +31,12 @@ LANES = {"left": "leftmost", "right": "rightmost"}
 
 
 def ego_in_line(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str | None:
-    """Put the others of such a line ahead of ego and behind it; ego's lane where the line's was told."""
+    """Put the others of such a line ahead of ego and behind it; ego's lane ("": not told), None where there is none."""
     lane = None
     for group in [e for e in cast.entities if e.count > 1 and e in of]:
         told = _number(group, cast) if of[group].lane in (None, "same", *LANES) else None
         if told is not None:
-            lane = LANES.get(of[group].lane or "")
+            lane = LANES.get(of[group].lane or "", "")
             _same(group, told[0], told[1], cast, clauses, of)
             _take_apart(group, told[1], cast, clauses, of)
     return lane

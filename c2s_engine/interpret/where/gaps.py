@@ -63,7 +63,9 @@ class Gaps:
                 if re.search(
                     (
                         r"ahead|in front|behind|away|back|distance|apart|gap|headway|clearance|spacing|separation"
-                        r"|room|up the|from|at|further|beyond|short|before|#dist (to|of|off)|least|along|on\b|down"
+                        r"|room|up the|from|at"
+                        r"|(?:follow|trail|lead)\w* [^;]*\bby #dist"
+                        r"|further|beyond|short|before|#dist (to|of|off)|least|along|on\b|down"
                     ),
                     before + " " + after + " " + text,
                 ) and not (only_ahead and re.search(r"(drive|travel)s? (for )?#dist", text)):

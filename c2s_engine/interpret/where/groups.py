@@ -176,10 +176,11 @@ def _both_sides(group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Wh
     )
     twin = copy(group)
     twin.key, twin.roles, twin.mentions = f"{group.key}0", set(group.roles), list(group.mentions)
-    twin.count = max(1, group.count // 2)
-    group.count = max(1, group.count - twin.count)
-    cast.entities.insert(cast.entities.index(group) + 1, twin)
     off = where.lane in ("parked", "roadside", "sidewalk") or "parked" in group.roles or group.person
+    rows = off and group.type in MOTOR and group.count == 2 and not _counted(group, cast)
+    twin.count = 2 if rows else max(1, group.count // 2)
+    group.count = 2 if rows else max(1, group.count - twin.count)
+    cast.entities.insert(cast.entities.index(group) + 1, twin)
     other = copy(where)
     other.phrases = list(where.phrases)
     for half, side in ((where, "left"), (other, "right")):
@@ -192,6 +193,13 @@ def _both_sides(group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Wh
     for event in clauses.events:
         if event.agent is group:
             event.also = [*event.also, twin]
+
+
+def _counted(group: Entity, cast: Cast) -> bool:
+    """Whether a number is told with a group: "two cars", not "cars"."""
+    counts = language.table("actors")["counts"]
+    at = group.mentions[0].word
+    return any(w.norm in counts or w.tag == "CD" for w in cast.words[max(0, at - 3) : at])
 
 
 EVERY = re.compile(

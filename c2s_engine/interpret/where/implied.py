@@ -33,6 +33,8 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             event.act = "travel"
         if event.done and event.act in ("approach", "travel"):
             _comes(event, clauses, of)
+        if event.done and event.act in ("cross_road", "go_after") and event.agent in of:
+            _same_side(event, clauses, of)
         if event.done and event.act in ("lane_change", "cut_in", "cut_out") and event.agent in of:
             _joins(event, of[event.agent])
         if event.done and event.act in ("lane_change", "overtake") and event.agent in of:
@@ -71,6 +73,22 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             and (EACH_OTHER.search(event.text) or MEET_AT.match(event.text))
         ):
             _towards_each_other(event, of)
+
+
+AFTER = re.compile(r"(?:chase|\w+ (?:\w+ )?after) (?:it|him|her|(?:the |its |his |her )?(?:\w+ )?(?:ball|@a\d+))\b")
+ROLLS = re.compile(r"\bball\b[^.;]*? from (?:the |its )?(?P<side>left|right)\b")
+
+
+def _same_side(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Who runs after one that crosses, or after a ball, comes from the same side."""
+    if not AFTER.match(event.text) or of[event.agent].side is not None or not event.agent.person:
+        return
+    before = [e for e in clauses.events if e.act == "cross_road" and e.order < event.order and e.agent in of]
+    sides = [of[e.agent].side for e in before if e.agent is not event.agent]
+    sentence = clauses.words[event.word].sentence
+    near = clauses.render([w.i for w in clauses.words if w.sentence in (sentence - 1, sentence)])
+    ball = ROLLS.search(near)
+    of[event.agent].side = sides[-1] if sides else ball["side"] if ball else None
 
 
 def _beside_ego(event: Event, of: dict[Entity, Where]) -> bool:

@@ -17,7 +17,7 @@ from c2s_engine.interpret.surroundings.whereabouts import (
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.where.accompanied import WITH_ANOTHER, accompanied, within
 from c2s_engine.interpret.where.both_in import both_in_lane
-from c2s_engine.interpret.where.closures import closed_lanes
+from c2s_engine.interpret.where.closures import closed_lanes, in_closed_lanes
 from c2s_engine.interpret.where.ego_in_line import ego_in_line
 from c2s_engine.interpret.where.groups import abreast, goes_on_abreast, split_groups
 from c2s_engine.interpret.where.implied import implied_places
@@ -26,6 +26,7 @@ from c2s_engine.interpret.where.inferred import Inferred
 from c2s_engine.interpret.where.lane_numbers import number_lanes
 from c2s_engine.interpret.where.own_words import DIRECTED, PLACING, OwnWords
 from c2s_engine.interpret.where.places_in import places_in
+from c2s_engine.interpret.where.ranked import ranked
 from c2s_engine.interpret.where.revealed import reveal
 from c2s_engine.interpret.where.struck import struck_places
 from c2s_engine.interpret.who.mentions import Cast, Entity
@@ -77,9 +78,13 @@ class Places(OwnWords, Inferred):
                 self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
         accompanied(cast, clauses, self.of)
         self.ego_lane = self.ego_lane or closed_lanes(cast, clauses, self.of)
-        self.ego_lane = ego_in_line(cast, clauses, self.of) or self.ego_lane
+        in_line = ego_in_line(cast, clauses, self.of)
+        self.ego_lane = in_line or self.ego_lane
         goes_on_abreast(clauses)
+        in_closed_lanes(cast, clauses, self.of)
         split_groups(cast, clauses, self.of)
+        self.row, lane = ranked(cast, clauses, self.of) if in_line is None else (None, None)
+        self.ego_lane = self.ego_lane or lane
         abreast(clauses, self.of)
         implied_places(cast, clauses, self.of)
         struck_places(cast, clauses, self.of)
@@ -91,7 +96,8 @@ class Places(OwnWords, Inferred):
         self._joined()
         self._encroached()
         self._shared()
-        self.ego_lane = self.ego_lane or number_lanes(cast, clauses, self.of)
+        if self.row is None:
+            self.ego_lane = self.ego_lane or number_lanes(cast, clauses, self.of)
         self._overtaken()
         self._in_the_way()
         self._mutual()
@@ -192,7 +198,7 @@ class Places(OwnWords, Inferred):
             (
                 r"(?:^|, |\band |: )((?:from|to|on|at|in) (?:the |its |@\w+ 's )+(?:left|right)(?:-?hand|most)?"
                 r"(?: side| lane| pavement| sidewalk| footpath| verge| shoulder| kerb| curb| edge)?)"
-                r"(?: (?!(?:and|but)\b)\w+){0,3}$"
+                r"(?:(?<=lane) ,)?(?: (?!(?:and|but)\b)\w+){0,3}$"
             ),
             front,
         )

@@ -240,7 +240,8 @@ class Members(ByPlace):
         """Whom "both" or "the two" mean: a group, those of a joint subject, else the last two spoken of."""
         earlier = [self.of[i] for i in sorted(self.of) if i < word.i and self.of[i].mover]
         groups = [e for e in earlier if e.count > 1]
-        if groups:
+        since = list(dict.fromkeys(e for e in earlier[earlier.index(groups[-1]) :] if e.count == 1)) if groups else []
+        if groups and not (groups[-1].roles & {"parked", "stationary"} and len([e for e in since if not e.ego]) > 1):
             return groups[-1]
         joint = self._joint(word)
         doer = self._subject_of(self._governor(word)) if word.dep in ("dobj", "pobj", "npadvmod") else None

@@ -19,6 +19,20 @@ SEES = language.words("notices") | {"watch", "hear", "look", "help"}
 WALKS_WITH = language.words("walks_with")
 PUSHED = frozenset(("bicycle", "motorcycle", "box", "debris", "trash", "container", "obstacle"))
 FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
+_LANE = (
+    r"(?:in|on|along) (?:the|its|our|my|both|all|all the|the other) (?:(?:two|three|outer|inner) )?"
+    r"(?:(?:left|right|adjacent|neighbou?ring|next|other|second|middle|cent(?:er|re)|fast|slow|passing|overtaking|through)"
+    r"(?: ?- ?hand)?(?: hand)? )?lanes?(?: (?:to|on) (?:its|the|our|my) (?:left|right))?"
+)
+IN_LANE = re.compile(rf"{_LANE}(?=(?: ,)?(?: the| \w+)? \$|$| [.,;]| and\b| at\b| moving\b| driving\b| travelling\b)")
+MOVES_ON = re.compile(
+    r"(?:(?:is|was|still|just|now|only|\w+ly|goes on|keeps(?: on)?|kept|continues(?: to)?|carries on) )*"
+    r"(?:mov|flow|crawl|creep|inch|travel|driv|go(?:es|ing)|run|roll|pass|do(?:es|ing)|stand|com|proceed)"
+)
+BUSY = re.compile(
+    rf"{_LANE} (?:(?:is|was|are|remains?|keeps?|goes|continues|stays?) )(?:on |to )?(?:\w+ly |very |quite )?"
+    r"(?:heavy|dense|busy|slow|steady|fast|constant|continuous|mov|flow|crawl|creep|roll|drive|driving|go)"
+)
 FIXED = frozenset(language.table("actors")["fixed"])
 PLACED_BY = frozenset(("between", "at", "by", "near", "beside", "past", "outside", "opposite"))
 HEADS = frozenset(("actors", "objects", "vehicles", "participants", "users", "agents", "npcs", "obstacles", "others"))
@@ -128,7 +142,19 @@ class NotThere:
         after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 16] if w.sentence == word.sentence)
         acts = re.match(language.table("actors")["traffic_acts"], after) is not None
         fills = FILLS.search(" ".join(self._near(word))) is not None
-        return fills or acts and word.dep in ("nsubj", "nsubjpass", "ROOT")
+        return fills or acts and word.dep in ("nsubj", "nsubjpass", "ROOT") or self._flows(word)
+
+    def _flows(self, word: Word) -> bool:
+        """Whether traffic is said to be in a lane, or to move there: "in the left lane traffic goes on flowing"."""
+        own = [w for w in self.words if w.sentence == word.sentence]
+        before = " ".join(w.norm for w in own if w.i < word.i)
+        after = " ".join(w.norm for w in own if w.i > word.i)
+        there = re.search(r"\bthere (?:is|was) (?:[\w-]+ ){0,3}$", before + " ")
+        if there is not None and IN_LANE.match(after):
+            return True
+        return (
+            IN_LANE.search(before + " $") is not None and MOVES_ON.match(after) is not None or bool(BUSY.match(after))
+        )
 
     def _reports(self, word: Word) -> bool:
         """Whether police only say something or are told it: "he told troopers", "according to officers"."""

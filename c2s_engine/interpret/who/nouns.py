@@ -51,7 +51,7 @@ class Nouns(Introduced, NotThere, Counted):
                     entity.roles |= roles
                     return entity
             return self._new(Entity("", "vehicle", label=data["label"], roles=roles))
-        if noun in TWO_WHEELERS and kind == "bicycle" and self._motor_bike(word):
+        if noun in TWO_WHEELERS and kind == "bicycle" and (self._motor_bike(word) or self._splits_lanes(word)):
             kind = "motorcycle"
         if kind == "car" and noun in language.makes() and self._ridden(word):
             kind = "motorcycle"
@@ -110,7 +110,7 @@ class Nouns(Introduced, NotThere, Counted):
                 return several[-1]  # "three pupils cross ... until every child is across"
         if previous == "neither" and kind in MOTOR:
             data, noun = {**data, "plural": True}, language.plurals(noun)[0]  # "neither car brakes": of two
-        count = self._count(word, before, data)
+        count = 2 if noun == "traffic" and not roles and self._flows(word) else self._count(word, before, data)
         parties = self._parties(word, before, data, roles)
         if parties is not None:
             return parties
@@ -252,6 +252,11 @@ class Nouns(Introduced, NotThere, Counted):
         person = any(w.norm in THIRD or w.i in self.of and self.of[w.i].person for w in owners)
         mine = any(w.i in self.of and self.of[w.i].ego for w in owners)
         return person and not mine and all(e.noun != noun for e in self.entities)
+
+    def _splits_lanes(self, word: Word) -> bool:
+        """Whether a bike is one that splits the lanes: a motorcycle."""
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 8] if w.sentence == word.sentence)
+        return re.search(r"\b(?:split|filter)\w* (?:\w+ ){0,3}lanes?\b|\blane ?-? ?split", after) is not None
 
     def _motor_bike(self, word: Word) -> bool:
         """Whether "the bike" is a motorcycle spoken of before, as no bicycle was."""

@@ -19,6 +19,7 @@ SHOWS = language.words("notices") | language.words("has_before_one") | {"be", "s
 STANDS = frozenset(("parked", "stationary"))
 HAS = frozenset(("on", "in", "with", "aboard", "astride", "behind"))
 """How one is told to have something with oneself."""
+OWNERS = frozenset(language.table("actors")["with_animals"])
 BUMPED = language.words("bumped")
 MOVES = language.word_list("motion") | {"leave"}
 ROOTED = frozenset(language.table("actors")["fixed"]) | {"tree", "trees"}
@@ -134,6 +135,8 @@ class Pronouns(Persons):
                 return False
             return (not alive and e.sex != "i" and e.mover or e.type in things) and not (i and e.ego)
 
+        if (owned := self._owned(word)) is not None:
+            return owned
         if word.dep == "nsubj" and (near := comes_near(self.words, self.of, word)) is not None:
             return near
         if word.dep == "nsubj" and (animal := self._animal_before(word)) is not None:
@@ -145,6 +148,15 @@ class Pronouns(Persons):
         if found is None and bumped:
             found = self._salient(word, lambda e: e.type == "animal")
         return found
+
+    def _owned(self, word: Word) -> Entity | None:
+        """The animal whose owner is told of, or after which somebody runs: "its owner runs after it"."""
+        head = self.words[word.head]
+        runner = self._subject_of(self._governor(word)) if word.dep == "pobj" and head.norm == "after" else None
+        runs = runner is not None and runner.person and runner.type != "animal"
+        if not (word.dep == "poss" and head.norm in OWNERS or runs):
+            return None
+        return next((e for e in reversed(self.entities) if e.type == "animal"), None)
 
     def _animal_before(self, word: Word) -> Entity | None:
         """The animal that alone was the subject of the sentence before ("a deer stands on the verge. It leaps"), or

@@ -9,7 +9,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.reading.motions import irregular
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.members import Members
+from c2s_engine.interpret.who.place_words import BESIDE, PlaceWords
 
 MINE = frozenset(language.table("actors")["pronouns"]["ego"])
 STRIKES = language.words("strikes")
@@ -18,16 +18,15 @@ BOWS = language.words("bows")
 WAITS = language.words("waits")
 ABORTS = ("abort", "abandon", "cancel", "give")
 BEGINS = language.words("begins")
-HAS = language.words("has_before_one") | language.words("notices") | {"see", "find", "detect", "carry"}
-PLACES = ("ahead", "front", "behind", "beside", "alongside", "in", "at", "to", "on", "next")
 GONE = ("go", "pass", "clear", "leave", "vanish", "disappear", "cross")
 STANDS = ("be", "stand", "sit", "wait", "appear")
 GOES = ("drive", "run", "travel", "ride", "cruise", "keep", "stay", "hang", "move", "go", "come")
-BESIDE = re.compile(r"(to|on|in|at) (left|right|front|rear)\b")
+PAST = frozenset(("around", "round", "past"))
+LETS = ("let", "lets", "allow", "permit")
 AT_TAIL = re.compile(r"(off|on|from|behind) (rear|back|bumper|tail)\b")
 
 
-class Salience(Members):
+class Salience(PlaceWords):
     """The part of Cast that finds who is spoken of, by the grammar of the words before."""
 
     def _near(self, word: Word) -> list[str]:
@@ -61,7 +60,12 @@ class Salience(Members):
         if word.dep == "poss" and above.norm in BOWS and self.words[max(0, word.i - 1)].norm == "across":
             clash = self._subject_of(verb)  # nobody goes across its own bows
         if word.dep == "poss" and BESIDE.match(self._around(word.i)) and above.dep == "pobj":
-            clash = self.of.get(self.words[above.head].head) or clash  # "a coach to its left": not the coach's own
+            placed = self.words[self.words[above.head].head]
+            if placed.norm in ("lane", "side"):  # "five cars in the lane to its left"
+                placed = self.words[self.words[placed.head].head]
+            clash = self.of.get(placed.i) or clash  # "a coach to its left": not the coach's own
+        if word.dep == "nsubj" and (polite := self._lets_before(word, verb)) is not None and accept(polite):
+            return polite
         if (twin := self._gapped(word)) is not None and accept(twin):
             return twin
         holder = self._placed(word)
@@ -122,7 +126,9 @@ class Salience(Members):
         told = [p for p in told if self._governor(self.words[p[0]]).dep != "pcomp"] or told
         sentence = told or sentence
         if word.dep in ("dobj", "pobj", "poss"):
-            near = [i for i in last if self.words[i].sentence == word.sentence]
+            if self.words[word.head].norm in PAST and (led := self._object_of(verb, word.i)) is not None:
+                last = [i for i in last if self.of[i] is not led] or last  # "follows the van around it"
+            near = self._unplacing(word, clash, [i for i in last if self.words[i].sentence == word.sentence])
             if clash is not None and near:
                 before = self._governor(self.words[sentence[-1][0]]) if sentence else word
                 fronted = before.dep == "advcl" and before.i < word.i < verb.i  # "while V1 waited, a car behind it"
@@ -178,6 +184,13 @@ class Salience(Members):
                 return self._subject_of(other)
         return None
 
+    def _lets_before(self, word: Word, verb: Word) -> Entity | None:
+        """Who lets others go before it does something: "ego lets a cyclist and a car pass before it turns"."""
+        if "before" not in (self.words[c].norm for c in verb.children if c < word.i):
+            return None
+        lets = [w for w in self.words[: word.i] if w.sentence == word.sentence and w.verb and w.lemma in LETS]
+        return self._subject_of(lets[-1]) if lets else None
+
     def _placed(self, word: Word) -> Entity | None:
         """Who is placed by a pronoun: the truck of "the truck ahead of it"."""
         above = self.words[word.head]
@@ -204,38 +217,9 @@ class Salience(Members):
         spans = [self.words[c].span for c in verb.children if self.words[c].dep == "nsubj"]
         return self.ego if any(s is not None and s.kind == "ego" for s in spans) else None
 
-    def _held_before(self, verb: Word, place: Word) -> Entity | None:
-        """Whom somebody has or sees beside itself: the van of "ego has a van ahead of it"."""
-        if not verb.verb or irregular().get(verb.norm, verb.lemma) not in HAS or place.norm not in PLACES:
-            return None
-        held = [c for c in verb.children if self.words[c].dep == "dobj" and verb.i < c < place.i]
-        return self.of.get(held[-1]) if held else None
-
     def _finite(self, verb: Word) -> bool:
         """Whether a verb is no infinitive ("for the traffic to clear")."""
         return not any(self.words[c].norm == "to" and self.words[c].dep == "aux" for c in verb.children)
-
-    def _parallel(self, word: Word) -> Entity | None:
-        """Whom "its" meant just before in the same place: "a bus is on its right, a car on its left"."""
-        if not BESIDE.match(self._around(word.i)):
-            return None
-        for earlier in reversed(self.words[: word.i]):
-            if earlier.sentence != word.sentence:
-                return None
-            if earlier.norm == word.norm and BESIDE.match(self._around(earlier.i)):
-                return self.of.get(earlier.i)
-        return None
-
-    def _gapped(self, word: Word) -> Entity | None:
-        """Whom "it" meant just before, where no verb stands between: "a car is in front of it, a truck behind it"."""
-        if word.dep != "pobj" or self.words[word.head].norm not in ("of", "behind", "beside", "to", "alongside"):
-            return None
-        for earlier in reversed(self.words[: word.i]):
-            if earlier.sentence != word.sentence or earlier.verb:
-                return None
-            if earlier.norm == word.norm and earlier.dep == "pobj":
-                return self.of.get(earlier.i)
-        return None
 
     def _on_its_side(self, word: Word, verb: Word) -> bool:
         """Whether somebody stands or goes along on the side that a possessive names: it is not its own side."""
@@ -262,10 +246,6 @@ class Salience(Members):
             and bool({"lane", "path"} & set(after))
             and not {"back", "again", "own", "return"} & (clause | set(after))
         )
-
-    def _around(self, i: int) -> str:
-        """The words before and after a word."""
-        return " ".join(w.norm for w in self.words[max(0, i - 1) : i + 2 : 2])
 
     def _main_subject(self, i: int) -> bool:
         return self.words[self.words[i].head].dep in ("ROOT", "conj", "ccomp")

@@ -90,7 +90,8 @@ class Strangers:
         verb = self.words[word.head]
         joined = [self.words[c] for c in verb.children if self.words[c].dep == "conj"]
         own = {w.i for w in joined if not any(self.words[c].dep.startswith("nsubj") for c in w.children)}
-        verbs = [verb, *(w for w in joined if w.i in own)]
+        told = [self.words[c] for c in word.children if self.words[c].dep == "relcl"]
+        verbs = [verb, *(w for w in joined if w.i in own), *told]
         rides = "passenger" in word.norm or "occupant" in word.norm
         after = [" ".join(w.norm for w in self.words[v.i : v.i + 7]) for v in verbs]
         off_road = not rides and any(AT_SPEED.match(text) for text in after)
@@ -107,7 +108,11 @@ class Strangers:
                 after,
             )
             or re.match(
-                r"(?:sort|load|unload)\w* |st(?:and|ood)\w* (?:right )?(?:at|by|beside|next to|outside) ", after
+                r"(?!.*\b(?:lights?|red|queue|signal)\b)(?:stand|stood)\w* (?:\w+ )?"
+                r"(?:(?:behind|beside|next to|between|outside|by) (?:the|his|her|its|their|an?)\b"
+                r"|at (?:the|his|her|its|their) (?:[\w']+ ){0,3}?(?:doors?|boot|tailgate|rear|back|hatch|trunk)\b)"
+                r"|(?:unload|load|sort)\w* |kneeling |crouching ",
+                after,
             )
             or re.match(r"(?:walk|stroll|limp|kneel|crouch)\w* |step\w* (?!on the (?:brake|gas|acc|pedal))", after)
             or re.match(

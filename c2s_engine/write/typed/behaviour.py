@@ -76,6 +76,9 @@ def _phases(actor: Actor) -> list[Phase]:
     phases = list(actor.spec.phases)
     if actor.approach:
         phases = _up_to_contact(phases)
+    if not actor.is_ego and 1 not in actor.plan.offsets:  # by the oncoming lane: the overtaking says so
+        after = [*(p.action for p in phases[1:]), ""]
+        phases = [p for i, p in enumerate(phases) if (p.action, after[i]) != ("oncoming", "overtake")]
     if not actor.plan.junction or not (actor.is_ego or actor.approach):
         return phases
     for i, (phase, then) in enumerate(zip(phases, phases[1:], strict=False)):

@@ -51,9 +51,9 @@ def collides(c: Course, p: Phase) -> list[Step]:
         return _at_last(other, _level(c, other), goal)
     faster = max(goal, c.target_speed(p) + 4)
     if side := _leaves_the_lane(c.actor.structure):  # after it
-        line = c.onto(side)
+        line = [c.onto(side)] if (c.lane or 0) + side in c.actor.plan.offsets else []
         first, *rest = _at_last(other, c.drive(c.set(faster)), faster)
-        return [([line, *first[0]], first[1]), *rest]
+        return [([*line, *first[0]], first[1]), *rest]
     strike = _at_last(other, c.drive(scope.number(faster) if faster > goal else None), faster)
     if until := slowed(c.actor, p.target):  # behind it until then
         behind = c.drive(f"lambda: pace(self, {other}, {scope.number(faster)})", 4)

@@ -124,7 +124,7 @@ def _driver(
         spec.type == "bicycle" and any(p.action in ("cross_road", "enter_road") for p in spec.phases) and spot.off_road
     )
     if crossing:
-        return _rider_across(structure, spec, plan, prefix, speed)
+        return _rider_across(structure, cid, spec, plan, prefix, speed)
     standing = high(speed) == 0
     actor = Actor(
         cid=cid,
@@ -262,16 +262,20 @@ def _walker(
 
 
 def _rider_across(
-    structure: Structure, spec: ObjectSpec, plan: Plan, prefix: str, speed: float | tuple[float, float]
+    structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, prefix: str, speed: float | tuple[float, float]
 ) -> list[str]:
     """A cyclist that crosses the road from beside it."""
     value = middle(speed) or 4.0
     phase = next(p for p in spec.phases if p.action in ("cross_road", "enter_road"))
     own = f"{prefix}_SPEED" if high(speed) > 0 else scope.number(value)
-    return [
+    lines = [
         f"while not ({_start_condition(structure, spec, phase, plan, value)}):",
         "    wait",
         "line = straight_on(self)",
         f"take SetSpeedAction({own})",
         f"do Drive(line, {own})",
     ]
+    ego = structure.ego.spec
+    if isinstance(ego, EgoSpec) and is_hit(ego, cid):  # it is still there when ego comes
+        lines[-1:] = [f"do Drive(line, {own}) until {_to_lane(spec)} < 1", "do Drive(line, 0, rate=8)"]
+    return lines

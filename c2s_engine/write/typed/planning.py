@@ -60,7 +60,9 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     )
     speed, top = middle(speed_of(ego, place)), high(speed_of(ego, place))
     duration = getattr(restrictions, "duration", None) or 20.0
-    set_out = frozenset(cid for cid, o in objects.items() if _sets_out(o) and (hits_ego(o) or is_hit(ego, cid)))
+    crossing = {cid: o for cid, o in objects.items() if o.placement.position in APPROACH_ANGLE}
+    met = frozenset(cid for cid, o in crossing.items() if hits_ego(o) or is_hit(ego, cid))
+    set_out = frozenset(cid for cid in met if _sets_out(objects[cid]))
     plan = Plan(
         place=place,
         duration=duration,
@@ -79,6 +81,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         ramp=ramp,
         exit_room=rooms.behind_junction(objects, speed, place),
         lane_of=lane_of,
+        met=met,
         set_out=set_out,
         leads=lanes.leads(ego, objects, lane_of, speed, place),
     )

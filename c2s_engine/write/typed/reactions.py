@@ -66,11 +66,11 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     lines[-1] += "".join(f" or near(self, {one})" for one in aside) if others else ""
     for c in met:
         one = scope.reference(s, c)
+        brakes = (
+            f"Drive(line, 0, rate={rate}) until need(self, {one}) <= 0" if _beside(s, c) else f"Ram({one}, 0, {rate})"
+        )
         if not _beside(s, c) or is_moving(s, c):
-            lines += [
-                f"interrupt when need(self, {one}) > 6:",
-                f"    do Ram({one}, 0, {rate})",
-            ]
+            lines += [f"interrupt when need(self, {one}) > 6:", f"    do {brakes}"]
     return lines if others or len(lines) > len(statements) + 1 else statements
 
 

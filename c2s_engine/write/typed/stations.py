@@ -7,7 +7,7 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, MOVES_OFF_ROAD, WORKS, is_vehicle, is_walker
-from c2s_engine.write.typed.usual import default_gap, right_behind, speed_of
+from c2s_engine.write.typed.usual import crosses_there, default_gap, right_behind, speed_of
 
 OWN_PLACE = {*APPROACH_ANGLE, "oncoming_lane", "on_ramp", "intersection_exit", *MOVES_OFF_ROAD}
 """Positions that name where somebody is, whomever they are seen from."""
@@ -15,6 +15,8 @@ FROM_END = {*APPROACH_ANGLE, "on_ramp"}
 """Positions measured back from the end of their lane."""
 CLOSEST = 0.3
 """m between the members of a row at least."""
+BEFORE_JUNCTION = 5.0
+"""m before a junction where those cross who cross at its crosswalk."""
 RIGHT_BEHIND = 0.6
 """m from what hides somebody to who stands by it."""
 
@@ -39,7 +41,10 @@ def gap(spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
     if spec.placement.gap is not None:
         return spec.placement.gap
     place = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place  # it stands before the merge
-    return default_gap(spec, plan.ego_top if along(spec) > 0 else plan.ego_speed, place)
+    usual = default_gap(spec, plan.ego_top if along(spec) > 0 else plan.ego_speed, place)
+    if place.kind == "intersection" and place.crosswalk and plan.distance is not None and crosses_there(spec):
+        return max(usual, middle(plan.distance) - BEFORE_JUNCTION)
+    return usual
 
 
 def row_beyond(parent: ObjectSpec, ahead: bool) -> float:
@@ -115,7 +120,7 @@ def to_junction(cid: str, spec: ObjectSpec, plan: Plan) -> float | tuple[float, 
     far = middle(plan.distance or 40)
     seconds = far / max(plan.ego_speed, 4) if plan.ego_speed > 0 else math.sqrt(far + 5)
     lead = 6 if spec.placement.position == "opposite_approach" else 3
-    lead -= 15 if plan.place.kind == "roundabout" else 0  # it still has a piece of the ring to go
+    lead -= 15 if plan.place.kind == "roundabout" and cid in plan.met else 0  # it has a piece of the ring to go
     return max(8.0, min(own * seconds + lead, 130.0)) if own > 0 else 8.0
 
 

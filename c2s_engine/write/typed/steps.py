@@ -126,7 +126,8 @@ def _reverse(c: Course, p: Phase) -> list[Step]:
     c.backwards = True
     pace = c.wanted(p, c.value or 2)
     spec, back = c.actor.spec, f"do Backwards({scope.number(pace)})"
-    if hit := next((q for q in spec.phases if q.action == "collide"), None):
+    hit = next((q for q in spec.phases if q.action == "collide"), None)
+    if hit is not None and hit_next(c, p):
         return backs_into(c, c.actor.ref(hit.target), pace)
     if isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD:  # as far as onto the lane
         onto = f"for {scope.number(reach(spec, c.actor.plan.place) / max(pace, 0.5))} seconds"

@@ -132,6 +132,15 @@ def uses_crosswalk(o: ObjectSpec) -> bool:
     return crosses and placement.position in ("roadside", "sidewalk") and not own and not right_behind(o)
 
 
+def crosses_there(o: ObjectSpec) -> bool:
+    """Whether somebody on foot or on a bicycle crosses ego's road, where nothing says how far ahead."""
+    placement = o.placement
+    crosses = (is_walker(o.type) or o.type == "bicycle") and any(p.action == "cross_road" for p in o.phases)
+    own = placement.of != "ego" or placement.along in ("abreast", "behind") or placement.hidden_by
+    triggered = any(p.trigger is not None for p in o.phases)
+    return crosses and placement.position in ("roadside", "sidewalk") and not own and not triggered
+
+
 def walks_first(o: ObjectSpec) -> bool:
     """Whether somebody on foot goes along the road before crossing it."""
     return is_walker(o.type) and bool(o.phases) and o.phases[0].action == "move_along"

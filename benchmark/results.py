@@ -1,5 +1,6 @@
 """Outcomes and scores together: what tables, JSON, comparison and the results file are made of."""
 
+import hashlib
 import json
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass
@@ -12,6 +13,10 @@ from c2s_bench.scorer import AtomScore, RecordScore, Totals, score, totals
 from c2s_bench.tasks import Outcome, Setup
 from c2s_engine.paths import cache_folder
 from c2s_engine.structure.facts import RunFacts
+
+
+LONGEST_NAME = 120
+"""Characters of a name of results that its file keeps."""
 
 
 @dataclass(frozen=True)
@@ -123,8 +128,11 @@ def as_json(results: Sequence[Result], setup: Setup, reveal: bool) -> dict[str, 
 
 
 def results_file(name: str) -> Path:
-    """Where the last results under a name lie."""
-    return cache_folder() / "bench" / "results" / f"{name.replace('/', '_').replace(':', '_')}.jsonl"
+    """Where the last results under a name lie; a name too long for a file is cut and told by its digest."""
+    plain = name.replace("/", "_").replace(":", "_")
+    if len(plain) > LONGEST_NAME:
+        plain = f"{plain[:LONGEST_NAME]}-{hashlib.sha256(plain.encode()).hexdigest()[:12]}"
+    return cache_folder() / "bench" / "results" / f"{plain}.jsonl"
 
 
 def save(results: Sequence[Result], file: Path) -> None:

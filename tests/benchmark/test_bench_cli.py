@@ -51,6 +51,14 @@ def test_what_is_known_is_not_run_again(calls, own):
     assert len(calls.read_text()) == 9
 
 
+def test_results_of_many_files_have_a_name_that_a_disk_takes(calls, own, tmp_path):
+    several = [tmp_path / f"{'records' * 6}_{i}.yaml" for i in range(8)]
+    for i, file in enumerate(several):
+        file.write_text(own.read_text(encoding="utf-8").replace("mine-0", f"mine-{i}"), encoding="utf-8")
+    flags = [flag for file in several for flag in ("--records", file)]
+    assert json.loads(bench(*flags, "--runs", 1, "--jobs", 0, "--json", *FAKE))["total"]["number"] == 24
+
+
 def test_an_interrupted_run_goes_on_where_it_stopped(calls, own):
     tasks = tasks_for(load([own]), Setup(runs=1))
     outcomes = run(tasks, Store(), engine="bench_fake:engine")

@@ -14,7 +14,6 @@ from c2s_bench.tasks import Outcome, Setup
 from c2s_engine.paths import cache_folder
 from c2s_engine.structure.facts import RunFacts
 
-
 LONGEST_NAME = 120
 """Characters of a name of results that its file keeps."""
 

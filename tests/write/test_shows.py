@@ -19,6 +19,7 @@ def missing(thing: ObjectFacts, wanted: list[str], components: dict[str, str]) -
     """Which of the wanted events and speeds an object of a run does not show."""
     seen = {e.event for e in thing.events}
     seen |= {f"{e.event} {components[e.other]}" for e in thing.events if e.other}
+    seen |= {f"hidden_behind {components[name]}" for name in thing.hidden_behind}
     return [w for w in wanted if not _holds(thing, w, seen)]
 
 

@@ -1,12 +1,16 @@
 """Phases to a Scenic behaviour: each becomes one `do`, ended by the next phase's trigger or its own completion."""
 
-from c2s_engine.structure.specs import Phase, Trigger
+from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor, Course
+from c2s_engine.write.typed.order import STANDS
+from c2s_engine.write.typed.overtakings import nearest
 from c2s_engine.write.typed.steps import Step, steps
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, TURN
+from c2s_engine.write.typed.towards import its_turn
 from c2s_engine.write.typed.triggers import implicit, stated
 
-ONWARD = {"start", "wait", "go_straight", "turn_left", "turn_right", "accelerate", "collide"}
+ONWARD = {"start", "wait", "yield", "go_straight", "turn_left", "turn_right", "accelerate", "collide"}
 ON_THE_WAY = {
     "go_straight",
     "turn_left",
@@ -18,9 +22,13 @@ ON_THE_WAY = {
     "brake",
     "accelerate",
 }
-"""What the line over the junction, its lights and signs already say."""
+"""What the line over the junction, its lights and signs already say, or the speed at which it arrives."""
+ELSEWHERE = {*APPROACH_ANGLE, "behind", "oncoming_lane"}
+"""Where those start who are no reason for ego to stop before the junction."""
 SLOW = "5"
 """m/s at which somebody comes up to where it first stands."""
+AT_SIGN = {"run_stop", "stop", "yield", "wait", "stationary"}
+"""What says itself what ego does at its stop sign."""
 AT_EDGE = Trigger(kind="place", place="intersection", value=0)
 
 
@@ -29,7 +37,7 @@ def body(actor: Actor) -> list[str]:
     course = Course(actor)
     out = [f"line = {actor.line}"]
     if actor.value > 0:
-        out.append(f"take SetSpeedAction({SLOW if actor.cid in actor.plan.set_out else actor.speed})")
+        out.append(f"take SetSpeedAction({SLOW if actor.sets_out else actor.speed})")
     done = _steps(course)
     for i, (statements, until) in enumerate(done):
         *before, final = statements
@@ -57,8 +65,9 @@ def _up_to_contact(phases: list[Phase]) -> list[Phase]:
 def _steps(course: Course) -> list[Step]:
     phases = _phases(course.actor)
     done: list[Step] = []
+    course.behind = _overtaken_later(course, phases)
     if not phases or phases[0].trigger is not None or implicit(course, phases[0]):
-        done.append(([course.drive(SLOW if course.actor.cid in course.actor.plan.set_out else None)], ""))
+        done.append(([course.drive(SLOW if course.actor.sets_out else None)], ""))
     for i, phase in enumerate(phases):
         condition = stated(course, phase) if phase.trigger else implicit(course, phase, i == 0)
         if condition:
@@ -67,8 +76,45 @@ def _steps(course: Course) -> list[Step]:
             gaining = course.catching_up(phase) if phase.action == "cut_in" and not phase.trigger else None
             before = [course.drive(scope.number(gaining))] if gaining and i == 0 else done[-1][0]
             done[-1] = (before, condition)
+        course.behind = _overtaken_later(course, phases[i:])
         done.extend(steps(course, phase))
+        if _at_edge(course.actor, phase, i) and (turn := its_turn(course.actor)):
+            done.append(([course.drive("0", 4)], f"until {turn}"))
     return done
+
+
+def _overtaken_later(course: Course, phases: list[Phase]) -> str:
+    """Whom it overtakes in its lane, where it does something else before; "": nobody."""
+    later = next((p for p in phases[1:] if p.action == "overtake"), None)
+    if later is None or course.lane is None or not course.same_lane(later):
+        return ""
+    return nearest(course, later)
+
+
+def _at_edge(actor: Actor, phase: Phase, i: int) -> bool:
+    """Whether somebody stands at the junction's edge after its i-th phase."""
+    return phase.trigger == AT_EDGE or i == 0 and actor.is_ego and actor.value <= 0 and phase.action in STANDS
+
+
+def _just_waits(phase: Phase) -> bool:
+    return phase.action == "wait" and phase.duration is None and phase.trigger is None
+
+
+def _gives_way_first(phases: list[Phase]) -> list[Phase]:
+    """The phases with letting others pass before the way over the junction that S names first."""
+    for i, (phase, then) in enumerate(zip(phases, phases[1:], strict=False)):
+        if phase.action in TURN and then.action == "yield" and phase.trigger is None and then.trigger is None:
+            return [*phases[:i], then, phase, *phases[i + 2 :]]
+    return phases
+
+
+def _before_junction(actor: Actor, phases: list[Phase]) -> bool:
+    """Whether the stop that comes last in these phases is for the junction: nobody on ego's own way is there to stop
+    for, and it has not turned yet."""
+    if {p.action for p in phases} & TURN.keys() or any(p.action == "collide" for p in actor.spec.phases):
+        return False
+    specs = [c.spec for c in actor.structure.objects if isinstance(c.spec, ObjectSpec)]
+    return not actor.is_ego or all(s.placement.position in ELSEWHERE for s in specs)
 
 
 def _phases(actor: Actor) -> list[Phase]:
@@ -76,15 +122,23 @@ def _phases(actor: Actor) -> list[Phase]:
     phases = list(actor.spec.phases)
     if actor.approach:
         phases = _up_to_contact(phases)
-    if not actor.is_ego and 1 not in actor.plan.offsets:  # by the oncoming lane: the overtaking says so
+    if 1 not in actor.plan.offsets:  # by the oncoming lane: the overtaking says so
         after = [*(p.action for p in phases[1:]), ""]
         phases = [p for i, p in enumerate(phases) if (p.action, after[i]) != ("oncoming", "overtake")]
     if not actor.plan.junction or not (actor.is_ego or actor.approach):
         return phases
-    for i, (phase, then) in enumerate(zip(phases, phases[1:], strict=False)):
-        stands = phase.action == "stop" or i == 0 and actor.cid in actor.plan.set_out
-        if stands and phase.trigger is None and then.action in ONWARD:  # at the junction's edge
+    phases = _gives_way_first(phases)
+    for i, phase in enumerate(phases):
+        then = phases[i + 1] if i + 1 < len(phases) else None
+        if i == 0 and actor.is_ego and actor.value <= 0 and phase.action == "stop" and then is not None:
+            phases[i] = phase.model_copy(update={"action": "stationary"})  # it stands there
+            continue
+        stands = phase.action == "stop" or i == 0 and actor.sets_out
+        onward = then is not None and then.action in ONWARD
+        if stands and phase.trigger is None and (onward or _before_junction(actor, phases[: i + 1])):
             phases[i] = phase.model_copy(update={"action": "stop", "trigger": AT_EDGE, "duration": None})
+            if then and _just_waits(then) and its_turn(actor):
+                return [*phases[: i + 1], *phases[i + 2 :]]
     if not actor.is_ego:
         return phases
     actions = {p.action for p in phases}
@@ -92,7 +146,7 @@ def _phases(actor: Actor) -> list[Phase]:
     control = actor.plan.place.control
     if control == "signal" and light == "red" and not actions & {"run_red", "stop", "stationary"}:
         return [*phases, Phase(action="stop", trigger=AT_EDGE)]
-    gives_way = actions & {"run_stop", "stop", "yield"} or getattr(actor.spec, "reaction", "") == "yield"
+    gives_way = actions & AT_SIGN or getattr(actor.spec, "reaction", "") == "yield" or actor.value <= 0
     if control == "stop" and not gives_way:
         stop = Phase(action="stop", trigger=AT_EDGE)
         return [stop, Phase(action="wait", duration=1.0), Phase(action="start"), *phases]

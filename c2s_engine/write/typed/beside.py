@@ -70,20 +70,3 @@ def _facing(spec: ObjectSpec, left: bool) -> str:
     if spec.placement.facing == "against":
         return "180 deg relative to "
     return ""
-
-
-def hidden(structure: Structure, spec: ObjectSpec) -> Spot:
-    """Right behind what hides it, as ego sees it: close ahead of the hiding object."""
-    hider = scope.reference(structure, spec.placement.hidden_by or "ego").replace("[0]", "[-1]")  # of a row the last
-    left = spec.placement.side == "left"
-    angle = "-90 deg" if left else "90 deg"
-    return Spot(
-        (),
-        (
-            f"ahead of {hider} by {member(spec, scope.number(stations.RIGHT_BEHIND))}",
-            f"facing {angle} relative to {hider}",
-            "with regionContainedIn everywhere",
-        ),
-        "straight_on(self)",
-        off_road=True,
-    )

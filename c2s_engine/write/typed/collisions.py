@@ -16,11 +16,10 @@ SIDEWAYS = frozenset(
     ("overtake", "lane_change", "cut_in", "cut_out", "swerve", "drift", "lose_control", "oncoming", "leave_road")
 )
 """What leads out of the lane, so that the other is no longer straight ahead."""
-GOES_THERE = SIDEWAYS - {"swerve", "cut_in", "cut_out", "drift", "lose_control"} | {
-    "reverse", "turn_left", "turn_right", "u_turn",
-}  # fmt: skip
+GOES_THERE = frozenset(
+    ("oncoming", "leave_road", "reverse", "lane_change", "overtake", "turn_left", "turn_right", "u_turn")
+)
 """What ego does that itself leads it out of its lane."""
-
 COMES_OVER = {"lane_change", "cut_in", "cut_out", "overtake", "drift", "swerve"}
 """What ego does that leads it into the next lane."""
 
@@ -75,7 +74,7 @@ def _at_last(other: str, on_the_way: str, speed: float) -> list[Step]:
 
 def _at_the_junction(c: Course, p: Phase, other: str, goal: float) -> list[Step]:
     """By another road to where it meets the other, with that one."""
-    spot = meeting_spot(c.actor.plan.turning)
+    spot = [] if c.spotted else meeting_spot(c.actor.plan.turning)
     goal *= 1.2 if "accelerate" in _before(c, p) else 1
     c.set(goal)
     later = ", -0.3" if c.actor.plan.turning and p.target in (None, "ego") else ""  # ego is in the midst of its turn
@@ -92,17 +91,17 @@ def meeting_spot(turning: bool) -> list[str]:
 def sets_out_to_meet(c: Course) -> tuple[list[str], str] | None:
     """For one who stands before the junction and sets out into a collision with ego: how it finds where they meet, and
     until when it waits."""
-    if c.actor.cid not in c.actor.plan.set_out:
+    if not c.actor.sets_out:
         return None
-    speed = c.speed if c.value > 0 else "8"
+    speed, c.spotted = c.speed if c.value > 0 else "8", True
     return meeting_spot(c.actor.plan.turning), f"until due(self, line, ego, others, spot, {speed}) or {LATE}"
 
 
-def hit_next(c: Course, p: Phase) -> bool:
-    """Whether somebody hits another right after a phase."""
+def hit_next(c: Course, p: Phase) -> Phase | None:
+    """The collision that comes right after a phase, if one does."""
     phases = c.actor.spec.phases
     later = phases[phases.index(p) + 1 :] if p in phases else ()
-    return bool(later) and later[0].action == "collide"
+    return later[0] if later and later[0].action == "collide" else None
 
 
 def backs_into(c: Course, other: str, pace: float) -> list[Step]:
@@ -117,8 +116,8 @@ def backs_into(c: Course, other: str, pace: float) -> list[Step]:
 
 def _stays_ahead(c: Course, p: Phase) -> bool:
     """Whether the other is in its lane, and keeps to it."""
-    spec = c.actor.structure[p.target].spec if p.target and p.target in c.actor.structure else None
-    return c.same_lane(p) and isinstance(spec, ObjectSpec) and not _does(spec) & (SIDEWAYS | GOES_THERE)
+    spec = c.other(p.target)
+    return c.same_lane(p) and spec is not None and not _does(spec) & (SIDEWAYS | GOES_THERE)
 
 
 def _level(c: Course, other: str) -> str:
@@ -142,8 +141,8 @@ def hit_beside(c: Course, p: Phase) -> str:
     phases = c.actor.spec.phases
     later = phases[phases.index(p) + 1 :] if p in phases and p.action in SIDEWAYS else ()
     hit = next((q.target for q in later if q.action == "collide"), None)
-    spec = c.actor.structure[hit].spec if hit and hit in c.actor.structure else None
-    beside = isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD and is_static(spec)
+    spec = c.other(hit)
+    beside = spec is not None and spec.placement.position in MOVES_OFF_ROAD and is_static(spec)
     return hit if hit and beside else ""
 
 
@@ -156,8 +155,8 @@ def straight_for(c: Course, p: Phase, hit: str) -> list[Step]:
 
 
 def _on_foot(c: Course, p: Phase) -> bool:
-    spec = c.actor.structure[p.target].spec if p.target and p.target in c.actor.structure else None
-    return isinstance(spec, ObjectSpec) and (is_walker(spec.type) or spec.type in ("bicycle", "animal"))
+    spec = c.other(p.target)
+    return spec is not None and (is_walker(spec.type) or spec.type in ("bicycle", "animal"))
 
 
 def _over_the_middle(c: Course) -> bool:
@@ -170,9 +169,9 @@ def _over_the_middle(c: Course) -> bool:
 
 def _beside_the_lane(c: Course, p: Phase) -> str:
     """Where whom ego hits without having left its lane is, if that is beside ego's lane; else ""."""
-    spec = c.actor.structure[p.target].spec if p.target and p.target in c.actor.structure else None
+    spec = c.other(p.target)
     alone = not {q.action for q in c.actor.spec.phases} & GOES_THERE
-    if not alone or c.backwards or not isinstance(spec, ObjectSpec) or {"cross_road", "enter_road"} & _does(spec):
+    if not alone or c.backwards or spec is None or {"cross_road", "enter_road"} & _does(spec):
         return ""
     at = spec.placement.position or ""
     along = at in MOVES_OFF_ROAD or at == "partly_in_lane" or at == "oncoming_lane" and "oncoming" not in _does(spec)

@@ -7,9 +7,14 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.stations import outwards
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, is_static
-from c2s_engine.write.typed.usual import speed_of
+from c2s_engine.write.typed.usual import rides_beside, speed_of
 
+GUARDED = 5.0
+"""m/s2 at most, behind whom one overtakes later."""
+HALF_LANE = 1.75
+"""m from the lane's middle to its edge, on most maps."""
 EDGE = 1.6
 """m from the lane's middle to where those partly in it start, and riders stay."""
 
@@ -34,10 +39,9 @@ class Actor:
         return self.cid == "E"
 
     @property
-    def oncoming(self) -> bool:
-        """Whether it comes towards ego on the same road."""
-        placement = getattr(self.spec, "placement", None)
-        return bool(placement and placement.position == "oncoming_lane")
+    def sets_out(self) -> bool:
+        """Whether it stands before the junction and sets out into a collision with ego."""
+        return self.cid in self.plan.set_out
 
     @property
     def to_junction(self) -> str | None:
@@ -62,6 +66,8 @@ class Course:
         self.speed = actor.speed  # the speed expression now in force
         self.value = actor.value  # m/s
         self.backwards = False
+        self.spotted = False  # the spot where its way meets ego's is known
+        self.behind = ""  # whom it overtakes later, where that one is ahead in its lane
         self.aside = _aside(actor)  # m to the left of its lane's middle that it keeps to
 
     # What is driven.
@@ -70,12 +76,21 @@ class Course:
         self, speed: str | None = None, rate: float | None = None, offset: str = "", shift: float | None = None
     ) -> str:
         """The `do Drive` at a speed (the one in force), rate (m/s2), offset (m to the left), shift (m/s)."""
-        goal = speed if speed is not None else self.cruise()
+        goal = self._guarded(speed if speed is not None else self.cruise())
+        guarded = goal.startswith("lambda: gain(")
+        rate = max(rate or 0, GUARDED) if guarded else rate
         extra = f", rate={scope.number(rate)}" if rate else ""
         offset = offset or (scope.number(self.aside) if self.aside else "")
         extra += f", offset={offset}" if offset else ""
         extra += f", shift={scope.number(shift)}" if shift else ""
         return f"do Drive(line, {goal}{extra})"
+
+    def _guarded(self, goal: str) -> str:
+        """The speed that keeps it from running into whom it overtakes later."""
+        expression = goal.removeprefix("lambda: ")
+        if not self.behind or goal == "0" or f"(self, {self.behind}, " in goal:
+            return goal
+        return f"lambda: gain(self, {self.behind}, {expression})"
 
     def cruise(self) -> str:
         """The speed in force, or the pace behind whom ego follows."""
@@ -87,7 +102,7 @@ class Course:
 
     def set(self, value: float) -> str:
         """Drive at another speed (m/s) from now on; the cruising constant stays where it is the same."""
-        self.speed = self.actor.speed if abs(value - self.value) < 0.05 else scope.number(value)
+        self.speed = self.actor.speed if abs(value - self.actor.value) < 0.05 else scope.number(value)
         return self.cruise()
 
     def wanted(self, phase: Phase, default: float) -> float:
@@ -110,6 +125,11 @@ class Course:
         return f"line = way({LANE_NAME[self.lane]}{leaving})"
 
     # How it stands to others.
+
+    def other(self, cid: str | None) -> ObjectSpec | None:
+        """The object that a phase is about, if it is one."""
+        spec = self.actor.structure[cid].spec if cid and cid in self.actor.structure else None
+        return spec if isinstance(spec, ObjectSpec) else None
 
     def target_lane(self, phase: Phase) -> int | None:
         """The lane in which the phase's target starts, as an offset from ego's."""
@@ -162,8 +182,10 @@ class Course:
 
 
 def _aside(actor: Actor) -> float:
-    """Riders who start at the edge of the lane stay there."""
+    """Riders who start at the edge of the lane, or go along beside the lanes, stay there."""
     spec = actor.spec
+    if isinstance(spec, ObjectSpec) and rides_beside(spec) and min(actor.plan.offsets) >= 0:
+        return -(HALF_LANE + outwards(spec))
     if not isinstance(spec, ObjectSpec) or spec.placement.position != "partly_in_lane":
         return 0.0
     if spec.type not in ("bicycle", "motorcycle"):

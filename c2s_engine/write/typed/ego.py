@@ -43,7 +43,7 @@ def write_ego(structure: Structure, plan: Plan) -> str:
     assert isinstance(said, EgoSpec) and isinstance(spec, EgoSpec)
     speed = speed_of(spec, plan.place)
     others = threatening(structure)
-    spec = spec.model_copy(update={"phases": reactions.reacting_phases(spec, others, plan)})
+    spec = spec.model_copy(update={"phases": reactions.reacting_phases(spec, others, structure, plan)})
     actor = Actor(
         cid="E",
         spec=spec,

@@ -3,12 +3,20 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.write.typed.hiding import standing
+from c2s_engine.write.typed.passing import passing
 from c2s_engine.write.typed.tables import LENGTH, OBSTRUCTING, is_static, is_vehicle
 from c2s_engine.write.typed.threats import IN_WAY, is_hit
-from c2s_engine.write.typed.usual import default_gap
+from c2s_engine.write.typed.usual import LONGEST_VIEW, default_gap, speed_of
 
 BEYOND = 15
 """m from whom ego runs into to what stands further on."""
+OPEN_ROADS = {"road", "straight", "motorway"}
+CALM = {"keep_lane", "move_along", "follow", "go_straight"}
+CLOSING = 2.0
+"""m/s by which one is slower whom ego plainly catches up with."""
+ALONE = 10.0
+"""s that ego drives at its own speed before it slows for who is slower."""
 AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
 """What somebody does about, or to, what lies in its way."""
 
@@ -39,7 +47,7 @@ def normal(structure: Structure) -> Structure:
             structure = structure.with_component(component.model_copy(update={"spec": found}))
     if place is not structure.place.spec:
         structure = structure.with_component(structure.place.model_copy(update={"spec": place}))
-    return _struck_first(structure, ego)
+    return passing(_caught_late(_struck_first(standing(structure), ego), ego), place)
 
 
 def _struck_first(structure: Structure, ego: EgoSpec) -> Structure:
@@ -56,6 +64,28 @@ def _struck_first(structure: Structure, ego: EgoSpec) -> Structure:
         if is_static(c.spec):
             structure = structure.with_component(c.model_copy(update={"spec": _placed(c.spec, gap=round(beyond))}))
     return structure
+
+
+def _caught_late(structure: Structure, ego: EgoSpec) -> Structure:
+    """The only other one that moves, slower than ego and ahead of it, so far off that ego drives at its own speed for
+    longer than it then stays behind."""
+    movers = [c for c in structure.objects if isinstance(c.spec, ObjectSpec) and not is_static(c.spec)]
+    place = structure.place.spec
+    assert isinstance(place, PlaceSpec)
+    if len(movers) != 1 or ego.reaction not in ("brake", "follow") or place.kind not in OPEN_ROADS:
+        return structure
+    slow = movers[0].spec
+    assert isinstance(slow, ObjectSpec)
+    calm = all(p.action in CALM and p.trigger is None and p.speed is None for p in (*slow.phases, *ego.phases))
+    if not calm or not _open_ahead(slow) or slow.placement.facing is not None or slow.count > 1:
+        return structure
+    own, other = middle(speed_of(ego, place)), middle(speed_of(slow, place))
+    closing = own - other
+    if closing < CLOSING:
+        return structure
+    room = 4 + 1.5 * other + 2.5 * closing if ego.reaction == "follow" else closing**2 / 4 + 4
+    gap = round(min(ALONE * closing + room, LONGEST_VIEW))
+    return structure.with_component(movers[0].model_copy(update={"spec": _placed(slow, gap=gap)}))
 
 
 def _open_ahead(spec: ObjectSpec) -> bool:
@@ -93,8 +123,9 @@ def _meets_turning(spec: ObjectSpec, place: PlaceSpec, turn: str | None) -> bool
 def _is_let_by(cid: str, spec: ObjectSpec, ego: EgoSpec) -> bool:
     """Whether ego makes way for one that comes up behind it in its lane: that one then goes by."""
     stays = not any(p.action in ("lane_change", "cut_out") for p in ego.phases)
-    return ego.reaction == "yield" and ego.react_to == cid and spec.placement.position == "behind" and stays \
-        and not spec.phases  # fmt: skip
+    let_by = ego.reaction == "yield" and ego.react_to == cid
+    let_by = let_by or any(p.action == "yield" and p.target == cid for p in ego.phases)
+    return let_by and spec.placement.position == "behind" and stays and not spec.phases
 
 
 def _placed(spec: ObjectSpec, **changes: object) -> ObjectSpec:

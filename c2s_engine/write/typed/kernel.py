@@ -6,8 +6,8 @@ from importlib.resources import files
 
 ORDER = (
     "way", "approach", "ring_approach", "along", "bend_start", "straight_on",
-    "need", "most_need", "passed", "ttc", "pace", "meeting", "meet", "strike", "due", "lurk", "level", "lead_on",
-    "drive", "ram", "turn_round", "backwards", "back_into", "walk",
+    "need", "most_need", "passed", "ttc", "pace", "meeting", "meet", "strike", "due", "lurk", "gain", "level",
+    "lead_on", "drive", "ram", "turn_round", "backwards", "back_into", "walk",
 )  # fmt: skip
 _NAMES = {
     "drive": "Drive",
@@ -17,6 +17,8 @@ _NAMES = {
     "back_into": "BackInto",
     "walk": "Walk",
 }
+_CALLED = {"most_need": "need", "due": "strike", "level": "lead_on"}
+"""The part that another one calls, besides those that all programs have."""
 
 
 @cache
@@ -28,8 +30,7 @@ def source(name: str) -> str:
 def needed(code: str) -> frozenset[str]:
     """The kernel parts whose names a piece of code uses."""
     found = {p for p in ORDER if re.search(rf"\b(?:{_NAMES.get(p, p)})\(", code)}
-    found |= {"need"} if "most_need" in found else set()
-    return frozenset(found | {"strike"} if "due" in found else found)
+    return frozenset(found | {_CALLED[p] for p in found if p in _CALLED})
 
 
 def text(parts: frozenset[str]) -> str:

@@ -94,12 +94,19 @@ def offsets_of(
                 k += -1 if phase.side == "right" else 1
             elif phase.action == "cut_in":
                 k = 0
-            elif phase.action == "overtake" and k in (0, lane_of.get(phase.target or "", 0)) and not narrow:
+            elif phase.action == "overtake" and k == lane_of.get(phase.target or "", 0) and not narrow:
+                if leaves_lane(objects.get(phase.target or "")):
+                    continue
                 used.add(k + (-1 if phase.side == "right" else 1))
             used.add(k)
         if spec is ego and ego.reaction == "evade" and not narrow:
             used.add(1)
     return frozenset(used)
+
+
+def leaves_lane(spec: ObjectSpec | None) -> bool:
+    """Whether an object clears its lane for who is behind it."""
+    return spec is not None and any(p.action in ("cut_out", "lane_change") for p in spec.phases)
 
 
 def pulls_out(ego: EgoSpec) -> bool:

@@ -13,7 +13,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed import stations
-from c2s_engine.write.typed.course import EDGE
+from c2s_engine.write.typed.hiding import aside, faces_ego
 from c2s_engine.write.typed.lanes import pulls_out
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
@@ -108,7 +108,8 @@ def _start(
         by = placement.hidden_by or "ego"
         hider, last = starts[by], _ends(structure, by, found)[1]
         to = (last.length + LENGTH[spec.type]) / 2 + stations.RIGHT_BEHIND
-        return replace(hider, s=last.s + hider.ahead * to, y=last.y, onward=hider.ahead)
+        ahead = -hider.ahead if faces_ego(structure, by) else hider.ahead
+        return replace(hider, s=last.s + ahead * to, y=last.y, onward=ahead)
     if stations.in_line(structure, spec, plan):
         return _in_line(structure, cid, spec, plan, draw, starts[placement.of], found)
     if position in APPROACH_ANGLE:
@@ -131,8 +132,8 @@ def _start(
     at += sign * (draw(cid, gap) + half) if sign else draw(cid, placement.gap or 0.0)
     k = plan.lane_of[cid] or 0
     k = k if k in plan.offsets else 1
-    aside = (EDGE if placement.side == "left" else -EDGE) if position == "partly_in_lane" else 0.0
-    return _Start("road", at, LANE * k + aside, at, -1 if placement.facing == "against" else 1, sign or 1)
+    y = LANE * k + aside(structure, cid)
+    return _Start("road", at, y, at, -1 if placement.facing == "against" else 1, sign or 1)
 
 
 def _beside(

@@ -6,6 +6,7 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import behaviour, reactions, scope
 from c2s_engine.write.typed.collisions import meeting_spot
 from c2s_engine.write.typed.course import Actor
+from c2s_engine.write.typed.hiding import behind_what_ego_stops_for
 from c2s_engine.write.typed.placement import Spot, place_object
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import (
@@ -21,7 +22,10 @@ from c2s_engine.write.typed.tables import (
     is_walker,
 )
 from c2s_engine.write.typed.threats import is_hit
-from c2s_engine.write.typed.usual import far_side, reach, speed_of, turn_of, walks_first
+from c2s_engine.write.typed.usual import from_lane, reach, speed_of, turn_of, walks_first
+
+SETS_OUT = 8.0
+"""m/s at which ego drives on that stands at first."""
 
 
 def write_object(structure: Structure, cid: str, plan: Plan) -> str:
@@ -145,7 +149,8 @@ def _driver(
     if timed and plan.junction and not own and not standing:
         sooner = None if struck else _sooner(structure, spec, plan)
         bends = turn_of(spec.phases) != "STRAIGHT"
-        statements = [_synchronised(s, prefix, sooner, bends) for s in statements]
+        first = scope.reference(structure, cid) if spec.count > 1 else "self"  # the others keep its pace
+        statements = [_synchronised(s, prefix, sooner, bends, first) for s in statements]
         met = meeting_spot(True) if struck else ["spot = meeting(line, way(egoLane, egoTurn))"]
         statements[1:1] = met
     if any(p.action == "run_red" for p in spec.phases):
@@ -153,13 +158,13 @@ def _driver(
     return statements
 
 
-def _synchronised(statement: str, prefix: str, sooner: float | None, bends: bool) -> str:
-    """On a crossing way it arrives when ego does, or a little sooner (s); None: ego is to hit it."""
+def _synchronised(statement: str, prefix: str, sooner: float | None, bends: bool, first: str) -> str:
+    """On a crossing way it (of a row its `first`) arrives when ego does, or a little sooner (s); None: ego hits it."""
     early = f", {scope.number(sooner)}" if sooner else ""
     timed = (
         f"strike(self, line, ego, others, spot, {prefix}_SPEED{', 0.9' if bends else ''})"
         if sooner is None
-        else f"meet(self, ego, spot, {prefix}_SPEED{early})"
+        else f"meet({first}, ego, spot, {prefix}_SPEED{early})"
     )
     met = f"do Drive(line, lambda: {timed})"
     return statement.replace(f"do Drive(line, {prefix}_SPEED)", met)
@@ -174,10 +179,12 @@ def _sooner(structure: Structure, spec: ObjectSpec, plan: Plan) -> float:
     assert isinstance(ego, EgoSpec)
     turning = plan.place.manoeuvre != "straight" or turn_of(spec.phases) != "STRAIGHT"
     if ego.reaction in ("brake", "yield") or {"yield", "brake", "stop"} & {p.action for p in ego.phases}:
+        if turn_of(spec.phases) != "STRAIGHT":
+            return 2.0  # the bend slows it
         return 1.2 if turning and spec.placement.position == "opposite_approach" else 0
     if plan.place.manoeuvre != "straight":
         longer = max(LENGTH[spec.type] - 4.8, 0) / 6
-        return -longer - max(2.2, 1 + 10 / max(plan.ego_speed, 1))  # ego is clear of it by then
+        return -longer - max(2.2, 1 + 10 / max(plan.ego_speed or SETS_OUT, 1))  # ego is clear of it by then
     return 3.0 if turning else 1.8
 
 
@@ -200,10 +207,11 @@ def _start_condition(structure: Structure, spec: ObjectSpec, phase: Phase, plan:
     if t and t.kind == "action":
         return f"{other}.speed < 0.5" if t.action in ("stop", "stationary") else f"(distance from self to {other}) < 25"
     seconds = scope.number(reach(spec, plan.place) / max(walk, 0.3))
-    if far_side(spec, plan.place) or spec.placement.position == "intersection_exit":
+    if from_lane(spec, plan.place):
         seconds = f"{_to_lane(spec)} / {scope.number(max(walk, 0.3))}"
     speed = "max(ego.speed, EGO_SPEED)" if spec.count > 1 else "ego.speed"  # it may already brake for the first of them
-    return f"(distance from self to ego) < {seconds} * {speed} + 4"
+    near = scope.number(4 + behind_what_ego_stops_for(structure, spec))
+    return f"(distance from self to ego) < {seconds} * {speed} + {near}"
 
 
 def _is_struck(structure: Structure, cid: str, spec: ObjectSpec) -> bool:
@@ -237,17 +245,18 @@ def _walker(
             if walks_first(spec):
                 heading = f"self.heading {'-' if spec.placement.side == 'left' else '+'} 90 deg"
             step = f"do Walk({heading}, {own})"
-        elif phase.action in ("stop", "stationary", "wait"):
+        elif phase.action in ("stop", "stationary", "wait", "yield"):
             step = "do Walk(self.heading, 0)"
         else:
             step = f"do Walk({heading}, {own})"
         ending = f" for {scope.quantity(phase.duration)} seconds" if phase.duration is not None else ""
         if last and struck and phase.action in ("cross_road", "enter_road", "collide"):
             there = f"for {scope.number(reach(spec, plan.place) / max(value, 0.3))} seconds"
-            far = far_side(spec, plan.place) or spec.placement.position == "intersection_exit"
-            there = f"until {_to_lane(spec)} < 0.4" if far else there
+            there = f"until {_to_lane(spec)} < 0.4" if from_lane(spec, plan.place) else there
             lines += [f"{step} {there}", "do Walk(self.heading, 0)"]
             break
+        if phase.action == "yield" and not ending:
+            ending = f" until passed({scope.reference(structure, phase.target) if phase.target else 'ego'}, self, 0)"
         if not ending and not last:
             following = phases[i + 1]
             if following.trigger and following.trigger.kind == "distance" and following.trigger.value is not None:

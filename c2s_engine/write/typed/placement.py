@@ -3,8 +3,8 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed import scope, stations
-from c2s_engine.write.typed.beside import behind_junction, beside_road, hidden
-from c2s_engine.write.typed.course import EDGE
+from c2s_engine.write.typed.beside import behind_junction, beside_road
+from c2s_engine.write.typed.hiding import aside, hidden
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.spot import Spot, measured, member, position_constant
@@ -101,10 +101,9 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
         reached = f"min(-1, {reached} - egoLane.centerline.length)"
     point = f"{lane}.centerline.pointAlongBy({reached})"
     specifiers: tuple[str, ...] = (f"at {point}",)
-    if spec.placement.position == "partly_in_lane":
-        side = -EDGE if spec.placement.side == "left" else EDGE
+    if side := aside(structure, cid):
         specifiers = (
-            f"at (new OrientedPoint at {point}, facing roadDirection) offset by {scope.number(side)} @ 0",
+            f"at (new OrientedPoint at {point}, facing roadDirection) offset by {scope.number(-side)} @ 0",
             "with regionContainedIn everywhere",
             *([] if spec.placement.facing == "against" else [f"facing (roadDirection at {point})"]),
         )

@@ -28,6 +28,7 @@ class Plan:
     lengths: dict[str, float] = field(default_factory=dict)  # m that rows take of lanes that end where they meet ego's
     lane_of: dict[str, int | None] = field(default_factory=dict)  # object id -> lane offset at the start
     met: frozenset[str] = frozenset()  # who come by another road and are in a collision with ego
+    early: dict[str, float] = field(default_factory=dict)  # who turns in front of ego -> s by which it starts nearer
     set_out: frozenset[str] = frozenset()  # who stand before the junction and set out into a collision with ego
     leads: dict[str, tuple[str, ...]] = field(default_factory=dict)  # object id -> who is ahead of it in its lane
 

@@ -13,10 +13,12 @@ from c2s_engine.write.typed import contradictions, lanes, layout
 from c2s_engine.write.typed import room as rooms
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP, TURN
 from c2s_engine.write.typed.threats import hits_ego, is_hit
 from c2s_engine.write.typed.usual import speed_of, turn_of
 
+WAITS = {"stop", "wait", "yield", "stationary", "start", "brake"}
+"""What one does before the junction that takes time of its own."""
 FAST = 11.5
 """m/s at which nobody comes up to a stop sign of their own."""
 
@@ -68,10 +70,10 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         duration=duration,
         ego_speed=speed,
         ego_top=top,
-        before=rooms.before(ego, objects, speed),
+        before=rooms.before(ego, objects, speed, place),
         after=rooms.after(place, top, duration, ego, objects),
         distance=rooms.distance(
-            place.model_copy(update={"kind": "on_ramp"}) if ramp else place, top, objects, room, bool(set_out)
+            place.model_copy(update={"kind": "on_ramp"}) if ramp else place, top, ego, objects, room, bool(set_out)
         ),
         offsets=offsets,
         base=base,
@@ -82,6 +84,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         exit_room=rooms.behind_junction(objects, speed, place),
         lane_of=lane_of,
         met=met,
+        early={cid: _early(ego, o, place) for cid, o in crossing.items() if cid not in met},
         set_out=set_out,
         leads=lanes.leads(ego, objects, lane_of, speed, place),
     )
@@ -135,6 +138,18 @@ def _on_the_left(o: ObjectSpec) -> ObjectSpec:
 
 def _runs_stop(o: ObjectSpec) -> bool:
     return any(p.action == "run_stop" for p in o.phases)
+
+
+def _early(ego: EgoSpec, o: ObjectSpec, place: PlaceSpec) -> float:
+    """The time (s) that a bend costs one who turns in front of ego, the more where ego does nothing about it."""
+    turn = turn_of(o.phases)
+    actions = [p.action for p in o.phases]
+    first = set(actions[: next((i for i, a in enumerate(actions) if a in TURN), 0)])
+    if turn == "STRAIGHT" or place.kind != "intersection" or place.manoeuvre != "straight" or first & WAITS:
+        return 0.0
+    reacts = ego.reaction != "none" or {"yield", "brake", "stop"} & {p.action for p in ego.phases}
+    towards = o.placement.position == "crossing_right" and turn == "LEFT_TURN"  # for long on ego's side
+    return (1.5 if towards else 0.8) if reacts else 3.0 if towards else 2.0
 
 
 def _sets_out(o: ObjectSpec) -> bool:

@@ -4,11 +4,12 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor
+from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, is_static
 from c2s_engine.write.typed.threats import every, every_passed, hits_ego, is_hit, once_seen, threatening
 from c2s_engine.write.typed.threats import on_foot as threats_on_foot
-from c2s_engine.write.typed.usual import turn_of
+from c2s_engine.write.typed.usual import rides_beside, turn_of
 
 SOFT = "lambda: max(1, min(9, 1.1 * {force}))"
 HARD = "lambda: max(4.5, min(9, 1.1 * {force}))"
@@ -58,26 +59,23 @@ def _stands(structure: Structure, cid: str | None) -> bool:
 def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str | None], hard: bool) -> list[str]:
     """Ego's way with braking that does not keep it from whom it hits, or who hits it."""
     s, rate = actor.structure, "4.5" if hard else "2.5"
-    met = [c for c in cids if c in hit or None in hit or c in _strikers(s, [c])]
+    strikers = _strikers(s, cids)
+    met = [c for c in cids if c in hit or None in hit or c in strikers]
     others = [c for c in cids if c not in met]
-    aside = [scope.reference(s, c) for c in sorted(map(str, hit)) if c in s and _beside(s, c) and not is_moving(s, c)]
-    far = "".join(f"not near(self, {one}) and " for one in aside)
+    things = [scope.reference(s, c) for c in sorted(map(str, hit)) if c in s and _beside(s, c) and _stands(s, c)]
+    far = "".join(f"not near(self, {one}) and " for one in things)
     lines = _around(statements, once_seen(s, others), 6, rate, when=far)
-    lines[-1] += "".join(f" or near(self, {one})" for one in aside) if others else ""
-    for c in met:
+    if others:
+        lines[-1] += "".join(f" or near(self, {one})" for one in things)
+    movers = [c for c in met if not (_beside(s, c) and _stands(s, c))]
+    for c in movers:
         one = scope.reference(s, c)
-        brakes = (
-            f"Drive(line, 0, rate={rate}) until need(self, {one}) <= 0" if _beside(s, c) else f"Ram({one}, 0, {rate})"
-        )
-        if not _beside(s, c) or is_moving(s, c):
-            lines += [f"interrupt when need(self, {one}) > 6:", f"    do {brakes}"]
-    return lines if others or len(lines) > len(statements) + 1 else statements
-
-
-def is_moving(structure: Structure, cid: str) -> bool:
-    """Whether an object moves at some time."""
-    spec = structure[cid].spec
-    return isinstance(spec, ObjectSpec) and not is_static(spec)
+        aside = f"Drive(line, 0, rate={rate}) until need(self, {one}) <= 0"  # who comes from beside the road
+        lines += [
+            f"interrupt when need(self, {one}) > 6:",
+            f"    do {aside if _beside(s, c) else f'Ram({one}, 0, {rate})'}",
+        ]
+    return lines if others or movers else statements
 
 
 def _strikers(structure: Structure, cids: list[str]) -> list[str]:
@@ -110,15 +108,22 @@ def _stop_for(structure: Structure, on_foot: list[str], hard: bool) -> list[str]
 
 
 def heeding(actor: Actor, statements: list[str]) -> list[str]:
-    """Another driver's way, braking for those ahead in its lane, unless it is to hit somebody."""
+    """Another driver's way, braking for those ahead in its lane or its row, unless it is to hit somebody."""
     if joins_ego(actor):
-        return _around(statements, ["ego"], 3, SOFT, when="self._lane is ego._lane and ")
+        statements = _around(statements, ["ego"], 3, SOFT, when="self._lane is ego._lane and ")
+        return _around(statements, _row(actor), 3, SOFT) if _row(actor) else statements
     ego = actor.structure.ego.spec
     hit = isinstance(ego, EgoSpec) and is_hit(ego, actor.cid)
     leads = [c for c in actor.plan.leads.get(actor.cid, ()) if not _gets_past(actor, c) and not (hit and c == "ego")]
-    if not leads or actor.value <= 0 or any(p.action == "collide" for p in actor.spec.phases):
+    heeded = [*(every(actor.structure, cid) for cid in leads), *_row(actor)]
+    if not heeded or actor.value <= 0 or any(p.action == "collide" for p in actor.spec.phases):
         return statements
-    return _around(statements, [every(actor.structure, cid) for cid in leads], 3, SOFT)
+    return _around(statements, heeded, 3, SOFT)
+
+
+def _row(actor: Actor) -> list[str]:
+    """The row that a driver is in, if it is in one: each keeps clear of the one before it."""
+    return [every(actor.structure, actor.cid)] if getattr(actor.spec, "count", 1) > 1 else []
 
 
 _BEHIND = {  # where ways over a junction lead, seen from ego's approach
@@ -166,7 +171,24 @@ def _around(
     ]
 
 
-def reacting_phases(spec: EgoSpec, others: list[str], plan: Plan) -> tuple[Phase, ...]:
+def _stands_first(spec: EgoSpec) -> int:
+    """How many of ego's phases, the first of them, are about standing before the junction."""
+    moves = (i for i, p in enumerate(spec.phases) if p.action not in STANDS or p.trigger is not None)
+    return next(moves, 0)
+
+
+def _cut_off(spec: EgoSpec, structure: Structure, plan: Plan) -> str | None:
+    """The rider beside the road whose way ego would cut off by its turn to the right, and whom it lets pass first."""
+    if not plan.junction or plan.place.manoeuvre != "right" or spec.reaction not in ("brake", "yield"):
+        return None
+    objects = [(c.id, c.spec) for c in structure.objects if isinstance(c.spec, ObjectSpec)]
+    riders = [(cid, o) for cid, o in objects if rides_beside(o) and not (hits_ego(o) or is_hit(spec, cid))]
+    riders = [(cid, o) for cid, o in riders if not STANDS & {p.action for p in o.phases}]
+    coming = [cid for cid, o in riders if o.placement.along in ("behind", "abreast") and o.placement.of == "ego"]
+    return next((cid for cid in coming if cid != spec.react_to or spec.reaction == "brake"), None)
+
+
+def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan: Plan) -> tuple[Phase, ...]:
     """Ego's phases with those that its place and its reaction add: merging, leaving, yielding, evading."""
     phases = spec.phases
     changes = {"lane_change", "cut_in", "overtake"} & {p.action for p in phases}
@@ -176,8 +198,12 @@ def reacting_phases(spec: EgoSpec, others: list[str], plan: Plan) -> tuple[Phase
         spec = spec.model_copy(update={"phases": (*phases, Phase(action="lane_change", side="right"))})
     actions = {p.action for p in spec.phases}
     hit = {p.target for p in spec.phases if p.action == "collide"}
+    if "yield" not in actions and (rider := _cut_off(spec, structure, plan)):
+        spec = spec.model_copy(update={"phases": (Phase(action="yield", target=rider), *spec.phases)})
     if spec.reaction == "yield" and others and "yield" not in actions and (spec.react_to or others[0]) not in hit:
         yielding = Phase(action="yield", target=spec.react_to or others[0])
+        if plan.junction and (stands := _stands_first(spec)):
+            return (*spec.phases[:stands], yielding, *spec.phases[stands:])
         aside = 1 if spec.phases and spec.phases[0].action == "lane_change" else 0  # out of the way first
         moved = tuple(p.model_copy(update={"duration": p.duration or 2.5}) for p in spec.phases[:aside])
         return (*moved, yielding, *spec.phases[aside:])

@@ -1,18 +1,21 @@
 """How much road a structure takes: behind ego's start, ahead of it, and up to the junction, ramp or crosswalk, in m."""
 
 import math
+from itertools import takewhile
 
 from c2s_engine.structure.quantity import high, low, middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.lanes import all_phases
-from c2s_engine.write.typed.tables import JUNCTION, LENGTH, RAMP, is_static, is_vehicle
+from c2s_engine.write.typed.tables import JUNCTION, LENGTH, RAMP, TURN, is_static, is_vehicle
 from c2s_engine.write.typed.usual import default_gap, speed_of
 
 LONGEST_APPROACH = 200.0
 """m of lane before a junction that maps can be expected to have."""
 AT_THE_EDGE = 8.0
 """m from ego's middle to the junction before which it stands."""
+PAST = 25.0
+"""m from behind another to where the one that overtook it is well past."""
 _BESIDE = {"partly_in_lane", "parked", "roadside", "sidewalk"}
 
 
@@ -33,12 +36,12 @@ def too_far(reach: float) -> ResolveError:
     )
 
 
-def before(ego: EgoSpec, objects: dict[str, ObjectSpec], speed: float) -> float:
+def before(ego: EgoSpec, objects: dict[str, ObjectSpec], speed: float, place: PlaceSpec) -> float:
     """How much lane there must be behind ego's start, m."""
 
     def back(o: ObjectSpec, depth: int = 0) -> float:
         """How far behind ego an object reaches."""
-        gap = high(o.placement.gap) if o.placement.gap is not None else default_gap(o, speed)
+        gap = high(o.placement.gap) if o.placement.gap is not None else default_gap(o, speed, place)
         step = LENGTH[o.type] + (high(o.spacing) if o.spacing is not None else 3.0)
         behind = o.placement.along == "behind" or (o.placement.position == "behind" and o.placement.along is None)
         own = (gap + LENGTH[o.type] + 10 + (o.count - 1) * step) * (1 if behind else -1)
@@ -92,7 +95,7 @@ def behind_junction(objects: dict[str, ObjectSpec], speed: float, place: PlaceSp
 
 
 def distance(
-    place: PlaceSpec, speed: float, objects: dict[str, ObjectSpec], room: float, met: bool = False
+    place: PlaceSpec, speed: float, ego: EgoSpec, objects: dict[str, ObjectSpec], room: float, met: bool = False
 ) -> float | tuple[float, float] | None:
     """From ego's start to what lies ahead of it, m; `met`: somebody who stands there is to set out in time."""
     if place.kind not in JUNCTION | RAMP | {"crosswalk"}:
@@ -111,6 +114,7 @@ def distance(
         min(35.0, 6.0 * speed),
         12.0,
         *(_to_pass(o, speed, place) for o in objects.values()),
+        *(_to_overtake(cid, o, ego, speed, place) for cid, o in objects.items()),
     )
     base = max(base, 60.0) if place.kind in RAMP else base
     return round(max(base * max(room, 0.4), far + 4), 1)
@@ -123,6 +127,27 @@ def _to_pass(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
     gap = middle(o.placement.gap) if o.placement.gap is not None else default_gap(o, ego_speed, place)
     closing = 1 - middle(speed_of(o, place)) / ego_speed
     return min((gap + 12) / closing, 90.0) if closing > 0.2 else 0
+
+
+def _to_overtake(cid: str, o: ObjectSpec, ego: EgoSpec, ego_speed: float, place: PlaceSpec) -> float:
+    """How far (m) ego drives while it overtakes an object before the junction, or that one ego."""
+    by_ego = o.placement.position == "ahead" and _overtakes(ego.phases, (cid,))
+    lane = o.placement.position in ("behind", "left_lane", "right_lane")
+    by_it = lane and "behind" in (o.placement.position, o.placement.along) and _overtakes(o.phases, (None, "ego"))
+    if ego_speed <= 0 or not (by_ego or by_it):
+        return 0
+    gap = middle(o.placement.gap) if o.placement.gap is not None else default_gap(o, ego_speed, place)
+    own = middle(speed_of(o, place))
+    closing = max(abs(ego_speed - own), 5.0)
+    turns = any(p.action in ("turn_left", "turn_right") for p in (ego if by_ego else o).phases)
+    slows = max(own, ego_speed) ** 2 / 4 if turns else 0  # it brakes at 2 m/s2 for its turn
+    return min((gap + PAST) / closing * ego_speed + slows, LONGEST_APPROACH)
+
+
+def _overtakes(phases: tuple[Phase, ...], whom: tuple[str | None, ...]) -> bool:
+    """Whether one of some is overtaken before a turn."""
+    before = takewhile(lambda p: p.action not in TURN, phases)
+    return any(p.action == "overtake" and p.target in whom for p in before)
 
 
 def _junction_side(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:

@@ -9,12 +9,14 @@ from c2s_engine.write.typed.apart import apart
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.forms import normal
 from c2s_engine.write.typed.planning import make_plan
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, is_vehicle
 from c2s_engine.write.typed.usual import default_gap, right_behind, speed_of
 
 _ROW = {"partly_in_lane": "ahead", "roadside": "kerb", "sidewalk": "kerb", "parked": "kerb"}
 ROOM = 3.0
 """m between two of them."""
+TO_PULL_OUT = 15.0
+"""m behind whom one overtakes."""
 
 
 def spread(structure: Structure) -> Structure:
@@ -23,8 +25,8 @@ def spread(structure: Structure) -> Structure:
     Raises ResolveError where specs contradict each other, or two of them start inside each other whatever is open.
     """
     key = (structure.place.spec, structure.ego.spec, structure.restrictions.spec)
-    place, objects = _spread(*key, tuple((c.id, c.spec) for c in structure.objects))
-    for component, spec in zip((structure.place, *structure.objects), (place, *objects), strict=True):
+    specs = _spread(*key, tuple((c.id, c.spec) for c in structure.objects))
+    for component, spec in zip((structure.place, structure.ego, *structure.objects), specs, strict=True):
         if spec is not component.spec:
             structure = structure.with_component(component.model_copy(update={"spec": spec}))
     return structure
@@ -42,8 +44,8 @@ def contradiction(structure: Structure) -> ResolveError | None:
 @lru_cache(maxsize=256)
 def _spread(
     place: PlaceSpec, ego: EgoSpec, restrictions: RestrictionsSpec, objects: tuple[tuple[str, ObjectSpec], ...]
-) -> tuple[PlaceSpec, tuple[ObjectSpec, ...]]:
-    """The place and the objects as they are spread (each fragment of a program asks for them)."""
+) -> tuple[PlaceSpec | EgoSpec | ObjectSpec, ...]:
+    """The place, ego and the objects as they are spread (each fragment of a program asks for them)."""
     found = Structure(
         place=Component(id="R", spec=place),
         ego=Component(id="E", spec=ego),
@@ -51,7 +53,7 @@ def _spread(
         restrictions=Component(id="T", spec=restrictions),
     )
     found = apart(_rows(normal(found)))
-    return found.place.spec, tuple(c.spec for c in found.objects)  # type: ignore[misc, return-value]
+    return (found.place.spec, found.ego.spec, *(c.spec for c in found.objects))  # type: ignore[return-value, arg-type]
 
 
 def _rows(structure: Structure) -> Structure:
@@ -70,8 +72,10 @@ def _rows(structure: Structure) -> Structure:
             continue
         if spec.placement.position in APPROACH_ANGLE:  # timed to meet ego
             continue
-        gap = start = default_gap(spec, speed, place)  # type: ignore[arg-type]
-        while any(gap < end + ROOM and begin < gap + size + ROOM for begin, end in row):
+        start = default_gap(spec, speed, place)  # type: ignore[arg-type]
+        gap = start + _between(component.id, structure, speed)
+        room = TO_PULL_OUT if _comes_later(spec) else ROOM
+        while any(gap < end + room and begin < gap + size + room for begin, end in row):
             gap += 2.0
         row.append((gap, gap + size))
         if gap != start:
@@ -80,6 +84,17 @@ def _rows(structure: Structure) -> Structure:
                 component.model_copy(update={"spec": spec.model_copy(update={"placement": moved})})
             )
     return structure
+
+
+def _between(cid: str, structure: Structure, speed: float) -> float:
+    """How much (m) those take who come behind an object that is ahead of ego in its lane."""
+    if structure[cid].spec.placement.position != "ahead" or structure[cid].spec.placement.of != "ego":  # type: ignore[union-attr]
+        return 0.0
+    specs = [c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)]
+    behind = [s for s in specs if s.placement.of == cid and s.placement.position == "behind" and is_vehicle(s.type)]
+    place = structure.place.spec
+    gaps = [high(s.placement.gap) if s.placement.gap is not None else default_gap(s, speed, place) for s in behind]  # type: ignore[arg-type]
+    return sum(gaps) + sum(_size(s) for s in behind)
 
 
 def _comes_later(spec: ObjectSpec) -> bool:

@@ -6,7 +6,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, MOVES_OFF_ROAD, WORKS, is_vehicle, is_walker
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, MOVES_OFF_ROAD, WIDTH, WORKS, is_vehicle, is_walker
 from c2s_engine.write.typed.usual import crosses_there, default_gap, right_behind, speed_of
 
 OWN_PLACE = {*APPROACH_ANGLE, "oncoming_lane", "on_ramp", "intersection_exit", *MOVES_OFF_ROAD}
@@ -43,7 +43,7 @@ def gap(spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
     place = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place  # it stands before the merge
     usual = default_gap(spec, plan.ego_top if along(spec) > 0 else plan.ego_speed, place)
     if place.kind == "intersection" and place.crosswalk and plan.distance is not None and crosses_there(spec):
-        return max(usual, middle(plan.distance) - BEFORE_JUNCTION)
+        return max(usual, middle(plan.distance) - BEFORE_JUNCTION - (spec.count - 1) * step(spec))
     return usual
 
 
@@ -121,7 +121,9 @@ def to_junction(cid: str, spec: ObjectSpec, plan: Plan) -> float | tuple[float, 
     seconds = far / max(plan.ego_speed, 4) if plan.ego_speed > 0 else math.sqrt(far + 5)
     lead = 6 if spec.placement.position == "opposite_approach" else 3
     lead -= 15 if plan.place.kind == "roundabout" and cid in plan.met else 0  # it has a piece of the ring to go
-    return max(8.0, min(own * seconds + lead, 130.0)) if own > 0 else 8.0
+    early = plan.early.get(cid, 0.0)
+    least = 22.0 if early else 8.0  # it has to be seen driving up
+    return max(least, min(own * (seconds - early) + lead, 130.0)) if own > 0 else 8.0
 
 
 def to_merge(spec: ObjectSpec, plan: Plan) -> float:
@@ -152,7 +154,7 @@ def outwards(spec: ObjectSpec) -> float:
         return out
     if not is_vehicle(spec.type):  # signs and props may be wide
         return max(out, 2.4)
-    return 1.8 if spec.placement.position == "roadside" else out
+    return max(1.8 if spec.placement.position == "roadside" else out, WIDTH[spec.type] / 2)  # out of the lane
 
 
 def two_way(plan: Plan) -> bool:

@@ -15,13 +15,13 @@ from c2s_engine.write.typed.collisions import (
     struck_beside,
 )
 from c2s_engine.write.typed.course import Course
+from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.tables import LANE_NAME, MOVES_OFF_ROAD, RAMP
 from c2s_engine.write.typed.towards import ending, yields
 from c2s_engine.write.typed.usual import reach
 
-NARROW = 2.0
-"""m that riders keep aside from the middle of a car's lane where they pass it on the inside."""
-NARROW_TYPES = {"bicycle", "motorcycle"}
+BEYOND_EDGE = 4
+"""m beyond the road's edge to where who leaves it heads."""
 HITS_SOON = "for 1 seconds"
 """How long one leaves its lane that then hits another."""
 FULL = 5
@@ -117,8 +117,8 @@ def _follow(c: Course, p: Phase) -> list[Step]:
 
 def _u_turn(c: Course, p: Phase) -> list[Step]:
     back = c.drive(scope.number(c.wanted(p, 8)))
-    if hit_next(c, p):
-        return [(["do TurnRound()"], f"until near(self, {c.actor.ref(p.target)})")]
+    if hit := hit_next(c, p):
+        return [(["do TurnRound()"], f"until near(self, {c.actor.ref(hit.target)})")]
     return [(["do TurnRound()"], ""), (["line = way(oncomingLane)", back], "")]
 
 
@@ -126,8 +126,7 @@ def _reverse(c: Course, p: Phase) -> list[Step]:
     c.backwards = True
     pace = c.wanted(p, c.value or 2)
     spec, back = c.actor.spec, f"do Backwards({scope.number(pace)})"
-    hit = next((q for q in spec.phases if q.action == "collide"), None)
-    if hit is not None and hit_next(c, p):
+    if hit := hit_next(c, p):
         return backs_into(c, c.actor.ref(hit.target), pace)
     if isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD:  # as far as onto the lane
         onto = f"for {scope.number(reach(spec, c.actor.plan.place) / max(pace, 0.5))} seconds"
@@ -146,7 +145,7 @@ def _moving(c: Course) -> float:
 def _lane_change(c: Course, p: Phase) -> list[Step]:
     lasts = HITS_SOON if hit_next(c, p) else ""
     narrow = c.lane is not None and len(c.actor.plan.offsets) == 1 and not c.on_ramp
-    if narrow or c.actor.oncoming:  # by the lane of the other direction, or the verge
+    if narrow or c.oncoming:  # by the lane of the other direction, or the verge
         drive = c.drive(c.set(c.wanted(p, _moving(c))), offset=scope.number(_side(p, 1) * LANE_WIDTH))
         return [([drive], ending(p, lasts or "for 6 seconds"))]
     line = c.onto(_side(p, 1))
@@ -155,7 +154,7 @@ def _lane_change(c: Course, p: Phase) -> list[Step]:
 
 def _cut_in(c: Course, p: Phase) -> list[Step]:
     c.lane = c.target_lane(p) or 0
-    change = [f"line = way({LANE_NAME[c.lane]})", c.drive(c.set(c.wanted(p, _moving(c))))]
+    change = [f"line = way({LANE_NAME[c.lane]})", c.drive(c.set(c.wanted(p, c.actor.value or _moving(c))))]
     plan, ego = c.actor.plan, c.actor.structure.ego.spec
     forces = getattr(ego, "reaction", "") == "brake" and c.value > plan.ego_speed - 1
     if forces and p == c.actor.spec.phases[-1]:  # ego has to brake for it, so it does not pull away
@@ -170,36 +169,6 @@ def _enter_road(c: Course, p: Phase) -> list[Step]:
     c.value, c.speed = goal, scope.number(goal)
     drive = c.drive(scope.number(goal), middle(p.rate) if p.rate else 3)
     return [(["line = way(egoLane)", drive], ending(p, "for 5 seconds"))]
-
-
-def _overtake(c: Course, p: Phase) -> list[Step]:
-    other = c.actor.ref(p.target)
-    c.set(c.wanted(p, max(c.value, c.target_speed(p) + 5)))
-    past = f"until lead_on(self, {other}) > 12 + self.length"
-    scrapes = _scrapes(c, p)
-    if scrapes:  # it comes back too early
-        past = f"until lead_on(self, {other}) > -6"
-    if c.oncoming_both(p):  # by ego's lane
-        aside = c.drive(offset=scope.number(LANE_WIDTH), shift=2)
-        return [([aside], past), ([c.drive()], "for 5 seconds")]
-    if not c.same_lane(p) or c.lane is None:
-        return [([c.drive()], past)]
-    home, offsets = c.lane, c.actor.plan.offsets
-    if home + 1 in offsets or home - 1 in offsets:
-        line = c.onto(_side(p, 1))
-        c.lane = home
-        home_line = f"line = way({LANE_NAME[home]})"
-        return [([line, c.drive()], past), *([] if scrapes else [([home_line, c.drive()], "for 5 seconds")])]
-    inside = NARROW if c.actor.spec.type in NARROW_TYPES else LANE_WIDTH
-    sideways = scope.number(-inside if p.side == "right" else LANE_WIDTH)
-    return [([c.drive(offset=sideways, shift=2)], past), *([] if scrapes else [([c.drive()], "for 5 seconds")])]
-
-
-def _scrapes(c: Course, p: Phase) -> bool:
-    """Whether it hits the one that it overtakes."""
-    phases = c.actor.spec.phases
-    after = phases[phases.index(p) + 1 :]
-    return any(q.action == "collide" and q.target == p.target for q in after)
 
 
 # Out of the lane.
@@ -238,17 +207,27 @@ def _drift(c: Course, p: Phase) -> list[Step]:
 
 
 def _leave_road(c: Course, p: Phase) -> list[Step]:
-    lane, offsets, plan = c.lane or 0, c.actor.plan.offsets, c.actor.plan
     if into := struck_beside(c, p):
         return into
-    two_way = plan.place.kind not in {"motorway", *RAMP} and not c.oncoming
-    if p.side == "left" and two_way and plan.oncoming:  # beyond the oncoming lanes, however many there are
-        beyond = "egoLane.group.opposite.rightEdge.distanceTo(self.position) + 4"
-        return [([c.drive(c.set(c.wanted(p, c.value)), offset=beyond, shift=2)], ending(p, ""))]
-    width = LANE_WIDTH * (max(offsets) - lane if p.side == "left" else lane - min(offsets))
-    if p.side == "left" and two_way:  # beyond the oncoming lanes
-        width += LANE_WIDTH * (plan.place.lanes or 2)
-    return _sideways(c, p, -(width + 5), 2, None)
+    out = _off_the_road(c, "left" if p.side == "left" else "right")
+    drive = c.drive(c.set(c.wanted(p, c.value)), offset=out, shift=2)
+    off = "" if p == c.actor.spec.phases[-1] else "until self._lane is None and self._intersection is None"
+    return [([drive], ending(p, HITS_SOON if hit_next(c, p) else off))]
+
+
+def _off_the_road(c: Course, side: str) -> str:
+    """How far to the left (m) it must get to be off all lanes, however many there are on that side."""
+    own = "oncomingLane" if c.oncoming else "egoLane"
+    if c.lane is None and not (c.oncoming and c.actor.plan.oncoming):  # a road of which nothing is known
+        return scope.number(LANE_WIDTH + 5 if side == "left" else -5)
+    if side == "right":
+        return f"-{own}.group.rightEdge.distanceTo(self.position) - {BEYOND_EDGE}"
+    far = f"{own}.group.opposite.rightEdge"
+    if c.actor.plan.place.kind in {"motorway", *RAMP}:
+        far = f"{own}.group.leftEdge"
+    elif not c.actor.plan.oncoming:
+        far = f"({far} if {own}.group._opposite else {own}.group.leftEdge)"
+    return f"{far}.distanceTo(self.position) + {BEYOND_EDGE}"
 
 
 def _oncoming(c: Course, p: Phase) -> list[Step]:
@@ -265,7 +244,7 @@ _OF: dict[str, Callable[[Course, Phase], list[Step]]] = {
     "lane_change": _lane_change,
     "cut_out": _lane_change,
     "cut_in": _cut_in,
-    "overtake": _overtake,
+    "overtake": overtakes,
     "follow": _follow,
     "swerve": _swerve,
     "drift": _drift,

@@ -43,11 +43,15 @@ def every(structure: Structure, cid: str) -> str:
     return f"*{first.removesuffix('[0]')}" if first.endswith("[0]") else first
 
 
+def members(structure: Structure, cid: str) -> list[str]:
+    """The references to an object, or to the first and the last of its members."""
+    first = scope.reference(structure, cid)
+    return [first, first.replace("[0]", "[-1]")] if first.endswith("[0]") else [first]
+
+
 def every_passed(structure: Structure, cid: str) -> str:
     """The condition under which an object, or the first and the last of its members, has gone by before the car."""
-    first = scope.reference(structure, cid)
-    members = [first, first.replace("[0]", "[-1]")] if first.endswith("[0]") else [first]
-    return " and ".join(f"passed({one}, self)" for one in members)
+    return " and ".join(f"passed({one}, self)" for one in members(structure, cid))
 
 
 def shown(structure: Structure, cid: str) -> str:

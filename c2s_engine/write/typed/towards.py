@@ -2,10 +2,12 @@
 
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
-from c2s_engine.write.typed.collisions import Step
-from c2s_engine.write.typed.course import Course
-from c2s_engine.write.typed.tables import is_walker
+from c2s_engine.write.typed.collisions import LANE_WIDTH, Step
+from c2s_engine.write.typed.course import Actor, Course
+from c2s_engine.write.typed.order import goes_after, turns_left
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, WORKS, is_static, is_walker
 from c2s_engine.write.typed.threats import every_passed, standing
+from c2s_engine.write.typed.usual import SIREN
 
 
 def ending(phase: Phase, natural: str) -> str:
@@ -15,48 +17,148 @@ def ending(phase: Phase, natural: str) -> str:
 
 def yields(c: Course, p: Phase) -> list[Step]:
     other, lane = c.actor.ref(p.target), c.actor.to_junction
-    go = ([c.drive(c.set(c.wanted(p, c.actor.value or 8)), 2)], "for 4 seconds")
-    if lane is None or _on_foot_behind(c, p):
+    go = ([c.drive(c.set(_moving_on(c, p)), 2)], "for 4 seconds")
+    if _in_next_lane(c, p):
+        return [*_let_by(c, other), go]
+    if lane is None or _on_foot_behind(c, p) or c.behind and _comes_towards(c, p):
         return [*_until_forced(c, p, other), go]
     end = f"{lane}.centerline[-1]"
-    if c.same_lane(p):  # it is ahead: behind it up to the junction, until it has gone on over it
+    if _in_front(c, p):  # it is ahead: behind it up to the junction, until it has gone on over it
         behind = f"do Drive(line, lambda: pace(self, {other}, {c.speed}), rate=4)"
         clear = f"(distance from {other} to {end}) > 14 and (distance from self to {end}) < 14"
         return [([behind], f"until {clear}"), (go[0], "")]
-    near = f"until (distance from self to {end}) < 5 + self.speed ** 2 / 6"
-    return [([c.drive()], near), ([c.drive("0", 3)], f"until passed({other}, self)"), go]
+    near = f"until (distance from self to {end}) < 4 + self.speed ** 2 / 6"
+    first = its_turn(c.actor, p.target)
+    gone = f"passed({other}, self)" + (f" and {first}" if first else "")
+    up = [] if _waits_there(c, p) else [([c.drive()], near)]
+    return [*up, ([c.drive("0", 3)], f"until {gone}"), go]
+
+
+def _waits_there(c: Course, p: Phase) -> bool:
+    """Whether ego stands at the junction from the first for one who comes by another road."""
+    spec = c.actor.structure[p.target].spec if p.target and p.target in c.actor.structure else None
+    crossing = isinstance(spec, ObjectSpec) and spec.placement.position in APPROACH_ANGLE
+    return c.actor.is_ego and c.actor.value <= 0 and crossing
+
+
+def _in_front(c: Course, p: Phase) -> bool:
+    """Whether the other starts ahead of it in its lane or on its approach."""
+    queued = getattr(getattr(c.actor.spec, "placement", None), "of", None) == p.target
+    spec = c.other(p.target)
+    behind = spec is not None and "behind" in (spec.placement.position, spec.placement.along)
+    return not behind and c.same_lane(p) and (c.lane is not None or queued)
+
+
+def its_turn(actor: Actor, besides: str | None = None) -> str:
+    """The condition under which those who go before a driver at the junction are in it, or where one of the two turns
+    left have gone by; `besides` one of them; "": there are none."""
+    conditions = []
+    for cid in goes_after(actor.structure, actor.cid):
+        one = "ego" if cid == "E" else actor.ref(cid)
+        within = "" if any(turns_left(actor.structure, c) for c in (actor.cid, cid)) else f"{one}._intersection or "
+        conditions += [f"({within}passed({one}, self))" if within else f"passed({one}, self)"] if cid != besides else []
+    return " and ".join(conditions)
+
+
+def _in_next_lane(c: Course, p: Phase) -> bool:
+    """Whether the other drives in the lane beside its own, behind it or level with it."""
+    spec = c.other(p.target)
+    if spec is None or is_static(spec) or is_walker(spec.type) or c.actor.value <= 0:
+        return False
+    along, lane, own = spec.placement.along or spec.placement.position, c.target_lane(p), c.actor.lane
+    return None not in (lane, own) and lane != own and along in ("behind", "abreast", "beside")
+
+
+def _let_by(c: Course, other: str) -> list[Step]:
+    """Slower than the other, and behind what stands in its way, until that one is ahead."""
+    stands = standing(c.actor.structure, c.actor.plan.lane_of)
+    goal = f"max(0, min({scope.number(0.6 * c.value)}, {other}.speed - 3))"
+    slower = f"lambda: gain(self, {c.actor.ref(stands)}, {goal})" if stands else f"lambda: {goal}"
+    return [([c.drive(slower, 3)], f"until lead_on({other}, self) > self.length + {other}.length")]
+
+
+def _comes_towards(c: Course, p: Phase) -> bool:
+    """Whether the other is in the lane by which it overtakes later."""
+    spec = c.other(p.target)
+    return spec is not None and spec.placement.position == "oncoming_lane"
 
 
 def _on_foot_behind(c: Course, p: Phase) -> bool:
     """Whether the other is on foot where ego leaves the junction: it is let pass there, not before the junction."""
-    spec = c.actor.structure[p.target].spec if p.target and p.target in c.actor.structure else None
-    behind = isinstance(spec, ObjectSpec) and spec.placement.position == "intersection_exit" and is_walker(spec.type)
+    spec = c.other(p.target)
+    behind = spec is not None and spec.placement.position == "intersection_exit" and is_walker(spec.type)
     return behind and c.actor.is_ego
 
 
 def _until_forced(c: Course, p: Phase, other: str) -> list[Step]:
     """Where no junction says where to wait: what comes before letting the other pass, and the wait."""
-    a, gone = c.actor, f"until passed({other}, self) or passed({other}, self, 0)"
-    spec = a.structure[p.target].spec if p.target and p.target in a.structure else None
-    if not a.is_ego or not isinstance(spec, ObjectSpec) or a.value <= 0:
-        return [([c.drive("0", 4)], gone)]
-    if "behind" in (spec.placement.position, spec.placement.along):  # aside, until it is ahead
-        aside = c.drive("0", 2.5, "" if a.spec.phases[0].action == "lane_change" else scope.number(-0.8))
-        return [([aside], f"until lead_on({other}, self) > self.length + {other}.length")]
-    if spec.placement.position == "oncoming_lane":  # behind what stands in the lane, or where they would meet
-        stands = standing(a.structure, a.plan.lane_of)
-        near = f"(distance from self to {a.ref(stands)}) < 14 + self.speed ** 2 / 6" if stands else ""
-        near = near or f"(distance from self to {other}) < 5 * self.speed"
-        return [([c.drive()], f"until {near}"), ([c.drive("0", 3)], f"until passed({other}, self, 0)")]
+    a, spec = c.actor, c.other(p.target)
+    if round_it := opposite_standing(c) if p.target in (None, "ego") else None:
+        return _lets_ego_by(c, p, other, round_it)
+    if not a.is_ego or spec is None or a.value <= 0:
+        return [([c.drive("0", 4)], f"until passed({other}, self) or passed({other}, self, 0)")]
+    if "behind" in (spec.placement.position, spec.placement.along):
+        return _makes_way(c, spec, other)
+    if spec.placement.position == "oncoming_lane":
+        return _waits_for_oncoming(c, other)
     if p.target and (is_walker(spec.type) or spec.type == "bicycle"):
         waits = f"until {every_passed(a.structure, p.target)}"
         return [([c.drive()], f"until need(self, {other}) > 2"), ([c.drive("0", 3.5)], waits)]
     if spec.placement.position == "on_ramp":  # it comes in ahead: no more room than that takes
-        room = f"lambda: max({scope.number(0.7 * a.value)}, pace(self, {other}, {scope.number(0.9 * a.value)}, 0.5))"
-        near = f"until (distance from self to {other}) < 40 and lead_on(self, {other}) > -40"
-        return [([c.drive()], near), ([c.drive(room, 2.5)], f"until {other}._lane is self._lane")]
-    near = f"{other}.speed > 0.5 and (distance from self to {other}) < 5 + 5 * self.speed"
-    return [
-        ([c.drive()], f"until {near}"),
-        ([c.drive(scope.number(0.5 * a.value), 2.5)], f"until {other}._lane is self._lane"),  # it lets it in
-    ]
+        near = f"(distance from self to {other}) < 40 and lead_on(self, {other}) > -40"
+        pace = f"lambda: max({scope.number(0.7 * a.value)}, pace(self, {other}, {scope.number(0.9 * a.value)}, 0.5))"
+    else:
+        near = f"{other}.speed > 0.5 and (distance from self to {other}) < 5 + 5 * self.speed"
+        pace = scope.number(0.5 * a.value)
+    return [([c.drive()], f"until {near}"), ([c.drive(pace, 2.5)], f"until {other}._lane is self._lane")]
+
+
+def _makes_way(c: Course, spec: ObjectSpec, other: str) -> list[Step]:
+    """Aside for one that comes from behind, until it is ahead: at a stand for a siren."""
+    past, first = f"until lead_on({other}, self) > self.length + {other}.length", c.actor.spec.phases[0]
+    pace = "0" if spec.type in SIREN else scope.number(0.5 * c.actor.value)
+    if first.action == "lane_change":  # it is aside
+        verge = LANE_WIDTH * (1 if first.side == "left" else -1) if len(c.actor.plan.offsets) == 1 else 0
+        return [([c.drive(pace, 2.5, scope.number(verge) if verge else "")], past)]
+    near = f"until (distance from self to {other}) < 15 + 3 * {other}.speed"
+    return [([c.drive()], near), ([c.drive(pace, 2.5, scope.number(-0.8))], past)]
+
+
+def _waits_for_oncoming(c: Course, other: str) -> list[Step]:
+    """Behind what stands in its lane, behind whom it overtakes then, or before where they would meet."""
+    stands, gone = standing(c.actor.structure, c.actor.plan.lane_of), f"until passed({other}, self, 0)"
+    if c.behind and not stands:
+        return [([c.drive(f"lambda: pace(self, {c.behind}, {c.speed})", 4)], gone)]
+    near = f"(distance from self to {other}) < 5 * self.speed"
+    if stands:
+        near = f"(distance from self to {c.actor.ref(stands)}) < 14 + self.speed ** 2 / 6"
+    return [([c.drive()], f"until {near}"), ([c.drive("0", 3)], gone)]
+
+
+def opposite_standing(c: Course) -> str | None:
+    """What stands in the lane of one that comes towards ego, if anything does."""
+    if not c.oncoming:
+        return None
+    objects = [(o.id, o.spec) for o in c.actor.structure.objects if isinstance(o.spec, ObjectSpec)]
+    return next((i for i, o in objects if o.placement.position == "oncoming_lane" and is_static(o)), None)
+
+
+def before_standing(c: Course, cid: str) -> str:
+    """So near to what stands in its lane that one comes to a stand before it, with room to drive round it."""
+    room = 26 if getattr(c.actor.structure[cid].spec, "type", "") in WORKS else 14  # of works the sign comes first
+    return f"until (distance from self to {c.actor.ref(cid)}) < {room} + self.speed ** 2 / 6"
+
+
+def _lets_ego_by(c: Course, p: Phase, ego: str, cid: str) -> list[Step]:
+    """Up to what stands in its lane, a stand there until ego has gone by, and then round it by ego's lane."""
+    obstacle, waits = c.actor.ref(cid), [([c.drive()], before_standing(c, cid))]
+    waits += [([c.drive("0", 3)], f"until passed({ego}, self, 0)")]
+    if any(q.action in ("overtake", "oncoming", "swerve") for q in c.actor.spec.phases):
+        return waits
+    c.set(_moving_on(c, p))
+    return [*waits, ([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], f"until lead_on(self, {obstacle}) > 16")]
+
+
+def _moving_on(c: Course, p: Phase) -> float:
+    """The speed at which somebody drives on that has let another pass, m/s."""
+    return c.wanted(p, c.actor.value or 8)

@@ -6,8 +6,10 @@ from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.collisions import hit_beside, hit_next
 from c2s_engine.write.typed.course import Actor, Course
-from c2s_engine.write.typed.tables import WORKS, is_static
+from c2s_engine.write.typed.overtakings import nearest
+from c2s_engine.write.typed.tables import LENGTH, WORKS, is_static
 from c2s_engine.write.typed.threats import IN_WAY, shown, standing, threatening
+from c2s_engine.write.typed.towards import before_standing, opposite_standing
 from c2s_engine.write.typed.usual import speed_of
 
 FORCED = {"brake", "stop", "swerve", "lane_change"}
@@ -34,6 +36,13 @@ def stated(course: Course, phase: Phase) -> str:
     return f"until (distance from self to {other}) < {scope.number(value or 25)}"
 
 
+COMES_OVER = {
+    "oncoming", "drift", "swerve", "lose_control", "lane_change", "overtake", "cut_in", "turn_left",
+    "u_turn", "collide",
+}  # fmt: skip
+"""What leads one that comes towards ego into its lane."""
+
+
 def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     """The trigger of a phase that names none: what ego is forced to waits for the need, a cut-in for its gap."""
     a = course.actor
@@ -41,7 +50,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return ""
     if phase.action in ("lane_change", "cut_in") and course.on_ramp:
         return "until self._lane is accelerationLane"
-    if a.is_ego and phase.action in FORCED and _confronted(course, phase):
+    if a.is_ego and phase.action in FORCED and not _stood(a, phase) and _confronted(course, phase):
         cid = phase.target or getattr(a.spec, "react_to", None) or standing(a.structure, a.plan.lane_of)
         hard = getattr(a.spec, "hard", False) or (phase.rate is not None and middle(phase.rate) >= 4)
         limit = 1.2 if phase.action in ("swerve", "lane_change") else 4 if hard else 2
@@ -50,6 +59,10 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return f"until {seen + ' and ' if seen else ''}need(self, {a.ref(cid)}) > {limit}" + (
             f" or near(self, {a.ref(cid)})" if met else ""
         )
+    if a.is_ego and phase.action == "stop" and (cid := _stopped_for(course, phase)):
+        return f"until (distance from self to {a.ref(cid)}) < 14 + self.speed ** 2 / 6"
+    if phase.action == "stop" and not a.is_ego and first and (cid := opposite_standing(course)):
+        return before_standing(course, cid)
     if phase.action == "cut_in" and (_sideways_into(course, phase) or a.is_ego and hit_next(course, phase)):
         return ""
     if phase.action == "cut_in":
@@ -59,7 +72,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         course.oncoming_both(phase) or course.lane is not None and course.same_lane(phase)
     ):
         if course.target_speed(phase) > 0:  # it may follow
-            return f"until (distance from self to {a.ref(phase.target)}) < 10 + 1.6 * self.speed"
+            return f"until (distance from self to {nearest(course, phase)}) < 10 + 1.6 * self.speed"
         return _before(course, phase.target)
     stands = standing(a.structure, a.plan.lane_of) if a.is_ego and phase.action == "oncoming" else None
     if stands:
@@ -78,10 +91,18 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     return "for 3 seconds"
 
 
+def _stood(actor: Actor, phase: Phase) -> bool:
+    """Whether it changes lanes from where it came to a stand: nothing forces it any more."""
+    phases = actor.spec.phases
+    before = phases[: phases.index(phase)] if phase in phases else ()
+    return phase.action in ("lane_change", "swerve") and any(p.action in ("stop", "wait") for p in before)
+
+
 def _before(course: Course, cid: str | None) -> str:
     """So near to one that stands that there is just room to get out of its lane; of works the sign comes first."""
     spec = course.actor.structure[cid].spec if cid and cid in course.actor.structure else None
-    room = 18 if isinstance(spec, ObjectSpec) and spec.type in WORKS else 12
+    kind = spec.type if isinstance(spec, ObjectSpec) else "car"
+    room = 18 if kind in WORKS else round(9.5 + LENGTH[kind] / 2)
     return f"until (distance from self to {course.actor.ref(cid)}) < {room} + 1.9 * self.speed"
 
 
@@ -112,7 +133,8 @@ def _before_junction(course: Course, value: float, phase: Phase) -> str:
         return "for 4 seconds"
     room = value + 4
     if phase.action in ("stop", "yield", "wait", "brake") and value < 12:
-        rate = middle(phase.rate) if phase.rate else 3
+        hard = phase.action == "stop" and getattr(course.actor.spec, "hard", False)
+        rate = middle(phase.rate) if phase.rate else 6 if hard else 3
         braking = f"self.speed ** 2 / {scope.number(2 * rate)}"
         return f"until (distance from self to {lane}.centerline[-1]) < {scope.number(room)} + {braking}"
     return f"until (distance from self to {lane}.centerline[-1]) < {scope.number(room)}"
@@ -142,9 +164,25 @@ def _obstacle(course: Course) -> str:
     return ""
 
 
+def _stays_opposite(spec: ObjectSpec) -> bool:
+    """Whether one that comes towards ego, or stands on the other side, keeps to its own lane."""
+    return spec.placement.position == "oncoming_lane" and not COMES_OVER & {p.action for p in spec.phases}
+
+
+def _stopped_for(course: Course, phase: Phase) -> str | None:
+    """The one on the other side of the road that ego stops for, as for a school bus."""
+    a = course.actor
+    for c in a.structure.objects:
+        if phase.target in (None, c.id) and isinstance(c.spec, ObjectSpec) and _stays_opposite(c.spec):
+            return c.id if phase.target or is_static(c.spec) or "stop" in {p.action for p in c.spec.phases} else None
+    return None
+
+
 def _in_front(actor: Actor, cid: str) -> bool:
     """Whether an object is in ego's lane ahead of it, comes onto it, or comes from elsewhere than the next lanes."""
     spec, lane = actor.structure[cid].spec, actor.plan.lane_of.get(cid)
+    if isinstance(spec, ObjectSpec) and _stays_opposite(spec):
+        return False
     if not isinstance(spec, ObjectSpec) or "behind" in (spec.placement.position, spec.placement.along):
         return False
     comes = {"cut_in", "lane_change", "drift", "swerve", "lose_control"} & {p.action for p in spec.phases}
@@ -160,10 +198,11 @@ def _confronted(course: Course, phase: Phase) -> bool:
     if cid == "ego" or cid not in a.structure:
         return False
     spec = a.structure[cid].spec
-    if not isinstance(spec, ObjectSpec):
+    if not isinstance(spec, ObjectSpec) or phase.action == "stop" and _stays_opposite(spec):
         return False
     if spec.placement.position == "behind" or spec.placement.along == "behind":
-        return any(p.action in ("cut_in", "overtake") for p in spec.phases) and phase.action in ("brake", "stop")
+        comes = any(p.action in ("cut_in", "overtake") for p in spec.phases) and phase.action in ("brake", "stop")
+        return comes and getattr(a.spec, "reaction", "") != "yield"  # else it has been let by
     return (spec.placement.position in IN_WAY or not is_static(spec)) and _presses(course, cid)
 
 

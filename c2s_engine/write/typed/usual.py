@@ -16,6 +16,11 @@ from c2s_engine.write.typed.tables import (
 
 ROOM_BEHIND = 4.0
 """m that drivers keep behind who stands."""
+TO_PULL_OUT = 3.0
+"""s that it takes to get out from behind another."""
+TO_COME_UP = 5.0
+"""s before one with a siren is there, so that ego has the time to make way."""
+SIREN = {"ambulance", "fire_truck", "police_car"}
 LONGEST_VIEW = 320.0
 """m ahead of ego up to which others are placed of themselves."""
 
@@ -80,19 +85,28 @@ def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
     if position == "oncoming_lane" or against:
         if place and place.kind in JUNCTION | RAMP:  # it is still before the junction
             return 60.0
-        own = middle(speed_of(o, place)) if place else ego_speed
+        own = 0.0 if is_static(o) else middle(speed_of(o, place)) if place else ego_speed
         return max(60.0, min(5.5 * (ego_speed + own), 260.0))
     if position == "intersection_exit":
         return 3.0 if place and place.kind == "roundabout" else 14.0  # on the ring, whose pieces are short
     if is_static(o) and position == "behind":
         return 8.0  # of interest only to who backs up
+    if rides_beside(o) and o.placement.along == "behind":
+        return 5.0
     if is_static(o) or not is_vehicle(o.type) or position in MOVES_OFF_ROAD:
         catching = _to_catch(o, ego_speed, place) if position not in MOVES_OFF_ROAD else 0.0
-        return max(30.0, min(4.0 * ego_speed, 90.0), _while_crossing(o, ego_speed, place), catching)
+        return max(30.0, min(4.0 * ego_speed, 90.0), while_crossing(o, ego_speed, place), catching)
     if position == "behind" or o.placement.along == "behind":
         own = middle(speed_of(o, place)) if place else ego_speed
-        brakes = position != "behind" and bool(o.phases) and o.phases[0].action in ("brake", "stop")
-        return max(12.0, 1.2 * ego_speed, own**2 / 8 if brakes and own > ego_speed + 1 else 0.0)
+        first, closing = o.phases[0].action if o.phases else "", max(own - ego_speed, 0.0)
+        brakes = position != "behind" and first in ("brake", "stop") and closing > 1
+        pulls_out = position == "behind" and first != "follow" and any(p.action == "overtake" for p in o.phases)
+        return max(
+            12.0,
+            1.2 * ego_speed,
+            own**2 / 8 if brakes else 0.0,
+            (TO_COME_UP if o.type in SIREN else TO_PULL_OUT) * closing + ROOM_BEHIND if pulls_out else 0.0,
+        )
     if position in ("left_lane", "right_lane") and any(p.action == "cut_in" for p in o.phases) and o.speed != 0:
         return 10.0
     return max(12.0, min(1.6 * ego_speed, 45.0), _to_catch(o, ego_speed, place) - ROOM_BEHIND)
@@ -124,6 +138,11 @@ def far_side(o: ObjectSpec, place: PlaceSpec) -> bool:
     return o.placement.side == "left" and place.kind not in {"motorway", *RAMP} and not o.placement.hidden_by
 
 
+def from_lane(o: ObjectSpec, place: PlaceSpec) -> bool:
+    """Whether how far somebody is from ego's lane is seen in the scene only."""
+    return far_side(o, place) or o.placement.position == "intersection_exit" or o.placement.hidden_by is not None
+
+
 def uses_crosswalk(o: ObjectSpec) -> bool:
     """Whether somebody crosses by the crosswalk on ego's way, where there is one: not who is placed otherwise."""
     placement = o.placement
@@ -141,21 +160,37 @@ def crosses_there(o: ObjectSpec) -> bool:
     return crosses and placement.position in ("roadside", "sidewalk") and not own and not triggered
 
 
+RIDES = {"move_along", "keep_lane", "go_straight", "overtake", "follow", "accelerate", "brake", "stop", "wait", "start"}
+"""What riders do who go along the road beside its lanes, and over a junction."""
+
+
+def rides_beside(o: ObjectSpec) -> bool:
+    """Whether a rider goes along the road on the right of its lanes: on a cycle lane or the shoulder."""
+    rider = o.type in ("bicycle", "motorcycle") and o.placement.facing in (None, "along")
+    beside = o.placement.position in ("roadside", "sidewalk") and o.placement.side != "left"
+    return rider and beside and not is_static(o) and {p.action for p in o.phases} <= RIDES
+
+
 def walks_first(o: ObjectSpec) -> bool:
     """Whether somebody on foot goes along the road before crossing it."""
     return is_walker(o.type) and bool(o.phases) and o.phases[0].action == "move_along"
 
 
 def right_behind(o: ObjectSpec) -> bool:
-    """Whether it stands by what hides it, wherever that is."""
-    beside = o.placement.position in MOVES_OFF_ROAD and not is_vehicle(o.type)
+    """Whether it stands by what hides it, wherever that is: who is on foot, things, and riders that cross."""
+    beside = o.placement.position in MOVES_OFF_ROAD and (crosses(o) or not is_vehicle(o.type))
     return beside and o.placement.hidden_by is not None
 
 
-def _while_crossing(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float:
+def crosses(o: ObjectSpec) -> bool:
+    """Whether somebody on foot or on a bicycle comes over the road or onto it."""
+    does = any(p.action in ("cross_road", "enter_road") for p in o.phases)
+    return does and (is_walker(o.type) or o.type == "bicycle")
+
+
+def while_crossing(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float:
     """How far (m) ego drives while somebody comes from beside the road into its lane: they must be that far ahead."""
-    crosses = any(p.action in ("cross_road", "enter_road") for p in o.phases)
-    if place is None or not crosses or not (is_walker(o.type) or o.type == "bicycle"):
+    if place is None or not crosses(o):
         return 0.0
     pace = max(middle(speed_of(o, place)), 0.8)
     seconds = reach(o, place) / pace + (4 if walks_first(o) else 0)

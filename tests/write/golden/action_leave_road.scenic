@@ -33,7 +33,7 @@ behavior LoserBehavior():
     line = way(egoLane)
     take SetSpeedAction(LOSER_SPEED)
     do Drive(line, LOSER_SPEED) for 3 seconds
-    do Drive(line, LOSER_SPEED, offset=-5, shift=2)
+    do Drive(line, LOSER_SPEED, offset=-egoLane.group.rightEdge.distanceTo(self.position) - 4, shift=2)
 
 loser = new Car at egoLane.centerline.pointAlongBy(LOSER_AT),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),

@@ -36,7 +36,7 @@ behavior PasserBehavior():
     take SetSpeedAction(PASSER_SPEED)
     do Drive(line, PASSER_SPEED) until (distance from self to ego) < 10 + 1.6 * self.speed
     line = way(leftLane)
-    do Drive(line, PASSER_SPEED) until lead_on(self, ego) > 12 + self.length
+    do Drive(line, lambda: gain(self, ego, PASSER_SPEED), rate=5) until lead_on(self, ego) > 12 + self.length
     line = way(egoLane)
     do Drive(line, PASSER_SPEED)
 

@@ -35,14 +35,14 @@ ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
 
 ## O1
 TURNER_SPEED = 11  # m/s
-TURNER_TO_JUNCTION = 47  # m
+TURNER_TO_JUNCTION = 38.2  # m
 
 behavior TurnerBehavior():
     line = way(leftApproach, ManeuverType.RIGHT_TURN)
     spot = meeting(line, way(egoLane, egoTurn))
     take SetSpeedAction(TURNER_SPEED)
-    do Drive(line, lambda: meet(self, ego, spot, TURNER_SPEED)) until self._intersection
-    do Drive(line, lambda: meet(self, ego, spot, TURNER_SPEED))
+    do Drive(line, lambda: meet(self, ego, spot, TURNER_SPEED, 2)) until self._intersection
+    do Drive(line, lambda: meet(self, ego, spot, TURNER_SPEED, 2))
 
 turner = new Car at leftApproach.centerline.pointAlongBy(-TURNER_TO_JUNCTION),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),

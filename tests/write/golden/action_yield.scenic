@@ -25,7 +25,7 @@ behavior EgoBehavior():
     line = way(egoLane, egoTurn)
     try:
         take SetSpeedAction(EGO_SPEED)
-        do Drive(line, EGO_SPEED) until (distance from self to egoLane.centerline[-1]) < 5 + self.speed ** 2 / 6
+        do Drive(line, EGO_SPEED) until (distance from self to egoLane.centerline[-1]) < 4 + self.speed ** 2 / 6
         do Drive(line, 0, rate=3) until passed(crosser, self)
         do Drive(line, EGO_SPEED, rate=2)
     interrupt when need(self, crosser) > 3:

@@ -1,8 +1,7 @@
 def to_go(points, car, spot):
     """How far (m) `car` still has to go to the spot along points 2 m apart; negative: it is past it."""
-    def index(place):
-        return min(range(len(points)), key=lambda k: (points[k].x - place.x) ** 2 + (points[k].y - place.y) ** 2)
-    steps = index(spot) - index(car.position)
+    there = min(range(len(points)), key=lambda k: (points[k].x - spot.x) ** 2 + (points[k].y - spot.y) ** 2)
+    steps = there - nearest(car, points)
     return (distance from car to spot) if 0 < steps < 6 else 2 * steps
 
 def strike(car, points, other, others, spot, speed, sooner=0):

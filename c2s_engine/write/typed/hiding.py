@@ -1,0 +1,97 @@
+"""What hides somebody who crosses: where it stands, when and how far off, and where who is hidden by it stands."""
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.course import EDGE, HALF_LANE
+from c2s_engine.write.typed.spot import Spot, member
+from c2s_engine.write.typed.stations import RIGHT_BEHIND
+from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, WIDTH, is_static
+from c2s_engine.write.typed.usual import crosses, default_gap, right_behind, speed_of, while_crossing
+
+OUT = 0.15
+"""m beside a lane of one who is just out of it."""
+STOPS_BEHIND = 10.0
+"""m behind what stands in its lane where ego begins to brake hard for it, or stands."""
+FACES_EGO = {"oncoming_lane", "opposite_approach"}
+
+
+def hidden(structure: Structure, spec: ObjectSpec) -> Spot:
+    """Right behind what hides it, as ego sees it: at its front, or at the tail of what faces ego; one who crosses
+    before what stands in ego's lane is just out of that lane."""
+    by = spec.placement.hidden_by or "ego"
+    hider = scope.reference(structure, by).replace("[0]", "[-1]")  # of a row the last
+    left, front = spec.placement.side == "left", not faces_ego(structure, by)
+    gap = scope.number(RIGHT_BEHIND)
+    where = f"{'ahead of' if front else 'behind'} {hider} by {member(spec, gap)}"
+    if crosses(spec) and (off := _out_of_lane(structure, by)):
+        beyond = member(spec, f"{hider}.length / 2 + {scope.number(RIGHT_BEHIND + LENGTH[spec.type] / 2)}")
+        where = f"at {hider} offset by {scope.number(-off if left else off)} @ ({beyond})"
+    angle = "-90 deg" if left == front else "90 deg"
+    specifiers = (where, f"facing {angle} relative to {hider}", "with regionContainedIn everywhere")
+    return Spot((), specifiers, "straight_on(self)", off_road=True)
+
+
+def faces_ego(structure: Structure, cid: str) -> bool:
+    """Whether something looks towards ego, so that what it hides is at its tail."""
+    spec = structure[cid].spec
+    at = spec.placement if isinstance(spec, ObjectSpec) else None
+    return at is not None and (at.position in FACES_EGO or at.facing == "against")
+
+
+def aside(structure: Structure, cid: str) -> float:
+    """How far (m) to the left of the middle of its lane something starts: what hides somebody stands near the kerb."""
+    spec = structure[cid].spec
+    assert isinstance(spec, ObjectSpec)
+    if spec.placement.position == "partly_in_lane":
+        return EDGE if spec.placement.side == "left" else -EDGE
+    who = _hides(structure, cid) if spec.placement.position == "ahead" and is_static(spec) else None
+    to_kerb = round(max(0.0, HALF_LANE + OUT - WIDTH[spec.type] / 2), 2)
+    return 0.0 if who is None else to_kerb if who.placement.side == "left" else -to_kerb
+
+
+def _out_of_lane(structure: Structure, cid: str) -> float:
+    """How far (m) beside something that stands in ego's lane one is who is just out of it; 0: it is not there."""
+    spec = structure[cid].spec
+    if not isinstance(spec, ObjectSpec) or spec.placement.position not in ("ahead", "partly_in_lane"):
+        return 0.0
+    return round(HALF_LANE + OUT - abs(aside(structure, cid)), 2)
+
+
+def behind_what_ego_stops_for(structure: Structure, spec: ObjectSpec) -> float:
+    """How much further off (m) than who is in its way ego is that has to stop for what hides one in its lane; 0: it
+    hides nobody there."""
+    by = spec.placement.hidden_by or "ego"
+    hider = structure[by].spec if by in structure else None
+    if not isinstance(hider, ObjectSpec) or not _out_of_lane(structure, by):
+        return 0.0
+    return LENGTH[hider.type] + STOPS_BEHIND
+
+
+def _hides(structure: Structure, cid: str) -> ObjectSpec | None:
+    """Who stands by an object that hides him, and crosses ego's road from there."""
+    specs = [c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)]
+    return next((s for s in specs if right_behind(s) and s.placement.hidden_by == cid and crosses(s)), None)
+
+
+def standing(structure: Structure) -> Structure:
+    """S with those who stop and hide somebody standing from the first, and so far off that ego is there no sooner than
+    whom they hide."""
+    place, ego = structure.place.spec, structure.ego.spec
+    assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
+    for component in structure.objects:
+        spec, who = component.spec, _hides(structure, component.id)
+        if who is None or not isinstance(spec, ObjectSpec):
+            continue
+        if spec.phases and spec.phases[0].action == "stop":
+            spec = spec.model_copy(update={"speed": 0.0, "phases": (Phase(action="stationary"), *spec.phases[1:])})
+        speed = middle(speed_of(ego, place))
+        seen = who.model_copy(update={"placement": who.placement.model_copy(update={"hidden_by": None})})
+        least = while_crossing(seen, speed, place)
+        beside = spec.placement.position in MOVES_OFF_ROAD
+        if beside and spec.placement.gap is None and default_gap(spec, speed, place) < least:
+            spec = spec.model_copy(update={"placement": spec.placement.model_copy(update={"gap": round(least)})})
+        if spec is not component.spec:
+            structure = structure.with_component(component.model_copy(update={"spec": spec}))
+    return structure

@@ -95,12 +95,13 @@ def _anew(plain: str) -> bool:
 
 def _taken_back(plain: str) -> Literal["undo", "redo"] | None:
     """Whether a text only takes back the last change, or does it again."""
-    if len(plain.split()) > 14:
+    if len(plain.split()) > 20:
         return None
     table = language.table("refine")["taking_back"]
+    behind = rf"{table['behind']}(?:{table['reason']})?[ .!]*"
     kinds: tuple[Literal["redo", "undo"], ...] = ("redo", "undo")
     for kind in kinds:
-        if any(re.fullmatch(rf"{table['before']}(?:{said}){table['behind']}", plain) for said in table[kind]):
+        if any(re.fullmatch(rf"{table['before']}(?:{said}){behind}", plain) for said in table[kind]):
             return kind
     return None
 

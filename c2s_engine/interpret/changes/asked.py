@@ -57,6 +57,8 @@ def demanded(plain: str) -> str:
         return plain
     named = [s[n.start : n.end] for s in sentences if s not in rest for n in scan.names(s) if n.kind == "actor"]
     said = ". ".join(rest)
+    for judged in (m for s in sentences if s not in rest if (m := re.search(_table()["asking"]["judged"], s))):
+        return f"{judged['who'] or judged['whom'] or 'ego'} is too {judged['how']}. {said}"
     return re.sub(r"\b(?:it|he|she|they|him|them)\b", f"the {named[0]}", said, count=1) if named else said
 
 

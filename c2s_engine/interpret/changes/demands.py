@@ -165,7 +165,17 @@ def _folded(parts: list[str]) -> list[str]:
             adds = language.table("refine")["told"]["adds"]
             told = bool(re.match(table["follows_from"], part)) and not re.search(table["judges"], ", ".join(found))
             told = told and not re.match(r"(?:ego|we|i|it)\b", ", ".join(found))
-            kept = [d for d in found if told or re.search(table["demanding"], d) or re.match(adds, found[0])]
+            polite = part.startswith("please ")
+            kept = [
+                d
+                for d in found
+                if told
+                or re.search(table["demanding"], d)
+                or re.match(adds, found[0])
+                or polite
+                and re.match(table["noted"], d)
+                and not re.search(table["judges"], d)
+            ]
             found, ahead = kept, ""
         if (
             not part

@@ -30,7 +30,7 @@ def distance(clause: str, structure: Structure) -> Found | None:
     if (
         quantity is None
         and not (wider and re.search(r"\b(?:gap|distance|headway|spac)", clause))
-        and (relative is None or not re.search(r"away|closer|nearer|furth|gap|distance|far|ahead|behind", clause))
+        and (relative is None or not re.search(r"away|clos|near|furth|gap|distance|far|ahead|behind", clause))
     ):
         return None
     if names_a_stranger(clause, structure) or re.search(_table()["no_gap"], clause):
@@ -54,7 +54,7 @@ def distance(clause: str, structure: Structure) -> Found | None:
         relative = wider = None  # a distance to have, not one more or less
     if quantity is not None and quantity["high"] < 1.5 and not re.search(_table()["so_much_further"], clause):
         return None  # beside somebody, not before or behind him
-    factor = relative or _moved(clause, spec.placement) or wider
+    factor = _by_a_share(clause, relative or _moved(clause, spec.placement) or wider)
     now = spec.placement.gap
     base = middle(now) if now is not None else 25.0
     value: Any
@@ -115,7 +115,7 @@ def _followed(structure: Structure) -> Component | None:
 
 def _moved(clause: str, place: Placement) -> float | None:
     """ "Move it 10 m back": further from ego or closer to it, by where it is; as a factor."""
-    match = re.search(r"^(?:move|shift|push|pull|set|put)\b.*\b(back|forward)(?:s|wards?)?$", clause)
+    match = re.search(r"^(?:move|shift|push|pull|set|put)\b.*\b(back|forward)(?:s|wards?)?(?: by .*)?$", clause)
     if not match:
         return None
     behind = place.position == "behind" or place.along == "behind"
@@ -126,6 +126,17 @@ def _factor(clause: str, rows: str) -> float | None:
     """What a distance is multiplied by where it is to be another one: "make the gap bigger", "twice as far"."""
     found = [(m.start(), factor) for pattern, factor in _table()[rows] if (m := re.search(pattern, clause))]
     return min(found)[1] if found else None
+
+
+def _by_a_share(clause: str, factor: float | None) -> float | None:
+    """The factor where it is told by how much of it a distance changes: "10 % more distance", "by a third"."""
+    pace = _table()["pace"]
+    share = next((s for pattern, s in pace["parts"] if re.search(pattern, clause)), None)
+    if percent := re.search(r"(\d+(?:\.\d+)?) ?(?:%|per ?cent)", clause):
+        share = float(percent[1]) / 100
+    if factor is None or share is None or share >= 1 > factor:
+        return factor
+    return 1 + share if factor > 1 else 1 - share
 
 
 def _only_one(structure: Structure) -> Component | None:

@@ -113,9 +113,11 @@ def _all_but(clause: str, structure: Structure) -> Found | None:
 
 
 def _without_weather(values: list[str], structure: Structure) -> Found:
-    wet = {"rain": {"rain", "heavy_rain", "wet"}, "heavy_rain": {"rain", "heavy_rain", "wet"}}
-    gone = set().union(*(wet.get(v, {v}) for v in values))
-    left = [w for w in structure.settings.spec.weather if w not in gone]  # type: ignore[union-attr]
+    now = structure.settings.spec.weather  # type: ignore[union-attr]
+    rains = {"rain", "heavy_rain"}
+    wet = {*rains, "wet"} if rains & set(now) else rains  # a road that is wet without rain stays so
+    gone = set().union(*(wet if v in rains else {v} for v in values))
+    left = [w for w in now if w not in gone]
     edits: list[Edit] = [SetField(component="G", path="weather", value=left)]
     if structure.settings.spec.preset:  # type: ignore[union-attr]
         edits.append(SetField(component="G", path="preset", value=None))
@@ -302,7 +304,7 @@ def _typed(spec: ObjectSpec, kind: str) -> ObjectSpec:
                 "go_straight": "cross_road",
             }
         )
-        keep = {"stationary", "wait", "stop", "start", "collide", "move_along"}
+        keep = {"stationary", "wait", "stop", "start", "collide", "move_along", "cross_road"}
         phases = tuple(
             p.model_copy(update={"action": turned.get(p.action, p.action)})
             for p in spec.phases

@@ -6,6 +6,7 @@ from c2s_engine.interpret.changes.forms import Form
 from c2s_engine.interpret.changes.looks import blueprint, uncovered
 from c2s_engine.interpret.changes.motion import distance, rate, reaction, sides
 from c2s_engine.interpret.changes.objects import count, remove, retype
+from c2s_engine.interpret.changes.roadsides import roadside
 from c2s_engine.interpret.changes.scene import ending, length, own_lane, road, setting
 from c2s_engine.interpret.changes.signs import sign
 from c2s_engine.interpret.changes.speed import kept, speed, speed_difference, still, walked
@@ -23,6 +24,7 @@ FORMS: tuple[Form, ...] = (
     each_lane,
     abreast,
     sign,
+    roadside,
     count,
     swapped,
     retype,

@@ -47,7 +47,25 @@ def afterwards(clause: str, edits: Sequence[Edit], structure: Structure) -> list
     return [SetField(component=waits.id, path="phases", value=value)]
 
 
-def at_rest(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
+def settled(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
+    """The edits, and what follows from them for who only stands now, and for how ego reacts."""
+    return _at_rest(_by_the_side(_evading(edits), structure), structure)
+
+
+def _by_the_side(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
+    """The edits, and that one who is to overtake ego on a side comes in the lane there."""
+    found = list(edits)
+    for edit in edits:
+        if not isinstance(edit, SetField) or edit.path != "phases" or not edit.component.startswith("O"):
+            continue
+        sides = [p.side for p in edit.value if p.action == "overtake" and p.side and p.target == "ego"]
+        now = spec_of(structure[edit.component]).placement.position
+        if sides and now in ("left_lane", "right_lane") and now != f"{sides[0]}_lane":
+            found.append(SetField(component=edit.component, path="placement.position", value=f"{sides[0]}_lane"))
+    return found
+
+
+def _at_rest(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
     """The edits, and that nobody has a speed who only stands now: "the van has broken down"."""
     found = list(edits)
     paced = {e.component for e in edits if isinstance(e, SetField) and e.path == "speed"}
@@ -56,6 +74,18 @@ def at_rest(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
             stands = [p.action for p in edit.value] == ["stationary"]
             if stands and spec_of(structure[edit.component]).speed:
                 found.append(SetField(component=edit.component, path="speed", value=0.0))
+    return found
+
+
+def _evading(edits: Sequence[Edit]) -> list[Edit]:
+    """The edits, and ego's swerving as its reaction where no side and no moment of it are told."""
+    found: list[Edit] = []
+    for edit in edits:
+        swerves = isinstance(edit, SetField) and (edit.component, edit.path) == ("E", "phases") and edit.value
+        if swerves and all(p.action == "swerve" and not p.side and not p.trigger for p in edit.value):  # type: ignore[union-attr]
+            edit = SetField(component="E", path="reaction", value="evade")
+        if edit not in found:
+            found.append(edit)
     return found
 
 

@@ -9,13 +9,15 @@ from functools import cache
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes import notes
+from c2s_engine.interpret.changes import notes, paced
 from c2s_engine.interpret.changes.chosen import in_role
 from c2s_engine.interpret.changes.counted import numbered
 from c2s_engine.interpret.changes.meant import called_by, described
+from c2s_engine.interpret.changes.old_values import in_place_of_old
 from c2s_engine.interpret.changes.refer import actions_of, objects_of, refer, spec_of
 from c2s_engine.interpret.changes.resumed import resumed
 from c2s_engine.interpret.changes.sided import sided
+from c2s_engine.interpret.changes.ways import own_way
 from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Structure
@@ -31,6 +33,7 @@ def _table() -> dict[str, Any]:
 
 def plainly(plain: str, structure: Structure) -> str:
     """A turn with each of its sentences put plainly."""
+    plain = _coming(_labelled(plain, structure), structure)
     for find, new in _table()["before"]:
         plain = re.sub(find, new, plain)
     plain = re.sub(_table()["pair"], lambda m: _pair(structure) or m[0], plain)
@@ -39,11 +42,34 @@ def plainly(plain: str, structure: Structure) -> str:
     plain = _named(re.sub(_table()["row"], _row(structure) or r"\g<0>", plain), structure)
     plain = sided(plain, structure)
     plain = re.sub(_table()["hidden_one"], lambda m: _hidden(m, structure), plain)
-    sentences = [resumed(s, structure) for s in re.split(r"(?<=[.;!?])\s+", plain)]
-    rows = [(find, _with_doer(new, verb, structure)) for find, new, verb in _rows("sentences")]
+    split = (own_way(in_place_of_old(s, structure), structure) for s in re.split(r"(?<=[.;!?])\s+", plain))
+    sentences = [resumed(s, structure) for s in split]
+    rows = [paced.sentence(), *((find, _with_doer(new, verb, structure)) for find, new, verb in _rows("sentences"))]
     return " ".join(
         notes.rewritten(_active(described(numbered(s, structure), structure)), rows, structure) for s in sentences
     )
+
+
+def _labelled(plain: str, structure: Structure) -> str:
+    """The text with the nouns of those who are there for their labels: "v2"."""
+    for span in reversed([s for s in scan.names(plain) if s.kind == "label"]):
+        meant = refer(plain[span.start : span.end], structure, alone=False)
+        if meant is not None:
+            name = "ego" if meant.id == "E" else called_by(meant, structure)
+            plain = f"{plain[: span.start]}{name}{plain[span.end :]}"
+    return plain
+
+
+def _coming(plain: str, structure: Structure) -> str:
+    """The text in which the only one who comes the other way is told as that."""
+    coming = [c for c in structure.objects if spec_of(c).placement.position == "oncoming_lane"]
+    if len(coming) != 1:
+        return plain
+    table = _table()["coming"]
+    plain = re.sub(table["traffic"], f"{called_by(coming[0], structure)} ", plain)
+    into = re.search(table["into_lane"], plain)
+    named = refer(plain[into.end() - 4 :], structure, alone=False) if into else None
+    return f"{plain[: into.end()]}oncoming {plain[into.end() :]}" if into and named == coming[0] else plain
 
 
 def _row(structure: Structure) -> str | None:
@@ -75,6 +101,8 @@ def _two(match: re.Match[str], structure: Structure) -> str:
     """The only two of a type by their nouns: "the two pedestrians", "both crossing cars"."""
     named = [s for s in scan.names(match["noun"]) if s.kind == "actor" and s.data.get("plural")]
     found = in_role(named[0].data["roles"], objects_of(structure, named[0].data["type"])) if named else []
+    if len(found) == 1 and spec_of(found[0]).count == 1 and spec_of(found[0]).type not in PERSONS:
+        return f"both {match['noun']}"  # ego and this one
     if len(found) != 2 or named[0].data["type"] == "vehicle" or any(spec_of(c).count > 1 for c in found):
         return match[0]
     return " and ".join(called_by(c, structure) for c in found)

@@ -68,6 +68,8 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
         if "lead" in span.data["roles"] and len(found) != 1:
             ahead = [c for c in structure.objects if spec_of(c).placement.position == "ahead"]
             return ahead[0] if ahead else None
+        if not found and span.data["type"] in ("child", "pedestrian"):
+            found = _riding(span.data["noun"], structure)
         if found:
             return chosen(plain[: span.start], span.data["noun"], span.data["roles"], found)
         if language.actor_nouns().get(span.data.get("noun", "")):
@@ -111,6 +113,13 @@ def _doer(plain: str, structure: Structure) -> Component | None:
         if named := re.search(rf"\b(?:{stem})(?:e?rs?\b|ing (?:one|vehicle|road user)s?\b)", plain):
             return next((c for c in structure.objects if doing(named[0], actions_of(c))), None)
     return None
+
+
+def _riding(noun: str, structure: Structure) -> list[Component]:
+    """The only rider, where the text of the scene calls him by that noun: the child of "a child on a bicycle"."""
+    riders = [c for c in structure.objects if spec_of(c).type in FAMILY["rider"]]
+    told = re.search(rf"\b{re.escape(noun)}\b", structure.text.lower())
+    return riders if len(riders) == 1 and told else []
 
 
 def actions_of(component: Component) -> list[str]:

@@ -64,7 +64,9 @@ def _settled(said: str, structure: Structure) -> str:
             continue
         meant = refer(f"the {said[span.start : span.end]}", structure, alone=False)
         same = meant is not None and meant.id != "E" and spec_of(meant).count == 1
-        if meant is None or not same or span.data["type"] != spec_of(meant).type or span.data["type"] not in PERSONS:
+        if meant is None or not same or span.data["type"] not in PERSONS:
+            continue
+        if spec_of(meant).type not in (span.data["type"], "bicycle", "motorcycle"):
             continue
         article = "" if re.search(r"\b(?:the|that|this|second|other|another|more)(?: \w+)? $", before) else "the "
         said = f"{before}{article}{_noun(meant)}{said[span.end :]}"

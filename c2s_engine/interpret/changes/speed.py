@@ -52,7 +52,26 @@ def speed(clause: str, structure: Structure) -> Found | None:
     if quantity is not None and change is None and len(who) > 2:
         who = [c for c in who if c.id == "E" or spec_of(c).type != "bicycle"]
     each = [_at_speed(c, quantity, change, base) for c in who]
-    return [edit for edit, _ in each], "; ".join(words for _, words in each)
+    edits: list[Edit] = [edit for edit, _ in each]
+    return [
+        *edits,
+        *(_set_off(c) for c, edit in zip(who, edits, strict=True) if _stands(c) and _moves(edit)),
+    ], "; ".join(words for _, words in each)
+
+
+def _stands(component: Component) -> bool:
+    """Whether somebody only stands."""
+    phases = getattr(component.spec, "phases", ())
+    return bool(phases) and all(p.action == "stationary" and p.trigger is None for p in phases)
+
+
+def _moves(edit: Edit) -> bool:
+    return isinstance(edit, SetField) and high(edit.value) > 0.1
+
+
+def _set_off(component: Component) -> Edit:
+    """He who only stood stands no longer."""
+    return SetField(component=component.id, path="phases", value=())
 
 
 def _like(clause: str) -> re.Match[str] | None:
@@ -72,7 +91,8 @@ def _factor(clause: str) -> float | None:
     if percent := re.search(r"(\d+(?:\.\d+)?) ?(?:%|per ?cent)", clause):
         share = float(percent[1]) / 100
     else:
-        share = next((s for pattern, s in table["shares"] if re.search(pattern, clause)), 0.25 if less else 0.3)
+        shares = (*table["parts"], *table["shares"])
+        share = next((s for pattern, s in shares if re.search(pattern, clause)), 0.25 if less else 0.3)
     return 1 - share if less else 1 + share
 
 

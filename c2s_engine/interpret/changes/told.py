@@ -10,7 +10,7 @@ from typing import Any
 from c2s_engine.interpret.changes.apart import told_apart
 from c2s_engine.interpret.changes.forms import Found
 from c2s_engine.interpret.changes.in_words import in_words
-from c2s_engine.interpret.changes.phases import PASSING, WAYS, afterwards, at_rest, awaited, given_up, joined, mapped
+from c2s_engine.interpret.changes.phases import PASSING, WAYS, afterwards, awaited, given_up, joined, mapped, settled
 from c2s_engine.interpret.changes.places import cuts_in, keeps_level, on_a_side, placed_before
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
@@ -126,7 +126,7 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
     if not any(wanted(path) for path in paths):
         return None
     edits += [*_light(clause, now, structure), *afterwards(clause, edits, structure)]
-    edits = at_rest(_one_way(edits, structure), structure)
+    edits = settled(_one_way(edits, structure), structure)
     return [*sorted(edits, key=lambda e: not isinstance(e, AddObject)), *_moves(now, ids, structure)]
 
 
@@ -286,11 +286,16 @@ def _changes(
                 and not (key in ("gap", "along") and cuts_in(now, there))
                 and not (key == "along" and keeps_level(now, there, clause))
             ]
-        elif value == "none" and not re.search(table()["denies"], clause):
+        elif value == "none" and (_passes(now) or not re.search(table()["denies"], clause)):
             continue  # how it reacts goes on, unless that is denied
         elif value is not None:
             found.append((path, ids.get(value, value) if path == "react_to" else value))
     return found
+
+
+def _passes(component: Component) -> bool:
+    """Whether somebody goes on against his light or sign."""
+    return any(p.action in PASSING for p in getattr(component.spec, "phases", ()))
 
 
 def _near(a: Any, b: Any) -> bool:

@@ -20,7 +20,7 @@ from c2s_engine.interpret.what.pulled_out import pulled_out
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.unsaid import unsaid
 from c2s_engine.interpret.where.relations import Places
-from c2s_engine.interpret.where.struck import merged_into, pushed, twice
+from c2s_engine.interpret.where.struck import came_out_into, merged_into, pushed, twice
 from c2s_engine.interpret.who.foretold import foretold
 from c2s_engine.interpret.who.mentions import Cast
 
@@ -50,6 +50,7 @@ def understand(text: str) -> Scene:
     unnamed_doers(cast, clauses)
     pushed(clauses)
     merged_into(clauses)
+    came_out_into(clauses)
     came_up_behind(clauses)
     choose_ego(cast, clauses)
     unsaid(cast, clauses)

@@ -22,30 +22,19 @@ def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
         if found and found[-1].action in ("brake", "stop") and phase.action == "stop":
             found[-1] = phase
             continue
-        if (
-            found
-            and found[-1].action == "start"
-            and phase.action in ("turn_left", "turn_right", "go_straight", "enter_road")
-        ) and found[0].action == "start":
+        moves_off = phase.action in ("turn_left", "turn_right", "go_straight", "enter_road")
+        if found and moves_off and found[0].action == found[-1].action == "start":
             found.pop()
         if found and found[-1].action == "enter_road" and phase.action in ("start", "lane_change"):
             continue
-        if (
-            found
-            and found[-1].action in ("oncoming", "drift", "leave_road")
-            and phase.action in ("lose_control", "lane_change")
-            and phase.action == "lose_control"
-        ):
+        if found and found[-1].action in ("oncoming", "drift", "leave_road") and phase.action == "lose_control":
             continue
         if phase.action == "stationary" and found:
             continue
         found.append(phase)
-    if len(found) > 1 and found[0].action == "stationary":
-        found = (
-            found[1:]
-            if found[1].action in ("enter_road", "start", "turn_left", "turn_right", "go_straight", "reverse")
-            else found
-        )
+    sets_off = ("enter_road", "start", "turn_left", "turn_right", "go_straight", "reverse")
+    if len(found) > 1 and found[0].action == "stationary" and found[1].action in sets_off:
+        found = found[1:]
     turns = [p for p in found if p.action in ("turn_left", "turn_right", "u_turn")]
     if turns and place.kind == "intersection":
         found = [p for p in found if p.action != "go_straight"]

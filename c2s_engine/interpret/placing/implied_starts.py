@@ -19,6 +19,14 @@ def _comes_up_behind(event: Event) -> bool:
     return event.act in ("follow", "overtake", "held_up") or event.act in STANDS and bool(BEHIND_ONE.match(event.text))
 
 
+def _turned_across(scene: Scene, entity: Entity) -> bool:
+    """Whether ego turns left across the way of one: "V1 turned left in front of a motorcycle"."""
+    whom = rf"(?:the |an? )?(?:\w+ of )?(?:the |an? )?(?:\w+ )?@{entity.key}\b"
+    before = re.compile(rf"\b(?:in front of|across|into) {whom}")
+    turns = [e for e in scene.events(scene.cast.ego) if e.act == "turn" and side(e) == "left"]
+    return not entity.person and any(before.search(e.whole) for e in turns)
+
+
 def implied_start(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, first: Event | None) -> dict:
     """The start that what happens implies."""
     junction = place.kind == "intersection"
@@ -35,6 +43,8 @@ def implied_start(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpe
         return {"position": "oncoming_lane", "said": True}
     if any(e.patient is entity and _comes_up_behind(e) for e in scene.events(scene.cast.ego)):
         return {"position": "ahead", "said": True}
+    if junction and _turned_across(scene, entity):
+        return {"position": "opposite_approach"}
     struck = comes_from(scene, entity) if junction and "turn" not in acts else None
     if struck is not None and place.manoeuvre not in ("left", "right"):
         return {"position": f"crossing_{struck}", "said": True}
@@ -74,7 +84,7 @@ def implied_start(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpe
         ego_hits is not None
         and junction
         and not re.search(r"rear|back|behind", ego_hits.whole)
-        and acts
+        and (acts or any(e.act in ("run_red", "run_stop") for e in scene.events(scene.cast.ego)))
         and "stop" not in acts
         and "stationary" not in acts
         and "brake" not in acts

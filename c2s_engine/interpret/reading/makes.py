@@ -4,10 +4,12 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.reading.motions import past_forms, third_persons
+from c2s_engine.interpret.reading.motions import past_forms, third_persons, verb_lemmas
 from c2s_engine.interpret.spans import Span
 
 MAKE = re.compile(r"(?<![\w-])(?!an |the |my )(?P<make>[a-z]{2,}(?:-[a-z]+)?)[ -]$")
+DOES = re.compile(r"\b(?:i|we|you|they|to|and|then|must|should|will|can) $")
+"""Before a verb."""
 
 
 def stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
@@ -15,6 +17,8 @@ def stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
     before, after = text[max(0, start - 36) : start], text[end : end + 40]
     if (state := _state().search(before)) is not None:  # "a disabled Honda CR-V"
         before = before[: state.start()] + before[state.end() :]
+    if text[start:end] in verb_lemmas() and DOES.search(before):
+        return False  # "we dodge it"
     model = re.match(r"[\s-]+([\w-]+)", after)
     noun = re.match(r"[\s-]+(?:(?P<kind>[\w-]+)\s+)?(?:" + _noun_words() + r")\b", after)
     if model and model[1] in language.makes() or noun and not _goes_on(noun["kind"] or ""):

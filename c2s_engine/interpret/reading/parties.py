@@ -103,6 +103,9 @@ def _drives(text: str, number: str) -> bool:
         r"|cross|step|stand|stood|r[au]n|jog|emerg|enter|dart|push|on foot|in (?:the|a) (?:\w+ )?cross)"
     )
     struck = rf"(?:struck|strikes?|striking|hits?|hitting|contacted|with|into|pedestrian \(?) ?{p}"
-    rides = rf"{p},? (?:who )?(?:was |is )?(?:riding|driving|operating)"
+    rides = (
+        rf"{p},? (?:(?:stated|said|says|states|reported|that|he|she|they|who|was|is|had been) )*"
+        r"(?:riding|driving|operating|travel+ing|[nsew]/?b\b|(?:north|south|east|west)bound|in (?:the )?(?:#|lane))"
+    )
     numbered = rf"(?<![\w-])(?:v|veh|vehicle|unit)[ -]?#?{number}(?!\d)|{rides}"
     return re.search(numbered, text) is not None and not re.search(f"{afoot}|{struck}", text)

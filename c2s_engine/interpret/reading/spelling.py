@@ -4,7 +4,18 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.reading import each_apart, grids, notation, only_one, rephrased, structured, telegraphic
+from c2s_engine.interpret.reading import (
+    each_apart,
+    grids,
+    inverted,
+    notation,
+    only_one,
+    pairs,
+    rephrased,
+    respectively,
+    structured,
+    telegraphic,
+)
 from c2s_engine.interpret.reading.motions import irregular
 from c2s_engine.interpret.reading.rewritten import Replacement, Rewritten
 
@@ -22,11 +33,14 @@ class Mended:
         for replacements in (
             structured.structured,
             only_one.only_one,
+            pairs.pairs,
             grids.grids,
             notation.fields,
             *unneeded,
             notation.signs,
             _repairs,
+            respectively.respectively,
+            inverted.inverted,
             rephrased.rephrased,
             each_apart.each_apart,
             telegraphic.spelt_out,

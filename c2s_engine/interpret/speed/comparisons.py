@@ -16,7 +16,7 @@ COMPARED = re.compile(
 DIFFERENCE = re.compile(
     r"\b(?:(?:speed|velocity) (?:difference|differential|excess|surplus)|difference (?:in|of) (?:speed|velocity)"
     r"|(?:relative|closing|differential|excess|approach) (?:speed|velocity)|delta[- ]?v)(?: (?:of|is|was|being|at))*"
-    r"[: =]*(?:about |around |roughly )?$"
+    r"[: =]*(?:about |around |roughly |at least |at most |more than |less than |not less than |up to |over )?$"
 )
 LIMIT = r"(?:the |its )?(?:posted |legal |permitted )?(?:speed )?limit"
 BY_LIMIT = re.compile(rf"\s*(?:(?P<more>over|above|faster than|in excess of)|under|below|slower than) {LIMIT}\b")

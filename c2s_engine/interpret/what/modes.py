@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+import re
+
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.agents import Agents
 
 CONTACT = language.words("contact")
+MEANS = frozenset(("about", "mean", "want", "intend", "plan", "go", "wish", "like", "prepare"))
+GIVEN_UP = re.compile(
+    r"\bbut (?:then |instead |in fact )?(?:it |he |she |they |i |we )?"
+    r"(?:(?:could|can|did|does|was|is) (?:not|n't)\b(?! see)"
+    r"|cannot\b|stay|stays|stayed|remain|kept|keeps|(?:went|goes|drove|drives|carried|continue\w*) (?:straight|on)\b"
+    r"|chang\w+ (?:its|his|her|my) mind|decid\w+ (?:not|against)|stop\w* (?:at|on) the (?:kerb|curb|edge|pavement))"
+)
+"""What tells that somebody does not do what it meant to."""
 
 
 LETTING = ("let", "allow", "permit")
@@ -34,6 +44,11 @@ class Modes(Agents):
         if word.dep not in ("ROOT", "conj") or perfect or not somebody or self._lemma(word) in CONTACT:
             return False
         return not UNREAL & {w.norm for w in self.words if w.sentence == word.sentence}
+
+    def _not_done(self, word: Word) -> bool:
+        """Whether what somebody means to do is not done then: "wanted to merge but could not"."""
+        after = " ".join(w.norm for w in self.words[word.i + 1 :] if w.sentence == word.sentence)
+        return GIVEN_UP.search(after) is not None
 
     def _mode(self, word: Word) -> str:
         """Whether it is said to happen."""
@@ -121,7 +136,8 @@ class Modes(Agents):
             ):
                 return "negated" if mode != "negated" else "fact"
             if word.dep in ("xcomp", "advcl", "acl") and lemma in shades["intended"] and (to or lemma == "about"):
-                mode = "intended" if mode == "fact" else mode
+                given_up = lemma in MEANS and self._not_done(word)
+                mode = ("hypothetical" if given_up else "intended") if mode == "fact" else mode
                 if self._mode(head) in ("negated", "hypothetical") and head.verb:
                     mode = "negated"
             elif (

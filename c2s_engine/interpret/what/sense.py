@@ -18,6 +18,7 @@ from c2s_engine.interpret.what.resumed import goes_first, own_turns, waited_turn
 from c2s_engine.interpret.what.there_and_back import there_and_back
 from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.what.turn_lanes import turns_from_lane
+from c2s_engine.interpret.what.waiting import waited_for
 from c2s_engine.interpret.who.mentions import Cast
 
 LEAVES = re.compile(
@@ -212,8 +213,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     own_turns(cast, clauses)
     waited_turns(clauses)
     goes_first(clauses)
-    _waits(cast, clauses)
-    _waits_for_somebody(cast, clauses)
+    waited_for(cast, clauses)
     turns_from_lane(cast, clauses)
     echoes(cast, clauses)
     _meant_and_done(clauses)
@@ -250,106 +250,3 @@ def _follows(cast: Cast, clauses: Clauses, event: Event) -> bool:
         e.act in ("follow", "approach") and e.agent.ego and e.patient is event.agent and e.done and e.word < event.word
         for e in clauses.events
     )
-
-
-WAITS = re.compile(
-    r"(?:wait|stays? put|hold|remain|pause|stops?|(?:not|n't|never) (?:\w+ )?(?:move|start"
-    r"|turn|go|proceed|pull|enter|set|begin))[^.;]*?\b(?:until|till|for)\b"
-    r" (?:\S+ ){0,7}?@(?P<who>a\d+)[^.;]*?\b(?:pass\w*|clear|cross\w*|by|through|past|gone|go"
-    r"|goes|first|over|finish\w*)\b"
-)
-
-
-PRIORITY = re.compile(
-    r"@(?P<who>a\d+)[^.;]{0,60}?\b(?:have|has|had|with|enjoys?) (?:the )?(?:priority"
-    r"|right of way|right-of-way|precedence)"
-    r"|(?:priority|precedence|right of way) (?:belongs? to|is with|lies with|of) (?:the |an? )?@(?P<of>a\d+)"
-)
-
-
-def _waits(cast: Cast, clauses: Clauses) -> None:
-    """Ego waits until another has passed, or another has priority over it: ego gives way, in whatever words."""
-    own = [e for e in clauses.events if e.agent.ego and e.done]
-    if any(e.act in ("yield", "run_red", "run_stop", "collide") for e in own):
-        return
-    by_key = {e.key: e for e in cast.entities}
-    numbers = sorted({w.sentence for w in cast.words})
-    for number in numbers:
-        sentence = [w.i for w in cast.words if w.sentence == number]
-        text = clauses.render(sentence)
-        match = WAITS.search(text)
-        if (
-            match
-            and "@ego" not in text[: match.start() + 4]
-            and not any(cast.of.get(i) is cast.ego for i in sentence[:3])
-        ):
-            match = None
-        right = None if match else PRIORITY.search(text)
-        if right and (
-            re.search(r"in spite|despite|without|just (as|when)|fail|ignor", text)
-            or not any(e.act in ("turn", "go_straight", "stop", "brake", "travel") for e in own)
-        ):
-            right = None
-        found = match or right
-        if found is None:
-            continue
-        who = by_key.get(found.groupdict().get("who") or found.groupdict().get("of") or "")
-        if (
-            who is None
-            or not who.mover
-            or any(e.act in ("run_red", "run_stop") and e.agent is who for e in clauses.events)
-        ):
-            continue
-        for event in own:
-            if event.act == "stationary" and cast.words[event.word].sentence == number:
-                event.mode = "hypothetical"
-        first = cast.words[sentence[0]]
-        order = (
-            min(
-                (e.order for e in own if e.act in ("turn", "go_straight", "overtake", "lane_change", "start")),
-                default=float(first.i),
-            )
-            - 0.2
-        )
-        clauses.events.append(
-            Event(
-                "yield",
-                cast.ego,
-                first.i,
-                text,
-                text,
-                who,
-                order=order,
-                words=[first.i],
-                start=first.start,
-                end=first.end,
-            )
-        )
-        return
-
-
-def _waits_for_somebody(cast: Cast, clauses: Clauses) -> None:
-    """ "Ego must wait", where somebody crosses its way: ego gives way to that one."""
-    if any(e.agent.ego and e.done and e.act in ("yield", "collide", "run_red", "run_stop") for e in clauses.events):
-        return
-    for event in clauses.events:
-        if not (event.agent.ego and event.act == "stationary" and event.done and event.text.startswith("wait")):
-            continue
-        crossing = [
-            e.agent
-            for e in clauses.events
-            if e.done
-            and not e.agent.ego
-            and e.agent.mover
-            and (
-                e.act in ("cross_road", "cross_path", "go_straight", "approach", "oncoming")
-                and e.word < event.word
-                or e.act in ("go_straight", "cross_path", "travel", "overtake", "cross_road")
-                and e.adverbial in ("after", "once", "when", "until")
-                and event.word < e.word
-                and any(o.agent.ego and o.act in ("turn", "go_straight") and o.word > e.word for o in clauses.events)
-            )
-        ]
-        if crossing:
-            event.act, event.patient = "yield", crossing[-1]
-            return

@@ -20,6 +20,7 @@ FROM_BEHIND = re.compile(r"\bfrom (?:behind|the rear)|\brear-?end")
 NEAR_JUNCTION = re.compile(
     r"\b(?:intersections?|junctions?|crossroads|roundabout|side (?:road|street)|driveway|t-junction|traffic lights?)\b"
 )
+INTO_EGO_LANE = re.compile(r"^\w+ (?:\w+ )?(?:in|on)?to (?:the )?@ego 's (?:\w+ )?(?:lane|path)\b")
 SIDEWAYS = re.compile(
     r"^side-?swip|^(?:merge|drift|veer|swerve|steer|cut|move over|pull over|stray|wander|slide)\w* (?:\w+ )?into\b"
 )
@@ -88,6 +89,8 @@ def unseen(event: Event, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) 
 def into_whose_lane(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """One who comes into the lane "where ego is travelling" was in the lane beside and cuts in."""
     words = clauses.words
+    if INTO_EGO_LANE.search(event.text) and event.act in ("lane_change", "drift"):
+        _comes_in(event, of[event.agent])
     lanes = [i for i in clauses.own(words[event.word]) if words[i].norm == "lane" and i > event.word]
     for state in clauses.events:
         clause = words[state.word]
@@ -98,6 +101,15 @@ def into_whose_lane(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> 
                 where.lane, where.rel = "adjacent", where.rel
             towards = side(event)
             where.side = where.side or (OPPOSITE[towards] if towards else None)
+
+
+def _comes_in(event: Event, where: Where) -> None:
+    """One who drifts into ego's lane from a place that is not told, or from beside it, cuts in."""
+    beside = where.rel == "beside" and event.act == "lane_change"
+    if where.open and not event.agent.person and not event.agent.roles & {"oncoming", "parked"}:
+        where.lane, event.act = "adjacent", "cut_in"
+    elif beside:
+        event.act = "cut_in"
 
 
 def evaded_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:

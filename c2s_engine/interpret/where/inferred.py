@@ -10,7 +10,7 @@ from c2s_engine.interpret.where.concealed import Concealed
 from c2s_engine.interpret.who.mentions import Entity
 
 BEFORE_OR_BEHIND = re.compile(
-    r"^(?:[^;]*?\b(?P<side>left|right)\b)?[^;]*?\b(?P<rel>behind|after|in front of|ahead of|before|between) "
+    r"^(?:[^;]*?\b(?P<side>left|right)\b)?[^;]*?\b(?P<rel>behind|after|in front of|ahead of|before|between|path of) "
     r"(?:the |an? )?(?:\w+ )?@(?P<who>a\d+)(?! 's lane)"
 )
 SLOWS = frozenset(("brake", "brake_stop", "stop", "stationary"))

@@ -25,7 +25,9 @@ NUMBERED = re.compile(
     rf"(?:number|lane number|(?<![\w-])lane|no\.?|#) {COUNTED}(?: lane| of (?:the )?(?:\w+ ){{1,2}}lanes)?\b(?!-)"
     rf"|\b{ORDINAL}\b"
 )
-INTO = re.compile(rf"\b(?:in|on|over|across)?to (?:the )?(?:lane (?:number |no\.? )?{COUNTED}|{ORDINAL})\b")
+INTO = re.compile(
+    rf"\b(?:in|on|over|across)?to (?:the )?(?:(?:lane (?:number |no\.? |# )?|number |no\.? |# ){COUNTED}|{ORDINAL})\b"
+)
 TOTAL = re.compile(
     rf"\b(?:lane \w+|(?:{NTH})(?: lane| one)?(?: from (?:the )?(?:left|right))?),? (?:out )?of (?:the )?(?P<n>{MANY})\b"
     rf"|(?<!number )(?<!no\. )(?<!# )(?<!#)\b(?P<m>{MANY})(?: \w+)?[ -]+lane"
@@ -71,6 +73,9 @@ def number_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str |
         where.side = where.lane if number != own else where.side
         shifts = any(e.agent is entity and e.done and e.act in SHIFTS for e in clauses.events)
         where.rel = where.rel or ("ahead" if number == own else None if shifts else "beside")
+    for entity, where in of.items():
+        if where.lane in (None, "same") and numbers.get(entity, own) == own:
+            _out_of_own_lane(entity, own, clauses, rightwards=rightwards)
     return _named(own, total, rightwards)
 
 
@@ -128,6 +133,15 @@ def _into_own_lane(entity: Entity, own: int, cast: Cast, clauses: Clauses) -> No
             and lanes.counted(match["n"] or match["o"]) == own
         ):
             event.act, event.patient = "cut_in", cast.ego
+
+
+def _out_of_own_lane(entity: Entity, own: int, clauses: Clauses, *, rightwards: bool) -> None:
+    """Who changes from ego's lane into one of another number goes to the side where that one is."""
+    for event in clauses.events:
+        match = INTO.search(event.text)
+        goal = lanes.counted(match["n"] or match["o"]) if match else own
+        if event.agent is entity and event.act in SHIFTS and goal != own and event.side is None:
+            event.side = "right" if (goal > own) is rightwards else "left"
 
 
 def _from_right(numbers: dict[Entity, int], cast: Cast, clauses: Clauses) -> bool:

@@ -28,8 +28,8 @@ class OwnWords:
     words: list[Word]
 
     def _unhit(self, text: str, entity: Entity) -> str:
-        """The words about one without those that say how it is hit: who is hit from behind is not behind."""
-        if any(e.act == "collide" and e.patient is entity and e.done for e in self.clauses.events):
+        """The words about one without those that say how it is hit or neared: who is hit from behind is not behind."""
+        if any(e.act in ("collide", "approach") and e.patient is entity and e.done for e in self.clauses.events):
             return re.sub(r"\b(from behind|(from|in|at) the (rear|back))\b", "", text)
         return text
 

@@ -26,6 +26,13 @@ SHIFTS = {
 }
 """What one does who "merges into" another."""
 INTO_REAR = re.compile(rf"\binto (?:the |its )?{END}|\binto @\w+ 's {END}")
+COMES_OUT = frozenset(("enter_road", "reverse", "cut_in", "go_straight", "cross_path", "lane_change"))
+OUT_INTO = re.compile(
+    r"\bout of (?:an?|the|its|his|her) (?:\w+ ){1,3}(?:straight |right |directly )?into (?:the )?"
+    rf"(?:(?:\w+ )?(?:{END}|{SIDE}|front) of )?(?:the |an? )?@(?P<whom>\w+)\b"
+    rf"(?! 's (?:(?!{SIDE}|{END}|front)\w+ )?(?:lane|path|way|street|road))"
+)
+"""Into whom one comes that was off the road."""
 PUSHES = language.words("pushes")
 PUSHES_ONTO = re.compile(
     r"^\w+ (?:the )?@(?P<whom>\w+) (?:\w+ )?(?:in|on)to (?:the |an? )?(?:\w+ (?:\w+ )?of )?(?:the )?"
@@ -60,6 +67,18 @@ def merged_into(clauses: Clauses) -> None:
         shifted = any(e.act in ("lane_change", "cut_in", "drift", "turn", "leave_road") for e in earlier)
         if shift is not None and not shifted and not INTO_REAR.search(event.text):
             clauses.events.append(Event.echo(event, act=shift, order=event.order - 0.1, adverbial=event.adverbial))
+
+
+def came_out_into(clauses: Clauses) -> None:
+    """Who comes out of somewhere "into" another hits that one: "reversed out of a drive into my door"."""
+    by_key = {e.key: e for e in (clauses.cast.ego, *clauses.cast.entities)}
+    hits = {(e.word, e.agent) for e in clauses.events if e.act == "collide"}
+    for event in [e for e in clauses.events if e.act in COMES_OUT and e.done and not e.passive]:
+        into = OUT_INTO.search(event.text)
+        struck = by_key.get(into["whom"]) if into else None
+        if struck is not None and struck is not event.agent and (event.word, event.agent) not in hits:
+            clauses.events.append(Event.echo(event, act="collide", patient=struck, order=event.order + 0.3))
+            hits.add((event.word, event.agent))
 
 
 def _push_onto(clauses: Clauses, event: Event, whom: Entity | None, what: Entity | None) -> None:

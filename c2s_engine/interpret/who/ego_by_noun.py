@@ -30,7 +30,7 @@ class EgoByNoun(Centre):
 
     def _told_by_a_part(self, word: Word, noun: str) -> bool:
         """Whether words before "vehicle" tell it from ego that has a name: "the ego ... the intruding vehicle"."""
-        names = [m for m in self.ego.mentions if self.words[m.word].norm not in ("vehicle", "car", "it", "its")]
+        names = [w for w in self.words if w.span is not None and w.span.kind == "ego"]
         before = [self.words[c] for c in word.children if c < word.i and self.words[c].dep in ("amod", "compound")]
         by = [w for w in before if w.i not in self.of and w.norm not in OF_EGO and w.norm not in COLOURS]
         return noun in ("vehicle", "car") and self.strong_ego and bool(names) and bool(by)

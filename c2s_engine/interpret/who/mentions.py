@@ -16,7 +16,7 @@ from c2s_engine.interpret.entities import (
     Mention,
     fits,
 )
-from c2s_engine.interpret.reading.askers import asked, bystanding, narrator, quoted, told_by_others
+from c2s_engine.interpret.reading.askers import asked, bystanding, narrator, quoted, riding, told_by_others
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.labels import Labels
 
@@ -57,6 +57,8 @@ class Cast(Labels):
         self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
         self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD") and not _by(words, w)}
         self.me = self._narrator()
+        if self.me is self.ego and not self.asking and riding(" ".join(w.norm for w in words)):
+            self.ego.type, self.ego.typed = "motorcycle", True
         self.strong_ego = any(self._strong(w) for w in words)
         self.ego_named = self.strong_ego or any(
             w.span and w.span.kind == "label" and w.span.data["label"] == "1" for w in words

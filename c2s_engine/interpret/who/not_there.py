@@ -182,22 +182,14 @@ class NotThere:
 
     def _all_of_a_kind(self, word: Word) -> bool:
         """Whether all of a kind are spoken of, not who is there: "many tractors turn off without a warning"."""
-        alike = any(e.count == 1 and e.type == word.span.data["type"] for e in self.of.values()) if word.span else False
-        verb = self.words[word.head]
+        assert word.span is not None
         kinds = self.words[word.i - 1].norm in ("many", "most", "some", "all") and word.dep == "nsubj"
-        later = (
-            any(
-                w.i > word.i
-                and w.span is not None
-                and w.span.kind == "actor"
-                and not w.span.data.get("plural")
-                and w.span.data["type"] == word.span.data["type"]
-                for w in self.words
-            )
-            if word.span
-            else False
-        )
-        return kinds and verb.tag == "VBP" and (alike or later)
+        if not kinds or self.words[word.head].tag != "VBP":
+            return False
+        kind = word.span.data["type"]
+        after = [w.span.data for w in self.words[word.i + 1 :] if w.span is not None and w.span.kind == "actor"]
+        one_told = any(e.count == 1 and e.type == kind for e in self.of.values())
+        return one_told or any(data["type"] == kind and not data.get("plural") for data in after)
 
     def _only_a_place(self, word: Word, noun: str) -> bool:
         """Whether a thing that stands by the road only tells where somebody is: "a girl waits at the mailbox"."""

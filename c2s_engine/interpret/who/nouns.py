@@ -218,7 +218,7 @@ class Nouns(Introduced, NotThere, Counted):
                     return entity
         if pronominal is not None:
             return pronominal
-        bare = not before and previous not in ("a", "an") and not data.get("plural")
+        bare = not {*before} - {","} and previous not in ("a", "an") and not data.get("plural")
         if kind in PERSONS and self._of_a_person(word, noun):
             return self._new(Entity("", kind, noun=noun, count=count, roles=roles, typed=True))
         if definite or bare or (roles and not {"a", "an", "another", "second", "third"} & set(before)):

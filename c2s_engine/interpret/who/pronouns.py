@@ -175,7 +175,7 @@ class Pronouns(Persons):
         told = [e for i, e in self.subjects if self.words[i].sentence in (word.sentence - 1, word.sentence)]
         things = [e for e in told if e.type in THINGS]
         here = [self.of[w.i] for w in self.words[: word.i] if w.sentence == word.sentence and w.i in self.of]
-        things += [e for e in here if e.roles & STANDS and not e.ego]  # "swerves around it"
+        things += [e for e in here if e.roles & STANDS and not e.ego and e.count == 1]  # "swerves around it"
         return things[-1] if things else None
 
     def _not_he(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:

@@ -125,14 +125,15 @@ class Reference(Owned):
             return self.ego  # "the VUT backs up. The car shall stop"
         if kind == "vehicle" and noun == "vehicle" and not self.ego_named and not bare and not other:
             generic = [e for e in candidates if e.noun == "vehicle"]
-            plain = [e for e in candidates if e.noun != "vehicle" and not e.roles]
+            plain = [e for e in candidates if e.noun != "vehicle" and not e.roles and e.type != "bicycle"]
             asked = any(self.words[c].norm in ("shall", "must") for c in self.words[word.head].children)
             if asked and not generic and word.dep == "nsubj" and all(e.type in URGENT for e in candidates):
                 return None  # "when an ambulance approaches, the vehicle shall clear the lane"
             if not generic and (len(candidates) != 1 or not plain):
                 return self._struck_by(word, plain, MOVES)
         if bare and not roles and self._distinguished(word):
-            return self._by_place(word, candidates) if count == 1 else None  # "car in front stops. Car in front moves"
+            there = self._by_place(word, candidates) if count == 1 else None  # "car in front stops. Car in front moves"
+            return there or (self._in_a_note(word, noun, candidates) if count == 1 else None)
         if bare and not roles:
             called = (e for e in reversed(candidates) if e.noun == noun or e.noun.endswith(f" {noun}"))
             same = next(called, None)
@@ -145,6 +146,8 @@ class Reference(Owned):
                 group[0].roles.add("group")
                 return None
             single = [e for e in vehicles if e.count == 1 and "group" not in e.roles]
+            itself = self._subject_of(self._governor(word)) if word.dep in ("dobj", "pobj") else None
+            single = [e for e in single if e is not itself]  # "the car struck the other car"
             return None if not single or self._only_one(single) else single[-1]
         if ordinal is not None and any(e.ordinal is not None and e.group is None for e in candidates):
             numbered = [e for e in reversed(candidates) if e.ordinal == ordinal and e.group is None]
@@ -198,6 +201,22 @@ class Reference(Owned):
         if not scored and kind == self.ego.type and self.ego.typed:
             return self.ego
         return max(scored)[2] if scored else None
+
+    def _in_a_note(self, word: Word, noun: str, candidates: list[Entity]) -> Entity | None:
+        """Who was told of with "a" in a sentence before, and on the same side of ego: "an ambulance approaches from
+        behind ... Test: ambulance 100 m behind"."""
+        same = [e for e in candidates if e.noun == noun and e.count == 1 and e.mentions]
+        first = self.words[same[0].mentions[0].word] if len(same) == 1 else word
+        if first.sentence >= word.sentence or not {"a", "an"} & {self.words[c].norm for c in first.children}:
+            return None
+        told = [self._side_of_ego(w) for w in (first, word)]
+        return same[0] if told[0] is not None and told[0] == told[1] else None
+
+    def _side_of_ego(self, word: Word) -> str | None:
+        """Whether the words after a noun say that it is behind or ahead."""
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 14] if w.sentence == word.sentence)
+        found = re.search(r"\b(?:(?P<behind>behind|from the rear)|(?P<ahead>ahead|in front))\b", after)
+        return found.lastgroup if found else None
 
     def _only_one(self, those: list[Entity]) -> bool:
         """Whether there is one only, that was told as one of two ("one vehicle"): the other is still to come."""

@@ -9,7 +9,8 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.reading.motions import irregular
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.place_words import BESIDE, PlaceWords
+from c2s_engine.interpret.who.excluded import Excluded
+from c2s_engine.interpret.who.place_words import BESIDE
 
 MINE = frozenset(language.table("actors")["pronouns"]["ego"])
 STRIKES = language.words("strikes")
@@ -21,12 +22,13 @@ BEGINS = language.words("begins")
 GONE = ("go", "pass", "clear", "leave", "vanish", "disappear", "cross")
 STANDS = ("be", "stand", "sit", "wait", "appear")
 GOES = ("drive", "run", "travel", "ride", "cruise", "keep", "stay", "hang", "move", "go", "come")
+SHIFTS = frozenset(("move", "merge", "change", "pull", "drift", "swerve", "cut", "switch", "shift", "slide", "swing"))
 PAST = frozenset(("around", "round", "past"))
 LETS = ("let", "lets", "allow", "permit")
 AT_TAIL = re.compile(r"(off|on|from|behind) (rear|back|bumper|tail)\b")
 
 
-class Salience(PlaceWords):
+class Salience(Excluded):
     """The part of Cast that finds who is spoken of, by the grammar of the words before."""
 
     def _near(self, word: Word) -> list[str]:
@@ -74,10 +76,13 @@ class Salience(PlaceWords):
             inner, accept_all = holder, accept
             clash = None
             accept = lambda e: accept_all(e) and e is not inner  # noqa: E731
-        if word.dep == "nsubj" and (whom := self._object_nouns(verb)):
+        if (word.dep == "nsubj" or self._whose_driver(word, verb)) and (whom := self._object_nouns(verb)):
             accept_any = accept
             accept = lambda e: accept_any(e) and e.noun not in whom  # noqa: E731
-        if word.dep == "nsubj" and (labels := self._object_labels(verb)):
+        if word.dep == "nsubj" and self._placed_by_ego(verb):
+            accept_others = accept
+            accept = lambda e: accept_others(e) and not e.ego  # noqa: E731
+        if (word.dep == "nsubj" or self._whose_driver(word, verb)) and (labels := self._object_labels(verb)):
             accept_other = accept
             accept = lambda e: accept_other(e) and e.label not in labels and not (e.ego and "1" in labels)  # noqa: E731
         if word.dep == "nsubj" and verb.lemma in ABORTS:
@@ -104,14 +109,15 @@ class Salience(PlaceWords):
             if self._whose_driver(word, verb):
                 own = None  # "the coach was in the right lane when its driver saw": not the driver's own
             beside = self._on_its_side(word, verb)
-            if beside or self._into_lane(word, verb):
+            into = self._into_lane(word, verb)
+            if beside or into:
                 clash, own = own, None  # nobody is on its own left, or comes into its own lane
                 last = [i for i in last if self.of[i] is not clash]
                 if not last:
                     return None
                 sentence = [p for p in sentence if p[1] is not clash]
                 spoken = {self.of[i] for i in last if self.words[i].sentence == word.sentence}
-                if beside and self.ego in spoken and accept(self.ego):
+                if (beside or into and clash is not self.ego) and self.ego in spoken and accept(self.ego):
                     return self.ego  # "ego follows a truck, with a car keeping pace on its left"
             its = [
                 self.of[w.i]
@@ -158,17 +164,6 @@ class Salience(PlaceWords):
     def _tries(self, verb: Word) -> bool:
         """Whether somebody begins something or means to: who gives it up then is the same one."""
         return verb.lemma in BEGINS or verb.lemma in ("plan", "mean", "prepare")
-
-    def _object_nouns(self, verb: Word) -> set[str]:
-        """What its definite object is called: who does it is another ("it overtakes the bus")."""
-        objects = [self.words[c] for c in verb.children if self.words[c].dep == "dobj" and c > verb.i]
-        the = [w for w in objects if w.span is not None and any(self.words[c].norm == "the" for c in w.children)]
-        return {str(w.span.data["noun"]) for w in the if w.span is not None and w.span.data.get("noun")}
-
-    def _object_labels(self, verb: Word) -> set[str]:
-        """The labels of whom somebody hits: it is another who does it ("he hit vehicle 2")."""
-        objects = [self.words[c].span for c in verb.children if self.words[c].dep == "dobj" and c > verb.i]
-        return {str(s.data["label"]) for s in objects if s is not None and s.kind == "label" and s.data.get("label")}
 
     def _enabled(self, word: Word, verb: Word) -> bool:
         """Whether one is whom another makes something possible for ("so that it can get past")."""
@@ -241,10 +236,12 @@ class Salience(PlaceWords):
         """Whether somebody comes from elsewhere into the lane that a possessive names."""
         after = [w.norm for w in self.words[word.i + 1 : word.i + 3]]
         clause = {w.norm for w in self.words[verb.i : word.i]}
+        comes = verb.lemma in ("cross", "encroach", "intrude", "invade", "veer", "come", "stray")
+        shifts = irregular().get(verb.norm, verb.lemma) in SHIFTS and self._subject_of(verb) is not self.ego
         return (
-            verb.lemma in ("cross", "encroach", "intrude", "invade", "veer", "come", "stray")
+            (comes or shifts and "into" in clause)
             and bool({"lane", "path"} & set(after))
-            and not {"back", "again", "own", "return"} & (clause | set(after))
+            and not {"back", "again", "own", "return", "then"} & (clause | set(after))
         )
 
     def _main_subject(self, i: int) -> bool:

@@ -13,6 +13,7 @@ OWN = language.table("ego")["own_vehicle"]
 BEFORE, HEADED, AFTER, ROUTE, ABOARD = (re.compile(OWN[k]) for k in ("before", "headed", "after", "route", "aboard"))
 STRUCK = re.compile(r"\b(?:following|behind) (?:me|us)\b.*\b(?:into|hit|struck) (?:the (?:back|rear|side) of )?the$")
 """Before the vehicle that somebody behind the first person runs into."""
+AWAITS = frozenset(("sit", "stand", "park", "wait", "queue", "idle"))
 STEERS = language.words("steers")
 FIRST = frozenset(("i", "me", "my", "we", "our", "us"))
 
@@ -41,7 +42,7 @@ class Writers(Titles):
             here = BEFORE.search(before) is not None and AFTER.match(after) is not None
             return HEADED.search(self._headings(word)) is not None or here and ROUTE.search(told) is not None
         bare = kind in ("bus", "truck") and word.dep in ("nsubj", "nsubjpass") and not word.children
-        bare = bare and not self._now(word)
+        bare = bare and not self._now(word) and not self._told_beside(word)
         the = [self.words[c].norm for c in word.children] == ["the"]
         passengers = ABOARD.search(" ".join(w.norm for w in self.words)) is not None
         return bare or the and (kind == "bus" and passengers or STRUCK.search(before) is not None)
@@ -53,6 +54,14 @@ class Writers(Titles):
         """Whether a subject's verb tells what somebody watches: "Bus is at the stop. We brake", no report."""
         verb = self.words[word.head]
         return any(w.tag == "VBZ" for w in (verb, *(self.words[c] for c in verb.children)))
+
+    def _told_beside(self, word: Word) -> bool:
+        """Whether a subject is told of beside the first person: "Bus was sitting there", "Truck was behind me"."""
+        below = [self.words[c].norm for c in self.words[word.head].children]
+        mine = any(w.norm in ("me", "us") for w in self.words[word.i :] if w.sentence == word.sentence)
+        waits = self.words[word.head].lemma in AWAITS and not {"when", "while"} & set(below)
+        drove = any(e is self.ego and self.words[i].sentence < word.sentence for i, e in self.subjects)
+        return mine or waits and drove
 
     def _steered(self, word: Word, kind: str) -> bool:
         """Whether it is driven by the first person, or by nobody who is named: "Driving an artic when a van hit me"."""

@@ -1,0 +1,48 @@
+"""Sentences with the subject behind the verb say the same as in plain order."""
+
+import pytest
+
+EGO = "The ego drives along a road. "
+
+
+@pytest.mark.parametrize(
+    ("inverted", "plain"),
+    [
+        ("Out of a driveway on the right backs a car.", "A car backs out of a driveway on the right."),
+        ("Across the road runs a child.", "A child runs across the road."),
+        ("On the left lane overtakes a motorcycle.", "A motorcycle overtakes on the left lane."),
+        (
+            "From the right lane swerves a car into the ego's lane.",
+            "A car swerves from the right lane into the ego's lane.",
+        ),
+        ("Coming the other way was a milk float.", "A milk float was coming the other way."),
+        ("From a side street on the right turns a taxi.", "A taxi turns from a side street on the right."),
+        ("Off the pavement stepped a man.", "A man stepped off the pavement."),
+        ("Into the gap squeezes a van.", "A van cuts in."),
+    ],
+)
+def test_same_as_in_plain_order(read, inverted: str, plain: str) -> None:
+    one, other = read(EGO + inverted), read(EGO + plain)
+    assert [p.action for p in one["E"].spec.phases] == [p.action for p in other["E"].spec.phases]
+    assert [p.action for p in one["O1"].spec.phases] == [p.action for p in other["O1"].spec.phases]
+    assert one["O1"].spec.placement == other["O1"].spec.placement
+
+
+@pytest.mark.parametrize(
+    "text", ["Behind the ego drives a van that follows closely.", "Behind the ego comes a van that follows it."]
+)
+def test_whom_a_clause_goes_on_to_tell_of(read, text: str) -> None:
+    assert read(text)["O1"].spec.placement.position == "behind"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "In heavy rain ego follows a lorry.",
+        "On a narrow road the ego follows a tractor.",
+        "In the left lane V1 follows a truck.",
+        "On the motorway I follow a van.",
+    ],
+)
+def test_a_subject_before_the_verb_stays(read, text: str) -> None:
+    assert [p.action for p in read(text)["E"].spec.phases] == ["follow"]

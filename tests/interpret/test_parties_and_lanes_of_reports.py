@@ -1,0 +1,180 @@
+"""Reports: vehicles told apart by who hit whom, who turns or runs a light across whose way, numbered lanes, queues."""
+
+import pytest
+
+
+def actions(component) -> list[str]:
+    return [p.action for p in component.spec.phases]
+
+
+@pytest.mark.parametrize(
+    ("text", "does"),
+    [
+        ("The struck vehicle was stopped at a light. The striking vehicle hit it from behind.", ["collide"]),
+        ("The bullet vehicle crossed the centerline and met the target vehicle head-on.", ["oncoming", "collide"]),
+        ("The striking car drifted over the line and sideswiped the struck truck.", ["drift", "collide"]),
+        ("The at-fault driver ran the stop sign and hit the other vehicle.", ["run_stop", "collide"]),
+    ],
+)
+def test_who_struck_and_who_was_struck(read, text: str, does: list[str]) -> None:
+    s = read(text)
+    assert actions(s["E"]) == does
+    assert [p.target for p in s["E"].spec.phases][-1] == "O1" and len(s.objects) == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The car ran a red light and struck the other car.",
+        "A truck changed lanes and sideswiped the other vehicle.",
+        "The pickup crossed the centre line and collided head-on with the other vehicle.",
+    ],
+)
+def test_the_other_is_not_who_does_it(read, text: str) -> None:
+    s = read(text)
+    assert actions(s["E"])[-1] == "collide" and len(s.objects) == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "position"),
+    [
+        ("V1 turned left in front of a motorcycle.", "opposite_approach"),
+        ("V1 did not see the van and turned left in front of it.", "opposite_approach"),
+        ("I turned left across the path of a lorry.", "opposite_approach"),
+        ("V1 ran the red light and hit a bus.", "crossing_left"),
+        ("V1 did not stop at the stop sign and struck V2.", "crossing_left"),
+        ("V1 ran the red light and rear-ended V2.", None),
+    ],
+)
+def test_across_whose_way(read, text: str, position: str | None) -> None:
+    placement = read(text).objects[0].spec.placement
+    assert (placement.position if position else None) == position
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The VUT approaches the GVT from behind at 60 km/h.",
+        "The ego comes up on a truck from behind.",
+        "Ego, approaching a slow car from behind, brakes.",
+    ],
+)
+def test_who_nears_from_behind_is_behind(read, text: str) -> None:
+    assert read(text).objects[0].spec.placement.position == "ahead"
+
+
+@pytest.mark.parametrize(
+    ("text", "side"),
+    [
+        ("V-1 was following a truck in the #2 lane. The truck moved over into the #1 lane.", "left"),
+        ("P-1 was n/b in the #2 lane at 40 mph behind a van. The van changed to the #3 lane.", "right"),
+        ("The ego follows a truck in lane 2. The truck moves over into lane 1.", "left"),
+    ],
+)
+def test_out_of_a_numbered_lane(read, text: str, side: str) -> None:
+    other = read(text).objects[0].spec
+    assert [(p.action, p.side) for p in other.phases] == [("cut_out", side)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The ego brakes for traffic backed up at the off-ramp.",
+        "V1 stopped for traffic that was backed up from the exit.",
+        "I came upon stopped traffic backed up to the lights.",
+    ],
+)
+def test_traffic_backed_up_stands(read, text: str) -> None:
+    assert actions(read(text).objects[0]) == ["stationary"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The van came up behind a slow lorry. Its driver pulled out and overtook the lorry.",
+        "V1 came up behind V2. Its driver changed lanes and overtook V2.",
+        "A car follows a truck. It pulls out and overtakes the truck.",
+    ],
+)
+def test_nobody_overtakes_itself(read, text: str) -> None:
+    assert actions(read(text)["E"])[-1] == "overtake"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A bus stands at the stop. As soon as the ego is within 20 m it pulls out.",
+        "A taxi stands at the kerb. When the ego comes near it pulls out.",
+        "A van stands on the shoulder. When we are 40 m or so away it moves off into our lane.",
+    ],
+)
+def test_who_pulls_out_when_ego_is_near(read, text: str) -> None:
+    assert actions(read(text).objects[0]) == ["enter_road"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "I was driving at 30 mph. A taxi pulls out in front of me. Bus was waiting behind me.",
+        "I was going straight on. A car hit my door. City bus was sitting at the next entry.",
+        "I was in the left lane. Truck was right behind me and hit me.",
+    ],
+)
+def test_a_bus_told_of_beside_the_driver(read, text: str) -> None:
+    assert read(text)["E"].spec.type == "car"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The ego drives at 50 km/h when a van drifts into its lane.",
+        "The ego was in the left lane when a truck merged into its lane.",
+        "The ego drives along. A car pulls into its lane.",
+        "V2 pulled into V1's path.",
+        "I was driving at 50 and a van wandered into my lane.",
+    ],
+)
+def test_into_the_lane_of_ego(read, text: str) -> None:
+    other = read(text).objects[0].spec
+    assert [(p.action, p.target) for p in other.phases] == [("cut_in", "ego")]
+
+
+def test_over_from_the_oncoming_lane(read) -> None:
+    assert actions(read("A van coming the other way drifted into my lane.").objects[0]) == ["oncoming"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A car reversed out of a drive into my door.",
+        "A van backed out of a driveway into the side of the ego.",
+        "The other driver reversed out of a parking space into my passenger side.",
+    ],
+)
+def test_out_of_a_place_into_ego(read, text: str) -> None:
+    assert actions(read(text).objects[0]) == ["reverse", "collide"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A cyclist passes on the nearside; the vehicle turns right.",
+        "A bicycle dummy moves parallel to the vehicle; the vehicle turns right at 10 km/h.",
+    ],
+)
+def test_the_vehicle_is_no_bicycle(read, text: str) -> None:
+    assert "turn_right" in actions(read(text)["E"])
+
+
+def test_lanes_as_programs_number_them(read) -> None:
+    s = read("Ego in lane -1 at 30 m/s; target in lane -2, 20 m ahead. Target changes to lane -1.")
+    assert s.objects[0].spec.placement.position == "right_lane" and actions(s.objects[0]) == ["cut_in"]
+
+
+def test_who_is_oncoming_is_not_who_is_followed(read) -> None:
+    s = read("ego follows a van, oncoming truck, ego waits")
+    assert [o.spec.placement.position for o in s.objects] == ["ahead", "oncoming_lane"]
+
+
+def test_a_make_that_is_a_verb(read) -> None:
+    assert len(read("truck loses a ladder in front of us, we dodge it to the left").objects) == 1

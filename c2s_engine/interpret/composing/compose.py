@@ -8,6 +8,7 @@ from c2s_engine.interpret.composing.drivers import compose_ego
 from c2s_engine.interpret.composing.objects import Draft
 from c2s_engine.interpret.composing.roads import compose_place
 from c2s_engine.interpret.composing.settling import settle
+from c2s_engine.interpret.composing.three_arms import by_the_side_road
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.surroundings.environment import PRESET_TIME, PRESET_WEATHER
 from c2s_engine.interpret.surroundings.settings import ACCEPTED, DEFAULTS, Settings
@@ -31,8 +32,9 @@ def compose(scene: Scene) -> Structure:
     drafts: list[Draft] = [objects.compose_object(scene, entity, ids, place, ego) for entity in ordered]
     waited_for(scene, ego, drafts, ids)
     ego = settle(scene, ego, place, drafts, ids)
+    place, turn_assumed = by_the_side_road(place, ego, drafts)
     drafts += objects.signs(scene, place, len(drafts))
-    place_assumed = _place_assumed(scene, place)
+    place_assumed = [*_place_assumed(scene, place), *turn_assumed]
     untold = unmet.find(scene)
     ego_assumed += [
         Assumption(field="reaction", value=_doing(ego), reason=r) for r in unmet.alternatives(scene, scene.cast.ego)

@@ -5,7 +5,7 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.hiding import standing
 from c2s_engine.write.typed.passing import passing
-from c2s_engine.write.typed.tables import LENGTH, OBSTRUCTING, is_static, is_vehicle
+from c2s_engine.write.typed.tables import LENGTH, OBSTRUCTING, TURN, is_static, is_vehicle
 from c2s_engine.write.typed.threats import IN_WAY, is_hit
 from c2s_engine.write.typed.usual import LONGEST_VIEW, default_gap, speed_of
 
@@ -41,6 +41,8 @@ def normal(structure: Structure) -> Structure:
             behind = "behind" if spec.placement.along == "behind" else None
             found = _placed(spec, position="partly_in_lane", side="right", along=behind)
             place = place.model_copy(update={"ego_lane": "rightmost" if place.ego_lane else None})
+        elif _leaves_side_road(spec, place, turn):
+            found = spec.model_copy(update={"phases": _with_turn(spec.phases)})
         elif _is_let_by(component.id, spec, ego):
             found = spec.model_copy(update={"phases": (Phase(action="overtake", target="ego"),)})
         if found is not spec:
@@ -118,6 +120,20 @@ def _meets_turning(spec: ObjectSpec, place: PlaceSpec, turn: str | None) -> bool
         return False
     own = any(p.action in ("turn_left", "turn_right") for p in spec.phases)
     return spec.placement.of == "ego" and (own or turn == "left")
+
+
+def _leaves_side_road(spec: ObjectSpec, place: PlaceSpec, turn: str | None) -> bool:
+    """Whether somebody, nobody says how, comes out of the side road that ego passes: it cannot but turn."""
+    if place.kind != "intersection" or place.arms != 3 or turn not in (None, "straight"):
+        return False
+    named = any(p.action in TURN for p in spec.phases)
+    return spec.placement.position in ("crossing_left", "crossing_right") and not named
+
+
+def _with_turn(phases: tuple[Phase, ...]) -> tuple[Phase, ...]:
+    """Some phases with a turn to the left, across ego's way, before what ends there."""
+    at = next((i for i, p in enumerate(phases) if p.action == "collide"), len(phases))
+    return (*phases[:at], Phase(action="turn_left"), *phases[at:])
 
 
 def _is_let_by(cid: str, spec: ObjectSpec, ego: EgoSpec) -> bool:

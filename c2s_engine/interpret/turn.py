@@ -74,9 +74,14 @@ def _route(text: str, structure: Structure | None) -> Turn:
 
 
 def _wished(plain: str, structure: Structure) -> tuple[list[Edit], str] | None:
-    """The edits, and what they do, of a demand that is put as a question."""
-    for wish in (put.questioned(plain, structure), asked.requested(plain), asked.supposed(plain)):
-        edits, said = refine.edits_of(put.plainly(wish, structure), structure) if wish else ([], [])
+    """The edits, and what they do, of a demand that is put as a question, with those behind it."""
+    head, mark, rest = plain.partition("? ")
+    if mark and asked.asks(rest):
+        return None
+    asks = head + mark.strip()
+    for wish in (put.questioned(asks, structure), asked.requested(asks), asked.supposed(asks)):
+        demand = f"{wish.rstrip('?. ')}. {rest}" if rest else wish
+        edits, said = refine.edits_of(put.plainly(demand, structure), structure) if wish else ([], [])
         if edits:
             return edits, "; ".join(said)
     return None

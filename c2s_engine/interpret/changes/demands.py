@@ -27,7 +27,7 @@ def demands(text: str) -> list[str]:
     plain = re.sub(_table()["moment"], "when ", plain)
     found: list[str] = []
     for sentence in re.split(r"(?:[.;:]\s+|\.$)", plain):
-        found += [d for part in _folded(_parts(sentence)) if (d := _bare(part))]
+        found += [d for part in _folded(_parts(sentence)) for own in _detailed(part) if (d := _bare(own))]
     return found
 
 
@@ -205,6 +205,16 @@ def _folded(parts: list[str]) -> list[str]:
         valued = [d for d, then in pairwise(found) if re.match(table["value"], then)]
         found = [d for d in found if d in demanded or d in valued or not re.search(table["judges"], d)]
     return found or ([ahead.strip(", ")] if ahead else [])
+
+
+def _detailed(part: str) -> list[str]:
+    """A part that makes somebody another, and what it says of that one, each a demand: "a bicycle, 15 km/h"."""
+    table = _table()
+    head, *rest = part.split(", ")
+    if not rest or not re.match(table["retypes"], _bare(head)):
+        return [part]
+    details = [re.sub(pattern, said, d) for d in rest for pattern, said in table["of_it"] if re.match(pattern, d)]
+    return [head, *details] if len(details) == len(rest) else [part]
 
 
 def _bare(part: str) -> str:

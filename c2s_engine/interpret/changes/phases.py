@@ -132,7 +132,8 @@ def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple
     if obeys and ways and (passed or re.search(table()["at_the_line"], clause)):
         told = [p for p in new if p.action in WAYS and p.action != "go_straight"]
         return (*(p for p in new if p.action not in WAYS), *(told or ways))
-    if passed and not obeys and not others & {*PASSING, "stationary"} and not any(p.target for p in new):
+    only = re.search(table()["only_that"], clause)
+    if passed and not only and not obeys and not others & {*PASSING, "stationary"} and not any(p.target for p in new):
         new = (*passed, *new)
     same = [i for i, p in enumerate(old) if len(new) == 1 and p.action == new[0].action]
     if not same:

@@ -144,6 +144,14 @@ def _goes_on(plain: str, structure: Structure) -> bool:
     return first is not None and first.start < 20 and refer(plain[: first.end], structure, alone=False) is not None
 
 
+def _commands(sentence: str) -> bool:
+    """Whether a sentence is an order, or goes on about whom the one before was about."""
+    commands = language.table("refine")["commands"]
+    return bool(
+        re.match(commands, sentence) or re.match(r"(?:and |then |so )?(?:it|they|he|she|this|that)\b", sentence)
+    )
+
+
 def _tells(plain: str, commanding: bool) -> bool:
     """Whether a text tells a scene of its own: ego and another, doing something, at length, and no command."""
     if re.search(language.table("refine")["ordered"], plain):
@@ -160,7 +168,8 @@ def _tells(plain: str, commanding: bool) -> bool:
         and not re.search(language.table("refine")["not_anew"], plain)
     ):
         return True
-    if commanding and not re.search(r"[.;] \w+.*[.;] \w+", plain):
+    sentences = re.split(r"[.;] (?=\w)", plain)
+    if commanding and (len(sentences) < 3 or all(map(_commands, sentences))):
         return False
     if len(plain.split()) < 25 and re.search(language.table("refine")["of_those_there"], plain):
         return False

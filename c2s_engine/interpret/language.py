@@ -38,6 +38,10 @@ def plurals(noun: str) -> list[str]:
         return [f"{lead}{last[:-1]}ies"]
     if last.endswith("man"):
         return [f"{lead}{last[:-3]}men"]
+    if last.endswith("child"):
+        return [f"{lead}{last}ren"]
+    if last.endswith("lf"):
+        return [f"{lead}{last[:-1]}ves"]
     return [f"{lead}{last}s"]
 
 

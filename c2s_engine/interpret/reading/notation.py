@@ -45,6 +45,10 @@ def _keys() -> dict[str, dict[str, Any]]:
     return {name: entry for entry in language.table("notation")["fields"] for name in entry["names"]}
 
 
+TITLE = ""
+"""Instead of the sentence of a field that only names the scenario."""
+
+
 def fields(text: str) -> list[Replacement]:
     """Keys and values of a table or list, as sentences; none where fewer than two are found."""
     rows = list(ROW.finditer(text))
@@ -57,13 +61,15 @@ def fields(text: str) -> list[Replacement]:
     for match in found:
         sentence = _sentence(match["key"].strip(), match["value"].strip().rstrip("."), names)
         if sentence is not None:
-            told += 1
+            told += sentence != TITLE
         elif rows:
             sentence = f"{match['key'].strip()}: {match['value'].strip()}"
-        if sentence is not None:
+        if sentence == TITLE:
+            replaced.append((match.start(), match.end(), ""))
+        elif sentence is not None:
             start = match.start() + len(match[0]) - len(match[0].lstrip(" \t-*•"))
             replaced.append((start, match.end(), f"{sentence[:1].upper()}{sentence[1:]}."))
-    return [*replaced, *_mentions(text, names, found)] if told else []
+    return [*replaced, *_mentions(text, names, found)] if told else [r for r in replaced if r[2] == TITLE]
 
 
 def _mentions(text: str, names: dict[str, str], told: list[re.Match[str]]) -> list[Replacement]:
@@ -94,6 +100,8 @@ def _sentence(key: str, value: str, names: dict[str, str]) -> str | None:
     entry = _keys().get(attribute)
     if entry is None:
         return None
+    if entry.get("title"):
+        return TITLE
     if entry.get("name") and who is not None and who not in data["egos"]:
         names[who] = _noun(value)
         return f"there is a {names[who]}"

@@ -17,6 +17,7 @@ CLAUSAL = frozenset(("advcl", "relcl", "ccomp", "acl", "csubj", "csubjpass", "pa
 
 COMES_TO = language.words("comes_to")
 ENDS_IN = language.words("ends_in")
+LOOKS = language.words("looks") | language.words("colours")
 
 
 class Rendering:
@@ -99,6 +100,8 @@ class Rendering:
             word = self.words[i]
             if i == verb:
                 parts.append(self._lemma(word))
+            elif self._looks(word):
+                continue
             elif word.span and word.span.kind == "quantity":
                 mark = PLACES[word.span.data["dimension"]]
                 if not parts or parts[-1] != mark:
@@ -114,3 +117,11 @@ class Rendering:
             else:
                 parts.append(word.norm)
         return " ".join(parts)
+
+    def _looks(self, word: Word) -> bool:
+        """Whether a word only says how a road user looks, who is named right behind it: "a small red car"."""
+        if word.norm not in LOOKS or word.span is not None or word.i in self.cast.of:
+            return False
+        behind = (w for w in self.words[word.i + 1 : word.i + 5] if w.norm not in LOOKS)
+        first = next(behind, None)
+        return first is not None and first.i in self.cast.of and first.span is not None

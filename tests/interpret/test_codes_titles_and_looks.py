@@ -1,4 +1,4 @@
-"""What a text says besides its tale: codes of crash research, titles, file names, what is not required, how cars look."""
+"""What a text says besides its tale: codes of crash research, titles, file names, what is not needed, how cars look."""
 
 import pytest
 
@@ -79,3 +79,14 @@ def test_plurals(plural):
 @pytest.mark.parametrize("pulls", ["pulling a semi-trailer", "towing one loaded semi-trailer", "with a semi-trailer"])
 def test_a_semi_trailer_is_part_of_who_pulls_it(pulls):
     assert len(read(f"V1, a truck-tractor {pulls}, was westbound in the right lane.").objects) == 0
+
+
+def test_who_had_been_following_ego_is_behind_it():
+    text = "The AV turned right on a green light and stopped for a pedestrian. A van that had been following the AV did not "
+    van = read(text + "stop in time and hit it.")["O2"].spec
+    assert (van.placement.position, van.phases[-1].action) == ("behind", "collide")
+
+
+def test_a_driver_behind_the_wheel_says_no_place():
+    van = read("V-2 was stalled in the lane ahead, D-2 still behind whl. V-1 struck V-2.")["O1"].spec
+    assert van.placement.position == "ahead"

@@ -37,6 +37,8 @@ def implied_start(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpe
         return {"position": f"crossing_{direction}", "said": True}
     if direction == "opposite":
         return {"position": "opposite_approach" if junction else "oncoming_lane", "said": True}
+    if first is not None and first.act == "follow" and first.patient is not None and first.patient.ego:
+        return {"position": "behind", "said": True}
     if direction == "same" and junction and "turn" in acts:
         return {"position": "ahead"}
     if "oncoming" in acts:

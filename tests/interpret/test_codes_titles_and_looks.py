@@ -82,7 +82,7 @@ def test_a_semi_trailer_is_part_of_who_pulls_it(pulls):
 
 
 def test_who_had_been_following_ego_is_behind_it():
-    text = "The AV turned right on a green light and stopped for a pedestrian. A van that had been following the AV did not "
+    text = "The AV turned right on green and stopped for a pedestrian. A van that had been following the AV did not "
     van = read(text + "stop in time and hit it.")["O2"].spec
     assert (van.placement.position, van.phases[-1].action) == ("behind", "collide")
 

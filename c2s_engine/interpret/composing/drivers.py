@@ -27,6 +27,8 @@ from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec
 RETURNS = frozenset(("overtake", "oncoming", "swerve"))
 AROUND = frozenset(("overtake", "oncoming", "lane_change", "cut_out", "evade", "swerve", "u_turn"))
 """What ego does to get past what it stopped for."""
+WIDE = re.compile(r"\b(?:berth|clearance|room|space)\b")
+"""What is left beside one whom ego goes around, though it slows first."""
 
 
 def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple[EgoSpec, list[Assumption]]:
@@ -72,7 +74,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             if phases[-1].target is None:
                 phases.pop()
         elif act in ("lane_change", "cut_out", "evade"):
-            if act == "evade" and reaction == "none" and who:
+            wide = reaction == "brake" and not phases and WIDE.search(event.text)
+            if act == "evade" and (reaction == "none" or wide) and who:
                 reaction, said_reaction = "evade", True
             elif (
                 act == "lane_change"

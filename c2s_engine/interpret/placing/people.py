@@ -131,7 +131,8 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             and "stationary" in acts
             or re.search(r"(right|left)(-hand)? (edge|side)|edge of|near the (curb|kerb)", text)
         ):
-            return {"position": "partly_in_lane", "side": edge or "right", "said": True}
+            facing = "against" if where.facing == "against" and where.lane == "partly" else None
+            return {"position": "partly_in_lane", "side": edge or "right", "facing": facing, "said": True}
         if where.rel == "beside":
             return {"position": "beside", "side": edge or "right", "said": True}
         if where.lane == "same" and re.search(r"edge", text) or entity.person and along:

@@ -65,7 +65,7 @@ def understand(text: str) -> Scene:
     indicated(cast, clauses)
     places = Places(cast, clauses)
     next_lane(plain, road, places.of)
-    on_own_edge(clauses, places.of)
+    on_own_edge(clauses, places.of, road)
     on_foot(plain, road, clauses)
     rules_of_sense(cast, clauses, road)
     left_untold(cast, clauses)

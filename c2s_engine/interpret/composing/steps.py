@@ -136,6 +136,9 @@ def steps_of(
         return (
             [Phase(action="go_straight", trigger=trigger)] if place.kind == "intersection" and not entity.person else []
         )
+    over = act == "cross_path" and place.kind in ("motorway", "off_ramp") and event.text.startswith("cross")
+    if over and placement.position in ("left_lane", "right_lane"):
+        return [Phase(action="cut_in", side=OPPOSITE[placement.position.split("_")[0]], target=ego, trigger=trigger)]
     if act == "cross_path":
         return [Phase(action="go_straight", trigger=trigger)] if crossing else []
     if act == "u_turn":

@@ -26,7 +26,8 @@ def passes_ego(scene: Scene, entity: Entity) -> bool:
 
 
 CIRCULATES = re.compile(
-    r"\b(circulat\w+|(go|goes|going|drive|drives|driving|come|comes|coming|ride|riding|cycle|cycling|travelling) "
+    r"\b(circulat\w+|circl(?:e|es|ed|ing)\b"
+    r"|(go|goes|going|drive|drives|driving|come|comes|coming|ride|riding|cycle|cycling|travelling) "
     r"(a)?round\b|already (in|on|inside)\b|(in|inside|on) the (roundabout|circle|ring|circulatory \w+)\b)"
 )
 OWN_LANE = re.compile(

@@ -2,7 +2,7 @@
 
 import re
 
-from c2s_engine.interpret.placing.compass import compass
+from c2s_engine.interpret.placing.compass import compass, roadside
 from c2s_engine.interpret.placing.flanks import comes_from
 from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, at_edge, passes_ego, told_of, wrong_way
 from c2s_engine.interpret.scene import Scene
@@ -36,6 +36,7 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         or side_of_text(re.sub(r"@\w+ (turn|travel)\w* (left|right)", "", " ".join(t for _, t in where.phrases)))
         or _sentence_side(scene, entity)
     )
+    edge = edge or roadside(scene, text)
     if wrong_way(scene, entity):
         return {"position": "ahead", "facing": "against", "said": True}
     if where.hidden_by is not None and where.open and not crosses and set(acts) <= {"travel", "stationary"}:
@@ -122,7 +123,7 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             return {
                 "position": "partly_in_lane" if inside else "sidewalk" if where.lane == "sidewalk" else "roadside",
                 "side": edge or "right",
-                "facing": _facing(text),
+                "facing": _facing(scene, entity, text),
                 "said": True,
             }
         if entity.type == "bicycle" and (
@@ -139,7 +140,7 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             return {
                 "position": "partly_in_lane",
                 "side": edge or "right",
-                "facing": _facing(text),
+                "facing": _facing(scene, entity, text),
                 "said": where.lane is not None,
             }
         if entity.type == "bicycle" and where.side and where.lane is None:
@@ -163,6 +164,11 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
 
 def _met_at_junction(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict | None:
     """Where a cyclist comes from at a junction, by the compass, the side that is hit, or the light that is run."""
+    told = " ".join(t for _, t in where.phrases)
+    let_go = any(e.act == "yield" and e.patient is entity for e in scene.events(scene.cast.ego))
+    first = place.kind == "intersection" and place.manoeuvre == "straight" and let_go
+    if first and where.lane in ("left", "right") and where.rel is None and "lane" not in told:
+        return {"position": f"crossing_{where.lane}", "said": True}
     if place.kind != "intersection" or where.rel is not None or where.lane not in (None, "same"):
         return None
     came = compass(scene, entity)
@@ -189,8 +195,8 @@ def _behind_ego(where: Where) -> bool:
 
 
 def _on_crosswalk(scene: Scene, entity: Entity, acts: list[str]) -> bool:
-    """Whether a person of whom no act is told is on a crosswalk: then it crosses."""
-    if acts or not entity.person or not scene.road.crosswalk or entity.roles:
+    """Whether a person or cyclist of whom no act is told is on a crosswalk: then it crosses."""
+    if acts or not (entity.person or entity.type == "bicycle") or not scene.road.crosswalk or entity.roles:
         return False
     words = scene.words[entity.mentions[0].word : entity.mentions[0].word + 7]
     return bool(re.search(r"cross|zebra", " ".join(w.norm for w in words)))
@@ -204,12 +210,12 @@ def _sentence_side(scene: Scene, entity: Entity) -> str | None:
     return (match[1] or match[2]) if match else None
 
 
-def _facing(text: str) -> str | None:
-    return (
-        "against"
-        if re.search(r"facing (the )?(traffic|oncoming)|against (the )?traffic|towards (the )?@ego", text)
-        else None
-    )
+def _facing(scene: Scene, entity: Entity, text: str) -> str | None:
+    sentence = scene.words[entity.mentions[0].word].sentence
+    words = " ".join(w.norm for w in scene.words if w.sentence == sentence)
+    faces = re.search(r"\bfacing (the )?(oncoming )?traffic\b", words)
+    against = r"facing (the )?(traffic|oncoming)|against (the )?traffic|towards (the )?@ego|facing (the )?@ego"
+    return "against" if faces or re.search(against, text) else None
 
 
 def _from_side(text: str) -> str | None:
@@ -219,6 +225,9 @@ def _from_side(text: str) -> str | None:
 
 def _by_compass(scene: Scene, entity: Entity) -> str | None:
     """The side that a person comes from, where it walks "from west to east" and ego's heading is told."""
+    told = " ; ".join([*(t for _, t in scene.where(entity).phrases), *(e.whole for e in scene.events(entity))])
+    if (stands := roadside(scene, told)) is not None:
+        return stands
     found = compass(scene, entity)
     return found if found in ("left", "right") else None
 

@@ -12,8 +12,9 @@ CROSSING = re.compile(
     r"(?! (?:of|the|an?|paths?|traffic|vehicles?|cars?|streets?|roads?|from|in front|guard|point|where)\b)"
 )
 JUNCTION = re.compile(
-    r"\b(?:junctions?|intersections?|crossroads?|roundabout|turn(?:s|ed|ing)?|(?:traffic )?(?:lights?|signals?)|level crossing"
-    r"|railway|railroad|trains?|trams?|(?:side|main|minor|cross)[- ](?:road|street)s?|give[- ]way|stop sign|right of way|priority)\b"
+    r"\b(?:junctions?|intersections?|crossroads?|roundabout|turn(?:s|ed|ing)?|(?:traffic )?(?:lights?|signals?)"
+    r"|level crossing|railway|railroad|trains?|trams?|(?:side|main|minor|cross)[- ](?:road|street)s?"
+    r"|give[- ]way|stop sign|right of way|priority)\b"
 )
 """What tells that roads cross there, or rails."""
 THERE = frozenset(("cross_road", "stationary", "wait", "yield", "stop"))

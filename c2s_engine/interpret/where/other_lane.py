@@ -13,7 +13,8 @@ COMES = re.compile(
 )
 """What tells that the lane is that of the other direction."""
 ENDS = re.compile(
-    r"\blanes? (?:\w+ ){0,2}(?:ends?|ending|narrows?|merges?|becomes?|drops?|closes?|closed)\b|\b(?:ending|ends?|closed|dropped) lane\b"
+    r"\blanes? (?:\w+ ){0,2}(?:ends?|ending|narrows?|merges?|becomes?|drops?|closes?|closed)\b"
+    r"|\b(?:ending|ends?|closed|dropped) lane\b"
     r"|\blane drop\b|\b(?:two|2) lanes (?:in)?to (?:one|1|a single)\b"
 )
 

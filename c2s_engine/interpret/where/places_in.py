@@ -27,6 +27,7 @@ DONE_THERE = frozenset(
 INTO = re.compile(r"\b(into|onto|to|towards) (the |its )?(@\w+ ''?s )?[\w -]*?(lane|road|street|path|way)\b")
 OF_PATH = re.compile(r"\b(in front of|ahead of) (the )?@\w+")
 
+PULLS_IN = re.compile(r"(?:pull|draw|swing) (?:over )?in\b(?! front)")
 PASSES_IN = re.compile(r"in the (?:left|right|middle|cent(?:er|re))(?:-hand)? lane\b")
 
 
@@ -42,6 +43,8 @@ def places_in(event: Event) -> Iterator[str]:
         left = event.act != "leave_road" or "lane" in match[0]  # what is left is the road, unless a lane is named
         if left and (ORIGIN.match(match[0]) or event.act in DONE_THERE):
             part = INTO.sub("", match[0])
+            if PULLS_IN.match(event.text) and part.startswith("in "):
+                continue
             if _passed_there(event, part):
                 continue
             yield OF_PATH.sub("", part) if event.act in ("cross_path", "turn") else part

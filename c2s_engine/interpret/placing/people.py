@@ -110,7 +110,13 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             return {"position": f"{kerb}_lane", "along": "ahead", "said": where.lane is not None}
         return {"position": "partly_in_lane", "side": kerb, "said": where.lane is not None}
     side = where.side or ("right" if where.rel == "beside" else None)
-    if entity.type == "bicycle" and side and place.manoeuvre == side and where.rel in (None, "ahead", "beside"):
+    if (
+        entity.type == "bicycle"
+        and where.lane != "sidewalk"
+        and side
+        and place.manoeuvre == side
+        and where.rel in (None, "ahead", "beside")
+    ):
         return {"position": "partly_in_lane", "side": side, "said": True}
     if entity.type == "bicycle" and where.lane == "sidewalk":
         return {"position": "sidewalk", "side": edge or "right", "said": True}
@@ -205,7 +211,9 @@ def _on_crosswalk(scene: Scene, entity: Entity, acts: list[str]) -> bool:
 def _sentence_side(scene: Scene, entity: Entity) -> str | None:
     """The side that the sentence of a person's first mention names for it."""
     first = entity.mentions[0]
-    sentence = " ".join(w.norm for w in scene.words if w.sentence == scene.words[first.word].sentence)
+    passing = {i for e in scene.clauses.events if e.act == "overtake" and e.agent is not entity for i in e.words}
+    own = [w for w in scene.words if w.sentence == scene.words[first.word].sentence and w.i not in passing]
+    sentence = " ".join(w.norm for w in own)
     match = re.search(r"(left|right) side|(?:from|on) (?:the |its )?(left|right)\b(?! lane|-hand lane)", sentence)
     return (match[1] or match[2]) if match else None
 

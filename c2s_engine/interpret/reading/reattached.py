@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 OBJECTS = frozenset(("it", "him", "her", "them"))
 TOWED, SEES, WAITS = language.with_plurals("towed"), language.words("notices"), language.words("waits")
+ON_ITS_WAY = frozenset(language.words("on_its_way"))
 MANOEUVRES = language.words("manoeuvres") | language.words("drives")
 FAULTS = frozenset(("run", "fail", "disregard", "ignore", "neglect", "jump", "cross", "turn", "pull"))
 ANSWERS = frozenset(("respond", "react", "answer", "reply"))
@@ -153,6 +154,10 @@ def _by_which(words: list[Word], using: Word) -> None:
 def _doer_of_passive(words: list[Word], verb: Word) -> None:
     """Put who does what the passive says before the participle that tells of it: "was struck by V2 coming north"."""
     by = words[verb.head]
+    doer = words[verb.i - 2] if verb.i > 1 and words[verb.i - 1].norm == "," else verb
+    if verb.dep == "advcl" and verb.norm in ON_ITS_WAY and road_user(doer) and words[doer.head].dep == "agent":
+        hang(words, verb, doer, "acl")  # "was struck by V2, turning out of a lot"
+        return
     if verb.tag != "VBG" or verb.dep != "pcomp" or by.dep != "agent":
         return
     doers = [words[c] for c in verb.children if by.i < c < verb.i and words[c].dep == "nsubj" and road_user(words[c])]

@@ -145,5 +145,8 @@ def _take(
 
 def side_of_text(text: str) -> str | None:
     """The side that a phrase about the roadside names: "at the right kerb", "on the left"."""
-    match = re.search(r"\b(left|right)\b(?!-of| of way| angle| away| behind| in front| ahead| after| before| at)", text)
+    match = re.search(
+        r"(?<!turn )(?<!turns )(?<!turned )(?<!turning )\b(left|right)\b(?!-of| of way| angle| away| behind| in front| ahead| after| before| at)",
+        text,
+    )
     return match[1] if match else None

@@ -22,6 +22,7 @@ from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.unsaid import unsaid
 from c2s_engine.interpret.where.other_lane import next_lane
 from c2s_engine.interpret.where.own_edge import on_own_edge
+from c2s_engine.interpret.where.protruding import protruding
 from c2s_engine.interpret.where.relations import Places
 from c2s_engine.interpret.where.struck import came_out_into, merged_into, pushed, twice
 from c2s_engine.interpret.who.foretold import foretold
@@ -66,6 +67,7 @@ def understand(text: str) -> Scene:
     places = Places(cast, clauses)
     next_lane(plain, road, places.of)
     on_own_edge(clauses, places.of, road)
+    protruding(clauses, places.of)
     on_foot(plain, road, clauses)
     rules_of_sense(cast, clauses, road)
     left_untold(cast, clauses)

@@ -43,6 +43,8 @@ def reattach(words: list[Word]) -> None:
             word.dep = "conj"  # "overtakes ego and 2 s later brakes"
         found_standing(words, word)
         find_subject(words, word)
+        if (lane := _lane_before(words, word)) is not None:
+            hang(words, word, lane)  # "approaches a queue in the lane to its right"
         if word.norm == "by" and word.dep == "prep" and (answers := _answer(words, word)) is not None:
             hang(words, word, answers)  # "responds to a van braking by changing lanes"
         _doer_of_passive(words, word)
@@ -149,6 +151,16 @@ def _by_which(words: list[Word], using: Word) -> None:
         if using.dep == "ccomp":
             hang(words, noun, verb, "dobj")
         hang(words, using, verb, "advcl")
+
+
+def _lane_before(words: list[Word], word: Word) -> Word | None:
+    """The lane right before "to its right", in which somebody is and which the tree has not with it."""
+    if word.norm != "to" or word.dep != "prep" or word.i < 3 or words[word.i - 1].norm != "lane":
+        return None
+    lane = words[word.i - 1]
+    sideways = any(words[c].dep == "pobj" and words[c].norm in ("left", "right") for c in word.children)
+    placed = lane.dep == "pobj" and words[lane.head].norm in ("in", "along")
+    return lane if sideways and placed and word.head != lane.i else None
 
 
 def _doer_of_passive(words: list[Word], verb: Word) -> None:

@@ -8,7 +8,7 @@ from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import Phase, Placement, PlaceSpec, Trigger
 
-PULLS_OVER = re.compile(r"(?:pull|draw) (?:\w+ )?(?:over|in|to)\b")
+PULLS_OVER = re.compile(r"(?:pull|draw) (?:\w+ )?(?:over|in|to|into)\b")
 OUT = re.compile(r"(?:come|move|drive|roll|edge|creep|inch|nose|pull|go|poke) (?:\w+ )?(?:out|forward)\b")
 
 

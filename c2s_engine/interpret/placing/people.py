@@ -240,6 +240,7 @@ def _by_compass(scene: Scene, entity: Entity) -> str | None:
     return found if found in ("left", "right") else None
 
 
+GETS_OUT = re.compile(r"\b(?:step|get|climb|jump|hop) out(?: and| ,| \.| ;| in front| into|$| $)")
 LEFT = re.compile(r"\b(?:from|out of|off|leave|exit) (?:the |a |an )?(?:\w+ )?@KEY\b")
 
 
@@ -251,6 +252,9 @@ def _keyed(text: str, entity: Entity) -> str:
 def _behind_whom(scene: Scene, where: Where, told: str = "") -> str | None:
     """The side of one who hides somebody or whom it leaves, where that stands on one side or comes the other way."""
     blocker = where.hidden_by or next((e for e in scene.actors if LEFT.search(_keyed(told, e))), None)
+    parked = [e for e in scene.actors if scene.where(e).lane == "parked"]
+    if blocker is None and len(parked) == 1 and GETS_OUT.search(told):
+        blocker = parked[0]
     theirs = scene.where(blocker) if blocker is not None else None
     if theirs is None:
         return None

@@ -69,6 +69,9 @@ def _subject_of_second(words: list[Word], verb: Word) -> Word | None:
 def _named_after_place(words: list[Word], word: Word) -> Word | None:
     """The road user behind "and" that the tree has beside a place: "changed to lane two and V1 struck V3"."""
     before = words[word.i - 1] if word.i > 1 else None
+    if before is not None and before.norm == ",":  # "and V1, which did not stop, struck it"
+        told = [w for w in words[: word.i - 2] if w.sentence == word.sentence and words[w.i + 1].norm == ","]
+        before = next((w for w in reversed(told) if w.dep == "conj" and words[w.i + 2].tag in ("WDT", "WP")), None)
     if (
         before is None
         or before.dep != "conj"

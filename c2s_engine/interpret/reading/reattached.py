@@ -43,6 +43,8 @@ def reattach(words: list[Word]) -> None:
             word.dep = "conj"  # "overtakes ego and 2 s later brakes"
         found_standing(words, word)
         find_subject(words, word)
+        if (user := _what_for(words, word)) is not None:
+            hang(words, word, user, "advcl")  # "uses ego's lane to pass a queue"
         if (lane := _lane_before(words, word)) is not None:
             hang(words, word, lane)  # "approaches a queue in the lane to its right"
         if word.norm == "by" and word.dep == "prep" and (answers := _answer(words, word)) is not None:
@@ -151,6 +153,16 @@ def _by_which(words: list[Word], using: Word) -> None:
         if using.dep == "ccomp":
             hang(words, noun, verb, "dobj")
         hang(words, using, verb, "advcl")
+
+
+def _what_for(words: list[Word], word: Word) -> Word | None:
+    """The verb that tells what somebody uses to do this, where the tree has this with what is used."""
+    if word.tag != "VB" or word.dep not in ("relcl", "acl") or words[word.i - 1].norm != "to":
+        return None
+    used = words[word.head]
+    verb = words[used.head]
+    own = any(words[c].dep.startswith("nsubj") for c in word.children)
+    return verb if used.dep == "dobj" and verb.lemma in ("use", "borrow", "cross", "enter") and not own else None
 
 
 def _lane_before(words: list[Word], word: Word) -> Word | None:

@@ -16,7 +16,8 @@ TOLD = frozenset(("latter", "former", "first", "second", "third", "last", "other
 
 def find_subject(words: list[Word], word: Word) -> None:
     """Give a verb the subject that the tree took for something else."""
-    if word.dep == "advcl" and (before := _named_after_place(words, word)) is not None:
+    joined = word.dep == "conj" and words[word.i - 1].norm == ","
+    if (word.dep == "advcl" or joined) and (before := _named_after_place(words, word)) is not None:
         hang(words, before, word)
         before.dep, word.dep = "nsubj", "conj"
     if (before := _after_a_comma(words, word)) is not None:

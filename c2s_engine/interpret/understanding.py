@@ -20,7 +20,7 @@ from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.pulled_out import pulled_out
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.unsaid import unsaid
-from c2s_engine.interpret.where.other_lane import next_lane
+from c2s_engine.interpret.where.other_lane import meets_ego, next_lane
 from c2s_engine.interpret.where.own_edge import on_own_edge
 from c2s_engine.interpret.where.protruding import protruding
 from c2s_engine.interpret.where.relations import Places
@@ -66,6 +66,7 @@ def understand(text: str) -> Scene:
     indicated(cast, clauses)
     places = Places(cast, clauses)
     next_lane(plain, road, places.of)
+    meets_ego(clauses, places.of)
     on_own_edge(clauses, places.of, road)
     protruding(clauses, places.of)
     on_foot(plain, road, clauses)

@@ -125,3 +125,43 @@ def test_one_steps_off_an_island(read) -> None:
     first = read("A pedestrian stands on the refuge island and steps off as ego approaches.").objects[0]
     assert actions(first) == ["cross_road"]
     assert first.spec.placement.side == "left"
+
+
+def test_who_halts_at_a_stop_starts_ahead(read) -> None:
+    bus = read("The bus ahead stops at the bus stop.").objects[0]
+    assert bus.spec.placement.position == "ahead"
+    assert actions(bus) == ["stop"]
+
+
+def test_who_did_not_stop_and_struck_another_is_the_one_named_last(read) -> None:
+    structure = read("V2 entered the intersection and V1, which did not stop, struck its left side.")
+    assert actions(structure["E"]) == ["collide"]
+    assert "collide" not in actions(structure.objects[0])
+
+
+def test_what_is_used_does_not_do_it(read) -> None:
+    structure = read("An oncoming ambulance uses ego's lane to pass a queue.")
+    assert actions(structure["E"]) == []
+    assert actions(structure.objects[0]) == ["oncoming", "overtake"]
+
+
+def test_who_is_next_in_line_waits_behind_the_one_that_is_named(read) -> None:
+    structure = read("Ego is second in line behind a van at a red light. The van rolls back and stops.")
+    assert [o.spec.name for o in structure.objects] == ["van"]
+    assert actions(structure.objects[0]) == ["reverse", "stop"]
+
+
+def test_a_closed_footway_comes_no_nearer(read) -> None:
+    user = read("A wheelchair user goes along the edge of the road ahead of ego, because the footway is closed.")
+    assert user.objects[0].spec.placement.position == "partly_in_lane"
+
+
+def test_the_lane_of_whom_one_cuts_off_is_egos(read) -> None:
+    structure = read("A tanker from the inner lane cuts off ego in the outer lane of the roundabout.")
+    assert structure["R"].spec.ego_lane == "rightmost"
+    assert structure.objects[0].spec.placement.position == "left_lane"
+
+
+def test_ego_in_the_opposite_direction_meets_the_other(read) -> None:
+    text = "Vehicle 2 was stopped in the center turn lane. Vehicle 1 was traveling in the opposite direction."
+    assert read(text).objects[0].spec.placement.position in ("oncoming_lane", "opposite_approach")

@@ -5,6 +5,7 @@ import re
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.surroundings.place import Road
 from c2s_engine.interpret.surroundings.whereabouts import Where
+from c2s_engine.interpret.what.clauses import Clauses
 
 OTHER = re.compile(r"\bother (?:(?:traffic|travel|through|open|free) )?lane\b")
 COMES = re.compile(
@@ -30,3 +31,19 @@ def next_lane(plain: str, road: Road, of: dict[Entity, Where]) -> None:
             continue
         if not any(COMES.search(OTHER.sub("", t)) for t in told):
             where.lane, where.facing = "adjacent", None
+
+
+OPPOSITE_WAY = re.compile(
+    r"\bin (?:the |an )?(?:opposite|other) direction\b(?! (?:of|to|from|as|than))|\bthe other way\b"
+)
+DRIVES = frozenset(("travel", "approach", "keep_lane"))
+
+
+def meets_ego(clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Put the one spoken of before into the other direction, where ego is told to drive in the opposite one."""
+    for event in clauses.events:
+        if not (event.agent.ego and event.done and event.act in DRIVES and OPPOSITE_WAY.search(event.text)):
+            continue
+        before = [e for e in of if e.mover and not e.person and e.mentions and e.mentions[0].word < event.word]
+        if len(before) == 1 and of[before[0]].rel is None and of[before[0]].lane in (None, "same"):
+            of[before[0]].lane = "oncoming"

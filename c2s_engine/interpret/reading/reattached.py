@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.reading.astray import bring_home
 from c2s_engine.interpret.reading.found_standing import found_standing
 from c2s_engine.interpret.reading.hanging import hang, road_user
 from c2s_engine.interpret.reading.lost_subjects import find_subject
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
 
 OBJECTS = frozenset(("it", "him", "her", "them"))
 TOWED, SEES, WAITS = language.with_plurals("towed"), language.words("notices"), language.words("waits")
-ON_ITS_WAY = frozenset(language.words("on_its_way"))
 MANOEUVRES = language.words("manoeuvres") | language.words("drives")
 FAULTS = frozenset(("run", "fail", "disregard", "ignore", "neglect", "jump", "cross", "turn", "pull"))
 ANSWERS = frozenset(("respond", "react", "answer", "reply"))
@@ -43,10 +43,7 @@ def reattach(words: list[Word]) -> None:
             word.dep = "conj"  # "overtakes ego and 2 s later brakes"
         found_standing(words, word)
         find_subject(words, word)
-        if (user := _what_for(words, word)) is not None:
-            hang(words, word, user, "advcl")  # "uses ego's lane to pass a queue"
-        if (lane := _lane_before(words, word)) is not None:
-            hang(words, word, lane)  # "approaches a queue in the lane to its right"
+        bring_home(words, word)
         if word.norm == "by" and word.dep == "prep" and (answers := _answer(words, word)) is not None:
             hang(words, word, answers)  # "responds to a van braking by changing lanes"
         _doer_of_passive(words, word)
@@ -155,33 +152,9 @@ def _by_which(words: list[Word], using: Word) -> None:
         hang(words, using, verb, "advcl")
 
 
-def _what_for(words: list[Word], word: Word) -> Word | None:
-    """The verb that tells what somebody uses to do this, where the tree has this with what is used."""
-    if word.tag != "VB" or word.dep not in ("relcl", "acl") or words[word.i - 1].norm != "to":
-        return None
-    used = words[word.head]
-    verb = words[used.head]
-    own = any(words[c].dep.startswith("nsubj") for c in word.children)
-    return verb if used.dep == "dobj" and verb.lemma in ("use", "borrow", "cross", "enter") and not own else None
-
-
-def _lane_before(words: list[Word], word: Word) -> Word | None:
-    """The lane right before "to its right", in which somebody is and which the tree has not with it."""
-    if word.norm != "to" or word.dep != "prep" or word.i < 3 or words[word.i - 1].norm != "lane":
-        return None
-    lane = words[word.i - 1]
-    sideways = any(words[c].dep == "pobj" and words[c].norm in ("left", "right") for c in word.children)
-    placed = lane.dep == "pobj" and words[lane.head].norm in ("in", "along")
-    return lane if sideways and placed and word.head != lane.i else None
-
-
 def _doer_of_passive(words: list[Word], verb: Word) -> None:
     """Put who does what the passive says before the participle that tells of it: "was struck by V2 coming north"."""
     by = words[verb.head]
-    doer = words[verb.i - 2] if verb.i > 1 and words[verb.i - 1].norm == "," else verb
-    if verb.dep == "advcl" and verb.norm in ON_ITS_WAY and road_user(doer) and words[doer.head].dep == "agent":
-        hang(words, verb, doer, "acl")  # "was struck by V2, turning out of a lot"
-        return
     if verb.tag != "VBG" or verb.dep != "pcomp" or by.dep != "agent":
         return
     doers = [words[c] for c in verb.children if by.i < c < verb.i and words[c].dep == "nsubj" and road_user(words[c])]

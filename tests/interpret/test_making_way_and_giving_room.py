@@ -165,3 +165,18 @@ def test_the_lane_of_whom_one_cuts_off_is_egos(read) -> None:
 def test_ego_in_the_opposite_direction_meets_the_other(read) -> None:
     text = "Vehicle 2 was stopped in the center turn lane. Vehicle 1 was traveling in the opposite direction."
     assert read(text).objects[0].spec.placement.position in ("oncoming_lane", "opposite_approach")
+
+
+def test_who_has_come_onto_the_road_is_overtaken(read) -> None:
+    assert actions(read("A tractor pulls out of a gateway on the right and ego overtakes it.")["E"]) == ["overtake"]
+    assert actions(read("Ego passes a van parked on the right.")["E"]) == []
+
+
+def test_who_comes_up_fast_is_behind(read) -> None:
+    structure = read("Ego changes to the left lane, where a car is coming up fast.")
+    assert structure.objects[0].spec.placement.along == "behind"
+
+
+def test_who_turns_off_into_a_yard_turns(read) -> None:
+    bus = read("Ego follows a bus, which turns off into a depot on the left.").objects[0]
+    assert actions(bus) == ["turn_left"]

@@ -125,3 +125,8 @@ def test_who_does_not_reach_into_the_lane_is_beside_it(read) -> None:
 )
 def test_queues_in_the_lane_to_one_side(read, text: str) -> None:
     assert position(read(text))[0] == "right_lane"
+
+
+def test_two_lanes_beside_ego_make_three(read) -> None:
+    assert read("A motorcycle is riding two lanes to the left of ego.")["R"].spec.lanes == 3
+    assert read("A motorcycle is riding one lane to the left of ego.")["R"].spec.lanes == 2

@@ -91,6 +91,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             act == "overtake"
             and event.patient is not None
             and scene.where(event.patient).lane in ("parked", "roadside", "sidewalk")
+            and not _on_the_road_by_then(scene, event)
         ):
             continue
         elif act == "overtake":
@@ -268,6 +269,12 @@ def _goes_on(phases: list[Phase], event: Event, place: PlaceSpec) -> str | None:
     if place.kind == "intersection" and (INTO.match(event.text) or onwards and last.action != "stationary"):
         return "go_straight"
     return "start" if onwards else None
+
+
+def _on_the_road_by_then(scene: Scene, event: Event) -> bool:
+    """Whether whom ego passes came onto the road before, of its own: "a tractor pulls out and ego overtakes it"."""
+    out = scene.does(event.patient, "enter_road") if event.patient is not None else None
+    return out is not None and out.order < event.order and not event.adverbial
 
 
 def _halted_by(scene: Scene, event: Event) -> bool:

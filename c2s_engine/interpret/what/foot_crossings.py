@@ -7,7 +7,7 @@ from c2s_engine.interpret.what.clauses import Clauses
 
 CROSSING = re.compile(
     r"(?<!\brail )(?<!\brailway )(?<!\blevel )(?<!\brailroad )(?<!\btrain )(?<!\bgrade )"
-    r"\b(?:before|at|to|towards?|on|over|onto|near|short of|reach\w*|approach\w*|past|from|in front of) "
+    r"\b(?:before|at|for|to|towards?|on|over|onto|near|short of|reach\w*|approach\w*|past|from|in front of) "
     r"(?:an?|the|this|that|its) (?:school |foot |busy |marked |raised |next )?crossings?\b"
     r"(?! (?:of|the|an?|paths?|traffic|vehicles?|cars?|streets?|roads?|from|in front|guard|point|where)\b)"
 )

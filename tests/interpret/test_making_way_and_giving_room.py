@@ -180,3 +180,15 @@ def test_who_comes_up_fast_is_behind(read) -> None:
 def test_who_turns_off_into_a_yard_turns(read) -> None:
     bus = read("Ego follows a bus, which turns off into a depot on the left.").objects[0]
     assert actions(bus) == ["turn_left"]
+
+
+@pytest.mark.parametrize(
+    "text", ["Ego finds cars stopped.", "Ego comes over a hill and finds two cars stopped in its lane."]
+)
+def test_who_is_found_stopped_stands(read, text: str) -> None:
+    assert actions(read(text).objects[0]) == ["stationary"]
+
+
+def test_a_drift_over_the_line_towards_one_who_comes(read) -> None:
+    assert actions(read("An oncoming car is in its own lane; ego drifts over the line.")["E"]) == ["oncoming"]
+    assert actions(read("Ego drifts to the right; an oncoming truck passes.")["E"]) != ["oncoming"]

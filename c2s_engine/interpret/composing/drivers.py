@@ -140,6 +140,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             continue  # it goes on towards the side to which it changes lanes
         elif act in ("leave_road", "drift", "swerve", "reverse", "oncoming", "enter_road"):
             sided = act in ("leave_road", "drift", "swerve", "oncoming")
+            if act == "drift" and towards is None and _meets_over_the_line(scene, place):
+                act, towards = "oncoming", "left"
             phases.append(
                 Phase(
                     action=act,
@@ -269,6 +271,13 @@ def _goes_on(phases: list[Phase], event: Event, place: PlaceSpec) -> str | None:
     if place.kind == "intersection" and (INTO.match(event.text) or onwards and last.action != "stationary"):
         return "go_straight"
     return "start" if onwards else None
+
+
+def _meets_over_the_line(scene: Scene, place: PlaceSpec) -> bool:
+    """Whether all others come the other way, on a road with no lane beside: it is their lane that ego drifts into."""
+    movers = [a for a in scene.actors if a.mover]
+    comes = all(scene.where(a).lane == "oncoming" or "oncoming" in a.roles for a in movers)
+    return bool(movers) and comes and (place.lanes or 1) < 2 and place.kind != "motorway"
 
 
 def _on_the_road_by_then(scene: Scene, event: Event) -> bool:

@@ -11,6 +11,7 @@ from c2s_engine.interpret.what.aftermath import aftermath
 from c2s_engine.interpret.what.bearings import against_the_traffic, sides_by_compass
 from c2s_engine.interpret.what.claims import claimed
 from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.foot_crossings import on_foot
 from c2s_engine.interpret.what.headlines import headline
 from c2s_engine.interpret.what.indicated import indicated
 from c2s_engine.interpret.what.left_untold import left_untold
@@ -19,6 +20,9 @@ from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.pulled_out import pulled_out
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.unsaid import unsaid
+from c2s_engine.interpret.where.other_lane import meets_ego, next_lane
+from c2s_engine.interpret.where.own_edge import on_own_edge
+from c2s_engine.interpret.where.protruding import protruding
 from c2s_engine.interpret.where.relations import Places
 from c2s_engine.interpret.where.struck import came_out_into, merged_into, pushed, twice
 from c2s_engine.interpret.who.foretold import foretold
@@ -61,6 +65,11 @@ def understand(text: str) -> Scene:
     sides_by_compass(clauses)
     indicated(cast, clauses)
     places = Places(cast, clauses)
+    next_lane(plain, road, places.of)
+    meets_ego(clauses, places.of)
+    on_own_edge(clauses, places.of, road)
+    protruding(clauses, places.of)
+    on_foot(plain, road, clauses)
     rules_of_sense(cast, clauses, road)
     left_untold(cast, clauses)
     twice(clauses)

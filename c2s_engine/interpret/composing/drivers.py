@@ -27,6 +27,8 @@ from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec
 RETURNS = frozenset(("overtake", "oncoming", "swerve"))
 AROUND = frozenset(("overtake", "oncoming", "lane_change", "cut_out", "evade", "swerve", "u_turn"))
 """What ego does to get past what it stopped for."""
+WIDE = re.compile(r"\b(?:berth|clearance|room|space)\b")
+"""What is left beside one whom ego goes around, though it slows first."""
 
 
 def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple[EgoSpec, list[Assumption]]:
@@ -72,7 +74,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             if phases[-1].target is None:
                 phases.pop()
         elif act in ("lane_change", "cut_out", "evade"):
-            if act == "evade" and reaction == "none" and who:
+            wide = reaction == "brake" and not phases and WIDE.search(event.text)
+            if act == "evade" and (reaction == "none" or wide) and who:
                 reaction, said_reaction = "evade", True
             elif (
                 act == "lane_change"
@@ -88,6 +91,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             act == "overtake"
             and event.patient is not None
             and scene.where(event.patient).lane in ("parked", "roadside", "sidewalk")
+            and not _on_the_road_by_then(scene, event)
         ):
             continue
         elif act == "overtake":
@@ -136,6 +140,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             continue  # it goes on towards the side to which it changes lanes
         elif act in ("leave_road", "drift", "swerve", "reverse", "oncoming", "enter_road"):
             sided = act in ("leave_road", "drift", "swerve", "oncoming")
+            if act == "drift" and towards is None and _meets_over_the_line(scene, place):
+                act, towards = "oncoming", "left"
             phases.append(
                 Phase(
                     action=act,
@@ -265,6 +271,19 @@ def _goes_on(phases: list[Phase], event: Event, place: PlaceSpec) -> str | None:
     if place.kind == "intersection" and (INTO.match(event.text) or onwards and last.action != "stationary"):
         return "go_straight"
     return "start" if onwards else None
+
+
+def _meets_over_the_line(scene: Scene, place: PlaceSpec) -> bool:
+    """Whether all others come the other way, on a road with no lane beside: it is their lane that ego drifts into."""
+    movers = [a for a in scene.actors if a.mover]
+    comes = all(scene.where(a).lane == "oncoming" or "oncoming" in a.roles for a in movers)
+    return bool(movers) and comes and (place.lanes or 1) < 2 and place.kind != "motorway"
+
+
+def _on_the_road_by_then(scene: Scene, event: Event) -> bool:
+    """Whether whom ego passes came onto the road before, of its own: "a tractor pulls out and ego overtakes it"."""
+    out = scene.does(event.patient, "enter_road") if event.patient is not None else None
+    return out is not None and out.order < event.order and not event.adverbial
 
 
 def _halted_by(scene: Scene, event: Event) -> bool:

@@ -30,7 +30,8 @@ def ego_lane_of(scene: Scene) -> str | None:
         for other in scene.words[mention.word + 1 : mention.word + 14]:
             if other.sentence != word.sentence or other.verb or other.norm == "and" or other.i in scene.cast.of:
                 break
-            if other.norm == "from" and scene.words[word.head].verb and word.dep != "nsubj":
+            placed = scene.words[word.head].verb or word.dep == "pobj"
+            if other.norm == "from" and placed and word.dep != "nsubj":
                 break  # "approaches ego from behind in the left lane"
             linear.append(other.norm)
         texts.append(" ".join(linear))

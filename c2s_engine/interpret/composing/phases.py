@@ -2,11 +2,14 @@
 
 import re
 
-from c2s_engine.interpret.composing.steps import steps_of
+from c2s_engine.interpret.composing.steps import steps_of, trigger_of
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import Phase, Placement, PlaceSpec, Trigger
+
+PULLS_OVER = re.compile(r"(?:pull|draw) (?:\w+ )?(?:over|in|to|into)\b")
+OUT = re.compile(r"(?:come|move|drive|roll|edge|creep|inch|nose|pull|go|poke) (?:\w+ )?(?:out|forward)\b")
 
 
 def phases_of(
@@ -24,6 +27,9 @@ def phases_of(
         halted = bool(found) and found[-1].action in ("stop", "brake")
         if halted and event.act == "stationary" and scene.words[event.word].tag == "VB":
             continue  # it stops "to pick up passengers"
+        if found and found[-1].action == "leave_road" and event.act == "stationary":
+            found.append(Phase(action="stop"))  # it pulled over "and waited"
+            continue
         if event.act == "go_straight" and found and found[-1].action in ("stop", "wait", "yield"):
             found = [p for p in found if p.action != "go_straight"]  # it goes on only then
         if (
@@ -33,10 +39,19 @@ def phases_of(
             and scene.cast.ego not in event.also
         ):
             partner = event.also[0] if event.agent is entity else event.agent
-            pair = (f"@{a.key} and (?:the |an? )?@{b.key}" for a, b in ((entity, partner), (partner, entity)))
+            pair = (f"@{a.key} and (?:the |an? )?(?:\\w+ )?@{b.key}" for a, b in ((entity, partner), (partner, entity)))
             if not partner.ego and re.search("|".join(pair), event.whole):
                 who = ids.get(partner)  # "V2 and V3 collided"
         found += steps_of(scene, event, entity, who, ego_key, placement, place, crossing, found)
+    if (
+        found
+        and found[-1].action == "leave_road"
+        and events[-1].act == "leave_road"
+        and PULLS_OVER.match(events[-1].text)
+    ):
+        found.append(Phase(action="stop"))
+    if out := _comes_out(events) if crossing and found and found[0].action == "stop" else None:
+        found.insert(0, Phase(action="go_straight", trigger=trigger_of(out)))
     if "stationary" in entity.roles and not any(p.action not in ("stationary", "wait") for p in found):
         found = [Phase(action="stationary")]
     if entity.person and not found and not entity.roles and placement.position in ("sidewalk", "roadside"):
@@ -48,7 +63,8 @@ def phases_of(
         found = [Phase(action="stationary")]
     if entity.person and not found and "crossing" in entity.roles:
         found = [Phase(action="cross_road")]
-    if entity.person and not found and not entity.roles and placement.position in ("intersection_exit",):
+    walks = entity.person or entity.type == "bicycle"
+    if walks and not found and not entity.roles and placement.position in ("intersection_exit",):
         found = [Phase(action="cross_road")]
     if "parked" in entity.roles and not found:
         found = [Phase(action="stationary")]
@@ -102,6 +118,13 @@ def phases_of(
     if any(p.action in ("turn_left", "turn_right", "u_turn") for p in found) and place.kind == "intersection":
         found = [p for p in found if p.action != "go_straight"]
     return found[:8]
+
+
+def _comes_out(events: list[Event]) -> Event | None:
+    """How one comes out of a side road before it stops: "noses out into ego's path and stops"."""
+    halt = next((e for e in events if e.act in ("stop", "brake_stop")), None)
+    before = [e for e in events if halt is not None and e.order < halt.order and e.act in ("travel", "approach")]
+    return next((e for e in before if OUT.match(e.text)), None)
 
 
 def _run_into(scene: Scene, entity: Entity) -> bool:

@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret.composing.ego_lane import ego_lane_of
+from c2s_engine.interpret.placing.arms import in_another_arm
 from c2s_engine.interpret.placing.compass import compass
 from c2s_engine.interpret.placing.lengthwise import at_edge, wrong_way
 from c2s_engine.interpret.scene import Scene, side
@@ -54,7 +55,7 @@ def compose_place(scene: Scene) -> PlaceSpec:
             manoeuvre = "straight"
         manoeuvre = manoeuvre or "straight"
     _one_of_two(scene)
-    needs_left, needs_right, oncoming = _neighbours(scene)
+    needs_left, needs_right, oncoming = _neighbours(scene, kind == "intersection")
     ego_lane = ego_lane_of(scene)
     goes = next((side(e) for e in scene.events(scene.cast.ego) if e.act in ("lane_change", "cut_out")), None)
     if goes is not None and ego_lane == f"{goes}most":  # the lane that is named is where it goes
@@ -234,8 +235,9 @@ def _by_ego(scene: Scene, entity: Entity) -> bool:
     return scene.where(entity).of in (None, scene.cast.ego)
 
 
-def _neighbours(scene: Scene) -> tuple[bool, bool, bool]:
-    """Whether a lane to the left, to the right, and one of the other direction are needed."""
+def _neighbours(scene: Scene, at_junction: bool) -> tuple[bool, bool, bool]:
+    """Whether a lane to the left, to the right, and one of the other direction are needed; who is on one side at a
+    junction, and in no lane, is in another arm."""
     left = right = oncoming = False
     shifts: dict[Entity, int] = {}
     for event in scene.clauses.events:
@@ -252,7 +254,7 @@ def _neighbours(scene: Scene) -> tuple[bool, bool, bool]:
         where = scene.where(entity)
         if where.of is not None and not where.of.ego:
             continue
-        if not at_edge(scene, entity):
+        if not at_edge(scene, entity) and not (at_junction and in_another_arm(scene, entity)):
             left, right = left or where.lane == "left", right or where.lane == "right"
         if (where.lane == "oncoming" or "oncoming" in entity.roles) and not wrong_way(scene, entity):
             oncoming = True

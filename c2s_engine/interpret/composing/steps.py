@@ -136,6 +136,9 @@ def steps_of(
         return (
             [Phase(action="go_straight", trigger=trigger)] if place.kind == "intersection" and not entity.person else []
         )
+    over = act == "cross_path" and place.kind in ("motorway", "off_ramp") and event.text.startswith("cross")
+    if over and (toward := {"left_lane": "right", "right_lane": "left"}.get(placement.position)):
+        return [Phase(action="cut_in", side=toward, target=ego, trigger=trigger)]
     if act == "cross_path":
         return [Phase(action="go_straight", trigger=trigger)] if crossing else []
     if act == "u_turn":
@@ -149,7 +152,8 @@ def steps_of(
             return [Phase(action="oncoming", side="left", trigger=trigger)]
         if placement.position == "partly_in_lane" and entity.type == "bicycle":
             return [Phase(action="swerve", side=OPPOSITE[placement.side or "right"], trigger=trigger)]
-        goal = {"left_lane": "right", "right_lane": "left"}.get(placement.position)
+        flank = OPPOSITE.get(placement.side or "") if placement.position == "beside" else None
+        goal = {"left_lane": "right", "right_lane": "left"}.get(placement.position, flank)
         if placement.position in ("ahead",) and not any(p.action == "overtake" for p in before):
             return [Phase(action="lane_change", side=towards or "left", trigger=trigger)] if towards else []
         if crossing:

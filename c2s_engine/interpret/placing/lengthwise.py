@@ -26,7 +26,8 @@ def passes_ego(scene: Scene, entity: Entity) -> bool:
 
 
 CIRCULATES = re.compile(
-    r"\b(circulat\w+|(go|goes|going|drive|drives|driving|come|comes|coming|ride|riding|cycle|cycling|travelling) "
+    r"\b(circulat\w+|circl(?:e|es|ed|ing)\b"
+    r"|(go|goes|going|drive|drives|driving|come|comes|coming|ride|riding|cycle|cycling|travelling) "
     r"(a)?round\b|already (in|on|inside)\b|(in|inside|on) the (roundabout|circle|ring|circulatory \w+)\b)"
 )
 OWN_LANE = re.compile(
@@ -77,8 +78,17 @@ def told_along(scene: Scene, entity: Entity) -> str | None:
     return "beside" if changed is not None and hit is not None and changed.order < hit.order else None
 
 
+COMES_UP = re.compile(
+    r"^(?:come|close|bear|catch|race|speed|shoot|storm|rush) (?:up|in|down)(?: very| so| too| up)? "
+    r"(?:fast|quick|quickly|rapidly|at speed)\b"
+    r"(?! (?:towards?|from the (?:front|other)|the other))"
+)
+
+
 def gains(scene: Scene, entity: Entity) -> bool:
     """Whether one is told to come up from behind."""
+    if any(COMES_UP.search(e.text) for e in scene.events(entity) if e.act in ("approach", "travel")):
+        return True
     return any(e.act == "approach" and re.search(r"behind|rear|back", e.whole) for e in scene.events(entity)) or any(
         e.act == "approach" and e.text.startswith("close") for e in scene.events(entity)
     )

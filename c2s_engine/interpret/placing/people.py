@@ -2,7 +2,7 @@
 
 import re
 
-from c2s_engine.interpret.placing.compass import compass
+from c2s_engine.interpret.placing.compass import compass, roadside
 from c2s_engine.interpret.placing.flanks import comes_from
 from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, at_edge, passes_ego, told_of, wrong_way
 from c2s_engine.interpret.scene import Scene
@@ -36,6 +36,7 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         or side_of_text(re.sub(r"@\w+ (turn|travel)\w* (left|right)", "", " ".join(t for _, t in where.phrases)))
         or _sentence_side(scene, entity)
     )
+    edge = edge or roadside(scene, text)
     if wrong_way(scene, entity):
         return {"position": "ahead", "facing": "against", "said": True}
     if where.hidden_by is not None and where.open and not crosses and set(acts) <= {"travel", "stationary"}:
@@ -109,7 +110,13 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             return {"position": f"{kerb}_lane", "along": "ahead", "said": where.lane is not None}
         return {"position": "partly_in_lane", "side": kerb, "said": where.lane is not None}
     side = where.side or ("right" if where.rel == "beside" else None)
-    if entity.type == "bicycle" and side and place.manoeuvre == side and where.rel in (None, "ahead", "beside"):
+    if (
+        entity.type == "bicycle"
+        and where.lane != "sidewalk"
+        and side
+        and place.manoeuvre == side
+        and where.rel in (None, "ahead", "beside")
+    ):
         return {"position": "partly_in_lane", "side": side, "said": True}
     if entity.type == "bicycle" and where.lane == "sidewalk":
         return {"position": "sidewalk", "side": edge or "right", "said": True}
@@ -122,7 +129,7 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             return {
                 "position": "partly_in_lane" if inside else "sidewalk" if where.lane == "sidewalk" else "roadside",
                 "side": edge or "right",
-                "facing": _facing(text),
+                "facing": _facing(scene, entity, text),
                 "said": True,
             }
         if entity.type == "bicycle" and (
@@ -131,14 +138,15 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             and "stationary" in acts
             or re.search(r"(right|left)(-hand)? (edge|side)|edge of|near the (curb|kerb)", text)
         ):
-            return {"position": "partly_in_lane", "side": edge or "right", "said": True}
+            facing = "against" if where.facing == "against" and where.lane == "partly" else None
+            return {"position": "partly_in_lane", "side": edge or "right", "facing": facing, "said": True}
         if where.rel == "beside":
             return {"position": "beside", "side": edge or "right", "said": True}
         if where.lane == "same" and re.search(r"edge", text) or entity.person and along:
             return {
                 "position": "partly_in_lane",
                 "side": edge or "right",
-                "facing": _facing(text),
+                "facing": _facing(scene, entity, text),
                 "said": where.lane is not None,
             }
         if entity.type == "bicycle" and where.side and where.lane is None:
@@ -162,6 +170,11 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
 
 def _met_at_junction(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict | None:
     """Where a cyclist comes from at a junction, by the compass, the side that is hit, or the light that is run."""
+    told = " ".join(t for _, t in where.phrases)
+    let_go = any(e.act == "yield" and e.patient is entity for e in scene.events(scene.cast.ego))
+    first = place.kind == "intersection" and place.manoeuvre == "straight" and let_go
+    if first and where.lane in ("left", "right") and where.rel is None and "lane" not in told:
+        return {"position": f"crossing_{where.lane}", "said": True}
     if place.kind != "intersection" or where.rel is not None or where.lane not in (None, "same"):
         return None
     came = compass(scene, entity)
@@ -188,8 +201,8 @@ def _behind_ego(where: Where) -> bool:
 
 
 def _on_crosswalk(scene: Scene, entity: Entity, acts: list[str]) -> bool:
-    """Whether a person of whom no act is told is on a crosswalk: then it crosses."""
-    if acts or not entity.person or not scene.road.crosswalk or entity.roles:
+    """Whether a person or cyclist of whom no act is told is on a crosswalk: then it crosses."""
+    if acts or not (entity.person or entity.type == "bicycle") or not scene.road.crosswalk or entity.roles:
         return False
     words = scene.words[entity.mentions[0].word : entity.mentions[0].word + 7]
     return bool(re.search(r"cross|zebra", " ".join(w.norm for w in words)))
@@ -198,17 +211,19 @@ def _on_crosswalk(scene: Scene, entity: Entity, acts: list[str]) -> bool:
 def _sentence_side(scene: Scene, entity: Entity) -> str | None:
     """The side that the sentence of a person's first mention names for it."""
     first = entity.mentions[0]
-    sentence = " ".join(w.norm for w in scene.words if w.sentence == scene.words[first.word].sentence)
+    passing = {i for e in scene.clauses.events if e.act == "overtake" and e.agent is not entity for i in e.words}
+    own = [w for w in scene.words if w.sentence == scene.words[first.word].sentence and w.i not in passing]
+    sentence = " ".join(w.norm for w in own)
     match = re.search(r"(left|right) side|(?:from|on) (?:the |its )?(left|right)\b(?! lane|-hand lane)", sentence)
     return (match[1] or match[2]) if match else None
 
 
-def _facing(text: str) -> str | None:
-    return (
-        "against"
-        if re.search(r"facing (the )?(traffic|oncoming)|against (the )?traffic|towards (the )?@ego", text)
-        else None
-    )
+def _facing(scene: Scene, entity: Entity, text: str) -> str | None:
+    sentence = scene.words[entity.mentions[0].word].sentence
+    words = " ".join(w.norm for w in scene.words if w.sentence == sentence)
+    faces = re.search(r"\bfacing (the )?(oncoming )?traffic\b", words)
+    against = r"facing (the )?(traffic|oncoming)|against (the )?traffic|towards (the )?@ego|facing (the )?@ego"
+    return "against" if faces or re.search(against, text) else None
 
 
 def _from_side(text: str) -> str | None:
@@ -218,10 +233,14 @@ def _from_side(text: str) -> str | None:
 
 def _by_compass(scene: Scene, entity: Entity) -> str | None:
     """The side that a person comes from, where it walks "from west to east" and ego's heading is told."""
+    told = " ; ".join([*(t for _, t in scene.where(entity).phrases), *(e.whole for e in scene.events(entity))])
+    if (stands := roadside(scene, told)) is not None:
+        return stands
     found = compass(scene, entity)
     return found if found in ("left", "right") else None
 
 
+GETS_OUT = re.compile(r"\b(?:step|get|climb|jump|hop) out(?: and| ,| \.| ;| in front| into|$| $)")
 LEFT = re.compile(r"\b(?:from|out of|off|leave|exit) (?:the |a |an )?(?:\w+ )?@KEY\b")
 
 
@@ -233,6 +252,9 @@ def _keyed(text: str, entity: Entity) -> str:
 def _behind_whom(scene: Scene, where: Where, told: str = "") -> str | None:
     """The side of one who hides somebody or whom it leaves, where that stands on one side or comes the other way."""
     blocker = where.hidden_by or next((e for e in scene.actors if LEFT.search(_keyed(told, e))), None)
+    parked = [e for e in scene.actors if scene.where(e).lane == "parked"]
+    if blocker is None and len(parked) == 1 and GETS_OUT.search(told):
+        blocker = parked[0]
     theirs = scene.where(blocker) if blocker is not None else None
     if theirs is None:
         return None

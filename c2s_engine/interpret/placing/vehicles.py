@@ -3,7 +3,8 @@
 import re
 
 from c2s_engine.interpret.entities import URGENT
-from c2s_engine.interpret.placing.compass import compass
+from c2s_engine.interpret.placing.arms import waits_beside
+from c2s_engine.interpret.placing.compass import compass, roadside
 from c2s_engine.interpret.placing.implied_starts import implied_start
 from c2s_engine.interpret.placing.lengthwise import (
     CIRCULATES,
@@ -32,9 +33,6 @@ ON_SIDE = re.compile(
     r"(?<!lane )\b(?:on|to) (?:(?:the )?@ego 's (?:left|right)(?! lane|-hand lane)"
     r"|the (?:left|right)(?: side)? of (?:the )?@ego)"
 )
-BY_ITS_SIDE = re.compile(
-    r"\bto (?:the )?@ego 's (?:immediate )?(?:left|right)\b|\bto the (?:left|right) of (?:the )?@ego\b"
-)
 
 
 def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:
@@ -46,6 +44,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         return {"position": "crossing_right", "said": True}
     junction = place.kind == "intersection"
     lane, rel, edge = where.lane, where.rel, where.side
+    if lane == "crossing" and edge and place.kind in ("motorway", "off_ramp", "on_ramp"):
+        lane = edge  # from one side to the other, over the lanes
     if lane == "crossing" and "enter_road" in acts and not junction:
         lane = None
     if lane in (None, "same") and (where.of is None or where.of.ego) and MIDDLE.search(told_of(scene, entity)):
@@ -59,7 +59,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     if lane == "oncoming" and rel == "behind" and "oncoming" not in entity.roles:
         lane = None  # the side on which it passes
     told = " ".join(t for _, t in where.phrases)
-    if junction and rel is None and BY_ITS_SIDE.search(told) and set(acts) <= {"travel", "stationary", "go_straight"}:
+    if junction and rel is None and waits_beside(scene, entity, told):
         rel = "beside"
     if junction and lane in ("left", "right") and rel is None and "lane" not in told:
         lane, edge = "crossing", lane
@@ -85,7 +85,9 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     ):
         came = direction or (compass(scene, entity) if "enter_road" in acts else None)
         sideways = came if came in ("left", "right") else None
-        edge = edge or side_of_text(text) or _side_of_events(scene, entity) or sideways or "right"
+        edge = (
+            edge or side_of_text(text) or _side_of_events(scene, entity) or roadside(scene, text) or sideways or "right"
+        )
         if lane == "roadside" and where.facing == "across" or "reverse" in acts and lane != "parked":
             return {"position": "roadside", "side": edge, "facing": "across", "said": True}
         along = "behind" if rel == "behind" else "ahead"
@@ -189,6 +191,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             or (place.oncoming or place.lanes in (None, 1) and place.kind not in ("motorway",))
             and _cut_side(scene, entity) != "right"
             or scene.does(entity, "leave_road") is not None
+            or rel == "behind"
+            and re.search(r"\b(?:directly|straight|right) behind\b", told)
             or (rel == "behind" or first is not None and first.act == "follow" and _of_ego(first))
             and (entity.type in URGENT or "lane_change" in acts[: acts.index("overtake")])  # out of ego's lane
         ):
@@ -278,6 +282,8 @@ def _side_of_events(scene: Scene, entity: Entity) -> str | None:
 def _cut_side(scene: Scene, entity: Entity) -> str | None:
     """The side that one who cuts in comes from."""
     for event in scene.events(entity):
+        if event.act == "overtake" and event.side is not None:
+            return event.side  # "undertakes"
         if event.act in ("cut_in", "lane_change", "overtake"):
             match = re.search(
                 r"from (the |its )?(adjacent |next |neighbou?ring )?(left|right)|(on|in) (the |its )?(left|right)",

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 SEES = language.words("notices")
 CONTACT = language.words("contact") | language.words("strikes")
+FINDS = frozenset(("find", "meet", "encounter", "have"))
 LOOSE = frozenset(("conj", "dep", "ccomp", "advcl"))
 STOOD = frozenset(("stopped", "parked", "slowed", "standing", "waiting"))
 PLACED = frozenset(("ahead", "there", "here", "in", "on", "already", "still"))
@@ -64,7 +65,7 @@ def _found_standing(words: list[Word], word: Word) -> Word | None:
         return None
     if any(words[c].dep in ("mark", "aux", "advmod") and words[c].norm not in PLACED for c in word.children):
         return None
-    hits = {verb.lemma, irregular().get(verb.norm)} & (CONTACT | SEES)
+    hits = {verb.lemma, irregular().get(verb.norm)} & (CONTACT | SEES | FINDS)
     return noun if hits and verb.i < noun.i else None
 
 

@@ -16,9 +16,16 @@ TOLD = frozenset(("latter", "former", "first", "second", "third", "last", "other
 
 def find_subject(words: list[Word], word: Word) -> None:
     """Give a verb the subject that the tree took for something else."""
-    if word.dep == "advcl" and (before := _named_after_place(words, word)) is not None:
+    joined = word.dep == "conj" and words[word.i - 1].norm == ","
+    if (word.dep == "advcl" or joined) and (before := _named_after_place(words, word)) is not None:
         hang(words, before, word)
         before.dep, word.dep = "nsubj", "conj"
+    if (before := _after_a_comma(words, word)) is not None:
+        hang(words, before, word)
+        before.dep = "nsubj"
+        placed = words[before.i + 1]
+        if placed.head != before.i and not under(words, word, placed):
+            hang(words, placed, before)
     if word.dep == "conj" and (before := _subject_before(words, word)) is not None:
         hang(words, before, word)
         before.dep = "nsubj"  # "slowed and V1 struck it": V1 was taken for somebody else that slowed
@@ -63,6 +70,9 @@ def _subject_of_second(words: list[Word], verb: Word) -> Word | None:
 def _named_after_place(words: list[Word], word: Word) -> Word | None:
     """The road user behind "and" that the tree has beside a place: "changed to lane two and V1 struck V3"."""
     before = words[word.i - 1] if word.i > 1 else None
+    if before is not None and before.norm == ",":  # "and V1, which did not stop, struck it"
+        told = [w for w in words[: word.i - 2] if w.sentence == word.sentence and words[w.i + 1].norm == ","]
+        before = next((w for w in reversed(told) if w.dep == "conj" and words[w.i + 2].tag in ("WDT", "WP")), None)
     if (
         before is None
         or before.dep != "conj"
@@ -73,6 +83,45 @@ def _named_after_place(words: list[Word], word: Word) -> Word | None:
     beside = words[before.head]
     own = any(words[c].dep.startswith("nsubj") for c in word.children)
     return before if word.tag in ("VBD", "VBZ") and not own and beside.noun and not road_user(beside) else None
+
+
+def _after_a_comma(words: list[Word], verb: Word) -> Word | None:
+    """The road user that begins what a comma joins to a sentence, where the tree leaves its verb without a subject:
+    "the van stops, ego behind it does not brake"."""
+    aux = [words[c] for c in verb.children if words[c].dep in ("aux", "auxpass") and c < verb.i]
+    finite = verb.tag in ("VBZ", "VBD", "VBP") or any(w.tag in ("VBZ", "VBD", "VBP", "MD") for w in aux)
+    if (
+        not finite
+        or verb.dep in ("aux", "auxpass")
+        or any(words[c].dep.startswith(("nsubj", "mark", "expl")) for c in verb.children)
+    ):
+        return None
+    start = min([verb.i, *(w.i for w in aux)])
+    between = []
+    for word in reversed(words[:start]):
+        if word.sentence != verb.sentence or word.verb or word.norm in ("and", "but", "or", "which", "who", "that"):
+            return None
+        if word.norm == ",":
+            break
+        between.insert(0, word)
+    else:
+        return None
+    nouns = [w for w in between if road_user(w) or names_ego(w)]
+    opens = [w for w in between if w.tag not in ("DT", "JJ", "NN", "NNP", "CD") or w in nouns][:1]
+    if (
+        not nouns
+        or opens != nouns[:1]
+        or nouns[0].dep not in ("npadvmod", "appos", "dobj", "conj", "dep", "attr", "pobj")
+    ):
+        return None
+    beside = between[between.index(nouns[0]) + 1 :]
+    told = beside and beside[0].tag in ("IN", "RB") and any(w.dep == "pobj" or w.tag == "RB" for w in beside)
+    return nouns[0] if told and not under(words, verb, nouns[0]) else None
+
+
+def names_ego(word: Word) -> bool:
+    """Whether a word is a name of ego."""
+    return word.span is not None and word.span.kind == "ego"
 
 
 def _subject_before(words: list[Word], word: Word) -> Word | None:

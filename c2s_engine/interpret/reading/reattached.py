@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.reading.astray import bring_home
 from c2s_engine.interpret.reading.found_standing import found_standing
 from c2s_engine.interpret.reading.hanging import hang, road_user
 from c2s_engine.interpret.reading.lost_subjects import find_subject
@@ -42,6 +43,7 @@ def reattach(words: list[Word]) -> None:
             word.dep = "conj"  # "overtakes ego and 2 s later brakes"
         found_standing(words, word)
         find_subject(words, word)
+        bring_home(words, word)
         if word.norm == "by" and word.dep == "prep" and (answers := _answer(words, word)) is not None:
             hang(words, word, answers)  # "responds to a van braking by changing lanes"
         _doer_of_passive(words, word)

@@ -143,7 +143,13 @@ def _take(
     where.phrases.append((source, text))
 
 
+SIDE = re.compile(
+    r"(?<!turn )(?<!turns )(?<!turned )(?<!turning )\b(left|right)\b"
+    r"(?!-of| of way| angle| away| behind| in front| ahead| after| before| at)"
+)
+
+
 def side_of_text(text: str) -> str | None:
     """The side that a phrase about the roadside names: "at the right kerb", "on the left"."""
-    match = re.search(r"\b(left|right)\b(?!-of| of way| angle| away| behind| in front| ahead| after| before| at)", text)
+    match = SIDE.search(text)
     return match[1] if match else None

@@ -171,7 +171,7 @@ class Agents(Subjectless):
         if word.dep == "xcomp" or word.dep == "ccomp":
             for child in head.children:
                 other = self.words[child]
-                if other.dep in ("dobj",) and child < word.i:
+                if other.dep == "dobj" and child < word.i and head.lemma not in ("use", "borrow", "cross", "enter"):
                     found = self.cast.referent(child)
                     if found:
                         return found, child, False

@@ -12,6 +12,10 @@ COMPASS = {"north": 0, "east": 90, "south": 180, "west": 270}
 WAY = re.compile(r"\b(north|south|east|west)(bound|ward|wards|erly)?\b")
 FROM = re.compile(r"(?:from|of) (?:the )?$")
 OFF = re.compile(r"\b(?:from|out of|leave|exit|off|depart)\b.*$")
+OF_ROAD = re.compile(
+    r"\b(?:in|from|out of|off|on|leave|at) (?:the |a |an )?(?:\w+ )?"
+    r"(?:road|street|leg|arm|approach|driveway|entrance|drive|alley) (?:to|on|at) (?:the |its )?$"
+)
 SIDE = re.compile(r" (?:side|curb|kerb|edge|shoulder|sidewalk|pavement)\b")
 PLACE = re.compile(r" (?:end|leg|corner|quadrant|crosswalk|approach|part|portion)\b")
 TURNED = re.compile(r"\bturn\w* (?:\w+ ){0,2}?(left|right) (?:\w+ ){0,4}?(?:to|onto|into|in order|and)(?: \w+){0,3} $")
@@ -28,6 +32,8 @@ def _heading(text: str) -> int | None:
     for match in WAY.finditer(text):
         before, after = text[: match.start()], text[match.end() :]
         way = COMPASS[match[1]]
+        if OF_ROAD.search(before):
+            return (way + 180) % 360  # from "the side road to the north"
         if SIDE.match(after) or not match[2] and FROM.search(before):
             if SIDE.match(after) and OFF.search(before) is None:
                 continue  # stands there

@@ -35,6 +35,7 @@ GOING_BEGUN = re.compile(
     r"(?: (?:off|again|forwards?|slowly|gently))*[ .,;]*$"
 )
 GOING_ENDED = re.compile(r"(?:stop|(?:cease|quit)(?: to)?) (?:move|drive|roll)\b")
+PLACED = re.compile(r"\w+ (?:\w+ )?(?:ahead of|in front of|before|near|beside|behind) (?:the )?@")
 BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
 
 
@@ -252,6 +253,8 @@ class Clauses(Deverbal):
         event.also = self._also(at, word.i)
         if event.patient in event.also and event.act != "collide":
             event.patient = None  # "V2 and V3 were stopped, V3 in front of V2"
+        if event.act == "collide" and event.also and event.patient not in event.also and PLACED.match(event.text):
+            event.patient = None  # "a car and a van collide ahead of ego"
         if event.act == "overtake" and not event.agent.ego and self._of_both(own):
             event.patient = self.cast.ego  # "overtakes both"
         self.events.append(event)

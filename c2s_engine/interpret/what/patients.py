@@ -16,6 +16,10 @@ PARTS = frozenset(
 OWN_WORDS = ("acl", "relcl", "prep", "advmod", "npadvmod")
 """How what is told of a noun alone hangs behind it."""
 
+OFF_ROAD = re.compile(
+    r"parked|parking|lay-?by|driveway|bus stop|(?:on|in|at) the (?:\w+ ){0,2}(?:shoulder|verge|emergency lane)"
+)
+
 
 class Patients(Rendering):
     """The part of Clauses that finds the other parties of a verb or noun."""
@@ -202,7 +206,7 @@ class Patients(Rendering):
         if "parked" in actor.roles:
             return True
         near = " ".join(w.norm for m in actor.mentions for w in self._up_to_next(m.word, 8))
-        if re.search(r"parked|parking|lay-?by|driveway|bus stop", near):
+        if OFF_ROAD.search(near):
             return True
         return any(
             e.agent is actor and re.search(r"park|kerb|curb|driveway|shoulder|bay|lay-by|side of the road", e.whole)

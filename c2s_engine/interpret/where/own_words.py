@@ -14,6 +14,8 @@ ASIDE = re.compile(
     r"\b(?:on|in|via|by|over|using|through|into|across) (?:the |its )?(?:on-?coming|opposite|opposing|other|wrong"
     r"|left|right|next"
     r"|adjacent)(?:-hand)? (?:\w+ )?(?:lane|side)(?: of the (?:road|street))?"
+    r"|\b(?:on|via|over|using|along) (?:the )?(?:(?:left|right|hard|paved|gravel|grass) )*"
+    r"(?:shoulder|verge|inside|outside)\b"
 )
 DIRECTED = frozenset(("towards", "toward", "into", "onto"))
 JOINS = frozenset(("and", "but", "while", "when"))

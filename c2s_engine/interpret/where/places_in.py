@@ -27,6 +27,11 @@ DONE_THERE = frozenset(
 INTO = re.compile(r"\b(into|onto|to|towards) (the |its )?(@\w+ ''?s )?[\w -]*?(lane|road|street|path|way)\b")
 OF_PATH = re.compile(r"\b(in front of|ahead of) (the )?@\w+")
 
+LANE_OF_EGO = re.compile(r"(?<=@ego) (?:in|on) the (?:[\w-]+ )?lane\b")
+"""In which lane ego is whom another cuts off or passes."""
+HALTS_AT = re.compile(r"(?<=ahead|front) (?:stop|halt) (?:at|in|by) .*$")
+"""Where one halts that is told to be ahead: it starts there, not where it halts."""
+PULLS_IN = re.compile(r"(?:pull|draw|swing) (?:over )?in\b(?! front)")
 PASSES_IN = re.compile(r"in the (?:left|right|middle|cent(?:er|re))(?:-hand)? lane\b")
 
 
@@ -38,10 +43,14 @@ def _passed_there(event: Event, part: str) -> bool:
 
 def places_in(event: Event) -> Iterator[str]:
     """Each such phrase, without where one goes and whose path is crossed."""
-    for match in PLACE.finditer(event.whole):
+    whole = LANE_OF_EGO.sub("", event.whole) if event.act in ("cut_in", "overtake") else event.whole
+    for match in PLACE.finditer(whole):
         left = event.act != "leave_road" or "lane" in match[0]  # what is left is the road, unless a lane is named
         if left and (ORIGIN.match(match[0]) or event.act in DONE_THERE):
             part = INTO.sub("", match[0])
+            if PULLS_IN.match(event.text) and part.startswith("in "):
+                continue
+            part = HALTS_AT.sub("", part)
             if _passed_there(event, part):
                 continue
             yield OF_PATH.sub("", part) if event.act in ("cross_path", "turn") else part

@@ -11,8 +11,8 @@ from c2s_engine.interpret.who.counted import Counted
 from c2s_engine.interpret.who.introduced import Introduced
 from c2s_engine.interpret.who.not_there import NotThere
 from c2s_engine.interpret.who.persons import DRIVERS
+from c2s_engine.interpret.who.reference import BOUND, COLOURS
 
-COLOURS = language.words("colours")
 TWO_WHEELERS = language.words("two_wheelers")
 THIRD = frozenset(("his", "her", "its", "their"))
 ON_LEASH = re.compile(r"\b(?:on|off) (?:an?|the|its|his|her|their) (?:\w+ )?$")
@@ -236,7 +236,7 @@ class Nouns(Introduced, NotThere, Counted):
             pair.roles.add("group")
         found = Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
         if count == 1:
-            found.names |= COLOURS & set(before)
+            found.names |= (COLOURS | BOUND) & set(before)
             found.names |= set(self._near(word)) & language.makes()
         if data.get("make"):  # "a Ford Focus": "the Ford" is the same
             found.names.add(data["make"])

@@ -14,6 +14,8 @@ ANYBODY = language.words("anybody")
 DRIVES_IT = frozenset(("you", "your", "he", "she", "his", "her"))
 """Words for ego that mean who is at the wheel."""
 COLOURS = language.words("colours")
+BOUND = language.words("bound")
+"""Which way one drives, by which it is told from another."""
 CARS = frozenset(("car", "vehicle", "van", "police_car"))
 TOLD_APART = frozenset(("oncoming", "crossing", "lead", "following", "cut_in", "adjacent", "adversary"))
 """Parts in the scene by which another one is meant, unless somebody had that part before."""
@@ -46,6 +48,8 @@ class Reference(Owned):
     ) -> Entity | None:
         before = self._near(word)
         candidates = [e for e in self.entities if fits(e, kind)]
+        ways = BOUND & set(before)
+        candidates = [e for e in candidates if not ways or ways & e.names or not BOUND & e.names]
         if count == 1 and kind != "vehicle":  # the tractor is not the oncoming traffic
             candidates = [e for e in candidates if e.noun != "traffic"]
         coloured = [e for e in candidates if e.names & COLOURS & set(before)]

@@ -23,6 +23,7 @@ GONE = ("go", "pass", "clear", "leave", "vanish", "disappear", "cross")
 STANDS = ("be", "stand", "sit", "wait", "appear")
 GOES = ("drive", "run", "travel", "ride", "cruise", "keep", "stay", "hang", "move", "go", "come")
 SHIFTS = frozenset(("move", "merge", "change", "pull", "drift", "swerve", "cut", "switch", "shift", "slide", "swing"))
+PASSES = ("overtake", "pass")
 PAST = frozenset(("around", "round", "past"))
 LETS = ("let", "lets", "allow", "permit")
 AT_TAIL = re.compile(r"(off|on|from|behind) (rear|back|bumper|tail)\b")
@@ -131,6 +132,11 @@ class Salience(Excluded):
         told = [p for p in sentence if self._finite(self._governor(self.words[p[0]]))]
         told = [p for p in told if self._governor(self.words[p[0]]).dep != "pcomp"] or told
         sentence = told or sentence
+        if word.dep == "dobj" and verb.lemma in PASSES and (gone := self._awaited_before(word)) is not None:
+            last = [i for i in last if self.of[i] is not gone]  # "waits until a car has gone by, then overtakes it"
+            sentence = [p for p in sentence if p[1] is not gone]
+            if not last:
+                return None
         if word.dep in ("dobj", "pobj", "poss"):
             if self.words[word.head].norm in PAST and (led := self._object_of(verb, word.i)) is not None:
                 last = [i for i in last if self.of[i] is not led] or last  # "follows the van around it"
@@ -160,6 +166,18 @@ class Salience(Excluded):
                 else (mains or earlier)[-1][1]
             )
         return self.of[last[-1]]
+
+    def _awaited_before(self, word: Word) -> Entity | None:
+        """Who has gone by before another is passed: it is not passed itself."""
+        subjects = [
+            w for w in self.words[: word.i] if w.sentence == word.sentence and w.dep == "nsubj" and w.i in self.of
+        ]
+        for subject in reversed(subjects):
+            verb = self._governor(subject)
+            told = {self.words[c].norm for c in verb.children if c < verb.i}
+            if told & {"until", "till", "once", "after"} and irregular().get(verb.norm, verb.lemma) in GONE:
+                return self.of[subject.i]
+        return None
 
     def _tries(self, verb: Word) -> bool:
         """Whether somebody begins something or means to: who gives it up then is the same one."""
@@ -224,6 +242,8 @@ class Salience(Excluded):
             return verb.lemma in STANDS or verb.lemma in GOES
         if not BESIDE.match(self._around(word.i)):
             return False
+        if self.of.get(word.i - 2) is not None and self.words[max(0, word.i - 4)].norm == "with":
+            return False  # "ego waits with a motorcycle on its left"
         lane = [w.norm for w in self.words[max(0, word.i - 4) : word.i]][-3:-1] == ["the", "lane"]
         return verb.lemma in STANDS or verb.lemma in GOES and (lane or verb.lemma == "keep")
 

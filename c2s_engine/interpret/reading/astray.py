@@ -1,0 +1,45 @@
+"""Phrases that the tree hangs on something else than what they tell of."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.reading.hanging import hang, road_user
+
+if TYPE_CHECKING:
+    from c2s_engine.interpret.reading.syntax import Word
+
+ON_ITS_WAY = frozenset(language.words("on_its_way"))
+USES = frozenset(("use", "borrow", "cross", "enter"))
+
+
+def bring_home(words: list[Word], word: Word) -> None:
+    """Hang such a phrase on what it tells of."""
+    doer = words[word.i - 2] if word.i > 1 and words[word.i - 1].norm == "," else word
+    if word.dep == "advcl" and word.norm in ON_ITS_WAY and road_user(doer) and words[doer.head].dep == "agent":
+        hang(words, word, doer, "acl")  # "was struck by V2, turning out of a lot"
+    if (user := _what_for(words, word)) is not None:
+        hang(words, word, user, "advcl")  # "uses ego's lane to pass a queue"
+    if (lane := _lane_before(words, word)) is not None:
+        hang(words, word, lane)  # "approaches a queue in the lane to its right"
+
+
+def _what_for(words: list[Word], word: Word) -> Word | None:
+    """The verb that tells what somebody uses to do this, where the tree has this with what is used."""
+    if word.tag != "VB" or word.dep not in ("relcl", "acl") or words[word.i - 1].norm != "to":
+        return None
+    used = words[word.head]
+    verb = words[used.head]
+    own = any(words[c].dep.startswith("nsubj") for c in word.children)
+    return verb if used.dep == "dobj" and verb.lemma in USES and not own else None
+
+
+def _lane_before(words: list[Word], word: Word) -> Word | None:
+    """The lane right before "to its right", in which somebody is and which the tree has not with it."""
+    if word.norm != "to" or word.dep != "prep" or word.i < 3 or words[word.i - 1].norm != "lane":
+        return None
+    lane = words[word.i - 1]
+    sideways = any(words[c].dep == "pobj" and words[c].norm in ("left", "right") for c in word.children)
+    placed = lane.dep == "pobj" and words[lane.head].norm in ("in", "along")
+    return lane if sideways and placed and word.head != lane.i else None

@@ -221,4 +221,4 @@ def test_facing_traffic_is_nobody(read) -> None:
 
 def test_pulls_out_of_a_side_road(read) -> None:
     s = read("Ego approaches a T-junction. A tractor waits on the side road on the right. It pulls out.")
-    assert (s["O1"].spec.placement.position, acts(s["O1"])) == ("crossing_right", ["go_straight"])
+    assert (s["O1"].spec.placement.position, acts(s["O1"])) == ("crossing_right", ["turn_left"])

@@ -54,6 +54,10 @@ def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[floa
     return usual[place.kind if place.kind in usual else "road"]
 
 
+IN_QUEUE = 3.0
+"""m between those who wait at a junction one behind the other."""
+
+
 def default_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None = None) -> float:
     """The gap (m) where the text gives none: about two seconds to a moving object, more to a standing one.
 
@@ -89,6 +93,8 @@ def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
         return max(60.0, min(5.5 * (ego_speed + own), 260.0))
     if position == "intersection_exit":
         return 3.0 if place and place.kind == "roundabout" else 14.0  # on the ring, whose pieces are short
+    if ego_speed == 0 and o.speed == 0 and position == "ahead" and place and place.kind in JUNCTION:
+        return IN_QUEUE
     if is_static(o) and position == "behind":
         return 8.0  # of interest only to who backs up
     if rides_beside(o) and o.placement.along == "behind":

@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret.composing.ego_pace import ego_pace
+from c2s_engine.interpret.composing.own_braking import told_braking, told_stop
 from c2s_engine.interpret.composing.passive import RESPONSES, remains_passive
 from c2s_engine.interpret.composing.steps import duration_of, rate_of, target_speed, trigger_of
 from c2s_engine.interpret.composing.tidied import tidy
@@ -66,7 +67,9 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                 reaction = "brake" if reaction == "none" or event.hard or stop and rate_of(event) else reaction
             hard = hard or event.hard or bool(rate_of(event) and rate_of(event) >= 4)  # type: ignore[operator]
             if stop and reaction == "brake" and not any(e.act in AROUND for e in events[events.index(event) :]):
-                phases.append(Phase(action="stop", target=who, trigger=trigger))
+                phases.append(told_stop(event, who))
+            elif not stop and (braking := told_braking(event, who)) is not None:
+                phases.append(braking)
         elif act == "follow":
             phases.append(Phase(action="follow", target=who or ahead(scene, ids)))
             if phases[-1].target is None:

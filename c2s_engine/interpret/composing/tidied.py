@@ -22,6 +22,8 @@ def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
         if found and found[-1].action in ("brake", "stop") and phase.action == "stop":
             found[-1] = phase
             continue
+        if found and found[-1].action == "stop" and phase.action == "brake" and phase.speed is phase.trigger is None:
+            continue
         moves_off = phase.action in ("turn_left", "turn_right", "go_straight", "enter_road")
         if found and moves_off and found[0].action == found[-1].action == "start":
             found.pop()

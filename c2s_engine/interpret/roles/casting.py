@@ -42,6 +42,9 @@ def actors(scene: Scene) -> list[Entity]:
             continue
         if imagined(scene, entity):
             continue
+        if entity.mover and any(e.done and e.trigger and e.trigger.get("of") is entity for e in scene.clauses.events):
+            kept.append(entity)
+            continue
         if not own and not passive and where.rel is None and where.lane is None and _only_spoken_of(scene, entity):
             continue
         flew = all(e.act == "collide" and e.patient is not scene.cast.ego for e in own)

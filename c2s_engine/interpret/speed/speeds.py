@@ -114,6 +114,10 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
             and event.act in ("brake", "brake_stop", "accelerate")
             and REACHED.search(near) is not None
         ):
+            if _had_by_then(scene, event):
+                event.act = "travel"
+                scene.speeds.setdefault(owner, value)
+                continue
             event.quantities = [{**q, "role": "target"} if q["start"] == span.start else q for q in event.quantities]
             continue
         if owner in scene.speeds:
@@ -140,6 +144,13 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
                 scene.speeds.setdefault(other, value)
     compared_speeds(scene, quantities)
     speeds_by_ratio(scene, quantities)
+
+
+def _had_by_then(scene: Scene, event: Event) -> bool:
+    """Whether a change of speed was over when the scene begins: "had slowed to 40 km/h when a dog ran out"."""
+    perfect = {"had", "has", "have"} & {scene.words[c].norm for c in scene.words[event.word].children}
+    earlier = (e for e in scene.events(event.agent) if e.word < event.word)
+    return bool(perfect) and not any(e.act in ("brake", "brake_stop", "accelerate") for e in earlier)
 
 
 def _who_meets(scene: Scene, other: Entity, sentence: int) -> Entity | None:

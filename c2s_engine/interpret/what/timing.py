@@ -91,7 +91,7 @@ class Timing(Modes):
         if mark in MEANWHILE and word.tag == "VBG" and main.act == "collide" and event.act in BY_WHICH:
             event.order = main.order - 0.4  # "struck V1 while passing"
             return
-        if mark == "when" and event.word > main.word and event.agent is main.agent and self._lasted(main.word):
+        if mark == "when" and event.word > main.word and event.agent is main.agent and self.lasted(main.word):
             return  # "was turning left when it lost control"
         blow = mark in ("when", "as") and event.act == "collide" and event.agent is main.agent
         if blow and event.word > main.word:
@@ -109,10 +109,11 @@ class Timing(Modes):
         ):
             event.order = main.order - 0.4
 
-    def _lasted(self, verb: int) -> bool:
-        """Whether a verb tells what was going on: "was turning"."""
-        aux = (self.words[c].norm for c in self.words[verb].children if self.words[c].dep == "aux")
-        return self.words[verb].tag == "VBG" and any(a in ("was", "were", "is", "are") for a in aux)
+    def lasted(self, verb: int) -> bool:
+        """Whether a verb tells what was going on: "was turning", "was trying to turn"."""
+        told = [self.words[verb], *self._verbs_above(self.words[verb])]
+        aux = (self.words[c].norm for w in told for c in w.children if self.words[c].dep == "aux")
+        return any(w.tag == "VBG" for w in told) and any(a in ("was", "were", "is", "are") for a in aux)
 
     def _in_relative(self, event: Event) -> Event | None:
         """What a clause tells in whose relative clause something is told that leads to it: "was struck by V2, which
@@ -155,6 +156,7 @@ class Timing(Modes):
                             "kind": "ttc",
                             "value": quantity["low"],
                             "of": self._to_whom(event, inside),
+                            "at": quantity["start"],
                         }
                     elif (
                         quantity["dimension"] == "distance"
@@ -174,7 +176,12 @@ class Timing(Modes):
                         event.trigger = (
                             {"kind": "place", "value": quantity["low"], "place": place}
                             if place and (not event.agent.person or event.agent.ego)
-                            else {"kind": "distance", "value": quantity["low"], "of": self._to_whom(event, inside)}
+                            else {
+                                "kind": "distance",
+                                "value": quantity["low"],
+                                "of": self._to_whom(event, inside),
+                                "at": quantity["start"],
+                            }
                         )
                         if marks == "until" and event.mode == "negated":
                             event.mode = "fact"  # "does not start running until ego is 15 m away"
@@ -206,9 +213,12 @@ class Timing(Modes):
                         event.trigger = {"kind": "ttc", "value": quantity["low"]}
 
     def _to_whom(self, event: Event, clause: list[int]) -> Entity | None:
-        """To whom the distance of a trigger is, if not to ego: "when the cyclist is 10 m from the van, it ..."."""
+        """To whom the distance of a trigger is, if not to ego: "when the cyclist is 10 m from the van, it ..."; for ego
+        whom the clause names."""
         told = list(dict.fromkeys(self.cast.of[i] for i in clause if i in self.cast.of))
         others = [e for e in told if e is not event.agent]
+        if event.agent.ego:
+            return others[0] if len(others) == 1 else None
         return others[0] if event.agent in told and len(others) == 1 and not others[0].ego else None
 
     def _circumstances(self, word: Word) -> list[int]:

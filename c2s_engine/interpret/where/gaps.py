@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.surroundings.whereabouts import Where
@@ -31,11 +32,18 @@ class Gaps:
                 return self.cast.of[word.i]
         return None
 
+    def _begins_something(self, quantity: dict[str, Any]) -> bool:
+        """Whether a number tells at what time or distance from another somebody does something, not where one starts."""
+        moments = (e.trigger for e in self.clauses.events if e.trigger and e.act not in ("travel", "stationary"))
+        return any(m.get("at") == quantity["start"] for m in moments)
+
     def _gap(self, indices: list[int], where: Where, only_ahead: bool = False, entity: Entity | None = None) -> None:
         if where.gap is not None:
             return
         text = self.clauses.render(indices)
         for quantity in self.clauses._quantities(indices):
+            if self._begins_something(quantity):
+                continue
             whose = self._whose(quantity["word"]) if entity is not None else None
             if whose is not None and whose is not entity and not whose.ego:
                 continue

@@ -2,6 +2,7 @@
 
 import re
 
+from c2s_engine.interpret.composing.changed_speeds import changed
 from c2s_engine.interpret.composing.ego_pace import ego_pace
 from c2s_engine.interpret.composing.own_braking import told_braking, told_stop
 from c2s_engine.interpret.composing.passive import RESPONSES, remains_passive
@@ -194,6 +195,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     ):
         phases.insert(0, Phase(action="run_red"))
     speed = ego_pace(scene, ids, place, phases, assumed)
+    phases = changed(events, phases, speed)
     if (
         reaction == "none"
         and not said_reaction

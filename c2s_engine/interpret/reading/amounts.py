@@ -81,8 +81,7 @@ def bare_speeds(text: str) -> list[Span]:
     """Numbers without a unit after a road user or its lane, in the shorthand of tests ("ego 60, lead 40"): mph where
     the text has mph anywhere or is American, else km/h."""
     found = []
-    miles = MILES.search(text) or AMERICAN.search(text) and not METRIC.search(text)
-    factor = 0.44704 if miles else 1 / 3.6
+    factor = 0.44704 if in_miles(text) else 1 / 3.6
     for match in _bare().finditer(text):
         group = next(name for name, value in match.groupdict().items() if value)
         value = value_of(match[group])
@@ -90,6 +89,11 @@ def bare_speeds(text: str) -> list[Span]:
             data = {"dimension": "speed", "low": value * factor, "high": value * factor, "bare": True}
             found.append(Span("quantity", match.start(group), match.end(group), data))
     return found
+
+
+def in_miles(text: str) -> bool:
+    """Whether speeds without a unit are in mph there."""
+    return bool(MILES.search(text) or AMERICAN.search(text) and not METRIC.search(text))
 
 
 def value_of(text: str) -> float:

@@ -33,7 +33,7 @@ class Gaps:
         return None
 
     def _begins_something(self, quantity: dict[str, Any]) -> bool:
-        """Whether a number tells at what time or distance from another somebody does something, not where one starts."""
+        """Whether a number tells from what time or distance on somebody does something, not where one starts."""
         moments = (e.trigger for e in self.clauses.events if e.trigger and e.act not in ("travel", "stationary"))
         return any(m.get("at") == quantity["start"] for m in moments)
 

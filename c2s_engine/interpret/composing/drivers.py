@@ -4,6 +4,7 @@ import re
 
 from c2s_engine.interpret.composing.changed_speeds import changed
 from c2s_engine.interpret.composing.ego_pace import ego_pace
+from c2s_engine.interpret.composing.lasting import lasting
 from c2s_engine.interpret.composing.own_braking import told_braking, told_stop
 from c2s_engine.interpret.composing.passive import RESPONSES, remains_passive
 from c2s_engine.interpret.composing.steps import duration_of, rate_of, target_speed, trigger_of
@@ -72,7 +73,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             elif not stop and (braking := told_braking(event, who)) is not None:
                 phases.append(braking)
         elif act == "follow":
-            phases.append(Phase(action="follow", target=who or ahead(scene, ids)))
+            phases += lasting(event, [Phase(action="follow", target=who or ahead(scene, ids))])
             if phases[-1].target is None:
                 phases.pop()
         elif act in ("lane_change", "cut_out", "evade"):
@@ -120,14 +121,13 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         elif act == "start" and not phases and _under_way(scene) and event is not events[-1]:
             continue  # "starts to swap lanes"
         elif act in ("u_turn", "run_red", "run_stop", "lose_control", "accelerate", "start"):
-            phases.append(
-                Phase(
-                    action=act,  # type: ignore[arg-type]
-                    side=towards if act == "lose_control" else None,
-                    speed=target_speed(event) if act in ("accelerate", "start") else None,
-                    trigger=trigger,
-                )
+            step = Phase(
+                action=act,  # type: ignore[arg-type]
+                side=towards if act == "lose_control" else None,
+                speed=target_speed(event) if act in ("accelerate", "start") else None,
+                trigger=trigger,
             )
+            phases += lasting(event, [step])
         elif act == "travel" and (onwards := _goes_on(phases, event, place)) is not None:
             phases.append(Phase(action=onwards, trigger=trigger))  # type: ignore[arg-type]
         elif act == "go_straight" and place.kind == "intersection":

@@ -2,6 +2,7 @@
 
 import re
 
+from c2s_engine.interpret.composing.lasting import lasting
 from c2s_engine.interpret.composing.steps import steps_of
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
@@ -36,7 +37,7 @@ def phases_of(
             pair = (f"@{a.key} and (?:the |an? )?@{b.key}" for a, b in ((entity, partner), (partner, entity)))
             if not partner.ego and re.search("|".join(pair), event.whole):
                 who = ids.get(partner)  # "V2 and V3 collided"
-        found += steps_of(scene, event, entity, who, ego_key, placement, place, crossing, found)
+        found += lasting(event, steps_of(scene, event, entity, who, ego_key, placement, place, crossing, found))
     if "stationary" in entity.roles and not any(p.action not in ("stationary", "wait") for p in found):
         found = [Phase(action="stationary")]
     if entity.person and not found and not entity.roles and placement.position in ("sidewalk", "roadside"):

@@ -25,7 +25,7 @@ def _tried(event: Event) -> bool:
     """Whether ego means to overtake and does not, or avoids to hit somebody: who is ahead is there all the same."""
     avoided = event.act == "collide" and event.mode == "negated"
     avoided = avoided and (
-        event.adverbial == "before" or re.search(r"\b(?:avoid|miss|prevent)", event.whole) is not None
+        event.adverbial == "before" or re.search(r"\b(?:avoid|miss|prevent|not to|to not)", event.whole) is not None
     )
     return event.agent.ego and (event.act == "overtake" and event.mode == "hypothetical" or bool(avoided))
 

@@ -147,7 +147,7 @@ def owner_of(scene: Scene, at: int) -> Entity | None:
     own = [i for i in sorted(scene.cast.of) if i < word.i and scene.words[i].sentence == word.sentence]
     for i in own[-2:]:
         entity = scene.cast.of[i]
-        if event is not None and event.patient is entity is not event.agent:
+        if event is not None and event.patient is entity and "," not in scene.plain[event.start : scene.words[i].start]:
             continue
         if (entity.mover or entity.ego) and RIGHT_BEFORE.fullmatch(scene.plain[scene.words[i].end : at]):
             return entity

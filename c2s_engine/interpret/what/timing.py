@@ -37,6 +37,8 @@ BEFORE_THE_BLOW = frozenset(
 )
 MEANWHILE = ("while", "whilst", "when")
 BY_WHICH = BEFORE_THE_BLOW | {"overtake", "pass_by"}
+GOES_ON = ("travel", "keep_lane", "lead", "approach")
+LASTED = re.compile(r"\bfor (?:about |around |roughly |some |at least |exactly )?#time")
 AT_A_DISTANCE = (
     "brake",
     "brake_stop",
@@ -255,6 +257,28 @@ class Timing(Modes):
         clause = self.words[i]
         marks = {self.words[c].norm for c in clause.children if c < i}
         return clause.dep in ("advcl", "relcl") and bool(marks & {"when", "once"})
+
+    def _held_back(self) -> None:
+        """What one does not do until something is done comes after that: "does not move until the bus has gone"."""
+        for event in self.events:
+            if event.mode != "negated":
+                continue
+            for child in self.words[event.word].children:
+                other = self.by_word.get(child)
+                if other is not None and other.adverbial in ("until", "till") and other.agent is not event.agent:
+                    event.mode, event.order, other.adverbial = "fact", max(event.order, other.order) + 0.2, "once"
+
+    def _after_going_on(self) -> None:
+        """Who drives on "for 5 s, then brakes" begins to brake after that time."""
+        for agent in dict.fromkeys(e.agent for e in self.events):
+            own = sorted((e for e in self.events if e.agent is agent and e.done), key=lambda e: e.order)
+            first, later = (own[0], own[1:]) if own else (None, [])
+            if first is None or first.act not in GOES_ON or not later or later[0].trigger is not None:
+                continue
+            lasted = LASTED.search(first.whole)
+            times = [q for q in first.quantities if q["dimension"] == "time"]
+            if lasted and times and later[0].act not in (*GOES_ON, "collide"):
+                later[0].trigger = {"kind": "time", "value": times[0]["low"], "at": times[0]["start"]}
 
     def _ended_waits(self) -> None:
         """What ends a wait ("until ego is 20 m away, then crosses") begins what comes next."""

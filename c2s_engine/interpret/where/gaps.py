@@ -10,6 +10,9 @@ from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.who.mentions import Cast, Entity
 
+WAY = re.compile(
+    r"\b(?:over|during|for|within|in) (?:the |a |its )?(?:next|last|following|first)(?: about| some| few)?$"
+)
 SHORTEST = 0.5
 """Nobody starts so close to another (m) lengthwise: what is smaller is sideways."""
 
@@ -50,6 +53,8 @@ class Gaps:
             before = " ".join(w.norm for w in self.words[max(0, quantity["word"] - 5) : quantity["word"]])
             after = " ".join(w.norm for w in self.words[quantity["word"] + 1 : quantity["word"] + 8])
             if quantity["dimension"] == "distance":
+                if WAY.search(before):
+                    continue
                 if (
                     re.match(r"to spare|to go|of (it|the)", after)
                     or re.match(r"\s*(\S+ )?(away )?from the (\w+ )?(kerb|curb|edge|verge)", after)

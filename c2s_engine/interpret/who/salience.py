@@ -52,7 +52,7 @@ class Salience(Excluded):
                 clash = self._subject_of(main)  # one waits until another has passed; one slows until it stands itself
         if word.dep in ("dobj", "pobj") and word.norm not in ("its", "itself"):
             clash = self._subject_of(verb)
-        if word.dep == "nsubj" and (gone := self._gone_before(word, verb)) is not None:
+        if word.dep == "nsubj" and (gone := self._gone_before(word, verb) or self._waited_for(word)) is not None:
             clash = gone
         if word.dep == "nsubj" and self._enabled(word, verb):
             clash = self._subject_of(self.words[verb.head])  # "ego moves over so that it can get past"
@@ -177,6 +177,20 @@ class Salience(Excluded):
             other = self.words[child]
             if other.dep == "advcl" and child < word.i and other.tag == "VBN" and other.lemma in GONE:
                 return self._subject_of(other)
+        return None
+
+    def _waited_for(self, word: Word) -> Entity | None:
+        """Until when one waits who acts then: "ego waits until the bus has passed, then it turns"."""
+        before = [w for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]
+        if not before or before[-1].norm not in ("then", "whereupon", "only", "afterwards"):
+            return None
+        for other in self.words[: word.i]:
+            if other.sentence != word.sentence or other.norm not in ("until", "till"):
+                continue
+            passing = self.words[other.head]
+            waits = self.words[passing.head]
+            if irregular().get(waits.norm, waits.lemma) in WAITS and waits.i < other.i:
+                return self._subject_of(passing)
         return None
 
     def _lets_before(self, word: Word, verb: Word) -> Entity | None:

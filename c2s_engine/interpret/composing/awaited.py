@@ -70,8 +70,6 @@ def _awaited(scene: Scene, event: Event) -> Event | None:
             continue
         if scene.clauses.lasted(event.word) and event.word < other.word:
             continue  # "was changing lanes when the van braked"
-        if other.act == "cross_road" and (other.adverbial == "after" or scene.words[other.word].tag == "VBN"):
-            continue  # "after the girl has crossed": she is seen at it before
         if event.act == "overtake" and other.adverbial == "as":
             continue  # at the same time
         if other.adverbial in MARKS and (other.act in SEEN or other.act in ENTERS):

@@ -125,6 +125,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                 action=act,  # type: ignore[arg-type]
                 side=towards if act == "lose_control" else None,
                 speed=target_speed(event) if act in ("accelerate", "start") else None,
+                rate=rate_of(event) if act == "accelerate" else None,
                 trigger=trigger,
             )
             phases += lasting(event, [step])
@@ -258,7 +259,7 @@ def _halt(event: Event) -> list[Phase]:
     action = "brake" if event.act == "brake" else "stop"
     halt = Phase(action=action, rate=rate_of(event), speed=target_speed(event), trigger=trigger_of(event))  # type: ignore[arg-type]
     stands = duration_of(event) if action == "stop" else None
-    return [halt, Phase(action="wait", duration=stands)] if stands else [halt]
+    return [halt, Phase(action="wait", duration=stands)] if stands else lasting(event, [halt])
 
 
 def _goes_on(phases: list[Phase], event: Event, place: PlaceSpec) -> str | None:

@@ -77,6 +77,15 @@ def _bare() -> re.Pattern[str]:
     )
 
 
+FROM_TO = re.compile(
+    r"\b(?:slow|brak|decelerat|accelerat|drop|reduc|speed|went|go|goes|came|comes)\w*"
+    r"(?: (?:down|up|hard|gradually|speed|back))* from (?:about |around )?(?P<first>\d{2,3})"
+    r" (?:down |up )?to (?:about |around |roughly |maybe )?(?P<second>\d{2,3})"
+    r"(?=\s*(?:[.,;)]|$|(?:and|because|as|when|while|but|in|within|over|behind|for|before|then|so)\b))"
+)
+"""A change of speed in bare numbers: "slowed from 65 to about 45"."""
+
+
 def bare_speeds(text: str) -> list[Span]:
     """Numbers without a unit after a road user or its lane, in the shorthand of tests ("ego 60, lead 40"): mph where
     the text has mph anywhere or is American, else km/h."""
@@ -88,6 +97,12 @@ def bare_speeds(text: str) -> list[Span]:
         if 10 <= value <= 200:
             data = {"dimension": "speed", "low": value * factor, "high": value * factor, "bare": True}
             found.append(Span("quantity", match.start(group), match.end(group), data))
+    for match in FROM_TO.finditer(text):
+        first, second = (value_of(match[g]) * factor for g in ("first", "second"))
+        if not any(s.start < match.end() and match.start("first") < s.end for s in found):
+            data = {"dimension": "speed", "low": min(first, second), "high": max(first, second), "bare": True}
+            data |= {"first": first, "second": second}
+            found.append(Span("quantity", match.start("first"), match.end("second"), data))
     return found
 
 

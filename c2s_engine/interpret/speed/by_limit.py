@@ -26,6 +26,13 @@ EXCEEDS = re.compile(
     rf"|(?:stay|keep|drive|drove|go|goes|is|was)\w* {UNDER})"
     rf" (?:{LIMIT}|it|this|that) by (?:about |around |roughly |some |at least |no more than |more than |up to )*$"
 )
+VAGUE = re.compile(
+    r"\b(?P<lot>well|far|way|much|considerably|significantly)?"
+    r"(?:(?:just|slightly|marginally|a (?:little|bit|touch|shade|tad))(?: bit)?)?"
+    rf" ?\b(?:{OVER}|{UNDER}) {LIMIT}"
+)
+LITTLE, LOT = 0.06, 0.25
+"""By which part of it one is just, or well, over or under the limit."""
 AT_LIMIT = re.compile(
     r"\b(?:at|doing|does|do|drives?|driving|drove|keeps? to|keeping to|kept to|sticks? to|exactly|just|observes"
     rf"|respects) {LIMIT}(?! of| is| was|,? \d)"
@@ -45,6 +52,15 @@ def by_limit(scene: Scene, quantities: list[Span]) -> None:
         if not any(q.start <= match.start("n") < q.end for q in quantities):
             change = float(match["n"]) * _factor(scene) * (1 if match["more"] else -1)
             _give(scene, limit + change, match.start("n"), match.end())
+    for match in VAGUE.finditer(scene.plain):
+        before = scene.plain[: match.start()].rstrip()
+        if (
+            match[0].strip()
+            and not before[-1:].isdigit()
+            and not re.search(r"(?:\d ?\S{1,4}|%|percent|times)$", before[-12:])
+        ):
+            share = (LOT if match["lot"] else LITTLE) * (1 if match["more"] else -1)
+            _give(scene, limit * (1 + share), match.start(), match.end())
     for match in AT_LIMIT.finditer(scene.plain):
         _give(scene, limit, match.start(), match.end())
 

@@ -14,7 +14,7 @@ GIVEN_UP = re.compile(
     r"\bbut (?:then |instead |in fact )?(?:it |he |she |they |i |we )?"
     r"(?:(?:could|can|did|does|was|is) (?:not|n't)\b(?! see)"
     r"|cannot\b|stay|stays|stayed|remain|kept|keeps|(?:went|goes|drove|drives|carried|continue\w*) (?:straight|on)\b"
-    r"|chang\w+ (?:its|his|her|my) mind|decid\w+ (?:not|against)|(?:step|turn|jump|move|pull)\w* back\b"
+    r"|chang\w+ (?:its|his|her|my) mind|decid\w+ (?:not|against)|(?:step|turn|jump|move|pull)\w* back\b|lets?\b"
     r"|stop\w* (?:at|on) the (?:kerb|curb|edge|pavement))"
 )
 """What tells that somebody does not do what it meant to."""
@@ -167,9 +167,11 @@ class Modes(Agents):
             elif word.dep == "conj" and head.verb:
                 above = self._mode(head)
                 own_subject = any(self.words[c].dep in ("nsubj", "nsubjpass", "aux") for c in word.children)
+                between = [w.norm for w in self.words[head.i + 1 : word.i]]
                 if (
                     above in ("hypothetical", "negated", "purpose")
                     and not own_subject
+                    and not (self._mode(head) == "hypothetical" and "but" in between)
                     and word.tag in ("VB", "VBN")
                     and self._lemma(word) not in CONTACT
                 ):
@@ -205,6 +207,10 @@ class Modes(Agents):
         ):
             mode = "alternative"
         before = [w.norm for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]
+        if mode in ("fact", "intended") and any(
+            self.words[c].norm in ("otherwise", "else") and c < word.i for c in word.children
+        ):
+            mode = "alternative"
         if (
             before[-2:] in (["rather", "than"], ["instead", "of"])
             or before[-1:] == ["nor"]

@@ -53,6 +53,14 @@ AT_A_DISTANCE = (
 )
 
 
+TTC = ("ttc", "time-to-collision", "collision")
+WHEN = re.compile(
+    r"when|once|as soon as|after|until|^(?:if|where)\b.*\b(?:within|than|away|under|below)\b"
+    r"|^as\b.*\b(?:away|closer|nearer|within|under|(?:close|drop|fall|shrink|narrow|decrease)s?)\b"
+)
+"""What tells from what distance on something happens."""
+
+
 class Timing(Modes):
     """The part of Clauses that orders the events."""
 
@@ -163,9 +171,9 @@ class Timing(Modes):
                     elif (
                         quantity["dimension"] == "distance"
                         and self.words[i].dep in ("advcl", "advmod", "relcl")
-                        and marks in ("when", "once", "as", "after", "until", "while")
-                        and re.search(
-                            r"when|once|as soon as|after|until|^as\b.*\b(?:away|closer|nearer|within|under)\b", text
+                        and marks in ("when", "once", "as", "after", "until", "while", "where", "if", "whenever")
+                        and WHEN.search(
+                            text,
                         )
                     ):
                         place = (
@@ -228,7 +236,8 @@ class Timing(Modes):
         found = [c for c in word.children if self.words[c].dep in CIRCUMSTANCES]
         for verb in self._verbs_above(word):
             found += [c for c in verb.children if self.words[c].dep in CIRCUMSTANCES]
-        return found + [c for noun in self._nouns_of(word) for c in noun.children if self._is_when(c)]
+        inner = [c for noun in self._nouns_of(word) for c in noun.children]
+        return found + [c for c in inner if self._is_when(c) or self._is_at(c)]
 
     def _verbs_above(self, word: Word) -> list[Word]:
         """The verbs that only begin or bring about what a verb or a noun tells: "has to brake", "initiates braking"."""
@@ -243,7 +252,7 @@ class Timing(Modes):
         if above.i in self.by_word and self.by_word[above.i].act != "travel":
             return False
         ends_up = word.dep == "advcl" and word.tag == "VBG" and self._lemma(above) in ENDS_UP
-        complement = word.dep in ("xcomp", "acomp") or word.dep == "dobj" and above.tag.startswith("VB")
+        complement = word.dep in ("xcomp", "acomp") or word.dep in ("dobj", "npadvmod") and above.tag.startswith("VB")
         return complement or ends_up or word.dep == "ccomp" and above.i in self.light
 
     def _nouns_of(self, verb: Word) -> list[Word]:
@@ -266,7 +275,8 @@ class Timing(Modes):
             for child in self.words[event.word].children:
                 other = self.by_word.get(child)
                 if other is not None and other.adverbial in ("until", "till") and other.agent is not event.agent:
-                    event.mode, event.order, other.adverbial = "fact", max(event.order, other.order) + 0.2, "once"
+                    event.mode, event.order = "fact", max(event.order, other.order) + 0.2
+                    other.adverbial = "once" if other.act != "cross_road" else "until"  # one is seen at that before
 
     def _after_going_on(self) -> None:
         """Who drives on "for 5 s, then brakes" begins to brake after that time."""
@@ -284,7 +294,7 @@ class Timing(Modes):
         """What ends a wait ("until ego is 20 m away, then crosses") begins what comes next."""
         for event in self.events:
             until = event.trigger is not None and re.search(r"\b(?:until|till)\b", self.render(self._deep(event.word)))
-            if event.act not in ("stationary", "stop") or not until:
+            if event.act not in ("stationary", "stop", "move_along", *GOES_ON) or not until:
                 continue
             later = [e for e in self.events if e.agent is event.agent and e.order > event.order and e.trigger is None]
             if later:
@@ -296,6 +306,10 @@ class Timing(Modes):
         match = re.search(r"#dist (?:right |directly )?(?:ahead|in front)\b(?! of (?:the |an? )?(?:\w+ )?@a)", own)
         told = [q for q in event.quantities if q["dimension"] == "distance"]
         return {"kind": "distance", "value": told[0]["low"]} if match and len(told) == 1 else None
+
+    def _is_at(self, i: int) -> bool:
+        """Whether a noun is told with the time to collision at which it begins: "the cut-in at a TTC of 2 s"."""
+        return self.words[i].norm == "at" and any(self.words[j].norm in TTC for j in self._deep(i))
 
     def _deep(self, i: int) -> list[int]:
         found = [i]

@@ -195,7 +195,7 @@ class Salience(Excluded):
 
     def _lets_before(self, word: Word, verb: Word) -> Entity | None:
         """Who lets others go before it does something: "ego lets a cyclist and a car pass before it turns"."""
-        if "before" not in (self.words[c].norm for c in verb.children if c < word.i):
+        if not {"before", "then", "afterwards"} & {self.words[c].norm for c in verb.children if c < word.i}:
             return None
         lets = [w for w in self.words[: word.i] if w.sentence == word.sentence and w.verb and w.lemma in LETS]
         return self._subject_of(lets[-1]) if lets else None

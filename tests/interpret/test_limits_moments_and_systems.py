@@ -85,3 +85,34 @@ def test_how_hard_and_how_long_ego_changes_its_speed(read):
     assert (phase.rate, phase.speed) == (2, 10)
     (phase,) = read("Ego decelerates at 3 m/s^2 for 2 s.").ego.spec.phases
     assert (phase.rate, phase.duration) == (3, 2)
+
+
+def test_the_first_of_two_moments_is_that_of_the_verb(read):
+    spec = read("Ego overtakes the truck once it is 50 m behind it and returns when it is 20 m past it.").ego.spec
+    assert spec.phases[0].trigger.value == 50
+
+
+def test_braking_that_ends_in_a_stop_keeps_its_moment(read):
+    text = "Ego drives at 50 km/h. Ego begins to brake 40 m before the pedestrian, who is crossing, and stops."
+    (phase,) = read(text).ego.spec.phases
+    assert (phase.action, phase.trigger.kind, phase.trigger.value) == ("stop", "distance", 40)
+
+
+def test_how_hard_another_brakes_too(read):
+    (phase,) = read("The truck ahead brakes with 5 m/s2. The ego does likewise.").ego.spec.phases
+    assert (phase.action, phase.rate) == ("brake", 5)
+
+
+def test_a_lady_behind_is_at_the_wheel(read):
+    spec = read("I managed to stop just in time, the lady behind me did not and hit me.").objects[0].spec
+    assert spec.type == "car" and [p.action for p in spec.phases] == ["collide"]
+
+
+def test_over_a_distance_is_no_gap(read):
+    (target,) = read("The target vehicle ahead performs a lane change over a distance of 60 m.").objects
+    assert target.spec.placement.gap is None
+
+
+def test_ego_at_first(read):
+    spec = read("At first ego follows the bus. When the bus stops, ego pulls out and passes it.").ego.spec
+    assert [p.action for p in spec.phases] == ["follow", "lane_change", "overtake"]

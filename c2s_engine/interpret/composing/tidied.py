@@ -19,8 +19,10 @@ def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
             continue
         if found and found[-1].action == "lane_change" and phase.action == "drift" and phase.side == found[-1].side:
             continue
-        if found and found[-1].action in ("brake", "stop") and phase.action == "stop":
-            found[-1] = phase
+        last = found[-1] if found and found[-1].action in ("brake", "stop") else None
+        if last is not None and phase.action == "stop" and (last.speed is None or phase.trigger is None):
+            kept = {"trigger": phase.trigger or last.trigger, "rate": phase.rate or last.rate}
+            found[-1] = phase.model_copy(update=kept)
             continue
         if found and found[-1].action == "stop" and phase.action == "brake" and phase.speed is phase.trigger is None:
             continue

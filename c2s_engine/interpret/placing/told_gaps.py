@@ -8,7 +8,8 @@ from c2s_engine.interpret.scene import Scene
 from c2s_engine.structure.specs import EgoSpec
 
 NAMED = re.compile(
-    r"(?<!lateral )(?<!side )(?<!braking )(?<!stopping )(?<!sideways )\b(?:gap|distance|headway|separation|spacing|thw)"
+    r"(?<!lateral )(?<!side )(?<!braking )(?<!stopping )(?<!sideways )"
+    r"(?<!over a )(?<!within a )(?<!after a )\b(?:gap|distance|headway|separation|spacing|thw)"
     r"(?P<whose>(?: (?:between|to|from|towards?|behind|in front|ahead|with|of (?=the |ego)|and)[^.;,:]{0,60}?)?)"
     r"(?: of| is| was| are| being| equals?| at|:|=)? ?(?:about |around |at least |roughly |approximately |only )?$"
 )

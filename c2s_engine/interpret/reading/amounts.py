@@ -41,7 +41,8 @@ def _bare() -> re.Pattern[str]:
     return re.compile(
         rf"(?:(?:\(ego\)|\b)(?:{nouns}|(?:{'|'.join(language.table('ego')['strong'])})|v[12]"
         rf"|car ?[1-9]|straight|left|right|lane|ahead|behind|doing|going|brakes? to"
-        rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerates? to)"
+        rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerates? to"
+        rf"|(?:speeds?|sped|picks?|picked) up to)"
         rf"(?:,? at|,? doing| (?:drives|does|did|goes|went|is doing|was doing|runs)|:| speed)?"
         rf" (?:about |around |roughly |maybe |a steady |only )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)"
         rf"(?=\s*(?:[,.;)]|$|straight\b|and\b"

@@ -92,7 +92,9 @@ def _likewise(i: int, said: str, cast: Cast, clauses: Clauses) -> None:
     if own is not None:
         clauses.events.remove(own)
     patient = last.patient if last.patient is not who else None
-    clauses.events.append(Event.echo(last, agent=who, patient=patient, hard=last.hard, side=last.side, **_at(i, cast)))
+    told = [q for q in last.quantities if q["dimension"] in ("acceleration", "change") or q.get("role") == "target"]
+    same = {"patient": patient, "hard": last.hard, "side": last.side, "quantities": told}
+    clauses.events.append(Event.echo(last, agent=who, **same, **_at(i, cast)))
 
 
 def _stands_for_verb(i: int, ahead: str, cast: Cast) -> bool:

@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.what.modes import Modes
+from c2s_engine.interpret.what.afterwards import Afterwards
 from c2s_engine.interpret.who.mentions import Entity
 
 if TYPE_CHECKING:
@@ -37,8 +37,6 @@ BEFORE_THE_BLOW = frozenset(
 )
 MEANWHILE = ("while", "whilst", "when")
 BY_WHICH = BEFORE_THE_BLOW | {"overtake", "pass_by"}
-GOES_ON = ("travel", "keep_lane", "lead", "approach")
-LASTED = re.compile(r"\bfor (?:about |around |roughly |some |at least |exactly )?#time")
 AT_A_DISTANCE = (
     "brake",
     "brake_stop",
@@ -61,7 +59,7 @@ WHEN = re.compile(
 """What tells from what distance on something happens."""
 
 
-class Timing(Modes):
+class Timing(Afterwards):
     """The part of Clauses that orders the events."""
 
     light: set[int]
@@ -157,8 +155,10 @@ class Timing(Modes):
                 text = self.render(inside)
                 told = [self.words[j].norm for j in inside if self.words[j].norm not in ("only", "just", "exactly")]
                 marks = told[0] if told else ""
-                quantities = self._quantities(inside)
+                quantities, before = self._quantities(inside), event.trigger
                 for quantity in quantities:
+                    if event.trigger is not before:
+                        break  # "once it is 50 m behind the van, and returns when it is 20 m past it"
                     if quantity["dimension"] == "time" and re.search(
                         r"\bttc\b|time[- ]to[- ](collision|contact)", text
                     ):
@@ -267,40 +267,6 @@ class Timing(Modes):
         marks = {self.words[c].norm for c in clause.children if c < i}
         return clause.dep in ("advcl", "relcl") and bool(marks & {"when", "once"})
 
-    def _held_back(self) -> None:
-        """What one does not do until something is done comes after that: "does not move until the bus has gone"."""
-        for event in self.events:
-            if event.mode != "negated":
-                continue
-            for child in self.words[event.word].children:
-                other = self.by_word.get(child)
-                if other is not None and other.adverbial in ("until", "till") and other.agent is not event.agent:
-                    event.mode, event.order = "fact", max(event.order, other.order) + 0.2
-                    other.adverbial = "once" if other.act != "cross_road" else "until"  # one is seen at that before
-
-    def _after_going_on(self) -> None:
-        """Who drives on "for 5 s, then brakes" begins to brake after that time."""
-        for agent in dict.fromkeys(e.agent for e in self.events):
-            own = sorted((e for e in self.events if e.agent is agent and e.done), key=lambda e: e.order)
-            first, later = (own[0], own[1:]) if own else (None, [])
-            if first is None or first.act not in GOES_ON or not later or later[0].trigger is not None:
-                continue
-            lasted = LASTED.search(first.whole)
-            times = [q for q in first.quantities if q["dimension"] == "time"]
-            if lasted and times and later[0].act not in (*GOES_ON, "collide"):
-                later[0].trigger = {"kind": "time", "value": times[0]["low"], "at": times[0]["start"]}
-
-    def _ended_waits(self) -> None:
-        """What ends a wait ("until ego is 20 m away, then crosses") begins what comes next."""
-        for event in self.events:
-            until = event.trigger is not None and re.search(r"\b(?:until|till)\b", self.render(self._deep(event.word)))
-            if event.act not in ("stationary", "stop", "move_along", *GOES_ON) or not until:
-                continue
-            later = [e for e in self.events if e.agent is event.agent and e.order > event.order and e.trigger is None]
-            if later:
-                min(later, key=lambda e: e.order).trigger = event.trigger
-                event.trigger = None
-
     def _where_it_comes_out(self, event: Event, own: str) -> dict[str, Any] | None:
         """How far ego is when one comes out "20 m in front of it"."""
         match = re.search(r"#dist (?:right |directly )?(?:ahead|in front)\b(?! of (?:the |an? )?(?:\w+ )?@a)", own)
@@ -310,9 +276,3 @@ class Timing(Modes):
     def _is_at(self, i: int) -> bool:
         """Whether a noun is told with the time to collision at which it begins: "the cut-in at a TTC of 2 s"."""
         return self.words[i].norm == "at" and any(self.words[j].norm in TTC for j in self._deep(i))
-
-    def _deep(self, i: int) -> list[int]:
-        found = [i]
-        for child in self.words[i].children:
-            found += self._deep(child)
-        return sorted(found)

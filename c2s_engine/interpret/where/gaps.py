@@ -11,7 +11,8 @@ from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.who.mentions import Cast, Entity
 
 WAY = re.compile(
-    r"\b(?:over|during|for|within|in) (?:the |a |its )?(?:next|last|following|first)(?: about| some| few)?$"
+    r"\b(?:over|during|for|within|in) (?:the |a |its )?"
+    r"(?:next|last|following|first|(?:distance|length|stretch|course|way) of)(?: about| some| few)?$"
 )
 SHORTEST = 0.5
 """Nobody starts so close to another (m) lengthwise: what is smaller is sideways."""

@@ -116,3 +116,24 @@ def test_over_a_distance_is_no_gap(read):
 def test_ego_at_first(read):
     spec = read("At first ego follows the bus. When the bus stops, ego pulls out and passes it.").ego.spec
     assert [p.action for p in spec.phases] == ["follow", "lane_change", "overtake"]
+
+
+@pytest.mark.parametrize(
+    ("text", "action", "value"),
+    [
+        ("V1 was traveling at 40 mph and swerved right when a dog was 30 feet ahead.", "swerve", 9.14),
+        ("V1 swerved left just when V2, a van, was 20 m away.", "swerve", 20),
+        ("Ego slows to walking pace when it is 10 m from the children.", "brake", 10),
+    ],
+)
+def test_a_moment_behind_right(read, text, action, value):
+    (phase,) = read(text).ego.spec.phases
+    assert (phase.action, phase.trigger.value, phase.trigger.of) == (action, value, "O1")
+
+
+@pytest.mark.parametrize(
+    "choice", ["had no choice but to", "had no other option than to", "was left with no choice but to"]
+)
+def test_no_choice_but_to(read, choice):
+    spec = read(f"A taxi ahead reverses. Ego {choice} stop.").ego.spec
+    assert spec.reaction == "brake" and [p.action for p in spec.phases] == ["stop"]

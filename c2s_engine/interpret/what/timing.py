@@ -51,6 +51,8 @@ AT_A_DISTANCE = (
 )
 
 
+RIGHT = ("only", "just", "exactly", "right", "left", "even", "shortly")
+"""What stands before the word that opens a clause: "swerved right when ..."."""
 TTC = ("ttc", "time-to-collision", "collision")
 WHEN = re.compile(
     r"when|once|as soon as|after|until|^(?:if|where)\b.*\b(?:within|than|away|under|below)\b"
@@ -153,7 +155,7 @@ class Timing(Afterwards):
             for i in self._circumstances(word):
                 inside = self._deep(i)
                 text = self.render(inside)
-                told = [self.words[j].norm for j in inside if self.words[j].norm not in ("only", "just", "exactly")]
+                told = [self.words[j].norm for j in inside if self.words[j].norm not in RIGHT]
                 marks = told[0] if told else ""
                 quantities, before = self._quantities(inside), event.trigger
                 for quantity in quantities:

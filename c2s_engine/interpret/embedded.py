@@ -181,7 +181,7 @@ def _stages(found: Scene) -> dict[str, list[dict[str, Any]]]:
                 "mode": e.mode,
                 "patient": e.patient.key if e.patient else None,
                 "order": round(e.order, 2),
-                "trigger": e.trigger,
+                "trigger": e.trigger and {k: getattr(v, "key", v) for k, v in e.trigger.items()},
                 "text": text[e.start : e.end],
                 "span": (e.start, e.end),
             }

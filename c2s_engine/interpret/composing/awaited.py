@@ -26,20 +26,22 @@ SEEN = {
 """What can be watched of an event, as actions of the specs."""
 
 DONE = SEEN | {"swerve": ("swerve",), "accelerate": ("accelerate",), "oncoming": ("oncoming",), "drift": ("drift",)}
+DONE |= {"overtake": ("overtake",), "go_straight": ("go_straight",), "evade": ("lane_change", "swerve")}
 INTO = re.compile(
     r"^(?:enter|reach|arrive at|drive into|be in|get to|come to) (?:the |an? )?(?:junction|intersection|crossroads?)"
 )
 ENTERS = frozenset(("travel", "go_straight", "cross_path", "turn"))
 
 
-def waited_for(scene: Scene, ego: EgoSpec, drafts: list[Draft], ids: Mapping[Entity, str]) -> None:
-    """Give the objects' phases the triggers that clauses about others state."""
+def waited_for(scene: Scene, ego: EgoSpec, drafts: list[Draft], ids: Mapping[Entity, str]) -> EgoSpec:
+    """Give the phases of the objects and of ego the triggers that clauses about others state; ego's spec then."""
     others: dict[str, ObjectSpec | EgoSpec] = {"ego": ego}
     others |= {ids[d.entity]: d.spec for d in drafts if d.entity is not None}
     for draft in drafts:
         if draft.entity is not None and draft.spec.phases:
             phases = _waiting(scene, draft.entity, draft.spec.phases, ids, others)
             draft.spec = draft.spec.model_copy(update={"phases": phases})
+    return ego.model_copy(update={"phases": _waiting(scene, scene.cast.ego, ego.phases, ids, others)})
 
 
 def _waiting(
@@ -66,6 +68,10 @@ def _awaited(scene: Scene, event: Event) -> Event | None:
     for other in scene.clauses.events:
         if other.agent is event.agent or not other.done or scene.clauses.joined_to(other) is not event:
             continue
+        if scene.clauses.lasted(event.word) and event.word < other.word:
+            continue  # "was changing lanes when the van braked"
+        if event.act == "overtake" and other.adverbial == "as":
+            continue  # at the same time
         if other.adverbial in MARKS and (other.act in SEEN or other.act in ENTERS):
             return other
     return None

@@ -30,7 +30,7 @@ def compose(scene: Scene) -> Structure:
     place = compose_place(scene)
     ego, ego_assumed = compose_ego(scene, ids, place)
     drafts: list[Draft] = [objects.compose_object(scene, entity, ids, place, ego) for entity in ordered]
-    waited_for(scene, ego, drafts, ids)
+    ego = waited_for(scene, ego, drafts, ids)
     ego = settle(scene, ego, place, drafts, ids)
     place, turn_assumed = by_the_side_road(place, ego, drafts)
     drafts += objects.signs(scene, place, len(drafts))

@@ -2,7 +2,10 @@
 
 import re
 
+from c2s_engine.interpret.composing.changed_speeds import changed
 from c2s_engine.interpret.composing.ego_pace import ego_pace
+from c2s_engine.interpret.composing.lasting import lasting
+from c2s_engine.interpret.composing.own_braking import told_braking, told_stop
 from c2s_engine.interpret.composing.passive import RESPONSES, remains_passive
 from c2s_engine.interpret.composing.steps import duration_of, rate_of, target_speed, trigger_of
 from c2s_engine.interpret.composing.tidied import tidy
@@ -68,9 +71,11 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                 reaction = "brake" if reaction == "none" or event.hard or stop and rate_of(event) else reaction
             hard = hard or event.hard or bool(rate_of(event) and rate_of(event) >= 4)  # type: ignore[operator]
             if stop and reaction == "brake" and not any(e.act in AROUND for e in events[events.index(event) :]):
-                phases.append(Phase(action="stop", target=who, trigger=trigger))
+                phases.append(told_stop(event, who))
+            elif not stop and (braking := told_braking(event, who)) is not None:
+                phases.append(braking)
         elif act == "follow":
-            phases.append(Phase(action="follow", target=who or ahead(scene, ids)))
+            phases += lasting(event, [Phase(action="follow", target=who or ahead(scene, ids))])
             if phases[-1].target is None:
                 phases.pop()
         elif act in ("lane_change", "cut_out", "evade"):
@@ -120,14 +125,14 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         elif act == "start" and not phases and _under_way(scene) and event is not events[-1]:
             continue  # "starts to swap lanes"
         elif act in ("u_turn", "run_red", "run_stop", "lose_control", "accelerate", "start"):
-            phases.append(
-                Phase(
-                    action=act,  # type: ignore[arg-type]
-                    side=towards if act == "lose_control" else None,
-                    speed=target_speed(event) if act in ("accelerate", "start") else None,
-                    trigger=trigger,
-                )
+            step = Phase(
+                action=act,  # type: ignore[arg-type]
+                side=towards if act == "lose_control" else None,
+                speed=target_speed(event) if act in ("accelerate", "start") else None,
+                rate=rate_of(event) if act == "accelerate" else None,
+                trigger=trigger,
             )
+            phases += lasting(event, [step])
         elif act == "travel" and (onwards := _goes_on(phases, event, place)) is not None:
             phases.append(Phase(action=onwards, trigger=trigger))  # type: ignore[arg-type]
         elif act == "go_straight" and place.kind == "intersection":
@@ -197,6 +202,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     ):
         phases.insert(0, Phase(action="run_red"))
     speed = ego_pace(scene, ids, place, phases, assumed)
+    phases = changed(events, phases, speed)
     if (
         reaction == "none"
         and not said_reaction
@@ -259,7 +265,7 @@ def _halt(event: Event) -> list[Phase]:
     action = "brake" if event.act == "brake" else "stop"
     halt = Phase(action=action, rate=rate_of(event), speed=target_speed(event), trigger=trigger_of(event))  # type: ignore[arg-type]
     stands = duration_of(event) if action == "stop" else None
-    return [halt, Phase(action="wait", duration=stands)] if stands else [halt]
+    return [halt, Phase(action="wait", duration=stands)] if stands else lasting(event, [halt])
 
 
 def _goes_on(phases: list[Phase], event: Event, place: PlaceSpec) -> str | None:

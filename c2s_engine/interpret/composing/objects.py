@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.composing.changed_speeds import changed
 from c2s_engine.interpret.composing.pace import pace_of
 from c2s_engine.interpret.composing.phases import phases_of
 from c2s_engine.interpret.placing.spacing import spacing_of, without_spacing
@@ -42,6 +43,7 @@ def compose_object(scene: Scene, entity: Entity, ids: dict[Entity, str], place: 
     placement = without_spacing(placement, spacing)
     phases = phases_of(scene, entity, ids, placement, place)
     speed = pace_of(scene, entity, kind, phases, ego, placement, place, assumed, ids[entity])
+    phases = changed(scene.events(entity), phases, speed)
     spec = ObjectSpec(
         name=_name(entity, placement),
         type=kind,

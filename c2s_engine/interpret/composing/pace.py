@@ -3,7 +3,7 @@
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.composing.ego_pace import FASTER, slows_to
+from c2s_engine.interpret.composing.ego_pace import FASTER, nears, slows_to
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.who.mentions import PERSONS, Entity
 from c2s_engine.structure.components import Assumption
@@ -131,9 +131,12 @@ def pace_of(
         placement.position == "ahead"
         and placement.facing != "against"
         and not any(p.action in ("brake", "stop", "follow") for p in phases)
-        and any(
-            e.act in ("approach", "overtake", "held_up", "collide") and (e.patient is entity)
-            for e in scene.events(scene.cast.ego)
+        and (
+            any(
+                e.act in ("approach", "overtake", "held_up", "collide") and (e.patient is entity)
+                for e in scene.events(scene.cast.ego)
+            )
+            or any(p.trigger.of == own_id and nears(p, own_id) for p in ego.phases if p.trigger is not None)
         )
     ):
         factor = "slow"

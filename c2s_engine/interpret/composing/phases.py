@@ -2,6 +2,7 @@
 
 import re
 
+from c2s_engine.interpret.composing.lasting import lasting
 from c2s_engine.interpret.composing.steps import steps_of, trigger_of
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
@@ -42,7 +43,7 @@ def phases_of(
             pair = (f"@{a.key} and (?:the |an? )?(?:\\w+ )?@{b.key}" for a, b in ((entity, partner), (partner, entity)))
             if not partner.ego and re.search("|".join(pair), event.whole):
                 who = ids.get(partner)  # "V2 and V3 collided"
-        found += steps_of(scene, event, entity, who, ego_key, placement, place, crossing, found)
+        found += lasting(event, steps_of(scene, event, entity, who, ego_key, placement, place, crossing, found))
     if (
         found
         and found[-1].action == "leave_road"

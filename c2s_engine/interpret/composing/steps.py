@@ -218,6 +218,8 @@ def steps_of(
             return []
         if entity.person or any(p.action in ("cut_out", "swerve") for p in before):
             return []
+        if any(p.action == "overtake" and p.target == (who or ego) for p in before) and event.adverbial:
+            return []  # "... and, before it has fully passed, cuts in"
         return [Phase(action="overtake", target=who or ego, side=towards, trigger=trigger)]
     if act == "follow":
         return [Phase(action="follow", target=who or ego)] if who != "ego" or placement.position == "behind" else []

@@ -1,6 +1,6 @@
 """The phases of ego without repetitions, and without those that another one already says."""
 
-from c2s_engine.structure.specs import Phase, PlaceSpec
+from c2s_engine.structure.specs import Phase, PlaceSpec, Trigger
 
 
 def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
@@ -19,8 +19,12 @@ def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
             continue
         if found and found[-1].action == "lane_change" and phase.action == "drift" and phase.side == found[-1].side:
             continue
-        if found and found[-1].action in ("brake", "stop") and phase.action == "stop":
-            found[-1] = phase
+        last = found[-1] if found and found[-1].action in ("brake", "stop") else None
+        if last is not None and phase.action == "stop" and (last.speed is None or phase.trigger is None):
+            kept = {"trigger": phase.trigger or last.trigger, "rate": phase.rate or last.rate}
+            found[-1] = phase.model_copy(update=kept)
+            continue
+        if found and found[-1].action == "stop" and phase.action == "brake" and phase.speed is phase.trigger is None:
             continue
         moves_off = phase.action in ("turn_left", "turn_right", "go_straight", "enter_road")
         if found and moves_off and found[0].action == found[-1].action == "start":
@@ -34,7 +38,10 @@ def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
         found.append(phase)
     sets_off = ("enter_road", "start", "turn_left", "turn_right", "go_straight", "reverse")
     if len(found) > 1 and found[0].action == "stationary" and found[1].action in sets_off:
+        stood = found[0].duration
         found = found[1:]
+        if stood is not None and found[0].trigger is None:
+            found[0] = found[0].model_copy(update={"trigger": Trigger(kind="time", value=stood)})
     turns = [p for p in found if p.action in ("turn_left", "turn_right", "u_turn")]
     if turns and place.kind == "intersection":
         found = [p for p in found if p.action != "go_straight"]

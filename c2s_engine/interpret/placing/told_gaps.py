@@ -8,7 +8,8 @@ from c2s_engine.interpret.scene import Scene
 from c2s_engine.structure.specs import EgoSpec
 
 NAMED = re.compile(
-    r"(?<!lateral )(?<!side )(?<!braking )(?<!stopping )(?<!sideways )\b(?:gap|distance|headway|separation|spacing|thw)"
+    r"(?<!lateral )(?<!side )(?<!braking )(?<!stopping )(?<!sideways )"
+    r"(?<!over a )(?<!within a )(?<!after a )\b(?:gap|distance|headway|separation|spacing|thw)"
     r"(?P<whose>(?: (?:between|to|from|towards?|behind|in front|ahead|with|of (?=the |ego)|and)[^.;,:]{0,60}?)?)"
     r"(?: of| is| was| are| being| equals?| at|:|=)? ?(?:about |around |at least |roughly |approximately |only )?$"
 )
@@ -54,12 +55,13 @@ def _by_time(scene: Scene, entity: Entity, seconds: float, ego: EgoSpec) -> tupl
 
 def _by_name(scene: Scene, entity: Entity, ego: EgoSpec) -> tuple[float, float] | None:
     """The gap that a noun names: "a distance of 20 m", "the headway to the car in front is 0.9 s"."""
+    moments = {e.trigger["at"] for e in scene.clauses.events if e.trigger and e.done and "at" in e.trigger}
     for span in scene.spans:
         dimension = span.data.get("dimension") if span.kind == "quantity" else None
         match = NAMED.search(scene.plain[max(0, span.start - 90) : span.start])
         if dimension not in ("distance", "time") or match is None or not _may_be_of(scene, entity, span, match):
             continue
-        if TO_A_PLACE.match(scene.plain[span.end : span.end + 50]):
+        if TO_A_PLACE.match(scene.plain[span.end : span.end + 50]) or span.start in moments:
             continue
         if dimension == "distance":
             return span.data["low"], span.data["high"]
@@ -86,7 +88,7 @@ def _start_ttc(scene: Scene) -> float | None:
             used = any(
                 e.trigger
                 and e.trigger["kind"] == "ttc"
-                and not e.agent.ego
+                and (not e.agent.ego or e.trigger.get("at") == span.start)
                 and e.act not in ("travel", "stationary")
                 and e.trigger["value"] == span.data["low"]
                 for e in scene.clauses.events

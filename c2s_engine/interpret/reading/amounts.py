@@ -41,7 +41,8 @@ def _bare() -> re.Pattern[str]:
     return re.compile(
         rf"(?:(?:\(ego\)|\b)(?:{nouns}|(?:{'|'.join(language.table('ego')['strong'])})|v[12]"
         rf"|car ?[1-9]|straight|left|right|lane|ahead|behind|doing|going|brakes? to"
-        rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerates? to)"
+        rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerates? to"
+        rf"|(?:speeds?|sped|picks?|picked) up to)"
         rf"(?:,? at|,? doing| (?:drives|does|did|goes|went|is doing|was doing|runs)|:| speed)?"
         rf" (?:about |around |roughly |maybe |a steady |only )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)"
         rf"(?=\s*(?:[,.;)]|$|straight\b|and\b"
@@ -77,19 +78,38 @@ def _bare() -> re.Pattern[str]:
     )
 
 
+FROM_TO = re.compile(
+    r"\b(?:slow|brak|decelerat|accelerat|drop|reduc|speed|went|go|goes|came|comes)\w*"
+    r"(?: (?:down|up|hard|gradually|speed|back))* from (?:about |around )?(?P<first>\d{2,3})"
+    r" (?:down |up )?to (?:about |around |roughly |maybe )?(?P<second>\d{2,3})"
+    r"(?=\s*(?:[.,;)]|$|(?:and|because|as|when|while|but|in|within|over|behind|for|before|then|so)\b))"
+)
+"""A change of speed in bare numbers: "slowed from 65 to about 45"."""
+
+
 def bare_speeds(text: str) -> list[Span]:
     """Numbers without a unit after a road user or its lane, in the shorthand of tests ("ego 60, lead 40"): mph where
     the text has mph anywhere or is American, else km/h."""
     found = []
-    miles = MILES.search(text) or AMERICAN.search(text) and not METRIC.search(text)
-    factor = 0.44704 if miles else 1 / 3.6
+    factor = 0.44704 if in_miles(text) else 1 / 3.6
     for match in _bare().finditer(text):
         group = next(name for name, value in match.groupdict().items() if value)
         value = value_of(match[group])
         if 10 <= value <= 200:
             data = {"dimension": "speed", "low": value * factor, "high": value * factor, "bare": True}
             found.append(Span("quantity", match.start(group), match.end(group), data))
+    for match in FROM_TO.finditer(text):
+        first, second = (value_of(match[g]) * factor for g in ("first", "second"))
+        if not any(s.start < match.end() and match.start("first") < s.end for s in found):
+            data = {"dimension": "speed", "low": min(first, second), "high": max(first, second), "bare": True}
+            data |= {"first": first, "second": second}
+            found.append(Span("quantity", match.start("first"), match.end("second"), data))
     return found
+
+
+def in_miles(text: str) -> bool:
+    """Whether speeds without a unit are in mph there."""
+    return bool(MILES.search(text) or AMERICAN.search(text) and not METRIC.search(text))
 
 
 def value_of(text: str) -> float:

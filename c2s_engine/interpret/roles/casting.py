@@ -25,7 +25,7 @@ def _tried(event: Event) -> bool:
     """Whether ego means to overtake and does not, or avoids to hit somebody: who is ahead is there all the same."""
     avoided = event.act == "collide" and event.mode == "negated"
     avoided = avoided and (
-        event.adverbial == "before" or re.search(r"\b(?:avoid|miss|prevent)", event.whole) is not None
+        event.adverbial == "before" or re.search(r"\b(?:avoid|miss|prevent|not to|to not)", event.whole) is not None
     )
     return event.agent.ego and (event.act == "overtake" and event.mode == "hypothetical" or bool(avoided))
 
@@ -41,6 +41,9 @@ def actors(scene: Scene) -> list[Entity]:
         if "group" in entity.roles or _mere_background(scene, entity) or _title_only(scene, entity):
             continue
         if imagined(scene, entity):
+            continue
+        if entity.mover and any(e.done and e.trigger and e.trigger.get("of") is entity for e in scene.clauses.events):
+            kept.append(entity)
             continue
         if not own and not passive and where.rel is None and where.lane is None and _only_spoken_of(scene, entity):
             continue

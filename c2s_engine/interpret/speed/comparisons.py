@@ -18,11 +18,6 @@ DIFFERENCE = re.compile(
     r"|(?:relative|closing|differential|excess|approach) (?:speed|velocity)|delta[- ]?v)(?: (?:of|is|was|being|at))*"
     r"[: =]*(?:about |around |roughly |at least |at most |more than |less than |not less than |up to |over )?$"
 )
-LIMIT = r"(?:the |its )?(?:posted |legal |permitted )?(?:speed )?limit"
-BY_LIMIT = re.compile(rf"\s*(?:(?P<more>over|above|faster than|in excess of)|under|below|slower than) {LIMIT}\b")
-AT_LIMIT = re.compile(
-    rf"\b(?:at|doing|does|do|drives?|driving|drove|keeps? to|keeping to|exactly|just) {LIMIT}\b(?! of| is| was|,? \d)"
-)
 AFTER = re.compile(
     r"\s*(?:faster|slower|quicker|(?:higher|lower|greater|more|less) than|(?:above|below) the speed of)\b"
 )
@@ -35,7 +30,7 @@ LITTLE, LOT_MORE, LOT_LESS = 0.08, 1.4, 0.6
 
 def is_difference(plain: str, span: Span) -> bool:
     """Whether a speed is only by how much one is faster or slower than another."""
-    after = AFTER.match(plain[span.end : span.end + 20]) or BY_LIMIT.match(plain[span.end : span.end + 50])
+    after = AFTER.match(plain[span.end : span.end + 20])
     return after is not None or DIFFERENCE.search(plain[max(0, span.start - 50) : span.start]) is not None
 
 
@@ -59,12 +54,16 @@ def compared_speeds(scene: Scene, quantities: list[Span]) -> None:
             continue
         scene.speeds[owner] = (*_changed(match, number, base[0], base[1]), match.start(), match.end())
     _same_speeds(scene)
-    _by_limit(scene, quantities)
+    _same_as_named(scene)
     _by_difference(scene, quantities)
 
 
 SAME = re.compile(
     r"\b(?:at|with|does|do|drives?|having) (?:just |exactly |about )?the same (?:speed|pace|velocity)\b(?! as)"
+)
+SAME_AS = re.compile(
+    r"\b(?:the same (?:speed|pace|velocity) as|(?:just |exactly )?as fast as|the (?:speed|pace) of)"
+    r"(?= (?:(?:the|that|of) )*[\w-]+(?: [\w-]+)?(?: ahead| behind| in front)?(?: ?[.,;(]| and\b| at\b|$))"
 )
 
 
@@ -80,27 +79,23 @@ def _same_speeds(scene: Scene) -> None:
             scene.speeds[owner] = (*scene.speeds[other][:2], match.start(), match.end())
 
 
+def _same_as_named(scene: Scene) -> None:
+    """Who drives "at the same speed as the van": where one's speed is told, it is the other's, too."""
+    for match in SAME_AS.finditer(scene.plain):
+        owner = owner_of(scene, match.start())
+        named = [scene.cast.of[i] for i in sorted(scene.cast.of) if match.end() <= scene.words[i].start]
+        if owner is None or not named or named[0] is owner:
+            continue
+        told = [e for e in (owner, named[0]) if e in scene.speeds]
+        if len(told) == 1:
+            other = named[0] if told[0] is owner else owner
+            scene.speeds[other] = (*scene.speeds[told[0]][:2], match.start(), match.end())
+
+
 def _by_ego(scene: Scene, entity: Entity) -> bool:
     """Whether one is placed by ego, or by nobody."""
     other = scene.where(entity).of
     return other is None or other.ego
-
-
-def _by_limit(scene: Scene, quantities: list[Span]) -> None:
-    """The speeds that are told by the posted limit: so much over or under it, or the limit itself."""
-    limit = scene.road.speed_limit
-    if limit is None:
-        return
-    for span in quantities:
-        match = BY_LIMIT.match(scene.plain[span.end : span.end + 50])
-        owner = owner_of(scene, span.start) if match and span.data["dimension"] == "speed" else None
-        if match is not None and owner is not None and owner not in scene.speeds:
-            speed = max(0.5, limit + span.data["low"] * (1 if match["more"] else -1))
-            scene.speeds[owner] = (speed, speed, span.start, span.end)
-    for match in AT_LIMIT.finditer(scene.plain):
-        owner = owner_of(scene, match.start())
-        if owner is not None and owner not in scene.speeds:
-            scene.speeds[owner] = (limit, limit, match.start(), match.end())
 
 
 def _by_difference(scene: Scene, quantities: list[Span]) -> None:
@@ -152,6 +147,8 @@ def owner_of(scene: Scene, at: int) -> Entity | None:
     own = [i for i in sorted(scene.cast.of) if i < word.i and scene.words[i].sentence == word.sentence]
     for i in own[-2:]:
         entity = scene.cast.of[i]
+        if event is not None and event.patient is entity and "," not in scene.plain[event.start : scene.words[i].start]:
+            continue
         if (entity.mover or entity.ego) and RIGHT_BEFORE.fullmatch(scene.plain[scene.words[i].end : at]):
             return entity
     if event is not None and event.agent in [scene.cast.of[i] for i in own]:

@@ -8,11 +8,9 @@ from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.reading import amounts
 from c2s_engine.interpret.reading.scan import Span
 from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.speed.by_limit import LIMIT, limit_before
 from c2s_engine.interpret.speed.comparisons import owner_of
 
-LIMIT = (
-    r"(?:the |its |their |this |that )?(?:local |current |posted |legal |permitted |allowed |maximum |speed )*limit\b"
-)
 SPEED = r"(?:speed|velocity|pace)"
 ENDS = r"(?=\s*(?:[.,;)]|$|of\b|while\b|when\b|and\b))"
 BASE = (
@@ -39,9 +37,11 @@ TOLD_AFTER = re.compile(rf"{SPEED}(?: of [^,.;()\d]{{1,30}})?(?:,? which (?:is|w
 """What stands between another's speed and its number: "of ego's speed, which is 90 km/h"."""
 
 
-def speeds_by_ratio(scene: Scene, quantities: list[Span]) -> None:
+def speeds_by_ratio(scene: Scene, quantities: list[Span], taken: list[tuple[int, int]]) -> None:
     """The speeds that are told as a part, a multiple or a percentage of another speed or of the limit."""
     for match in _ratio().finditer(scene.plain):
+        if any(start <= match.start() < end for start, end in taken):
+            continue
         owner = owner_of(scene, match.start())
         told = match["than"] or match["like"] or match["base"] or ""
         if owner is None or match["by"].strip() in ("over", "under", "more", "less", "above", "below") and not told:
@@ -73,7 +73,7 @@ def _base(
     at = match.end() - len(told) if told else match.end()
     limit = scene.road.speed_limit
     by_limit = re.match(rf" ?{LIMIT}(?: of)?", told)
-    if limit is not None and (by_limit or _limit_before(scene, match, told)):
+    if limit is not None and (by_limit or limit_before(scene, match.start(), told)):
         return limit, limit, match.start(), match.end("by")
     at += by_limit.end() if by_limit else 0
     number = next((q for q in quantities if q.data["dimension"] == "speed" and 0 <= q.start - at <= 4), None)
@@ -101,11 +101,3 @@ def _is_told(scene: Scene, match: re.Match[str], span: Span) -> bool:
     """Whether a speed is that of the other, told right after it: "of ego's speed, which is 90 km/h", "(90 km/h)"."""
     near = match.start() < span.start < match.end() + 30
     return near and TOLD_AFTER.search(scene.plain[match.start() : span.start]) is not None
-
-
-def _limit_before(scene: Scene, match: re.Match[str], told: str) -> bool:
-    """Whether "15 % above it" means the limit that the sentence spoke of."""
-    if not re.match(r" ?(?:it|this|that)\b(?! (?:of|\w*speed))", told) or match["by"] is None:
-        return False
-    start = max((s for s, _ in scene.sentences if s <= match.start()), default=0)
-    return re.search(r"\blimit\b", scene.plain[max(0, start - 60) : match.start()]) is not None

@@ -5,6 +5,8 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading import scan, syntax
 from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.speed.by_limit import by_limit, told_by_limit
+from c2s_engine.interpret.speed.changes_by import changes_by
 from c2s_engine.interpret.speed.comparisons import compared_speeds, is_difference
 from c2s_engine.interpret.speed.ratios import speeds_by_ratio
 from c2s_engine.interpret.speed.shared_out import shared_out
@@ -37,13 +39,15 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
     """Whose each speed is: the agent of the clause it stands in, the noun that it describes, or both parties."""
     clauses, cast = scene.clauses, scene.cast
     shared_out(scene)
+    taken = changes_by(scene, quantities)
     by_span = {id(w.span): w for w in scene.words if w.span is not None and w.span.kind == "quantity"}
     for span in quantities:
         if span.data["dimension"] != "speed" or SIDEWAYS.search(scene.plain[max(0, span.start - 40) : span.start]):
             continue
         if span.data.get("role") == "limit" and not AT_LIMIT.search(scene.plain[max(0, span.start - 40) : span.start]):
             continue
-        if is_difference(scene.plain, span):
+        changes = any(start <= span.start < end for start, end in taken)
+        if changes or is_difference(scene.plain, span) or told_by_limit(scene, span):
             continue
         word = by_span.get(id(span))
         if word is None:
@@ -114,6 +118,10 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
             and event.act in ("brake", "brake_stop", "accelerate")
             and REACHED.search(near) is not None
         ):
+            if _had_by_then(scene, event):
+                event.act = "travel"
+                scene.speeds.setdefault(owner, value)
+                continue
             event.quantities = [{**q, "role": "target"} if q["start"] == span.start else q for q in event.quantities]
             continue
         if owner in scene.speeds:
@@ -139,7 +147,15 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
             for other in others[:many]:
                 scene.speeds.setdefault(other, value)
     compared_speeds(scene, quantities)
-    speeds_by_ratio(scene, quantities)
+    by_limit(scene, quantities)
+    speeds_by_ratio(scene, quantities, taken)
+
+
+def _had_by_then(scene: Scene, event: Event) -> bool:
+    """Whether a change of speed was over when the scene begins: "had slowed to 40 km/h when a dog ran out"."""
+    perfect = {"had", "has", "have"} & {scene.words[c].norm for c in scene.words[event.word].children}
+    earlier = (e for e in scene.events(event.agent) if e.word < event.word)
+    return bool(perfect) and not any(e.act in ("brake", "brake_stop", "accelerate") for e in earlier)
 
 
 def _who_meets(scene: Scene, other: Entity, sentence: int) -> Entity | None:

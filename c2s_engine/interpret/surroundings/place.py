@@ -170,7 +170,7 @@ def _limit(plain: str, road: Road, data: dict[str, Any], quantities: list[Span])
 def is_limit(before: str, after: str) -> bool:
     """Whether a speed between those words is a bound of the road, not a speed that is driven."""
     pattern = _re(language.table("places")["speed_limit"])
-    near = re.search(pattern.pattern + r"(\s+(?!and\b|but\b)[\w-]+){0,4}[:\s]*$", before)
+    near = re.search(pattern.pattern + r"(,? which)?(\s+(?!and\b|but\b)[\w-]+){0,4}[:(\s]*$", before)
     follows = re.match(
         (
             r"[\s-]*(or (more|above|higher|less|over|faster) (is |are |was )?(allowed|permitted|may)|(is"

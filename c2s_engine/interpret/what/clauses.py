@@ -62,6 +62,8 @@ class Clauses(Deverbal):
             self._standing(word)
         self._order()
         self._triggers()
+        self._held_back()
+        self._after_going_on()
         self._ended_waits()
         self.events.sort(key=lambda e: e.order)
 

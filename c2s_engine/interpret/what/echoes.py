@@ -8,11 +8,15 @@ from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast, Entity
 
 LIKEWISE = re.compile(
-    r"(?:(?:do|does|did|doing) (?:the (?:very )?same|likewise|so(?: too| as well)?|this too|that too)|(?:follows?"
-    r"|followed) suit"
+    r"(?:(?:do|does|did|doing) (?:the (?:very )?same|likewise|so(?: too| as well)?|this too|that too|too|as well|also)"
+    r"|(?:follow|follows|followed|following) suit"
     r"|reacts? (?:likewise|the same way|in the same way)|(?:follows?|followed) (?:his|her|its|their|this|that) example"
     r"|copies|copied|imitates)\b"
 )
+
+SIDES = re.compile(r" (?:to|on|onto|towards?) (?:both|either|each|opposite) sides?\b.*")
+BARE = re.compile(r"(?:does|did|do)(?: (?:[.,;]|and|but)(?: |$)|$)")
+"""A verb that stands for the one before: "two cross, a third does"."""
 
 
 def echoes(cast: Cast, clauses: Clauses) -> None:
@@ -20,11 +24,12 @@ def echoes(cast: Cast, clauses: Clauses) -> None:
     words = cast.words
     for i, word in enumerate(words[:-1]):
         ahead = " ".join(w.norm for w in words[i : i + 7] if w.sentence == word.sentence)
-        if LIKEWISE.match(ahead) and words[i - 1].norm not in ("in", "by", "while", "when", "without"):
+        said = LIKEWISE.match(ahead) and words[i - 1].norm not in ("in", "by", "while", "when", "without")
+        if said or _stands_for_verb(i, ahead, cast):
             _likewise(i, ahead, cast, clauses)
         if re.match(r"(?:and )?then (?:an?|the|another|two|three)\b", ahead):
             _gapped(i, cast, clauses)
-        if re.match(r"so (must|does|do|did|has|should|will|had)\b", ahead):
+        if re.match(r"so (must|does|do|did|has|should|will|had)\b|as (does|do|did)\b", ahead):
             target = next((cast.of[w.i] for w in words[i : i + 6] if w.i in cast.of), None)
             earlier = [e for e in clauses.events if e.word < i and e.agent is not target and e.mode == "fact"]
             if target is not None and earlier:
@@ -79,13 +84,39 @@ def _likewise(i: int, said: str, cast: Cast, clauses: Clauses) -> None:
         near = [j for j in sorted(cast.of) if j < i and cast.words[j].sentence == sentence and cast.of[j].mover]
         who = cast.of[near[0]] if near else None
     earlier = [e for e in clauses.events if e.word < i and e.agent is not who and e.done and e.act != "follow"]
+    if who is not None and (unsaid := _by_others(i, who, cast, clauses)) is not None:
+        earlier = [unsaid]
     if who is None or not earlier:
         return
     last = max(earlier, key=lambda e: e.word)
     if own is not None:
         clauses.events.remove(own)
     patient = last.patient if last.patient is not who else None
-    clauses.events.append(Event.echo(last, agent=who, patient=patient, hard=last.hard, side=last.side, **_at(i, cast)))
+    told = [q for q in last.quantities if q["dimension"] in ("acceleration", "change") or q.get("role") == "target"]
+    same = {"patient": patient, "hard": last.hard, "side": last.side, "quantities": told}
+    clauses.events.append(Event.echo(last, agent=who, **same, **_at(i, cast)))
+
+
+def _stands_for_verb(i: int, ahead: str, cast: Cast) -> bool:
+    """Whether "does" or "did" is all that a clause says of its subject: "a third person does"."""
+    word = cast.words[i]
+    subjects = [c for c in word.children if cast.words[c].dep == "nsubj" and c < i]
+    told = any(cast.words[c].dep in ("dobj", "attr", "neg", "xcomp") for c in word.children)
+    main = word.dep in ("ROOT", "conj", "ccomp", "parataxis")
+    return bool(subjects) and main and not told and subjects[0] in cast.of and BARE.match(ahead) is not None
+
+
+def _by_others(i: int, who: Entity, cast: Cast, clauses: Clauses) -> Event | None:
+    """What those do that are no party of the scene, where another does so: "traffic pulls over, ego follows suit"."""
+    word = cast.words[i]
+    roots = [w for w in cast.words if w.dep == "ROOT" and w.i < i and word.sentence - w.sentence <= 1 and w.verb]
+    verb = cast.words[word.head] if word.dep == "conj" and word.head < i else roots[-1] if roots else None
+    subject = next((c for c in verb.children if cast.words[c].dep == "nsubj"), None) if verb is not None else None
+    if verb is None or subject is None or verb.i in clauses.by_word or subject in cast.of and cast.of[subject] is who:
+        return None
+    own = clauses.own(verb)
+    told = SIDES.sub("", clauses.render([j for j in own if j >= verb.i], verb.i))
+    return clauses.meant(verb, told, clauses.render(own, verb.i), who)
 
 
 def _at(i: int, cast: Cast) -> dict[str, Any]:

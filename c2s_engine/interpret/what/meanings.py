@@ -46,6 +46,10 @@ class Meanings(Patients):
                 return told
         return event
 
+    def meant(self, verb: Word, text: str, whole: str, agent: Entity) -> Event | None:
+        """What a verb with those words would tell of somebody."""
+        return self._event(self._lemma(verb), verb, text, whole, agent, None)
+
     def _ruled(
         self, lemma: str, word: Word, text: str, whole: str, agent: Entity | None, patient: Entity | None
     ) -> tuple[Event | None, str]:

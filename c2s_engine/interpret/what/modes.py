@@ -9,14 +9,20 @@ from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.agents import Agents
 
 CONTACT = language.words("contact")
-MEANS = frozenset(("about", "mean", "want", "intend", "plan", "go", "wish", "like", "prepare"))
+MEANS = frozenset(("try", "attempt", "about", "mean", "want", "intend", "plan", "go", "wish", "like", "prepare"))
 GIVEN_UP = re.compile(
     r"\bbut (?:then |instead |in fact )?(?:it |he |she |they |i |we )?"
     r"(?:(?:could|can|did|does|was|is) (?:not|n't)\b(?! see)"
     r"|cannot\b|stay|stays|stayed|remain|kept|keeps|(?:went|goes|drove|drives|carried|continue\w*) (?:straight|on)\b"
-    r"|chang\w+ (?:its|his|her|my) mind|decid\w+ (?:not|against)|stop\w* (?:at|on) the (?:kerb|curb|edge|pavement))"
+    r"|chang\w+ (?:its|his|her|my) mind|decid\w+ (?:not|against)|(?:step|turn|jump|move|pull)\w* back\b|lets?\b"
+    r"|stop\w* (?:at|on) the (?:kerb|curb|edge|pavement))"
 )
 """What tells that somebody does not do what it meant to."""
+TRIED = re.compile(
+    r"^(?:\S+ ){0,8}?(?:but|yet|however),? (?:then )?(?:it |he |she |they |i |we )?"
+    r"(?:(?:could|was|were) (?:not|n't)\b(?! able to avoid| avoid)|cannot\b|fail\w*\b|was unable\b|gave up\b)"
+)
+"""What tells that somebody only tried."""
 
 
 LETTING = ("let", "allow", "permit")
@@ -45,10 +51,10 @@ class Modes(Agents):
             return False
         return not UNREAL & {w.norm for w in self.words if w.sentence == word.sentence}
 
-    def _not_done(self, word: Word) -> bool:
+    def _not_done(self, word: Word, given_up: re.Pattern[str]) -> bool:
         """Whether what somebody means to do is not done then: "wanted to merge but could not"."""
         after = " ".join(w.norm for w in self.words[word.i + 1 :] if w.sentence == word.sentence)
-        return GIVEN_UP.search(after) is not None
+        return given_up.search(after) is not None
 
     def _mode(self, word: Word) -> str:
         """Whether it is said to happen."""
@@ -59,6 +65,10 @@ class Modes(Agents):
             if other.dep == "neg" or other.norm in ("never", "neither", "nor", "hardly", "cannot", "not"):
                 if other.norm == "not" and child > word.i and other.dep != "neg":
                     continue
+                if other.norm == "not" and child < word.i and self._ended(child, word.i) and word.tag == "VBD":
+                    continue  # "tried to brake but could not and hit it"
+                mode = "negated"
+            if other.norm == "longer" and self.words[child - 1].norm in ("no", "any"):
                 mode = "negated"
             if other.norm in ("for", "to") and any(self.words[c].norm in NOBODY for c in other.children):
                 mode = "negated"  # "yields to nobody"
@@ -136,7 +146,7 @@ class Modes(Agents):
             ):
                 return "negated" if mode != "negated" else "fact"
             if word.dep in ("xcomp", "advcl", "acl") and lemma in shades["intended"] and (to or lemma == "about"):
-                given_up = lemma in MEANS and self._not_done(word)
+                given_up = lemma in MEANS and self._not_done(word, TRIED if lemma in ("try", "attempt") else GIVEN_UP)
                 mode = ("hypothetical" if given_up else "intended") if mode == "fact" else mode
                 if self._mode(head) in ("negated", "hypothetical") and head.verb:
                     mode = "negated"
@@ -157,9 +167,11 @@ class Modes(Agents):
             elif word.dep == "conj" and head.verb:
                 above = self._mode(head)
                 own_subject = any(self.words[c].dep in ("nsubj", "nsubjpass", "aux") for c in word.children)
+                between = [w.norm for w in self.words[head.i + 1 : word.i]]
                 if (
                     above in ("hypothetical", "negated", "purpose")
                     and not own_subject
+                    and not (self._mode(head) == "hypothetical" and "but" in between)
                     and word.tag in ("VB", "VBN")
                     and self._lemma(word) not in CONTACT
                 ):
@@ -168,6 +180,8 @@ class Modes(Agents):
                     mode = above
             elif word.dep == "pcomp" and self.words[head.head].lemma in ("instead", "rather"):
                 mode = "negated"
+        if mode in ("negated", "hypothetical") and self._else_otherwise(word):
+            mode = "fact"
         if mode == "negated" and self._no_duty(word):
             mode = "hypothetical"
         if word.dep in ("acl", "relcl") and head.lemma in CHANCES and self._sought(head):
@@ -193,6 +207,10 @@ class Modes(Agents):
         ):
             mode = "alternative"
         before = [w.norm for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]
+        if mode in ("fact", "intended") and any(
+            self.words[c].norm in ("otherwise", "else") and c < word.i for c in word.children
+        ):
+            mode = "alternative"
         if (
             before[-2:] in (["rather", "than"], ["instead", "of"])
             or before[-1:] == ["nor"]
@@ -200,6 +218,13 @@ class Modes(Agents):
         ):
             mode = "negated"
         return mode
+
+    def _else_otherwise(self, word: Word) -> bool:
+        """Whether it is only denied in a condition that did not come true: "would have hit it had he not swerved"."""
+        norms = {self.words[c].norm for c in word.children}
+        above = {self.words[c].norm for c in self.words[word.head].children}
+        unreal = {"would", "could", "might"} & above and {"have", "of"} & above
+        return word.dep == "advcl" and bool(unreal) and "had" in norms and bool({"not", "n't"} & norms)
 
     def _no_option(self, verb: Word) -> bool:
         """Whether what a clause tells is said to be none of one's options: "moving over was no option"."""
@@ -225,8 +250,8 @@ class Modes(Agents):
         return self._lemma(verb) in SEEKS
 
     def _ended(self, aux: int, verb: int) -> bool:
-        """Whether "but" ends an auxiliary's clause before the verb ("as hard as I could but hit it")."""
-        return "but" in [w.norm for w in self.words[aux + 1 : verb]]
+        """Whether "but" or "and" ends an auxiliary's clause before the verb ("as hard as I could but hit it")."""
+        return bool({"but", "and"} & {w.norm for w in self.words[aux + 1 : verb]})
 
     def _criterion(self, word: Word) -> bool:
         """Whether an if-clause states what a test demands: "passed if the system brakes"."""

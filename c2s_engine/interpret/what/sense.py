@@ -36,6 +36,11 @@ SIDE_ROAD = re.compile(r"\b(?:(?:side|minor) (?:road|street)|driveway|junction|i
 FIRST = re.compile(r"(?:pass|go|drive|proceed|cross|move|turn|enter|get|come|travel|clear)\b[^.;]*?\bfirst\b")
 
 
+STAYS_OUT = re.compile(
+    r"(?:(?:enter|cross)(?: into)?|(?:go|drive|pull|move|proceed|come|roll) (?:out )?(?:in|on)to) "
+    r"(?:the|this|that|an?) (?:\w+ )?(?:intersection|junction|crossroads?|roundabout)\b"
+)
+"""What one does who is on its way into a junction; where it is denied, one stops before it."""
 AHEAD_OF_EGO = re.compile(r"\b(?:ahead|in front) of (?:the )?@ego\b")
 
 
@@ -101,6 +106,8 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             event.patient = cast.ego
         if event.act == "keep_away" and not event.agent.ego and event.patient is cast.ego and event.mode == "fact":
             event.act = "follow"
+        if event.mode == "negated" and not event.agent.ego and event.agent.mover and STAYS_OUT.match(event.text):
+            event.act, event.mode = ("stationary" if event.agent.person else "stop"), "fact"
         if event.act == "yield" and event.mode == "negated" and not event.agent.ego:
             event.act, event.mode = "cross_path", "fact"
         if event.act == "turn_or_change":

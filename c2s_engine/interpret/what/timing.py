@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.what.modes import Modes
+from c2s_engine.interpret.what.afterwards import Afterwards
 from c2s_engine.interpret.who.mentions import Entity
 
 if TYPE_CHECKING:
@@ -51,7 +51,17 @@ AT_A_DISTANCE = (
 )
 
 
-class Timing(Modes):
+RIGHT = ("only", "just", "exactly", "right", "left", "even", "shortly")
+"""What stands before the word that opens a clause: "swerved right when ..."."""
+TTC = ("ttc", "time-to-collision", "collision")
+WHEN = re.compile(
+    r"when|once|as soon as|after|until|^(?:if|where)\b.*\b(?:within|than|away|under|below)\b"
+    r"|^as\b.*\b(?:away|closer|nearer|within|under|(?:close|drop|fall|shrink|narrow|decrease)s?)\b"
+)
+"""What tells from what distance on something happens."""
+
+
+class Timing(Afterwards):
     """The part of Clauses that orders the events."""
 
     light: set[int]
@@ -91,7 +101,7 @@ class Timing(Modes):
         if mark in MEANWHILE and word.tag == "VBG" and main.act == "collide" and event.act in BY_WHICH:
             event.order = main.order - 0.4  # "struck V1 while passing"
             return
-        if mark == "when" and event.word > main.word and event.agent is main.agent and self._lasted(main.word):
+        if mark == "when" and event.word > main.word and event.agent is main.agent and self.lasted(main.word):
             return  # "was turning left when it lost control"
         blow = mark in ("when", "as") and event.act == "collide" and event.agent is main.agent
         if blow and event.word > main.word:
@@ -109,10 +119,11 @@ class Timing(Modes):
         ):
             event.order = main.order - 0.4
 
-    def _lasted(self, verb: int) -> bool:
-        """Whether a verb tells what was going on: "was turning"."""
-        aux = (self.words[c].norm for c in self.words[verb].children if self.words[c].dep == "aux")
-        return self.words[verb].tag == "VBG" and any(a in ("was", "were", "is", "are") for a in aux)
+    def lasted(self, verb: int) -> bool:
+        """Whether a verb tells what was going on: "was turning", "was trying to turn"."""
+        told = [self.words[verb], *self._verbs_above(self.words[verb])]
+        aux = (self.words[c].norm for w in told for c in w.children if self.words[c].dep == "aux")
+        return any(w.tag == "VBG" for w in told) and any(a in ("was", "were", "is", "are") for a in aux)
 
     def _in_relative(self, event: Event) -> Event | None:
         """What a clause tells in whose relative clause something is told that leads to it: "was struck by V2, which
@@ -144,10 +155,12 @@ class Timing(Modes):
             for i in self._circumstances(word):
                 inside = self._deep(i)
                 text = self.render(inside)
-                told = [self.words[j].norm for j in inside if self.words[j].norm not in ("only", "just", "exactly")]
+                told = [self.words[j].norm for j in inside if self.words[j].norm not in RIGHT]
                 marks = told[0] if told else ""
-                quantities = self._quantities(inside)
+                quantities, before = self._quantities(inside), event.trigger
                 for quantity in quantities:
+                    if event.trigger is not before:
+                        break  # "once it is 50 m behind the van, and returns when it is 20 m past it"
                     if quantity["dimension"] == "time" and re.search(
                         r"\bttc\b|time[- ]to[- ](collision|contact)", text
                     ):
@@ -155,13 +168,14 @@ class Timing(Modes):
                             "kind": "ttc",
                             "value": quantity["low"],
                             "of": self._to_whom(event, inside),
+                            "at": quantity["start"],
                         }
                     elif (
                         quantity["dimension"] == "distance"
                         and self.words[i].dep in ("advcl", "advmod", "relcl")
-                        and marks in ("when", "once", "as", "after", "until", "while")
-                        and re.search(
-                            r"when|once|as soon as|after|until|^as\b.*\b(?:away|closer|nearer|within|under)\b", text
+                        and marks in ("when", "once", "as", "after", "until", "while", "where", "if", "whenever")
+                        and WHEN.search(
+                            text,
                         )
                     ):
                         place = (
@@ -174,7 +188,12 @@ class Timing(Modes):
                         event.trigger = (
                             {"kind": "place", "value": quantity["low"], "place": place}
                             if place and (not event.agent.person or event.agent.ego)
-                            else {"kind": "distance", "value": quantity["low"], "of": self._to_whom(event, inside)}
+                            else {
+                                "kind": "distance",
+                                "value": quantity["low"],
+                                "of": self._to_whom(event, inside),
+                                "at": quantity["start"],
+                            }
                         )
                         if marks == "until" and event.mode == "negated":
                             event.mode = "fact"  # "does not start running until ego is 15 m away"
@@ -206,9 +225,12 @@ class Timing(Modes):
                         event.trigger = {"kind": "ttc", "value": quantity["low"]}
 
     def _to_whom(self, event: Event, clause: list[int]) -> Entity | None:
-        """To whom the distance of a trigger is, if not to ego: "when the cyclist is 10 m from the van, it ..."."""
+        """To whom the distance of a trigger is, if not to ego: "when the cyclist is 10 m from the van, it ..."; for ego
+        whom the clause names."""
         told = list(dict.fromkeys(self.cast.of[i] for i in clause if i in self.cast.of))
         others = [e for e in told if e is not event.agent]
+        if event.agent.ego:
+            return others[0] if len(others) == 1 else None
         return others[0] if event.agent in told and len(others) == 1 and not others[0].ego else None
 
     def _circumstances(self, word: Word) -> list[int]:
@@ -216,7 +238,8 @@ class Timing(Modes):
         found = [c for c in word.children if self.words[c].dep in CIRCUMSTANCES]
         for verb in self._verbs_above(word):
             found += [c for c in verb.children if self.words[c].dep in CIRCUMSTANCES]
-        return found + [c for noun in self._nouns_of(word) for c in noun.children if self._is_when(c)]
+        inner = [c for noun in self._nouns_of(word) for c in noun.children]
+        return found + [c for c in inner if self._is_when(c) or self._is_at(c)]
 
     def _verbs_above(self, word: Word) -> list[Word]:
         """The verbs that only begin or bring about what a verb or a noun tells: "has to brake", "initiates braking"."""
@@ -231,7 +254,7 @@ class Timing(Modes):
         if above.i in self.by_word and self.by_word[above.i].act != "travel":
             return False
         ends_up = word.dep == "advcl" and word.tag == "VBG" and self._lemma(above) in ENDS_UP
-        complement = word.dep in ("xcomp", "acomp") or word.dep == "dobj" and above.tag.startswith("VB")
+        complement = word.dep in ("xcomp", "acomp") or word.dep in ("dobj", "npadvmod") and above.tag.startswith("VB")
         return complement or ends_up or word.dep == "ccomp" and above.i in self.light
 
     def _nouns_of(self, verb: Word) -> list[Word]:
@@ -246,25 +269,12 @@ class Timing(Modes):
         marks = {self.words[c].norm for c in clause.children if c < i}
         return clause.dep in ("advcl", "relcl") and bool(marks & {"when", "once"})
 
-    def _ended_waits(self) -> None:
-        """What ends a wait ("until ego is 20 m away, then crosses") begins what comes next."""
-        for event in self.events:
-            until = event.trigger is not None and re.search(r"\b(?:until|till)\b", self.render(self._deep(event.word)))
-            if event.act not in ("stationary", "stop") or not until:
-                continue
-            later = [e for e in self.events if e.agent is event.agent and e.order > event.order and e.trigger is None]
-            if later:
-                min(later, key=lambda e: e.order).trigger = event.trigger
-                event.trigger = None
-
     def _where_it_comes_out(self, event: Event, own: str) -> dict[str, Any] | None:
         """How far ego is when one comes out "20 m in front of it"."""
         match = re.search(r"#dist (?:right |directly )?(?:ahead|in front)\b(?! of (?:the |an? )?(?:\w+ )?@a)", own)
         told = [q for q in event.quantities if q["dimension"] == "distance"]
         return {"kind": "distance", "value": told[0]["low"]} if match and len(told) == 1 else None
 
-    def _deep(self, i: int) -> list[int]:
-        found = [i]
-        for child in self.words[i].children:
-            found += self._deep(child)
-        return sorted(found)
+    def _is_at(self, i: int) -> bool:
+        """Whether a noun is told with the time to collision at which it begins: "the cut-in at a TTC of 2 s"."""
+        return self.words[i].norm == "at" and any(self.words[j].norm in TTC for j in self._deep(i))

@@ -17,7 +17,7 @@ def waited_for(cast: Cast, clauses: Clauses) -> None:
 
 WAITS = re.compile(
     r"(?:wait|stays? put|hold|remain|pause|stops?|(?:not|n't|never) (?:\w+ )?(?:move|start"
-    r"|turn|go|proceed|pull|enter|set|begin))[^.;]*?\b(?:until|till|for)\b"
+    r"|turn|go|proceed|pull|enter|set|begin|overtake|change|merge|cross))[^.;]*?\b(?:until|till|for)\b"
     r" (?:\S+ ){0,7}?@(?P<who>a\d+)[^.;]*?\b(?:pass\w*|clear|cross\w*|by|through|past|gone|go"
     r"|goes|first|over|finish\w*)\b"
 )

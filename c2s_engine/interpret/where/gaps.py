@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.who.mentions import Cast, Entity
 
+WAY = re.compile(
+    r"\b(?:over|during|for|within|in) (?:the |a |its )?"
+    r"(?:next|last|following|first|(?:distance|length|stretch|course|way) of)(?: about| some| few)?$"
+)
 SHORTEST = 0.5
 """Nobody starts so close to another (m) lengthwise: what is smaller is sideways."""
 
@@ -31,17 +36,26 @@ class Gaps:
                 return self.cast.of[word.i]
         return None
 
+    def _begins_something(self, quantity: dict[str, Any]) -> bool:
+        """Whether a number tells from what time or distance on somebody does something, not where one starts."""
+        moments = (e.trigger for e in self.clauses.events if e.trigger and e.act not in ("travel", "stationary"))
+        return any(m.get("at") == quantity["start"] for m in moments)
+
     def _gap(self, indices: list[int], where: Where, only_ahead: bool = False, entity: Entity | None = None) -> None:
         if where.gap is not None:
             return
         text = self.clauses.render(indices)
         for quantity in self.clauses._quantities(indices):
+            if self._begins_something(quantity):
+                continue
             whose = self._whose(quantity["word"]) if entity is not None else None
             if whose is not None and whose is not entity and not whose.ego:
                 continue
             before = " ".join(w.norm for w in self.words[max(0, quantity["word"] - 5) : quantity["word"]])
             after = " ".join(w.norm for w in self.words[quantity["word"] + 1 : quantity["word"] + 8])
             if quantity["dimension"] == "distance":
+                if WAY.search(before):
+                    continue
                 if (
                     re.match(r"to spare|to go|of (it|the)", after)
                     or re.match(r"\s*(\S+ )?(away )?from the (\w+ )?(kerb|curb|edge|verge)", after)

@@ -14,7 +14,7 @@ from c2s_engine.interpret.who.persons import Persons
 SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offside"))
 LOOSE = frozenset(("debris", "box", "obstacle"))
 THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
-DOES = language.words("manoeuvres") | language.words("drives") | language.words("on_foot") | {"cross", "start"}
+DOES = language.words("manoeuvres") | language.words("drives") | language.words("on_foot") | {"cross", "start", "do"}
 SHOWS = language.words("notices") | language.words("has_before_one") | {"be", "see", "detect", "find", "approach"}
 STANDS = frozenset(("parked", "stationary"))
 HAS = frozenset(("on", "in", "with", "aboard", "astride", "behind"))
@@ -263,6 +263,8 @@ class Pronouns(Persons):
             and self.words[clause.head].span is None
         ):
             head = self.words[clause.head]
+            if head.norm in ("lane", "road") and verb.lemma in DOES:  # "the van in the right lane, which drives at 80"
+                return self.of[next((i for i in reversed(previous) if self.words[i].dep != "poss"), previous[-1])]
             return self.of.get(head.i) if head.i in self.of else None
         return self.of[previous[-1]]
 

@@ -53,7 +53,7 @@ class Salience(Excluded):
                 clash = self._subject_of(main)  # one waits until another has passed; one slows until it stands itself
         if word.dep in ("dobj", "pobj") and word.norm not in ("its", "itself"):
             clash = self._subject_of(verb)
-        if word.dep == "nsubj" and (gone := self._gone_before(word, verb)) is not None:
+        if word.dep == "nsubj" and (gone := self._gone_before(word, verb) or self._waited_for(word)) is not None:
             clash = gone
         if word.dep == "nsubj" and self._enabled(word, verb):
             clash = self._subject_of(self.words[verb.head])  # "ego moves over so that it can get past"
@@ -197,9 +197,23 @@ class Salience(Excluded):
                 return self._subject_of(other)
         return None
 
+    def _waited_for(self, word: Word) -> Entity | None:
+        """Until when one waits who acts then: "ego waits until the bus has passed, then it turns"."""
+        before = [w for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]
+        if not before or before[-1].norm not in ("then", "whereupon", "only", "afterwards"):
+            return None
+        for other in self.words[: word.i]:
+            if other.sentence != word.sentence or other.norm not in ("until", "till"):
+                continue
+            passing = self.words[other.head]
+            waits = self.words[passing.head]
+            if irregular().get(waits.norm, waits.lemma) in WAITS and waits.i < other.i:
+                return self._subject_of(passing)
+        return None
+
     def _lets_before(self, word: Word, verb: Word) -> Entity | None:
         """Who lets others go before it does something: "ego lets a cyclist and a car pass before it turns"."""
-        if "before" not in (self.words[c].norm for c in verb.children if c < word.i):
+        if not {"before", "then", "afterwards"} & {self.words[c].norm for c in verb.children if c < word.i}:
             return None
         lets = [w for w in self.words[: word.i] if w.sentence == word.sentence and w.verb and w.lemma in LETS]
         return self._subject_of(lets[-1]) if lets else None

@@ -46,7 +46,9 @@ IN_QUEUE = re.compile(
     r"(?:(?:behind|in front|ahead|next to)(?: of)?(?: me| us)?) "
     r"(?:(?:then|just|also|suddenly|obviously|clearly|simply) )?"
     r"(?:went|goes|ran|runs|hit|hits|drove|drives|bumped|smashed|crashed|ploughed|plowed|slammed|shunted|rolled|braked"
-    r"|brakes|stopped|slowed|carried|failed|rear-ended|set off|pulled|did not stop|didn't stop|could not stop)\b"
+    r"|brakes|stopped|slowed|carried|failed|rear-ended|set off|pulled|did not|didn't|could not stop"
+    r"|(?:slam|jam|stomp|stamp)\w* on|stood on|locks? up|locked up|(?:was |is |were )?doing \d|swerve[sd]|change[sd]"
+    r"|overtook|overtakes|tailgate[sd]|accelerate[sd]|speeds?|sped|turned|turns|does not|doesn't)\b"
 )
 """What a person does who is in the queue at the wheel: "the person behind ran into me"."""
 

@@ -1,0 +1,153 @@
+"""What is said by a verb that stands for another, and what is only tried, denied or held back."""
+
+import pytest
+
+
+def actions(spec):
+    return [p.action for p in spec.phases]
+
+
+@pytest.mark.parametrize(
+    ("text", "action"),
+    [
+        ("Two pedestrians cross in front of ego. A third person does.", "cross_road"),
+        ("The oncoming truck drifted over the line, as did the car behind it.", "oncoming"),
+        ("The car in the left lane cuts in, and the van behind it does too.", "cut_in"),
+        ("A lorry ahead of ego stops. A bus on the left does as well.", "stop"),
+        ("A bike comes from the right and turns left; a scooter behind it did the same.", "turn_left"),
+    ],
+)
+def test_a_verb_that_stands_for_the_one_before(read, text, action):
+    second = read(text).objects[1].spec
+    assert action in actions(second)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A van ahead of ego brakes harder than the bus behind ego does.",
+        "A van ahead of ego brakes. The bus behind ego did not.",
+        "A van ahead of ego brakes. What the bus behind ego does is unknown.",
+    ],
+)
+def test_a_verb_that_stands_for_none(read, text):
+    structure = read(text)
+    assert all("brake" not in actions(o.spec) for o in structure.objects if o.spec.type == "bus")
+
+
+def test_following_suit_is_doing_what_the_others_do(read):
+    for text in (
+        "An ambulance comes from behind. Traffic pulls over to both sides and ego follows suit.",
+        "An ambulance comes from behind ego. The traffic pulls over. Ego does so too.",
+    ):
+        spec = read(text).ego.spec
+        assert [(p.action, p.side) for p in spec.phases] == [("lane_change", "right")], text
+
+
+@pytest.mark.parametrize(
+    ("text", "never"),
+    [
+        ("The driver of V2 tried to brake but could not and hit V1 from behind.", "brake"),
+        ("V2 attempted to swerve but failed and struck V1 from behind.", "swerve"),
+        ("V2 was no longer able to stop and struck the rear of V1.", "stop"),
+        ("V2 no longer braked and struck the rear of V1.", "brake"),
+    ],
+)
+def test_what_is_only_tried(read, text, never):
+    structure = read(text)
+    assert structure.ego.spec.reaction == "none"
+    assert actions(structure.objects[0].spec) == ["collide"] and never not in actions(structure.objects[0].spec)
+
+
+def test_who_tried_and_skidded_did_brake(read):
+    spec = read("V2 attempted to stop but skidded and struck V1 from behind.").objects[0].spec
+    assert actions(spec) == ["stop", "lose_control", "collide"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The cyclist would have hit ego had he not swerved to the left.",
+        "The cyclist would have hit ego if he had not swerved to the left.",
+    ],
+)
+def test_what_was_done_lest_something_else_had_happened(read, text):
+    (cyclist,) = read(text).objects
+    assert actions(cyclist.spec) == ["swerve"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Neither the truck nor the van from the right enters the intersection. Ego turns left.",
+        "The van from the right does not enter the junction. Ego turns left.",
+    ],
+)
+def test_who_does_not_enter_a_junction_stops(read, text):
+    spec = read(text).objects[-1].spec
+    assert spec.type == "van" and actions(spec) == ["stop"]
+
+
+def test_who_waits_until_another_has_passed_acts_then(read):
+    for then in ("whereupon it turns left", "then it turns left", "and only then it turns left"):
+        structure = read(f"Ego waits at the junction until the bus has passed, {then}.")
+        assert structure.place.spec.manoeuvre == "left", then
+        assert "turn_left" not in actions(structure.objects[0].spec), then
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "value"),
+    [
+        ("A pedestrian steps off the kerb no sooner than ego is 15 m away.", "distance", 15),
+        ("Not until the ego vehicle was 10 m away did the cyclist turn left.", "distance", 10),
+        ("Only when ego was 12 m away did the pedestrian cross the road.", "distance", 12),
+        ("The lead car drives at 50 km/h for 6 seconds and then brakes with 5 m/s2.", "time", 6),
+    ],
+)
+def test_moments_in_other_orders(read, text, kind, value):
+    (trigger,) = [p.trigger for p in read(text).objects[0].spec.phases if p.trigger]
+    assert (trigger.kind, trigger.value) == (kind, value)
+
+
+def test_what_is_held_back_until_then_is_done(read):
+    spec = read("Ego must not overtake the cyclist until the oncoming car has passed.").ego.spec
+    assert actions(spec) == ["overtake"] and spec.reaction == "yield"
+    spec = read("Ego does not move off until the pedestrian has crossed.").ego.spec
+    assert actions(spec) == ["start"] and spec.phases[0].trigger is None and spec.reaction == "yield"
+
+
+def test_how_long_a_step_lasts(read):
+    text = "The lead car accelerates for 4 seconds to 90 km/h and then brakes for 3 seconds with 3 m/s2."
+    phases = read(text + " Ego follows it for 10 s, then overtakes it.")
+    assert [(p.action, p.duration) for p in phases.objects[0].spec.phases] == [("accelerate", 4), ("brake", 3)]
+    assert [(p.action, p.duration) for p in phases.ego.spec.phases] == [("follow", 10), ("overtake", None)]
+    spec = read("Ego stands at the light for 5 s, then starts.").ego.spec
+    assert [(p.action, p.trigger.value) for p in spec.phases] == [("start", 5)]
+
+
+@pytest.mark.parametrize(
+    ("text", "action"),
+    [
+        ("A van cut me off and I had to hit the shoulder to avoid it.", "leave_road"),
+        ("A van cut me off and I took to the shoulder.", "leave_road"),
+        ("The light turned green, I hit the gas and a cyclist came from the left.", "accelerate"),
+    ],
+)
+def test_hitting_what_is_no_road_user(read, text, action):
+    spec = read(text).ego.spec
+    assert action in actions(spec) and "collide" not in actions(spec)
+
+
+def test_a_jerk_is_nobody(read):
+    (car,) = read("The car brakes with a jerk and stops in front of ego.").objects
+    assert car.spec.phases[-1].rate == 6
+
+
+def test_a_way_that_is_driven_is_no_gap(read):
+    (van,) = read("Over the next 100 m the van ahead slows from 80 to 40 km/h.").objects
+    assert van.spec.placement.gap is None
+
+
+def test_who_is_spared_is_there(read):
+    structure = read("In order not to hit the dog the ego brakes hard.")
+    assert [o.spec.type for o in structure.objects] == ["animal"] and structure.ego.spec.hard

@@ -11,6 +11,7 @@ from c2s_engine.interpret.what.aftermath import aftermath
 from c2s_engine.interpret.what.bearings import against_the_traffic, sides_by_compass
 from c2s_engine.interpret.what.claims import claimed
 from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.herded import herded
 from c2s_engine.interpret.what.headlines import headline
 from c2s_engine.interpret.what.indicated import indicated
 from c2s_engine.interpret.what.left_untold import left_untold
@@ -48,6 +49,7 @@ def understand(text: str) -> Scene:
     foretold(cast)
     clauses = Clauses(words, cast)
     unnamed_doers(cast, clauses)
+    herded(clauses)
     pushed(clauses)
     merged_into(clauses)
     came_out_into(clauses)

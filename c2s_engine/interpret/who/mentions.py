@@ -69,6 +69,7 @@ class Cast(Labels):
         self._subjects_to_come()
         self._both_to_come()
         self._other_to_come()
+        self._settle_riders()
 
     def _strong(self, word: Word) -> bool:
         """Whether a word is a name of ego: "I" is none where the first person does not drive."""

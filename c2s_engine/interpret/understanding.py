@@ -1,6 +1,6 @@
 """All stages up to the scene, in their order."""
 
-from c2s_engine.interpret.reading import amounts, dates, division, letters, scan, streets, syntax
+from c2s_engine.interpret.reading import amounts, dates, division, letters, scan, shares, streets, syntax
 from c2s_engine.interpret.roles.casting import actors
 from c2s_engine.interpret.roles.protagonist import choose_ego
 from c2s_engine.interpret.scene import Scene
@@ -41,6 +41,7 @@ def understand(text: str) -> Scene:
     quantities.sort(key=lambda s: s.start)
     taken = [(q.start, q.end) for q in quantities]
     names = [n for n in names if not any(s < n.end and n.start < e for s, e in taken)]
+    names += shares.shares(plain, [*names, *quantities])
     spans = sorted(names + quantities, key=lambda s: s.start)
     sentences = division.shorthand(plain, sentences, names)
     road = place.read(plain, sentences, quantities)

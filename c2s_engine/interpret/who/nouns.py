@@ -236,7 +236,9 @@ class Nouns(Introduced, NotThere, Counted):
                 return found
         if other and count == 1 and not roles and (pair := self._ego_and_another(word, kind)) is not None:
             pair.roles.add("group")
-        found = Entity("", kind, noun=noun, count=count, roles=roles, typed=kind not in ("vehicle", "rider"), ordinal=ordinal)
+        found = Entity(
+            "", kind, noun=noun, count=count, roles=roles, typed=kind not in ("vehicle", "rider"), ordinal=ordinal
+        )
         if count == 1:
             found.names |= COLOURS & set(before)
             found.names |= set(self._near(word)) & language.makes()

@@ -39,7 +39,12 @@ class Riders(Trailers):
             if other.span is None:
                 continue
             data = other.span.data
-            if other.span.kind == "actor" and data["type"] in RIDDEN and not data.get("person") and self._astride(other):
+            if (
+                other.span.kind == "actor"
+                and data["type"] in RIDDEN
+                and not data.get("person")
+                and self._astride(other)
+            ):
                 found = self._new(Entity("", "vehicle", manned=True, names={word.norm.split(" ")[-1]}))
                 self.wheels[other.i] = found
                 return found

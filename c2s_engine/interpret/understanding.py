@@ -11,14 +11,16 @@ from c2s_engine.interpret.what.aftermath import aftermath
 from c2s_engine.interpret.what.bearings import against_the_traffic, sides_by_compass
 from c2s_engine.interpret.what.claims import claimed
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.herded import herded
+from c2s_engine.interpret.what.doors import doors_opened
 from c2s_engine.interpret.what.headlines import headline
+from c2s_engine.interpret.what.herded import herded
 from c2s_engine.interpret.what.indicated import indicated
 from c2s_engine.interpret.what.left_untold import left_untold
 from c2s_engine.interpret.what.passing import came_up_behind
 from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.pulled_out import pulled_out
 from c2s_engine.interpret.what.sense import rules_of_sense
+from c2s_engine.interpret.what.stays_put import stays_put
 from c2s_engine.interpret.what.unsaid import unsaid
 from c2s_engine.interpret.where.relations import Places
 from c2s_engine.interpret.where.struck import came_out_into, merged_into, pushed, twice
@@ -63,6 +65,8 @@ def understand(text: str) -> Scene:
     against_the_traffic(clauses)
     sides_by_compass(clauses)
     indicated(cast, clauses)
+    stays_put(cast, clauses)
+    doors_opened(cast, clauses)
     places = Places(cast, clauses)
     rules_of_sense(cast, clauses, road)
     left_untold(cast, clauses)

@@ -1,4 +1,4 @@
-"""Shares of a group: the first two, the rest, each of them, one of two, the former and the latter; rows front to back."""
+"""Shares of a group: the first two, the rest, each of them, one of two, the former; rows from front to back."""
 
 import pytest
 

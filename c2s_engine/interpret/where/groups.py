@@ -8,6 +8,7 @@ from copy import copy
 from c2s_engine.interpret import language
 from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import MOTOR, MOVERS, Cast, Entity
 
 BOTH = re.compile(
@@ -18,6 +19,10 @@ BOTH = re.compile(
 )
 
 
+ASIDE = frozenset(("lane_change", "cut_out", "leave_road", "swerve", "yield", "cut_in"))
+ASIDE_TO = re.compile(
+    r"\b(?:to|towards?|onto) (?:both|either|each|the two) sides?\b|\bto (?:the )?left and (?:to )?(?:the )?right\b"
+)
 FROM_BOTH = re.compile(r"\bfrom (?:both|either|each|opposite|the two) (?:sides?|directions?|arms?)\b")
 
 
@@ -195,6 +200,13 @@ def _both_sides(group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Wh
     cast.entities.insert(cast.entities.index(group) + 1, twin)
     other = copy(where)
     other.phrases = list(where.phrases)
+    moves = [e for e in clauses.events if e.agent is group and e.act in ASIDE and ASIDE_TO.search(e.text)]
+    for event in moves:
+        clauses.events.append(Event.echo(event, agent=twin, side="right", mode=event.mode))
+        event.side = "left"
+    if moves and where.rel == "ahead":
+        of[twin] = other
+        return
     for half, side in ((where, "left"), (other, "right")):
         half.side = side
         if from_both:

@@ -1,6 +1,6 @@
 """All stages up to the scene, in their order."""
 
-from c2s_engine.interpret.reading import amounts, dates, division, letters, scan, streets, syntax
+from c2s_engine.interpret.reading import amounts, dates, division, letters, scan, shares, streets, syntax
 from c2s_engine.interpret.roles.casting import actors
 from c2s_engine.interpret.roles.protagonist import choose_ego
 from c2s_engine.interpret.scene import Scene
@@ -11,14 +11,17 @@ from c2s_engine.interpret.what.aftermath import aftermath
 from c2s_engine.interpret.what.bearings import against_the_traffic, sides_by_compass
 from c2s_engine.interpret.what.claims import claimed
 from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.doors import doors_opened
 from c2s_engine.interpret.what.foot_crossings import on_foot
 from c2s_engine.interpret.what.headlines import headline
+from c2s_engine.interpret.what.herded import herded
 from c2s_engine.interpret.what.indicated import indicated
 from c2s_engine.interpret.what.left_untold import left_untold
 from c2s_engine.interpret.what.passing import came_up_behind
 from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.pulled_out import pulled_out
 from c2s_engine.interpret.what.sense import rules_of_sense
+from c2s_engine.interpret.what.stays_put import stays_put
 from c2s_engine.interpret.what.unsaid import unsaid
 from c2s_engine.interpret.where.other_lane import meets_ego, next_lane
 from c2s_engine.interpret.where.own_edge import on_own_edge
@@ -44,6 +47,7 @@ def understand(text: str) -> Scene:
     quantities.sort(key=lambda s: s.start)
     taken = [(q.start, q.end) for q in quantities]
     names = [n for n in names if not any(s < n.end and n.start < e for s, e in taken)]
+    names += shares.shares(plain, [*names, *quantities])
     spans = sorted(names + quantities, key=lambda s: s.start)
     sentences = division.shorthand(plain, sentences, names)
     road = place.read(plain, sentences, quantities)
@@ -52,6 +56,7 @@ def understand(text: str) -> Scene:
     foretold(cast)
     clauses = Clauses(words, cast)
     unnamed_doers(cast, clauses)
+    herded(clauses)
     pushed(clauses)
     merged_into(clauses)
     came_out_into(clauses)
@@ -64,6 +69,8 @@ def understand(text: str) -> Scene:
     against_the_traffic(clauses)
     sides_by_compass(clauses)
     indicated(cast, clauses)
+    stays_put(cast, clauses)
+    doors_opened(cast, clauses)
     places = Places(cast, clauses)
     next_lane(plain, road, places.of)
     meets_ego(clauses, places.of)

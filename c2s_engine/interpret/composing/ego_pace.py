@@ -79,7 +79,7 @@ def _speed_among_others(scene: Scene, ids: dict[Entity, str], phases: list[Phase
     """Ego's speed as what happens with the others needs it, whose speeds are told: (m/s, why)."""
     factors = language.table("defaults")["factors"]
     targets = {p.target for p in phases if p.action in ("overtake", "collide")}
-    for entity in scene.actors:
+    for entity in sorted(scene.actors, key=lambda e: ids.get(e) not in targets):
         said, where = scene.speeds.get(entity), scene.where(entity)
         if (
             said is None

@@ -231,6 +231,8 @@ def _proxies(plain: str, span: Span, before: str) -> list[tuple[str, int, int, S
         return [(plain[start:cut], start, cut, span), (unit, cut, end, span)]
     if span.kind == "word":
         return [(span.data["proxy"], start, end, None)]
+    if span.kind == "share":
+        return [("men" if span.data["plural"] else "Mark", start, end, span)]
     named = plain[start:end].startswith("the ")
     after_determiner = (
         before in language.word_list("determiners")

@@ -29,7 +29,7 @@ def leave_group(one: Entity, cast: Cast, clauses: Clauses) -> None:
         return
     others = [e for e in cast.entities if e.group is group and e is not one]
     group.count -= 1
-    rest = others if len(others) >= group.count else [group]
+    rest = others if sum(e.count for e in others) >= group.count else [group]
     for event in clauses.events:
         if event.agent is not group:
             event.patient = rest[0] if event.patient is group else event.patient

@@ -146,6 +146,9 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
             many = 2 if told[:2] == [word.sentence, word.sentence] else 1
             for other in others[:many]:
                 scene.speeds.setdefault(other, value)
+    for part in (e for e in scene.actors if e.group in scene.speeds):
+        assert part.group is not None
+        scene.speeds.setdefault(part, scene.speeds[part.group])
     compared_speeds(scene, quantities)
     by_limit(scene, quantities)
     speeds_by_ratio(scene, quantities, taken)

@@ -139,6 +139,8 @@ class Meanings(Patients):
             return actor.person or actor.type == "bicycle" and rule["act"] in ("cross_road", "move_along")
         if who == "rider":
             return actor.type in ("bicycle", "motorcycle")
+        if who == "thing":
+            return not (actor.ego or actor.mover)
         if who == "vehicle":
             return not actor.person and (actor.mover or actor.ego)
         return True

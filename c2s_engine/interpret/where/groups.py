@@ -8,6 +8,7 @@ from copy import copy
 from c2s_engine.interpret import language
 from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import MOTOR, MOVERS, Cast, Entity
 
 BOTH = re.compile(
@@ -18,6 +19,10 @@ BOTH = re.compile(
 )
 
 
+ASIDE = frozenset(("lane_change", "cut_out", "leave_road", "swerve", "yield", "cut_in"))
+ASIDE_TO = re.compile(
+    r"\b(?:to|towards?|onto) (?:both|either|each|the two) sides?\b|\bto (?:the )?left and (?:to )?(?:the )?right\b"
+)
 FROM_BOTH = re.compile(r"\bfrom (?:both|either|each|opposite|the two) (?:sides?|directions?|arms?)\b")
 
 
@@ -26,7 +31,7 @@ def split_groups(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     for traffic in [e for e in cast.entities if e.noun == "traffic" and e.count == 1]:
         if FROM_BOTH.search(_said(traffic, cast, of)):
             traffic.count, traffic.noun = 2, "cars"
-    for group in [e for e in cast.entities if e.count > 1 and e.mover]:
+    for group in [e for e in cast.entities if e.count > 1 and e.mover and e.group is None]:
         members = sorted((e for e in cast.entities if e.group is group), key=lambda e: e.ordinal or 0)
         own = [m for m in members if _matters(m, clauses, of)]
         for member in members:
@@ -111,15 +116,27 @@ def _dissolve(member: Entity, group: Entity, cast: Cast, clauses: Clauses, of: d
     of.pop(member, None)
 
 
+def _numbers(member: Entity, whole: int) -> range:
+    """Which of a group a member is, or several are."""
+    first = member.ordinal if member.ordinal and member.ordinal > 0 else whole - member.count + 1
+    return range(first, first + member.count)
+
+
 def _leave(group: Entity, own: list[Entity], cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Members of their own start where the group starts, one behind the other in the group's order."""
     whole, where = group.count, of[group]
-    group.count -= len(own)
+    group.count -= sum(m.count for m in own)
     queue: list[Entity] = []
     for number in range(1, whole + 1):
-        member = next((m for m in own if m.ordinal == number or m.ordinal == -1 and number == whole), None)
+        member = next((m for m in own if number in _numbers(m, whole)), None)
         queue.append(member if member is not None else group)
+    queue = list(dict.fromkeys(queue)) if any(m.count > 1 for m in own) else queue
     queue = queue if all(m in queue for m in own) else [*([group] if group.count else []), *own]
+    idle = group.count > 0 and not any(group in (e.agent, e.patient) for e in clauses.events)
+    if idle and where.rel is None and where.lane is None and of[own[0]].lane is None and _counted(group, cast):
+        where.rel = "ahead"
+    if cast.in_a_row(group) and where.rel in (None, "ahead") and where.lane != "oncoming":
+        queue.reverse()  # ego is behind: the last one is the nearest
     for member in own:
         before = queue[queue.index(member) - 1] if queue.index(member) else None
         theirs = of[member]
@@ -183,6 +200,13 @@ def _both_sides(group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Wh
     cast.entities.insert(cast.entities.index(group) + 1, twin)
     other = copy(where)
     other.phrases = list(where.phrases)
+    moves = [e for e in clauses.events if e.agent is group and e.act in ASIDE and ASIDE_TO.search(e.text)]
+    for event in moves:
+        clauses.events.append(Event.echo(event, agent=twin, side="right", mode=event.mode))
+        event.side = "left"
+    if moves and where.rel == "ahead":
+        of[twin] = other
+        return
     for half, side in ((where, "left"), (other, "right")):
         half.side = side
         if from_both:

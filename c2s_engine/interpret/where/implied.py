@@ -33,6 +33,7 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             event.act = "travel"
         if event.done and event.act in ("approach", "travel"):
             _comes(event, clauses, of)
+            _rolls_up(event, of)
         if event.done and event.act in ("cross_road", "go_after") and event.agent in of:
             _same_side(event, clauses, of)
         if event.done and event.act in ("lane_change", "cut_in", "cut_out") and event.agent in of:
@@ -115,6 +116,15 @@ def _comes(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
                 where.lane = "oncoming"
     if over and event.agent in of and event.agent.mover and of[event.agent].open and COMES.match(event.text):
         of[event.agent].lane = "oncoming"
+
+
+def _rolls_up(event: Event, of: dict[Entity, Where]) -> None:
+    """A thing that rolls towards ego lies ahead of it: only road users come the other way."""
+    where = of.get(event.agent)
+    if where is None or event.agent.mover or where.lane != "oncoming" or not event.text.startswith(("roll", "come")):
+        return
+    if re.search(r"toward", event.text) and not re.search(r"lane|carriageway|direction", event.text):
+        where.lane, where.rel = None, where.rel or "ahead"
 
 
 def _meets(event: Event, of: dict[Entity, Where]) -> None:

@@ -8,12 +8,12 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.spans import names_one
-from c2s_engine.interpret.who.trailers import Trailers
+from c2s_engine.interpret.who.riders import Riders
 
 STANDS = language.words("stands")
 
 
-class Attached(Trailers):
+class Attached(Riders):
     """The part of Cast that reads what rides on a road user, or tells its state right behind it."""
 
     def _mount(self, word: Word) -> Entity | None:

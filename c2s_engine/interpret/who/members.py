@@ -7,7 +7,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import ORDINALS, VEHICLES, Entity, Mention
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.by_place import ByPlace
+from c2s_engine.interpret.who.portions import Portions
 
 COLOURS = language.words("colours")
 ENDS = {
@@ -15,10 +15,13 @@ ENDS = {
     "last": {"before": ("rear", "rearmost", "trailing", "back"), "after": r"behind\b|at the (?:back|rear|end)\b"},
 }
 """What tells the first and the last of a group, before and after "one"."""
+PICKED = {"latter": "last", "former": "first", "one": "first"}
+"""Words that pick one out of those who are named after "of"."""
+NUMBERS = frozenset(("two", "three", "four"))
 COUNTED = frozenset(("second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"))
 
 
-class Members(ByPlace):
+class Members(Portions):
     """The part of Cast that finds who is meant by a number or by "another"."""
 
     words: list[Word]
@@ -26,9 +29,6 @@ class Members(ByPlace):
     of: dict[int, Entity]
     both: dict[int, list[Entity]]
     subjects: list[tuple[int, Entity]]
-
-    def _new(self, entity: Entity) -> Entity:
-        raise NotImplementedError
 
     def _governor(self, word: Word) -> Word:
         raise NotImplementedError
@@ -39,7 +39,7 @@ class Members(ByPlace):
     def _member_of(self, word: Word) -> Entity | None:
         """ "The second", "the last one", "the first of them", after a group was spoken of: a member of it."""
         before = [w.norm for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
-        groups = [e for e in self.entities if e.count > 1 and e.mover and "group" not in e.roles]
+        groups = self._groups()
         told = word.norm if word.norm in ORDINALS else before[-1] if before and word.norm == "one" else ""
         if word.norm == "one" and groups and (end := self._end(word, before, groups[-1])):
             return self.member(groups[-1], end)
@@ -77,13 +77,18 @@ class Members(ByPlace):
         return next((e for e in reversed(self.entities) if e.names & colours), None) if colours else None
 
     def _members_to_come(self) -> None:
-        """ "The second of the three cars", where the group is named after its member."""
+        """ "The second of the three cars", "two of the vans", where the group is named after its member."""
+        counts = language.table("actors")["counts"]
         for word in self.words:
-            if word.norm not in ORDINALS or word.i in self.of:
+            told = PICKED.get(word.norm, word.norm)
+            number = int(counts.get(word.norm, 0)) if word.norm in NUMBERS else 0
+            if told not in ORDINALS and not number or word.i in self.of or word.dep in ("nummod", "amod", "det"):
                 continue
             for by in (self.words[c] for c in word.children if self.words[c].norm == "of"):
-                groups = [self.of[c] for c in by.children if c in self.of and self.of[c].count > 1]
-                found = self.member(groups[0], word.norm) if groups else None
+                groups = [self.of[c] for c in by.children if c in self.of and self.of[c].count > max(1, number)]
+                if not groups or not groups[0].mover:
+                    continue
+                found = self.portion(groups[0], "first", number) if number else self.member(groups[0], told)
                 if found is not None:
                     self.of[word.i] = found
                     found.mentions.append(Mention(word.i, word.start, word.end, kind="pronoun"))
@@ -120,24 +125,11 @@ class Members(ByPlace):
         if word.norm == "one" and bare and not (before and before[-1] in ORDINALS):
             return self.member(group, "first")
         known = [e for e in self.entities if e.group is group]
-        if word.norm in ("other", "others") and known:
+        if word.norm == "others" and known:
+            return self.rest(group)
+        if word.norm == "other" and known:
             return self.member(group, "first" if len(known) == 1 and known[0].ordinal == -1 else "last")
         return None
-
-    def member(self, group: Entity, told: str) -> Entity | None:
-        """The member of a group by its number; None where the group has fewer."""
-        number = ORDINALS[told] + 1 or -1
-        if number == 3 and group.count == 2:  # "several": more than two
-            group.count = 3
-        if number > group.count:
-            return None
-        number = -1 if number == group.count else number
-        known = next((e for e in self.entities if e.group is group and e.ordinal == number), None)
-        if known is not None:
-            return known
-        return self._new(
-            Entity("", group.type, noun=group.noun, typed=False, roles=set(group.roles), group=group, ordinal=number)
-        )
 
     def _elliptic(self, word: Word) -> Entity | None:
         """ "another", "the latter", "the other", "one", "the first", "a third", "both", "the two"."""
@@ -187,6 +179,8 @@ class Members(ByPlace):
             ]
             spoken = others if len(set(others)) > 1 else spoken
             pair = list(dict.fromkeys(reversed(spoken)))[:2]
+            if len(set(others)) == 1 and others[0].count == 2:  # "two cyclists ...; the former turns left"
+                return self.member(others[0], "first" if norm == "former" else "last")
             return pair[0 if norm == "latter" or len(pair) == 1 else 1] if pair else None
         counted = norm == "one" and word.i > 1 and self.words[word.i - 1].norm in COUNTED
         if (

@@ -69,6 +69,7 @@ class Cast(Labels):
         self._subjects_to_come()
         self._both_to_come()
         self._other_to_come()
+        self._settle_riders()
 
     def _strong(self, word: Word) -> bool:
         """Whether a word is a name of ego: "I" is none where the first person does not drive."""
@@ -95,6 +96,8 @@ class Cast(Labels):
                 if word.i + 1 < len(self.words) and self.words[word.i + 1].span is span and word.norm == "the":
                     continue
                 entity = self._named(word)
+            elif span and span.kind == "share":
+                entity = self._share(word)
             else:
                 entity = self._pronoun(word)
             if entity is not None:
@@ -103,7 +106,11 @@ class Cast(Labels):
                     entity = self.ego
                 self.of[word.i] = entity
                 self._man(word, entity)
-                entity.mentions.append(Mention(word.i, word.start, word.end, kind=span.kind if span else "pronoun"))
+                entity.mentions.append(
+                    Mention(
+                        word.i, word.start, word.end, kind=span.kind if span and span.kind != "share" else "pronoun"
+                    )
+                )
                 if word.dep in ("nsubj", "nsubjpass") or any(
                     told(word) for told in (self._fronted, self._owns_subject, self._is_there)
                 ):

@@ -16,6 +16,7 @@ LETS_OFF = frozenset(("drop", "pick", "collect", "discharge"))
 BEARS = frozenset(("carry", "transport", "ferry"))
 LOST, SAYS = language.words("lost"), language.words("says")
 SEES = language.words("notices") | {"watch", "hear", "look", "help"}
+ON_FOOT = language.words("on_foot") | {"cross"}
 WALKS_WITH = language.words("walks_with")
 PUSHED = frozenset(("bicycle", "motorcycle", "box", "debris", "trash", "container", "obstacle"))
 FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
@@ -64,6 +65,8 @@ class NotThere:
             return True
         if word.dep == "dobj" and by.lemma in WALKS_WITH and self._done_on_foot(by):
             return word.span is not None and word.span.data["type"] in PUSHED
+        if self._taken_along(word, by, verb):
+            return True
         if word.norm in GROWS and by.norm in ("from", "of", "between", "among", "through"):
             return True  # "a deer bounds out of the trees"
         noun = word.span.data.get("noun") if word.span is not None else ""
@@ -82,6 +85,12 @@ class NotThere:
         return lost and (
             verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))
         )
+
+    def _taken_along(self, word: Word, by: Word, verb: Word) -> bool:
+        """Whether somebody on foot has it beside himself: "a man crosses the road with his bike"."""
+        own = {self.words[c].norm for c in word.children} & {"his", "her", "their"}
+        pushed = word.span is not None and word.span.data["type"] in PUSHED and verb.lemma in ON_FOOT
+        return bool(own) and pushed and word.dep == "pobj" and by.norm == "with" and self._done_on_foot(verb)
 
     def _goods(self, word: Word) -> bool:
         """Whether it is what a vehicle has on it: "a truck loaded with logs", "piled high with boxes"."""

@@ -61,6 +61,8 @@ class Nouns(Introduced, NotThere, Counted):
             return aboard
         if noun in language.table("actors")["riders"] and (mount := self._mount(word)) is not None:
             return mount
+        if self._rider_of(word) and not self._on_foot(word):
+            return None
         if (puller := self._pulled(word, noun)) is not None:
             return puller
         before = self._modifiers(word)
@@ -83,13 +85,13 @@ class Nouns(Introduced, NotThere, Counted):
             at_wheel = (
                 self._driver_of(word) or self._at_wheel(word, self._owner_told(word, noun)) or self._aboard_before(word)
             )
-            driver = at_wheel or self._steering(word) or self._keeper(word)
+            driver = at_wheel or self._steering(word) or self._keeper(word) or self._rides_along(word)
             if driver is not None:
                 driver.names.add(noun.split(" ")[-1])
                 return driver
         if kind == self.me.type == "pedestrian" and not data.get("plural") and self._heading(word.sentence):
             return self.me  # "School patrol, 8.25. I walked out ..."
-        drives = data.get("person") and (kind in MOTOR or noun.endswith("courier"))
+        drives = data.get("person") and (kind in MOTOR or kind == "rider" or noun.endswith("courier"))
         if drives and not data.get("plural") and self._on_foot(word):
             return self._new(Entity("", "pedestrian", noun=noun, typed=True))  # "the van driver gets out"
         if word.i in self.wheels:
@@ -172,7 +174,7 @@ class Nouns(Introduced, NotThere, Counted):
         ):
             return self._retyped(host, kind, roles, noun)
         host = self._driven_by(word)
-        if host is not None and kind in ("motorcycle", "bicycle") and host.type in ("motorcycle", "bicycle"):
+        if host is not None and kind in ("motorcycle", "bicycle") and host.type in ("motorcycle", "bicycle", "rider"):
             host.type = kind
             return host
         if host is not None and kind in VEHICLES:
@@ -234,7 +236,9 @@ class Nouns(Introduced, NotThere, Counted):
                 return found
         if other and count == 1 and not roles and (pair := self._ego_and_another(word, kind)) is not None:
             pair.roles.add("group")
-        found = Entity("", kind, noun=noun, count=count, roles=roles, typed=kind != "vehicle", ordinal=ordinal)
+        found = Entity(
+            "", kind, noun=noun, count=count, roles=roles, typed=kind not in ("vehicle", "rider"), ordinal=ordinal
+        )
         if count == 1:
             found.names |= (COLOURS | BOUND) & set(before)
             found.names |= set(self._near(word)) & language.makes()
@@ -312,7 +316,7 @@ class Nouns(Introduced, NotThere, Counted):
         if host.ego:
             if kind in MOTOR and kind != "vehicle":
                 host.type, host.typed = kind, True
-        elif (host.type == "vehicle" or not host.typed) and kind != "vehicle":
+        elif (host.type == "vehicle" or not host.typed) and kind not in ("vehicle", "rider"):
             host.type, host.typed = kind, True
         host.roles |= roles
         if noun and not host.noun:

@@ -66,7 +66,7 @@ class Reference(Owned):
             if made and definite and not any(e.noun == noun for e in candidates):
                 return made[-1]  # "a Ford F-150 ... the Ford": a pickup
             candidates = [e for e in candidates if e.noun not in brands or {noun, same} & {e.noun, *e.names}]
-        groups = [e for e in candidates if e.count > 1 and "group" not in e.roles]
+        groups = [e for e in candidates if e.count > 1 and e.group is None and "group" not in e.roles]
         if (
             roles
             and definite
@@ -85,6 +85,8 @@ class Reference(Owned):
             told = next((name for name, at in ORDINALS.items() if at == ordinal), "")
             if groups and (member := self.member(groups[-1], told)) is not None:
                 return member
+        if count > 1 and definite and (some := self._some_of(word, before, groups, count)) is not None:
+            return some
         plural = count > 1 or word.span is not None and bool(word.span.data.get("plural"))
         if roles:
             same = [e for e in candidates if e.roles & roles and (definite or (e.count > 1) == (count > 1))]

@@ -19,6 +19,10 @@ AT_SPEED = re.compile(
 """What a driver does without leaving the vehicle: "the driver ran off the road"."""
 
 
+LOOSENS = frozenset(
+    ("come", "fly", "break", "tear", "shear", "work", "fall", "drop", "detach", "slip", "slide", "blow")
+)
+ROLLS = frozenset(("bounce", "tumble"))
 OCCUPANTS = language.words("occupants")
 
 
@@ -37,7 +41,8 @@ class Strangers:
         if word.tag not in ("NN", "NNP") or len(word.norm) < 3 or word.span is not None:
             return None
         data = language.table("actors")
-        if word.lemma in data["never"] or word.norm in data["parts"]:
+        loose = word.norm in data["parts"] and self._off(word)
+        if word.lemma in data["never"] or word.norm in data["parts"] and not loose:
             return None
         known = next((e for e in self.entities if "guessed" in e.roles and e.noun == word.norm), None)
         if known is not None:
@@ -47,7 +52,7 @@ class Strangers:
         told_by = {self.words[c].norm for c in word.children}
         if self._make_unknown(word, told_by):
             return self._new(Entity("", "vehicle", noun=word.norm, roles={"guessed"}))
-        if not {"a", "an", "one", "another"} & told_by:
+        if not {"a", "an", "one", "another"} & told_by and not loose:
             return None
         told = next((w for w in self._children(word) if w.dep in ("acl", "relcl")), None)
         if told is not None and any(w.dep.startswith("nsubj") and w.noun for w in self._children(told)):
@@ -66,6 +71,13 @@ class Strangers:
                     Entity("", guess["type"], noun=word.norm, roles={"guessed"}, typed=guess["type"] != "vehicle")
                 )
         return None
+
+    def _off(self, word: Word) -> bool:
+        """Whether a part comes off the vehicle: "a wheel comes off a trailer"."""
+        verb = self.words[word.head]
+        after = self.words[verb.i + 1].norm if verb.i + 1 < len(self.words) else ""
+        comes = verb.lemma in LOOSENS and after in ("off", "loose", "away", "from") or verb.lemma in ROLLS
+        return word.dep == "nsubj" and comes
 
     def _children(self, word: Word) -> list[Word]:
         return [self.words[c] for c in word.children]

@@ -1,0 +1,87 @@
+"""Wheels and loads that come off, doors that open, who does not come onto the road, and who makes way."""
+
+import pytest
+
+
+def _objects(structure) -> dict:
+    return {o.spec.type: o.spec for o in structure.objects}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A wheel comes off a truck ahead of ego and bounces towards it.",
+        "A wheel came off the lorry in front of me and rolled across the carriageway.",
+        "A bumper falls off a lorry ahead of ego.",
+        "The mudguard of a lorry ahead of ego flies off.",
+    ],
+)
+def test_a_part_that_comes_off_is_debris(read, text: str) -> None:
+    objects = _objects(read(text))
+    assert set(objects) == {"debris", "truck"}
+    assert objects["debris"].placement.position == "ahead"
+
+
+@pytest.mark.parametrize(
+    "text", ["The right wheel of the van ahead hits the kerb.", "The rear door of the van is green."]
+)
+def test_a_part_that_stays_is_none(read, text: str) -> None:
+    assert "debris" not in _objects(read(text))
+
+
+def test_where_a_thing_falls(read) -> None:
+    assert read("A tree falls onto the road 50 m ahead of ego.")["O1"].spec.placement.gap == 50
+    objects = _objects(read("Boxes fall off a truck into the right lane. Ego is in the left lane."))
+    assert objects["box"].placement.position == "right_lane"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The driver of the van opens the door into the path of the cyclist ego follows.",
+        "The van's door flies open in front of a cyclist whom ego follows.",
+        "A van's driver flings his door open and the cyclist ahead of ego swerves.",
+    ],
+)
+def test_a_vehicle_whose_door_opens_is_parked(read, text: str) -> None:
+    assert _objects(read(text))["van"].placement.position == "parked"
+
+
+def test_a_vehicle_in_a_queue_is_not_parked_by_its_door(read) -> None:
+    text = "A van stops at the red light ahead of ego and its passenger opens the door."
+    assert _objects(read(text))["van"].placement.position == "ahead"
+
+
+def test_a_relative_clause_without_its_pronoun(read) -> None:
+    s = read("The driver of the van opens the door into the path of the cyclist ego follows.")
+    cyclist = next(o for o in s.objects if o.spec.type == "bicycle")
+    assert [(p.action, p.target) for p in s["E"].spec.phases] == [("follow", cyclist.id)]
+
+
+@pytest.mark.parametrize(
+    ("text", "who"),
+    [
+        ("Neither the cyclist nor the pedestrian enters the roadway as ego drives by.", ["bicycle", "pedestrian"]),
+        ("The child on the right does not step onto the road.", ["child"]),
+        ("The pedestrian does not cross and ego drives on.", ["pedestrian"]),
+    ],
+)
+def test_who_does_not_come_onto_the_road_stands(read, text: str, who: list[str]) -> None:
+    objects = _objects(read(text))
+    assert sorted(objects) == who
+    assert all([p.action for p in o.phases] == ["stationary"] for o in objects.values())
+
+
+@pytest.mark.parametrize("text", ["No pedestrian crosses the road.", "Pedestrians do not cross the motorway."])
+def test_nobody_stands_where_nobody_is_meant(read, text: str) -> None:
+    assert not read(f"Ego follows a van at 50 km/h. {text}").objects[1:]
+
+
+def test_traffic_makes_way(read) -> None:
+    s = read("Traffic ahead of ego moves aside for an ambulance that comes up from behind.")
+    assert [o.spec.type for o in s.objects] == ["car", "ambulance"]
+    halves = read("The cars ahead of ego pull over to both sides for an ambulance from behind.").objects[:2]
+    assert {(o.spec.phases[0].action, o.spec.phases[0].side) for o in halves} == {
+        ("cut_out", "left"),
+        ("cut_out", "right"),
+    }

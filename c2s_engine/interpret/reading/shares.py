@@ -56,7 +56,7 @@ def _number(word: str | None) -> int:
 
 
 def _acts(text: str, end: int, of: bool, *, plural: bool) -> bool:
-    """Whether a verb follows, so that no noun is left out of sight ("the first two lanes"); "of them" ends the phrase."""
+    """Whether a verb follows, so that no noun is left out ("the first two lanes"); "of them" ends the phrase."""
     after = re.match(r"(?: (?:then|suddenly|just|simply|also|both|\w+ly))* ([a-z']+)", text[end:])
     if after is None:
         return of and re.match(r"\s*(?:[.,;:)]|$)", text[end:]) is not None

@@ -31,8 +31,8 @@ class Riders(Trailers):
         return any(s is not None and (s.kind != "actor" or s.data["type"] in VEHICLES | {"animal"}) for s in spans)
 
     def _rides_along(self, word: Word) -> Entity | None:
-        """A person of whom it is told only behind the verb what is ridden: "a girl crosses on her bike", "a lad pops out
-        between two cars on a BMX"."""
+        """A person of whom it is told only behind the verb what is ridden: "a girl crosses on her bike", "a lad pops
+        out between two cars on a BMX"."""
         for other in self.words[word.i + 1 : word.i + 16]:
             if other.sentence != word.sentence or other.norm in (";", ":", ",", "and", "but", "while", "when"):
                 return None

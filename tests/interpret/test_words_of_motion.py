@@ -29,7 +29,7 @@ def acts(s: Structure, who: str) -> list[str]:
         ("Ego follows a truck. It reacts to the deceleration by braking.", "ahead", ["brake"]),
         # verbs
         ("A cyclist is about to be passed by ego when it swerves around a pothole.", "ahead", ["swerve"]),
-        ("The driver of the van opened the door into the path of the bicyclist.", "ahead", ["stationary"]),
+        ("The driver of the van opened the door into the path of the bicyclist.", "parked", ["stationary"]),
         ("A woman runs across the road to catch a bus while ego comes.", "roadside", ["cross_road"]),
         ("A car edges out of a side road on the left until its bonnet is in ego's lane.", None, ["go_straight"]),
         ("A cyclist weaves between the lanes ahead of ego.", "ahead", ["swerve"]),

@@ -29,6 +29,8 @@ def acting(clause: str, structure: Structure) -> Found | None:
     """ "Let the car brake when the pedestrian is 10 m away", "add a parked van that hides the child": who does what."""
     if re.search(r"\d ?(?:m|metres|meters) apart\b", clause) and not re.match(table()["adds"], clause):
         return None
+    if re.match(table()["sets_speed"], clause):
+        return None
     return _told(clause, structure, lambda path: path.split(".")[0] in ("phases", "reaction", "manoeuvre", "+"))
 
 

@@ -156,7 +156,8 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
 
 def _had_by_then(scene: Scene, event: Event) -> bool:
     """Whether a change of speed was over when the scene begins: "had slowed to 40 km/h when a dog ran out"."""
-    perfect = {"had", "has", "have"} & {scene.words[c].norm for c in scene.words[event.word].children}
+    word = scene.words[event.word]
+    perfect = word.tag in ("VBN", "VBD") and {"had", "has", "have"} & {scene.words[c].norm for c in word.children}
     earlier = (e for e in scene.events(event.agent) if e.word < event.word)
     return bool(perfect) and not any(e.act in ("brake", "brake_stop", "accelerate") for e in earlier)
 

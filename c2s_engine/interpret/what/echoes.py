@@ -93,7 +93,8 @@ def _likewise(i: int, said: str, cast: Cast, clauses: Clauses) -> None:
         clauses.events.remove(own)
     patient = last.patient if last.patient is not who else None
     told = [q for q in last.quantities if q["dimension"] in ("acceleration", "change") or q.get("role") == "target"]
-    same = {"patient": patient, "hard": last.hard, "side": last.side, "quantities": told}
+    both = SIDES.search(last.text) is not None  # ego makes way to its own edge
+    same = {"patient": patient, "hard": last.hard, "side": "right" if both else last.side, "quantities": told}
     clauses.events.append(Event.echo(last, agent=who, **same, **_at(i, cast)))
 
 

@@ -1,12 +1,13 @@
 """The embedded interpreter: text to S by rules over a parsed text, without a language model."""
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from c2s_engine.interpret import typologies
 from c2s_engine.interpret.composing import compose, unmet
 from c2s_engine.interpret.entities import VEHICLES
+from c2s_engine.interpret.reading.division import sentences
 from c2s_engine.interpret.reading.spelling import Mended
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.structure.components import Structure, Unmet
@@ -50,10 +51,28 @@ class EmbeddedInterpreter:
         except InterpretError:
             raise
         except Exception as error:  # any text gives S or a sentence, never a traceback
+            without = self._without_one(text)
+            if without is not None:
+                return without
             raise InterpretError(
                 f"This text defeats the embedded interpreter ({type(error).__name__}): say it in shorter, "
                 f"plainer sentences."
             ) from error
+
+    def _without_one(self, text: str) -> Interpretation | None:
+        """What a text says without the last of its sentences that the reader fails at; None if it fails without any."""
+        for start, end in reversed(sentences(text)):
+            try:
+                rest = self._read(text[:start] + " " * (end - start) + text[end:])
+            except Exception:  # then it is another sentence
+                continue
+            left_out = Unmet(
+                text=text[start:end], reason="this sentence could not be read beside the others", span=(start, end)
+            )
+            missed = (*rest.not_understood, left_out)
+            structure = rest.structure.model_copy(update={"text": text, "not_understood": missed})
+            return replace(rest, structure=structure, not_understood=missed)
+        return None
 
     def _read(self, text: str) -> Interpretation:
         mended = Mended(text[:READ_AT_MOST])

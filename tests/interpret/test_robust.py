@@ -4,7 +4,7 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
-from c2s_engine.interpret import EmbeddedInterpreter, InterpretError
+from c2s_engine.interpret import EmbeddedInterpreter, InterpretError, typologies
 from c2s_engine.interpret.reading.spelling import Mended
 from c2s_engine.structure.components import Structure
 
@@ -53,6 +53,7 @@ def check(text: str) -> None:
         assert str(refused).endswith((".", "”."))
         return
     Structure.model_validate(structure.model_dump())
+    assert not any("could not be read beside" in u.reason for u in structure.not_understood), "a stage failed"
     for component in structure.components:
         spans = [link.span for link in component.links] + [note.span for note in component.unmet]
         for span in spans:
@@ -80,3 +81,22 @@ def test_places_in_the_mended_text_lead_back_in_order(text: str) -> None:
     back = [mended.back(i) for i in range(len(mended.text) + 1)]
     assert all(0 <= i <= len(text) for i in back)
     assert mended.text != text or back == list(range(len(text) + 1))
+
+
+def test_a_sentence_that_defeats_the_reader_is_left_out_and_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = typologies.understand
+
+    def fails(text: str):
+        if "zeppelin" in text:
+            raise KeyError("zeppelin")
+        return whole(text)
+
+    monkeypatch.setattr(typologies, "understand", fails)
+    text = "Ego follows a truck. A zeppelin overtakes the moon. The truck brakes hard."
+    got = EmbeddedInterpreter().interpret(text)
+    assert [p.action for p in got.structure.objects[0].spec.phases] == ["brake"]
+    assert [u.text for u in got.structure.not_understood] == ["A zeppelin overtakes the moon."]
+    assert text[slice(*got.not_understood[-1].span)] == "A zeppelin overtakes the moon."
+    assert got.structure.text == text
+    with pytest.raises(InterpretError, match="plainer"):
+        EmbeddedInterpreter().interpret("A zeppelin brakes.")

@@ -32,23 +32,25 @@ LANES = {"left": "leftmost", "right": "rightmost"}
 
 def ego_in_line(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str | None:
     """Put the others of such a line ahead of ego and behind it; ego's lane ("": not told), None where there is none."""
-    lane = None
     for group in [e for e in cast.entities if e.count > 1 and e in of]:
         told = _number(group, cast) if of[group].lane in (None, "same", *LANES) else None
         if told is not None:
             lane = LANES.get(of[group].lane or "", "")
             _same(group, told[0], told[1], cast, clauses, of)
             _take_apart(group, told[1], cast, clauses, of)
-    return lane
+            return lane
+    return None
 
 
 def _same(group: Entity, number: int, at: int, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Who is told by that number is ego; to be "third in line" is no standing."""
     if not cast.ego.typed and group.type != "vehicle":
         cast.ego.type, cast.ego.typed = group.type, True
+    for one in [e for e in cast.entities if e.group is group and e.count > 1]:
+        _ego_among(one, at, cast, clauses)
     for one in list(cast.entities):
-        member = one.group is group and (one.ordinal if one.ordinal != -1 else group.count) == at
-        counted = one.group is None and one.ordinal == at - 1 and one is not group
+        member = one.count == 1 and one.group is group and (one.ordinal if one.ordinal != -1 else group.count) == at
+        counted = one.group is None and one.count == 1 and one.ordinal == at - 1 and one is not group
         if member or counted and any(cast.words[m.word].sentence == number for m in one.mentions):
             _is_ego(one, cast, clauses, of)
     for event in clauses.events:
@@ -57,9 +59,24 @@ def _same(group: Entity, number: int, at: int, cast: Cast, clauses: Clauses, of:
             event.act, event.patient = "travel", None
 
 
+def _ego_among(several: Entity, at: int, cast: Cast, clauses: Clauses) -> None:
+    """Of several told by one number ("the first two"), the one in ego's place is ego: the others remain."""
+    first = several.ordinal or 0
+    if not first <= at < first + several.count:
+        return
+    several.count -= 1
+    several.ordinal = first + 1 if at == first else first
+    for event in clauses.events:
+        if event.agent is several and cast.ego not in event.also:
+            event.also = [*event.also, cast.ego]
+
+
 def _take_apart(group: Entity, at: int, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Place the members of a group of which ego is one by their numbers."""
-    members = {e.ordinal if e.ordinal != -1 else group.count: e for e in cast.entities if e.group is group}
+    members = {}
+    for one in [e for e in cast.entities if e.group is group]:
+        first = group.count if one.ordinal == -1 else one.ordinal or 0
+        members |= dict.fromkeys(range(first, first + one.count), one)
     _pointed_at(group, at, members, cast, of)
     ahead = [members.get(k, group) for k in range(at - 1, 0, -1)]
     behind = [members.get(k, group) for k in range(at + 1, group.count + 1)]
@@ -68,7 +85,7 @@ def _take_apart(group: Entity, at: int, cast: Cast, clauses: Clauses, of: dict[E
     group.count = (ahead + behind).count(group)
     for row, rel in ((ahead, "ahead"), (behind, "behind")):
         _line_up(list(dict.fromkeys(row)), rel, of)
-    for member in members.values():
+    for member in dict.fromkeys(members.values()):
         member.group, member.roles = None, member.roles | group.roles
     _share(group, [e for e in dict.fromkeys(ahead + behind) if e is not group], cast, clauses)
     if not group.count:

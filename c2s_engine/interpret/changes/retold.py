@@ -104,13 +104,16 @@ def scene(structure: Structure, told: str) -> str:
     own = {"speed": None} if mover is not None and mover.id == "E" else {}
     still = ego.model_copy(update={"phases": (), "reaction": "none", **own})
     sentences = [describe.place(place), describe.ego(still, place, names)]
+    told_of: set[str] = set()
     for component in structure.objects:
         if located is not None and component.id == located.id:
-            sentences.append(f"There is a {_noun(component)}.")
-            continue
-        untold = component is mover or any(a.field == "speed" for a in component.assumed)
-        assumed = {"speed": None} if untold else {}
-        sentences.append(describe.obj(spec_of(component).model_copy(update={"phases": (), **assumed}), names))
+            sentence = f"There is a {_noun(component)}."
+        else:
+            untold = component is mover or any(a.field == "speed" for a in component.assumed)
+            assumed = {"speed": None} if untold else {}
+            sentence = describe.obj(spec_of(component).model_copy(update={"phases": (), **assumed}), names)
+        sentences.append(re.sub(r"^An? ", "Another ", sentence) if _noun(component) in told_of else sentence)
+        told_of.add(_noun(component))
     return " ".join(sentences)
 
 

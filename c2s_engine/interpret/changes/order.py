@@ -4,6 +4,7 @@ from c2s_engine.interpret.changes.approach import start_distance
 from c2s_engine.interpret.changes.beside import abreast, each_lane
 from c2s_engine.interpret.changes.forms import Form
 from c2s_engine.interpret.changes.looks import blueprint, uncovered
+from c2s_engine.interpret.changes.members import member
 from c2s_engine.interpret.changes.motion import distance, rate, reaction, sides
 from c2s_engine.interpret.changes.objects import count, remove, retype
 from c2s_engine.interpret.changes.roadsides import roadside
@@ -25,6 +26,7 @@ FORMS: tuple[Form, ...] = (
     abreast,
     sign,
     roadside,
+    member,
     count,
     swapped,
     retype,

@@ -13,6 +13,7 @@ from c2s_engine.interpret.changes import notes, paced
 from c2s_engine.interpret.changes.chosen import in_role
 from c2s_engine.interpret.changes.counted import numbered
 from c2s_engine.interpret.changes.meant import called_by, described
+from c2s_engine.interpret.changes.members import others
 from c2s_engine.interpret.changes.old_values import in_place_of_old
 from c2s_engine.interpret.changes.refer import actions_of, objects_of, refer, spec_of
 from c2s_engine.interpret.changes.resumed import resumed
@@ -38,6 +39,7 @@ def plainly(plain: str, structure: Structure) -> str:
         plain = re.sub(find, new, plain)
     plain = re.sub(_table()["pair"], lambda m: _pair(structure) or m[0], plain)
     plain = re.sub(_table()["member"], lambda m: _member(m, structure), plain)
+    plain = others(plain, structure)
     plain = re.sub(_table()["two"], lambda m: _two(m, structure), plain)
     plain = _named(re.sub(_table()["row"], _row(structure) or r"\g<0>", plain), structure)
     plain = sided(plain, structure)
@@ -89,12 +91,16 @@ def _pair(structure: Structure) -> str | None:
 
 def _member(match: re.Match[str], structure: Structure) -> str:
     """One of those who are told of together: "the last parked car" of three that are one row."""
-    noun = match["noun"]
+    noun = match["noun"] or match["its"]
     found = [c for c in structure.objects if spec_of(c).count > 1] if noun == "one" else objects_of(structure, noun)
+    if match["parked"] or match["parked_too"]:
+        found = [c for c in found if spec_of(c).placement.position == "parked"]
     groups = [spec_of(c) for c in found]
     if len(groups) != 1 or groups[0].count < 2:
         return match[0]
-    return f"the {match['which']} of the {language.plurals(groups[0].type.replace('_', ' '))[0]}"
+    which = match["which"] or match["single"]
+    parked = "parked " if groups[0].placement.position == "parked" else ""
+    return f"the {which} of the {parked}{language.plurals(groups[0].type.replace('_', ' '))[0]}"
 
 
 def _two(match: re.Match[str], structure: Structure) -> str:

@@ -33,6 +33,8 @@ def member(clause: str, structure: Structure) -> Found | None:
     after = apart
     for edit in wanted:
         after = apply(after, edit)
+    if after == apart and said.start() > 0:
+        return None  # he is only named
     if cid not in after:
         return [left], f"{name_of(group)}: {left.value}"
     edits: list[Edit] = [left, AddObject(spec=_named(after[cid], structure), component=cid)]

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from typing import Any
 
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import table
@@ -98,6 +99,39 @@ def given_up(clause: str, structure: Structure) -> list[Edit]:
     return [SetField(component="E", path="phases", value=kept)] if kept != phases else []
 
 
+def _as_before(phase: Phase, old: tuple[Phase, ...]) -> Phase:
+    """A phase told among others, with the moment and side of the same act in what was done before."""
+    same = next((p for p in old if p.action == phase.action), None)
+    if same is None or phase.trigger is not None:
+        return phase
+    return phase.model_copy(update={"trigger": same.trigger, "side": phase.side or same.side})
+
+
+def paused(phases: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
+    """The phases with how long one stands who stops: "stops for 2 s"."""
+    said = re.search(table()["paused"], clause)
+    stops = [i for i, p in enumerate(phases) if p.action == "stop"]
+    if said is None or not stops or any(p.action == "wait" for p in phases):
+        return phases
+    wait = Phase(action="wait", duration=float(said["seconds"]))
+    return (*phases[: stops[0] + 1], wait, *phases[stops[0] + 1 :])
+
+
+def reacts_as_before(value: str, phases: Sequence[Phase], clause: str) -> bool:
+    """Whether how ego reacts goes on: that it does not is read of a clause that does not deny it, of one that goes on
+    against its light or sign, or of a stop of its own."""
+    if value != "none":
+        return value == "brake" and bool(re.search(table()["paused"], clause))
+    passes = any(p.action in PASSING for p in phases)
+    return passes or not re.search(table()["denies"], clause)
+
+
+def without_awaited(changed: list[tuple[str, Any]]) -> list[tuple[str, Any]]:
+    """The changes without a gap that is only the one for which somebody waits."""
+    awaited_at = {p.trigger.value for path, value in changed if path == "phases" for p in value if p.trigger}
+    return [(path, value) for path, value in changed if path != "placement.gap" or value not in awaited_at]
+
+
 def mapped(phase: Phase, ids: dict[str, str]) -> Phase:
     trigger = phase.trigger
     if trigger is not None and trigger.of:
@@ -137,7 +171,7 @@ def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple
         new = (*passed, *new)
     same = [i for i, p in enumerate(old) if len(new) == 1 and p.action == new[0].action]
     if not same:
-        return new
+        return tuple(_as_before(p, old) for p in new) if len(new) > 1 else new
     said = {k: v for k, v in new[0].model_dump().items() if v is not None}
     said |= {} if len(said) > 1 or not re.search(table()["plainly"], clause) else {"rate": None}
     merged = Phase.model_validate(old[same[0]].model_dump() | said)

@@ -9,6 +9,8 @@ from c2s_engine.structure.components import Component
 
 SIDED = frozenset(("parked", "roadside", "sidewalk", "partly_in_lane"))
 """Places at a side of the road or lane."""
+BEHIND_THE_TURN = frozenset(("ahead", "partly_in_lane", "intersection_exit"))
+"""Places as which one behind the intersection is read who is told of again."""
 
 
 def placed_before(was: Component, now: Component, there: Component, clause: str) -> dict[str, Any]:
@@ -41,3 +43,11 @@ def keeps_level(now: Component, there: Component, clause: str) -> bool:
     lanes = ("left_lane", "right_lane")
     moved = {spec_of(now).placement.position, spec_of(there).placement.position} == set(lanes)
     return moved and not re.search(table()["lengthwise"], clause)
+
+
+def beyond(there: Component, value: dict[str, Any]) -> dict[str, Any]:
+    """What of a place stays of one who is behind the intersection and is not told to be elsewhere."""
+    place = spec_of(there).placement
+    if place.position != "intersection_exit" or value["position"] not in BEHIND_THE_TURN:
+        return {}
+    return {"position": place.position, "side": place.side}

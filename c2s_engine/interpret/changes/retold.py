@@ -8,6 +8,7 @@ from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
 from c2s_engine.interpret.composing import describe
 from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.interpret.reading import amounts, scan
+from c2s_engine.interpret.spans import Span
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.specs import EgoSpec, PlaceSpec, SettingsSpec
 
@@ -45,15 +46,24 @@ def indicative(clause: str, structure: Structure) -> str | None:
         return None
     first = named[0]
     bare = first.kind == "actor" and first.start == 0 and not first.data.get("plural") and " " in said[first.end - 1 :]
-    if bare and refer(said[: first.end], structure, alone=False) is not None:
+    meant = refer(said[: first.end], structure, alone=False) if bare or _all_act(first, said) else None
+    if meant is not None and (bare or meant.id != "E" and spec_of(meant).count > 1):
         said = f"the {said}"
     if match := re.match(forms["causes"], said):
         subject = next((s for s in named if s.start >= match.end()), None)
         if subject is None:
             return None
         return f"{said[match.end() : subject.end]} will{said[subject.end :]}"
+    if first.kind == "ego":
+        said = re.sub(forms["pauses"], r"\g<before>stop for \g<time>", said)
     said = re.sub(forms["demands"], "will", said)
     return re.sub(forms["beside_on"], r"the \g<who>\g<where> on the \g<side>", said)
+
+
+def _all_act(first: Span, said: str) -> bool:
+    """Whether a text begins with several who are told to do something: "pedestrians should stand at the kerb"."""
+    several = first.kind == "actor" and first.start == 0 and bool(first.data.get("plural"))
+    return several and bool(re.match(table()["all_act"], said[first.end :]))
 
 
 def _settled(said: str, structure: Structure) -> str:
@@ -93,7 +103,8 @@ def scene(structure: Structure, told: str) -> str:
     place = structure.place.spec
     assert isinstance(place, PlaceSpec)
     if re.match(r"(?:the )?ego\b", told):
-        place = place.model_copy(update={"manoeuvre": None, "ego_lane": None})
+        way = re.search(table()["ways"], told)
+        place = place.model_copy(update={"ego_lane": None, **({"manoeuvre": None} if way else {})})
     told_speed = any(q.data["dimension"] == "speed" for q in amounts.quantities(told))
     mover = refer(told, structure, alone=False) if told_speed else None
     placed = located_in(told) and not re.match(table()["adds"], told)
@@ -107,7 +118,9 @@ def scene(structure: Structure, told: str) -> str:
     told_of: set[str] = set()
     for component in structure.objects:
         if located is not None and component.id == located.id:
-            sentence = f"There is a {_noun(component)}."
+            count = spec_of(component).count
+            many = f"There are {count} {language.plurals(_noun(component))[0]}."
+            sentence = many if count > 1 else f"There is a {_noun(component)}."
         else:
             untold = component is mover or any(a.field == "speed" for a in component.assumed)
             assumed = {"speed": None} if untold else {}

@@ -174,18 +174,44 @@ def ending(clause: str, structure: Structure) -> Found | None:
     match = re.match(table["said"], clause)
     if match is None:
         return None
-    said = re.match(table["stopped"], match["when"])
-    who = refer(said["who"], structure, alone=False) if said else None
-    subject = "ego" if who is None or who.id == "E" else who.id
-    if said is None and not re.search(table["collision"], match["when"]):
-        return None
-    kind = "stopped" if said else "collision"
+    found = _ended(match["when"], structure)
+    if found is None:
+        return [], "say that the run ends after some seconds, when somebody stands, acts or is so near, or with a collision"
+    condition, words = found
     old = structure.restrictions.spec
     assert isinstance(old, RestrictionsSpec)
-    kept = tuple(c for c in old.terminate_when if c.kind != kind)
-    value = (*kept, Condition(kind=kind, subject=subject))  # type: ignore[arg-type]
-    words = f"the run ends when {subject} stands" if said else "the run ends with a collision"
-    return [SetField(component="T", path="terminate_when", value=value)], words
+    kept = tuple(c for c in old.terminate_when if c.kind != condition.kind)
+    return [SetField(component="T", path="terminate_when", value=(*kept, condition))], f"the run ends {words}"
+
+
+def _ended(when: str, structure: Structure) -> tuple[Condition, str] | None:
+    """The condition that ends the run, and how it is told."""
+    table = language.table("refine")["ends"]
+    near = re.match(table["distance"], when)
+    two = [_reference(near[name], structure) for name in ("who", "other")] if near else []
+    far = quantity_of(near["far"], "distance") if near else None
+    if near and far and None not in two and two[0] != two[1]:
+        subject, other = (two[0], two[1]) if two[0] == "ego" else (two[1], two[0])
+        said = Condition(kind="distance", subject=subject, other=other, maximum=far["high"])
+        return said, f"when {subject} is {far['high']:g} m from {other}"
+    if said := re.match(table["stopped"], when):
+        subject = _reference(said["who"], structure) or "ego"
+        return Condition(kind="stopped", subject=subject), f"when {subject} stands"
+    if re.search(table["collision"], when):
+        return Condition(kind="collision", subject="ego", other=_hit(when, structure)), "with a collision"
+    return None
+
+
+def _hit(when: str, structure: Structure) -> str | None:
+    """Whom ego collides with: who is named, else the first who is there."""
+    others = (_reference(f"the {when[s.start : s.end]}", structure) for s in scan.names(when) if s.kind == "actor")
+    there = structure.objects[0].id if structure.objects else None
+    return next((cid for cid in others if cid not in (None, "ego")), there)
+
+
+def _reference(words: str, structure: Structure) -> str | None:
+    found = refer(words, structure, alone=False)
+    return None if found is None else "ego" if found.id == "E" else found.id
 
 
 def length(clause: str, structure: Structure) -> Found | None:

@@ -10,8 +10,20 @@ from typing import Any
 from c2s_engine.interpret.changes.apart import told_apart
 from c2s_engine.interpret.changes.forms import Found
 from c2s_engine.interpret.changes.in_words import in_words
-from c2s_engine.interpret.changes.phases import PASSING, WAYS, afterwards, awaited, given_up, joined, mapped, settled
-from c2s_engine.interpret.changes.places import cuts_in, keeps_level, on_a_side, placed_before
+from c2s_engine.interpret.changes.phases import (
+    PASSING,
+    WAYS,
+    afterwards,
+    awaited,
+    given_up,
+    joined,
+    mapped,
+    paused,
+    reacts_as_before,
+    settled,
+    without_awaited,
+)
+from c2s_engine.interpret.changes.places import beyond, cuts_in, keeps_level, on_a_side, placed_before
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
 from c2s_engine.interpret.reading import scan
@@ -122,7 +134,9 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
                 changed = [c for c in changed if c[0] != "ego_lane"]
             if added and new and cid.startswith("O"):
                 changed = [c for c in changed if c[0] == "placement.hidden_by"]
-            changed = _without_awaited(changed)
+            if added and new and cid == "E" and _only_beside(main, structure.ego, structure):
+                changed = []  # the new one is placed by ego
+            changed = without_awaited(changed)
             edits += [SetField(component=cid, path=path, value=value) for path, value in changed]
             paths += [path for path, _ in changed]
     if not any(wanted(path) for path in paths):
@@ -130,12 +144,6 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
     edits += [*_light(clause, now, structure), *afterwards(clause, edits, structure)]
     edits = settled(_one_way(edits, structure), structure)
     return [*sorted(edits, key=lambda e: not isinstance(e, AddObject)), *_moves(now, ids, structure)]
-
-
-def _without_awaited(changed: list[tuple[str, Any]]) -> list[tuple[str, Any]]:
-    """The changes without a gap that is only the one for which somebody waits."""
-    awaited_at = {p.trigger.value for path, value in changed if path == "phases" for p in value if p.trigger}
-    return [(path, value) for path, value in changed if path != "placement.gap" or value not in awaited_at]
 
 
 def _there_already(component: Component, was: Structure, both: bool) -> bool:
@@ -218,7 +226,7 @@ def _only_beside(told: str, component: Component, structure: Structure) -> bool:
     """Whether a sentence names a component only as the one for, behind or from whom something is done."""
     found = False
     for span in scan.names(told):
-        if span.kind in ("actor", "label"):
+        if span.kind in ("actor", "label", "ego"):
             meant = refer(f"the {told[span.start : span.end]}", structure, alone=False)
             if meant is not None and meant.id == component.id:
                 if not re.search(table()["beside"], told[: span.start]):
@@ -270,6 +278,7 @@ def _changes(
             assert isinstance(there.spec, EgoSpec | ObjectSpec) and isinstance(now.spec, EgoSpec | ObjectSpec)
             turns = any(p.action in ("turn_left", "turn_right", "u_turn") for p in now.spec.phases)
             phases = tuple(mapped(p, ids) for p in now.spec.phases if not (turns and p.action == "go_straight"))
+            phases = paused(phases, clause)
             phases = tuple(sorted(phases, key=lambda p: p.action not in PASSING))
             if waited is not None and phases and (phases[0].trigger is None or phases[0].trigger.kind == waited.kind):
                 phases = (phases[0].model_copy(update={"trigger": waited}), *phases[1:])
@@ -277,7 +286,7 @@ def _changes(
         elif path == "placement":
             place = placed_before(was, now, there, clause)
             if any(value[key] != place[key] for key in ("position", "side")):
-                value |= on_a_side(there, clause)
+                value |= on_a_side(there, clause) | beyond(there, value)
             walks = spec_of(there).placement.position == "sidewalk" and value["position"] == "roadside"
             if walks and not re.search(table()["roadside"], clause):
                 value["position"] = place["position"]
@@ -288,16 +297,11 @@ def _changes(
                 and not (key in ("gap", "along") and cuts_in(now, there))
                 and not (key == "along" and keeps_level(now, there, clause))
             ]
-        elif value == "none" and (_passes(now) or not re.search(table()["denies"], clause)):
-            continue  # how it reacts goes on, unless that is denied
+        elif path == "reaction" and reacts_as_before(value, now.spec.phases, clause):  # type: ignore[union-attr]
+            continue
         elif value is not None:
             found.append((path, ids.get(value, value) if path == "react_to" else value))
     return found
-
-
-def _passes(component: Component) -> bool:
-    """Whether somebody goes on against his light or sign."""
-    return any(p.action in PASSING for p in getattr(component.spec, "phases", ()))
 
 
 def _near(a: Any, b: Any) -> bool:

@@ -20,6 +20,8 @@ New = str | Callable[[re.Match[str]], str]
 """What is read instead of what a pattern finds."""
 SPEAKERS = ("i", "we", "me", "us")
 """Words for ego that may mean who types."""
+MEETING = ("intersection", "roundabout", "on_ramp", "off_ramp")
+"""Places where roads meet."""
 MARK = "‹{}{}{}{}›"
 """Its number; p: several, s: one; i: an id, e: ego, t: somebody who is there, n: somebody new; w: a walker."""
 
@@ -33,7 +35,9 @@ def demand_of(demand: str, structure: Structure) -> str:
     """A single demand in plain words."""
     demand = _rewritten(called(demand, structure), "demands", structure)
     assert isinstance(structure.place.spec, PlaceSpec)
-    return _rewritten(demand, "junction", structure) if structure.place.spec.kind == "intersection" else demand
+    kind = structure.place.spec.kind
+    section = "junction" if kind == "intersection" else "road" if kind not in MEETING else None
+    return _rewritten(demand, section, structure) if section else demand
 
 
 def adds(demand: str, structure: Structure) -> bool:

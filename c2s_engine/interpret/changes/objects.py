@@ -47,11 +47,13 @@ def remove(clause: str, structure: Structure) -> Found | None:
         return _gone(several, structure), f"{', '.join(name_of(c) for c in several)} removed"
     if len(every := _every(rest, structure)) > 1:
         return _gone(every, structure), f"{', '.join(name_of(c) for c in every)} removed"
-    groups = [c for c in structure.objects if spec_of(c).count > 1]
-    if re.match(table["one_of_them"], rest) and len(groups) == 1:
-        left = spec_of(groups[0]).count - 1
-        return [SetField(component=groups[0].id, path="count", value=left)], f"{name_of(groups[0])}: {left}"
     component = refer(rest, structure, alone=len(structure.objects) == 1)
+    groups = [c for c in structure.objects if spec_of(c).count > 1]
+    one = re.match(table["one_of_them"], rest)
+    row = groups[0] if one and len(groups) == 1 else component
+    if row is not None and row in groups and (one or re.match(r"(?:an?|one) ", rest)):
+        left = spec_of(row).count - 1
+        return [SetField(component=row.id, path="count", value=left)], f"{name_of(row)}: {left}"
     head = re.split(r"\b(?:for|by|between|to)\b", rest)[0]
     if head != rest and refer(head, structure) is None:
         return None  # something that he does

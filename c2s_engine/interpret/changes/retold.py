@@ -103,8 +103,8 @@ def scene(structure: Structure, told: str) -> str:
     place = structure.place.spec
     assert isinstance(place, PlaceSpec)
     if re.match(r"(?:the )?ego\b", told):
-        way = re.search(table()["ways"], told)
-        place = place.model_copy(update={"ego_lane": None, **({"manoeuvre": None} if way else {})})
+        way = place.manoeuvre if re.match(table()["some_turn"], told) else None
+        place = place.model_copy(update={"ego_lane": None, "manoeuvre": way})
     told_speed = any(q.data["dimension"] == "speed" for q in amounts.quantities(told))
     mover = refer(told, structure, alone=False) if told_speed else None
     placed = located_in(told) and not re.match(table()["adds"], told)

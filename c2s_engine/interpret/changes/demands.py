@@ -129,6 +129,8 @@ def _parts(sentence: str) -> list[str]:
         table["hides"],
         table["forces"],
         table["while_it"],
+        table["paced_too"],
+        table["becomes_too"],
         r"\s*,\s+(?:and |but )?",
         rf"\s+(?:and|but)\s+(?=(?:then )?{starts}|(?:please|also|at the same time) \w|(?:to|should|must|has to) \w)",
         rf"\s+but\s+(?={contrast})",

@@ -3,6 +3,7 @@
 from c2s_engine.interpret.changes.approach import start_distance
 from c2s_engine.interpret.changes.beside import abreast, each_lane
 from c2s_engine.interpret.changes.forms import Form
+from c2s_engine.interpret.changes.limits import by_the_limit
 from c2s_engine.interpret.changes.looks import blueprint, uncovered
 from c2s_engine.interpret.changes.members import member
 from c2s_engine.interpret.changes.motion import distance, rate, reaction, sides
@@ -35,6 +36,7 @@ FORMS: tuple[Form, ...] = (
     kept,
     at_once,
     shifted,
+    by_the_limit,
     speed_difference,
     rate,
     acting,

@@ -50,7 +50,7 @@ def afterwards(clause: str, edits: Sequence[Edit], structure: Structure) -> list
 
 def settled(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
     """The edits, and what follows from them for who only stands now, and for how ego reacts."""
-    return _at_rest(_by_the_side(_evading(edits), structure), structure)
+    return _at_rest(_from_the_other_lane(_by_the_side(_evading(edits), structure), structure), structure)
 
 
 def _by_the_side(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
@@ -63,6 +63,23 @@ def _by_the_side(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
         now = spec_of(structure[edit.component]).placement.position
         if sides and now in ("left_lane", "right_lane") and now != f"{sides[0]}_lane":
             found.append(SetField(component=edit.component, path="placement.position", value=f"{sides[0]}_lane"))
+    return found
+
+
+def _from_the_other_lane(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
+    """The edits, and that one who is now in the lane on ego's other side cuts in towards ego from there."""
+    told = {e.component for e in edits if isinstance(e, SetField) and e.path == "phases"}
+    found = list(edits)
+    for edit in edits:
+        if not isinstance(edit, SetField) or edit.path != "placement.position" or edit.component in told:
+            continue
+        lanes = {"left_lane": "right", "right_lane": "left"}
+        phases, before = spec_of(structure[edit.component]).phases, spec_of(structure[edit.component]).placement.position
+        if edit.value in lanes and before in lanes and edit.value != before:
+            turned = tuple(
+                p.model_copy(update={"side": lanes[edit.value]}) if p.side == lanes[before] else p for p in phases
+            )
+            found += [SetField(component=edit.component, path="phases", value=turned)] if turned != phases else []
     return found
 
 

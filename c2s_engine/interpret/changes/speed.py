@@ -46,7 +46,7 @@ def speed(clause: str, structure: Structure) -> Found | None:
     said = clause[: other.start()] if base is not None and other is not None else clause
     if quantity is not None and not re.search(table["by_so_much"], clause):
         change = None  # a speed to have, not one more or less
-    who = _who(said, structure)
+    who = whose(said, structure)
     if not who or quantity is None and change is None and base is None:
         return None
     if quantity is not None and change is None and len(who) > 2:
@@ -96,7 +96,7 @@ def _factor(clause: str) -> float | None:
     return 1 - share if less else 1 + share
 
 
-def _who(clause: str, structure: Structure) -> list[Component]:
+def whose(clause: str, structure: Structure) -> list[Component]:
     """Whose speed it is."""
     table = {**language.table("refine"), **_table()}
     if re.search(table["all"], clause):

@@ -175,6 +175,8 @@ def ending(clause: str, structure: Structure) -> Found | None:
     if match is None:
         return None
     found = _ended(match["when"], structure)
+    if found is None and quantity_of(match["when"], "time"):
+        return None  # how long it lasts
     if found is None:
         return [], "say that the run ends after some seconds, when somebody stands, acts or is so near, or with a collision"
     condition, words = found

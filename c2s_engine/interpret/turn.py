@@ -60,7 +60,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
     demanded = asked.demanded(plain)
     plain = notes.text_of(demanded, structure)
     commanding = bool(re.match(table["commands"], plain)) or bool(re.search(table["marks"], plain))
-    if len(plain.split()) > 45 or _tells(plain, commanding) and not _adds(plain) and not _goes_on(plain, structure):
+    if len(plain.split()) > 45 or _tells(plain, commanding) and not _adds(plain, structure) and not _goes_on(plain, structure):
         return Turn("scenario", span=whole)
     edits, said = refine.edits_of(demanded, structure)
     if edits:
@@ -130,10 +130,11 @@ def _of_those_there(plain: str, structure: Structure) -> bool:
     return any(meant) and not _introduces(plain)
 
 
-def _adds(plain: str) -> bool:
+def _adds(plain: str, structure: Structure) -> bool:
     """Whether a text only tells of somebody new in the scene that is there."""
     table = language.table("refine")["told"]
-    return bool(re.match(table["adds"], plain)) and not retold.tells_ego(re.sub(table["meanwhile"], " ", plain))
+    apart = re.sub(table["meanwhile"], " ", plain)
+    return bool(re.match(table["adds"], plain)) and not retold.tells_ego(apart, structure)
 
 
 def _goes_on(plain: str, structure: Structure) -> bool:

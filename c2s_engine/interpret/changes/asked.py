@@ -58,7 +58,9 @@ def demanded(plain: str) -> str:
     named = [s[n.start : n.end] for s in sentences if s not in rest for n in scan.names(s) if n.kind == "actor"]
     said = ". ".join(rest)
     for judged in (m for s in sentences if s not in rest if (m := re.search(_table()["asking"]["judged"], s))):
-        return f"{judged['who'] or judged['whom'] or 'ego'} is too {judged['how']}. {said}"
+        whose = judged["who"] or judged["whom"]
+        others = not whose and any(n.kind == "actor" for n in scan.names(said))
+        return said if others else f"{whose or 'ego'} is too {judged['how']}. {said}"
     return re.sub(r"\b(?:it|he|she|they|him|them)\b", f"the {named[0]}", said, count=1) if named else said
 
 

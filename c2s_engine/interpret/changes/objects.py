@@ -21,7 +21,7 @@ def remove(clause: str, structure: Structure) -> Found | None:
         return alone
     table = language.table("refine")
     match = next((m for p in table["removes"] if (m := re.match(p, clause))), None)
-    if not match:
+    if not match or re.search(table["acts_then"], match["what"]):
         return None
     rest = match["what"]
     sky = environment.weather(rest, [(0, len(rest))])
@@ -52,8 +52,7 @@ def remove(clause: str, structure: Structure) -> Found | None:
     one = re.match(table["one_of_them"], rest)
     row = groups[0] if one and len(groups) == 1 else component
     if row is not None and row in groups and (one or re.match(r"(?:an?|one) ", rest)):
-        left = spec_of(row).count - 1
-        return [SetField(component=row.id, path="count", value=left)], f"{name_of(row)}: {left}"
+        return [SetField(component=row.id, path="count", value=spec_of(row).count - 1)], f"{name_of(row)}: one less"
     head = re.split(r"\b(?:for|by|between|to)\b", rest)[0]
     if head != rest and refer(head, structure) is None:
         return None  # something that he does

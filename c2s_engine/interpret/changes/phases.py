@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-from c2s_engine.interpret.changes.refer import doing, refer, spec_of
+from c2s_engine.interpret.changes.refer import doing, refer, spec_of, told_of
 from c2s_engine.interpret.changes.retold import table
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, SetField
@@ -29,7 +29,7 @@ def awaited(told: str, structure: Structure) -> Trigger | None:
     said = [a for a in actions if doing(condition, (a,))]
     if other.id == "E":
         return Trigger(kind="action", of="ego", action=said[0]) if said else None
-    return Trigger(kind="action", of=other.id, action=(said or actions)[0])
+    return Trigger(kind="action", of=other.id, action=(said or told_of(condition) or actions)[0])
 
 
 def afterwards(clause: str, edits: Sequence[Edit], structure: Structure) -> list[Edit]:
@@ -138,7 +138,7 @@ def reacts_as_before(value: str, phases: Sequence[Phase], clause: str) -> bool:
     """Whether how ego reacts goes on: that it does not is read of a clause that does not deny it, of one that goes on
     against its light or sign, or of a stop of its own."""
     if value != "none":
-        return value == "brake" and bool(re.search(table()["paused"], clause))
+        return value in ("brake", "yield") and bool(re.search(table()["paused"], clause))
     passes = any(p.action in PASSING for p in phases)
     return passes or not re.search(table()["denies"], clause)
 

@@ -9,7 +9,7 @@ from c2s_engine.interpret.changes.chosen import chosen
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.specs import ObjectSpec
-from c2s_engine.structure.vocabulary import ObjectType
+from c2s_engine.structure.vocabulary import Action, ObjectType
 
 FAMILY = {
     "vehicle": ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle"),
@@ -133,3 +133,9 @@ def doing(words: str, actions: Iterable[str]) -> bool:
         if re.search(rf"\b(?:{stem})", words) and any(action in done for action in actions):
             return True
     return False
+
+
+def told_of(words: str) -> list[Action]:
+    """The acts that the words tell by a verb of doing, the likeliest first."""
+    stems = language.table("refine")["doers"].items()
+    return next((done for stem, done in stems if re.search(rf"\b(?:{stem})", words)), [])

@@ -140,7 +140,7 @@ def read(text: str) -> Structure | None:
         return None
 
 
-def tells_ego(text: str) -> bool:
+def tells_ego(text: str, structure: Structure) -> bool:
     """Whether a text says where ego is, how fast it goes or what it does: then it is a scene, no addition to one."""
     found = read(text)
     if found is None or not found.objects:
@@ -150,5 +150,6 @@ def tells_ego(text: str) -> bool:
     assumed = {(c.id, a.field) for c in found.components for a in c.assumed}
     named = any(s.kind == "ego" for s in scan.names(scan.normalised(text)))
     drives = named and (bool(ego.phases) or ego.speed is not None and ("E", "speed") not in assumed)
-    elsewhere = place.kind != "road" and ("R", "kind") not in assumed
+    here = getattr(structure.place.spec, "kind", "road")
+    elsewhere = place.kind not in ("road", here) and ("R", "kind") not in assumed
     return drives or elsewhere or bool(settings.weather or settings.time)

@@ -47,6 +47,8 @@ def setting(clause: str, structure: Structure) -> Found | None:
         also = re.search(r"\b(add|also|plus|as well|too)\b|^and\b", clause)
         if re.search(language.table("refine")["weaker"], clause):
             values = list(dict.fromkeys("rain" if v == "heavy_rain" else v for v in values))
+        elif re.search(language.table("refine")["stronger"], clause):
+            values = list(dict.fromkeys("heavy_rain" if v == "rain" else v for v in values))
         elif "heavy_rain" in old and not re.search(language.table("refine")["as_it_is"], clause):
             values = ["heavy_rain" if v == "rain" else v for v in values]
         rains = language.table("refine")["rains"]

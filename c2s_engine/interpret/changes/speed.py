@@ -101,7 +101,10 @@ def whose(clause: str, structure: Structure) -> list[Component]:
     table = {**language.table("refine"), **_table()}
     if re.search(table["all"], clause):
         others = [c for c in _moving(structure) if spec_of(c).type not in PERSONS]
-        return others if re.search(r"\b(?:else|others)\b", clause) else [structure.ego, *others]
+        out = re.search(table["but_for"], clause)
+        spared = refer(out["whom"], structure, alone=False) if out else None
+        meant = others if re.search(r"\b(?:else|others)\b", clause) else [structure.ego, *others]
+        return [c for c in meant if spared is None or c.id != spared.id]
     vehicles = [c for c in structure.objects if spec_of(c).type not in PERSONS and spec_of(c).speed]
     joint = re.match(table["joint"], clause)
     both = [refer(joint[name], structure, alone=False) for name in ("one", "other")] if joint else []

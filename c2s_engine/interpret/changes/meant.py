@@ -148,9 +148,9 @@ def _fitting(match: re.Match[str], structure: Structure) -> str:
     acts = paced and match["before"] and re.fullmatch(_table()["acting"], match["before"])
     if not said or kind and len(found) == 1 and not acts:
         return match[0]
-    does = match["behind"] if re.fullmatch(r"[a-z]+s", match["behind"] or "") else None
+    does = match["behind"] if re.fullmatch(r"[a-z]+s(?: in| left| right)?", match["behind"] or "") else None
     if does and not re.search(rf"\b(?:{_table()['relative']}) {does}", match[0]):  # what he is to do
-        said.remove(does)
+        said = [w for w in said if w != does] or said
         tail = f" {does}"
     else:
         tail = ""

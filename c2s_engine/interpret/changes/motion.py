@@ -36,6 +36,8 @@ def distance(clause: str, structure: Structure) -> Found | None:
     if names_a_stranger(clause, structure) or re.search(_table()["no_gap"], clause):
         return None
     component = refer(clause, structure)
+    if component is not None and component.id == "E":
+        component = refer(re.sub(r"\bego\b", " ", clause), structure, alone=False)
     if component is None or component.id == "E":
         component = _only_one(structure)
     if component is None or re.search(_table()["of_the_road"], clause):

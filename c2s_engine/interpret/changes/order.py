@@ -13,7 +13,7 @@ from c2s_engine.interpret.changes.scene import ending, length, own_lane, road, s
 from c2s_engine.interpret.changes.signs import sign
 from c2s_engine.interpret.changes.speed import kept, speed, speed_difference, still, walked
 from c2s_engine.interpret.changes.swap import swapped
-from c2s_engine.interpret.changes.timing import at_once, shifted
+from c2s_engine.interpret.changes.timing import at_once, cancelled, shifted
 from c2s_engine.interpret.changes.told import acting, standing
 
 FORMS: tuple[Form, ...] = (
@@ -35,6 +35,7 @@ FORMS: tuple[Form, ...] = (
     still,
     kept,
     at_once,
+    cancelled,
     shifted,
     by_the_limit,
     speed_difference,

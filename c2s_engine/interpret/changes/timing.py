@@ -53,6 +53,22 @@ def at_once(clause: str, structure: Structure) -> Found | None:
     return [edit], f"{name_of(component)}: {begun.action.replace('_', ' ')} at once"
 
 
+def cancelled(clause: str, structure: Structure) -> Found | None:
+    """ "The overtaker cancels", "the car aborts its lane change": what somebody gives up is left out."""
+    table = language.table("refine")["timing"]
+    match = re.match(table["cancelled"], clause)
+    component = refer(match["who"], structure, alone=False) if match else None
+    if match is None or component is None or component.id == "E":
+        return None
+    named = [a for a in actions_of(component) if match["what"] and doing(match["what"], (a,))]
+    given_up = named or [a for a in actions_of(component) if a in table["given_up"]]
+    kept = tuple(p for p in spec_of(component).phases if p.action not in given_up)
+    if not given_up:
+        return None
+    edit = SetField(component=component.id, path="phases", value=kept)
+    return [edit], f"{name_of(component)}: no {', '.join(given_up).replace('_', ' ')}"
+
+
 def _whose(clause: str, who: str | None, structure: Structure) -> Component | None:
     """Who is meant: by name, or by what is done."""
     named = refer(who, structure, alone=False) if who else None

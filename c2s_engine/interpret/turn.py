@@ -60,7 +60,12 @@ def _route(text: str, structure: Structure | None) -> Turn:
     demanded = asked.demanded(plain)
     plain = notes.text_of(demanded, structure)
     commanding = bool(re.match(table["commands"], plain)) or bool(re.search(table["marks"], plain))
-    if len(plain.split()) > 45 or _tells(plain, commanding) and not _adds(plain, structure) and not _goes_on(plain, structure):
+    if (
+        len(plain.split()) > 45
+        or _tells(plain, commanding)
+        and not _adds(plain, structure)
+        and not _goes_on(plain, structure)
+    ):
         return Turn("scenario", span=whole)
     edits, said = refine.edits_of(demanded, structure)
     if edits:

@@ -74,7 +74,10 @@ def _from_the_other_lane(edits: Sequence[Edit], structure: Structure) -> list[Ed
         if not isinstance(edit, SetField) or edit.path != "placement.position" or edit.component in told:
             continue
         lanes = {"left_lane": "right", "right_lane": "left"}
-        phases, before = spec_of(structure[edit.component]).phases, spec_of(structure[edit.component]).placement.position
+        phases, before = (
+            spec_of(structure[edit.component]).phases,
+            spec_of(structure[edit.component]).placement.position,
+        )
         if edit.value in lanes and before in lanes and edit.value != before:
             turned = tuple(
                 p.model_copy(update={"side": lanes[edit.value]}) if p.side == lanes[before] else p for p in phases

@@ -5,6 +5,7 @@ from typing import Any
 
 from c2s_engine.interpret.changes.refer import spec_of
 from c2s_engine.interpret.changes.retold import located_in, table
+from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component
 
 SIDED = frozenset(("parked", "roadside", "sidewalk", "partly_in_lane"))
@@ -51,3 +52,9 @@ def beyond(there: Component, value: dict[str, Any]) -> dict[str, Any]:
     if place.position != "intersection_exit" or value["position"] not in BEHIND_THE_TURN:
         return {}
     return {"position": place.position, "side": place.side}
+
+
+def only_by_ego(told: str) -> bool:
+    """Whether a sentence names ego only as the one by whom somebody is or to whom he does something."""
+    spans = [s for s in scan.names(told) if s.kind == "ego"]
+    return bool(spans) and all(re.search(table()["by_ego"], told[: s.start]) for s in spans)

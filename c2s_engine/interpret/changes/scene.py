@@ -180,7 +180,10 @@ def ending(clause: str, structure: Structure) -> Found | None:
     if found is None and quantity_of(match["when"], "time"):
         return None  # how long it lasts
     if found is None:
-        return [], "say that the run ends after some seconds, when somebody stands, acts or is so near, or with a collision"
+        return (
+            [],
+            "say that the run ends after some seconds, when somebody stands, acts or is so near, or with a collision",
+        )
     condition, words = found
     old = structure.restrictions.spec
     assert isinstance(old, RestrictionsSpec)

@@ -23,7 +23,7 @@ from c2s_engine.interpret.changes.phases import (
     settled,
     without_awaited,
 )
-from c2s_engine.interpret.changes.places import beyond, cuts_in, keeps_level, on_a_side, placed_before
+from c2s_engine.interpret.changes.places import beyond, cuts_in, keeps_level, on_a_side, only_by_ego, placed_before
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
 from c2s_engine.interpret.reading import scan
@@ -134,7 +134,7 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
                 changed = [c for c in changed if c[0] != "ego_lane"]
             if added and new and cid.startswith("O"):
                 changed = [c for c in changed if c[0] == "placement.hidden_by"]
-            if added and new and cid == "E" and _only_beside(main, structure.ego, structure):
+            if added and new and cid == "E" and only_by_ego(main):
                 changed = []  # the new one is placed by ego
             changed = without_awaited(changed)
             edits += [SetField(component=cid, path=path, value=value) for path, value in changed]
@@ -226,7 +226,7 @@ def _only_beside(told: str, component: Component, structure: Structure) -> bool:
     """Whether a sentence names a component only as the one for, behind or from whom something is done."""
     found = False
     for span in scan.names(told):
-        if span.kind in ("actor", "label", "ego"):
+        if span.kind in ("actor", "label"):
             meant = refer(f"the {told[span.start : span.end]}", structure, alone=False)
             if meant is not None and meant.id == component.id:
                 if not re.search(table()["beside"], told[: span.start]):

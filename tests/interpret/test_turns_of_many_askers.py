@@ -112,6 +112,7 @@ FIELDS: list[tuple[str, str, dict[str, Any]]] = [
     ),
     # ends of the run
     (TRACTOR, "end the run when ego is 5 m from the tractor", {"T.terminate_when.0.maximum": 5.0}),
+    (OVERTAKER, "end the run when the car cuts in", {"T.terminate_when.0.action": "cut_in"}),
     (TRACTOR, "stop the simulation after 20 seconds", {"T.duration": 20.0}),
     # what is said of those who were told of before
     (

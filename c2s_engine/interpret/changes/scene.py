@@ -5,7 +5,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.forms import Found, quantity_of
-from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.reading import amounts, scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Structure
@@ -180,10 +180,7 @@ def ending(clause: str, structure: Structure) -> Found | None:
     if found is None and quantity_of(match["when"], "time"):
         return None  # how long it lasts
     if found is None:
-        return (
-            [],
-            "say that the run ends after some seconds, when somebody stands, acts or is so near, or with a collision",
-        )
+        return [], "the run can end after a time, when somebody stands, acts as he does or is so near, or collides"
     condition, words = found
     old = structure.restrictions.spec
     assert isinstance(old, RestrictionsSpec)
@@ -206,7 +203,12 @@ def _ended(when: str, structure: Structure) -> tuple[Condition, str] | None:
         return Condition(kind="stopped", subject=subject), f"when {subject} stands"
     if re.search(table["collision"], when):
         return Condition(kind="collision", subject="ego", other=_hit(when, structure)), "with a collision"
-    return None
+    who = refer(when, structure, alone=False)
+    acts = [p.action for p in getattr(who.spec, "phases", ()) if doing(when, (p.action,))] if who is not None else []
+    if who is None or not acts:
+        return None
+    name = "ego" if who.id == "E" else who.id
+    return Condition(kind="action", subject=name, action=acts[0]), f"when {name} does {acts[0].replace('_', ' ')}"
 
 
 def _hit(when: str, structure: Structure) -> str | None:

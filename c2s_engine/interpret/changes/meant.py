@@ -150,7 +150,7 @@ def _fitting(match: re.Match[str], structure: Structure) -> str:
         return match[0]
     does = match["behind"] if re.fullmatch(r"[a-z]+s(?: in| left| right)?", match["behind"] or "") else None
     if does and not re.search(rf"\b(?:{_table()['relative']}) {does}", match[0]):  # what he is to do
-        said = [w for w in said if w != does] or said
+        said = [w for w in said if w != does] or (said if kind in (None, "vehicle") else [])
         tail = f" {does}"
     else:
         tail = ""

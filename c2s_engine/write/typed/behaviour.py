@@ -29,6 +29,8 @@ SLOW = "5"
 """m/s at which somebody comes up to where it first stands."""
 AT_SIGN = {"run_stop", "stop", "yield", "wait", "stationary"}
 """What says itself what ego does at its stop sign."""
+QUEUED = 3.0
+"""s for which one stands before the junction, so that those behind come to a stand, too."""
 AT_EDGE = Trigger(kind="place", place="intersection", value=0)
 
 
@@ -117,6 +119,20 @@ def _before_junction(actor: Actor, phases: list[Phase]) -> bool:
     return not actor.is_ego or all(s.placement.position in ELSEWHERE for s in specs)
 
 
+def _in_egos_lane(actor: Actor) -> bool:
+    """Whether somebody starts ahead of ego, on its approach."""
+    spec = actor.spec
+    return isinstance(spec, ObjectSpec) and spec.placement.position == "ahead" and spec.placement.facing != "against"
+
+
+def _at_the_line(phases: list[Phase]) -> list[Phase]:
+    """The phases of one who stops before the junction and then goes over it: where that stop is."""
+    if len(phases) < 2 or phases[0].action != "stop" or phases[0].trigger is not None or phases[1].action not in TURN:
+        return phases
+    stop = phases[0].model_copy(update={"trigger": AT_EDGE, "duration": phases[0].duration or QUEUED})
+    return [stop, *phases[1:]]
+
+
 def _phases(actor: Actor) -> list[Phase]:
     """The phases, with what the place asks of ego (its red light, its stop sign) put first."""
     phases = list(actor.spec.phases)
@@ -126,7 +142,7 @@ def _phases(actor: Actor) -> list[Phase]:
         after = [*(p.action for p in phases[1:]), ""]
         phases = [p for i, p in enumerate(phases) if (p.action, after[i]) != ("oncoming", "overtake")]
     if not actor.plan.junction or not (actor.is_ego or actor.approach):
-        return phases
+        return _at_the_line(phases) if actor.plan.junction and _in_egos_lane(actor) else phases
     phases = _gives_way_first(phases)
     for i, phase in enumerate(phases):
         then = phases[i + 1] if i + 1 < len(phases) else None

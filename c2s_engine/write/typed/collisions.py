@@ -45,6 +45,9 @@ def collides(c: Course, p: Phase) -> list[Step]:
     if c.lane is None:
         return _at_the_junction(c, p, other, goal)
     if not c.same_lane(p) and _leaves_the_lane(c.actor.structure):  # it waits for ego to come over
+        if until := slowed(c.actor, p.target):
+            behind = c.drive(f"lambda: pace(self, {other}, {c.speed})", 4)
+            return [([behind], f"until {until} or {LATE}"), *_at_last(other, c.drive(), goal)]
         return _at_last(other, f"do Drive(line, lambda: lurk(self, {other}, {c.speed}))", goal)
     if not c.same_lane(p) or _before(c, p) & SIDEWAYS:
         return _at_last(other, _level(c, other), goal)

@@ -17,6 +17,10 @@ CLOSING = 2.0
 """m/s by which one is slower whom ego plainly catches up with."""
 ALONE = 10.0
 """s that ego drives at its own speed before it slows for who is slower."""
+ABRUPT = 6.0
+"""m/s2 at which one brakes who is then run into."""
+UNDISTURBED = 3.0
+"""s for which everybody drives on before what nothing triggers."""
 AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
 """What somebody does about, or to, what lies in its way."""
 
@@ -49,7 +53,7 @@ def normal(structure: Structure) -> Structure:
             structure = structure.with_component(component.model_copy(update={"spec": found}))
     if place is not structure.place.spec:
         structure = structure.with_component(structure.place.model_copy(update={"spec": place}))
-    return passing(_caught_late(_struck_first(standing(structure), ego), ego), place)
+    return passing(_stopped_when_struck(_caught_late(_struck_first(standing(structure), ego), ego), ego), place)
 
 
 def _struck_first(structure: Structure, ego: EgoSpec) -> Structure:
@@ -88,6 +92,36 @@ def _caught_late(structure: Structure, ego: EgoSpec) -> Structure:
     room = 4 + 1.5 * other + 2.5 * closing if ego.reaction == "follow" else closing**2 / 4 + 4
     gap = round(min(ALONE * closing + room, LONGEST_VIEW))
     return structure.with_component(movers[0].model_copy(update={"spec": _placed(slow, gap=gap)}))
+
+
+def _stopped_when_struck(structure: Structure, ego: EgoSpec) -> Structure:
+    """Who stops in ego's lane before ego runs into it: hard, and so far ahead that it stands by then."""
+    place, lead = structure.place.spec, None
+    assert isinstance(place, PlaceSpec)
+    for component in structure.objects:
+        spec = component.spec
+        assert isinstance(spec, ObjectSpec)
+        lead = component if _open_ahead(spec) and not is_static(spec) else lead
+        behind_lead = lead is not None and spec.placement.position == "behind" and spec.placement.of == lead.id
+        if lead is None or component is not lead and not behind_lead or not is_hit(ego, component.id):
+            continue
+        if [p.action for p in spec.phases] != ["stop"] or spec.phases[0].trigger is not None:
+            continue
+        stop = spec.phases[0].model_copy(update={"rate": spec.phases[0].rate or ABRUPT})
+        own, rate = middle(speed_of(spec, place)), middle(stop.rate or ABRUPT)
+        standing_after = UNDISTURBED + own / rate + 0.8
+        gap = middle(speed_of(ego, place)) * standing_after - own * UNDISTURBED - own**2 / (2 * rate)
+        structure = structure.with_component(
+            component.model_copy(update={"spec": spec.model_copy(update={"phases": (stop,)})})
+        )
+        first = structure[lead.id]
+        assert isinstance(first.spec, ObjectSpec)
+        if component is not lead:
+            gap += LENGTH[spec.type] + default_gap(spec, own, place)
+        if gap > default_gap(first.spec, middle(speed_of(ego, place)), place):
+            placed = _placed(first.spec, gap=round(min(gap, LONGEST_VIEW)))
+            structure = structure.with_component(first.model_copy(update={"spec": placed}))
+    return structure
 
 
 def _open_ahead(spec: ObjectSpec) -> bool:

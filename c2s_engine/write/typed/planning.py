@@ -15,7 +15,7 @@ from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP, TURN
 from c2s_engine.write.typed.threats import hits_ego, is_hit
-from c2s_engine.write.typed.usual import speed_of, turn_of
+from c2s_engine.write.typed.usual import speed_of, turn_of, uses_crosswalk
 
 WAITS = {"stop", "wait", "yield", "stationary", "start", "brake"}
 """What one does before the junction that takes time of its own."""
@@ -93,7 +93,10 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
 
 def _with_room(structure: Structure, plan: Plan) -> Plan:
     """The plan with as much of each lane as the objects take that start on it, one behind the other."""
-    taken = layout.extents(layout.draws(structure, plan))
+    specs = {c.id: c.spec for c in structure.objects if plan.place.kind == "crosswalk"}
+    there = {cid for cid, spec in specs.items() if isinstance(spec, ObjectSpec) and uses_crosswalk(spec)}
+    drawn = layout.draws(structure, plan)
+    taken = layout.extents([{cid: boxes for cid, boxes in draw.items() if cid not in there} for draw in drawn])
     reach = taken.pop("road", 0.0)
     distance = plan.distance
     if distance is not None and low(distance) < reach + 1:

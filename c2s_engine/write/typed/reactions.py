@@ -7,13 +7,15 @@ from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, is_static
-from c2s_engine.write.typed.threats import every, every_passed, hits_ego, is_hit, once_seen, threatening
+from c2s_engine.write.typed.threats import every, every_passed, hits_ego, is_hit, is_stopped, once_seen, threatening
 from c2s_engine.write.typed.threats import on_foot as threats_on_foot
 from c2s_engine.write.typed.usual import rides_beside, turn_of
 
 SOFT = "lambda: max(1, min(9, 1.1 * {force}))"
 HARD = "lambda: max(4.5, min(9, 1.1 * {force}))"
 """m/s2: how hard drivers brake for who forces them to: a little more than it takes."""
+STOOD = "self.speed < 0.2 and {force} <= {limit}"
+"""What ends the braking of one that is to come to a stand: the need of it must be over, too."""
 FIRM, FULL = 4.0, 4.5
 """m/s2: at least so hard, so that ego stands before somebody on foot has gone by."""
 
@@ -44,10 +46,16 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     if "lane_change" in forced:
         return _around(statements, threats, 5, HARD, 2)
     on_foot = [c for c in threats_on_foot(actor.structure) if spec.react_to in (None, c)]
+    stands = is_stopped(spec)
+    stops_for = {p.target for p in spec.phases if p.action == "stop"}
     if not on_foot:
-        return _around(statements, threats, limit, rate)
+        return _around(statements, threats, limit, rate, stands=stands)
     others = [] if spec.react_to else once_seen(actor.structure, [c for c in cids if c not in on_foot])
-    return _around(statements, others, limit, rate) + _stop_for(actor.structure, on_foot, spec.hard)
+    before_them = stands and not stops_for.isdisjoint({None, *on_foot})
+    return [
+        *_around(statements, others, limit, rate, stands=stands),
+        *_stop_for(actor.structure, on_foot, spec.hard, before_them),
+    ]
 
 
 def _stands(structure: Structure, cid: str | None) -> bool:
@@ -97,12 +105,14 @@ def _force(threats: list[str]) -> str:
     return f"need(self, {threats[0]})"
 
 
-def _stop_for(structure: Structure, on_foot: list[str], hard: bool) -> list[str]:
-    """The interruption of ego's way by a stop for those on foot: it goes on when they have gone by."""
-    force = _force([every(structure, c) for c in on_foot])
-    gone = " and ".join([f"{force} <= 0", *(every_passed(structure, c) for c in on_foot)])
+def _stop_for(structure: Structure, on_foot: list[str], hard: bool, stands: bool) -> list[str]:
+    """The interruption of ego's way by a stop for those on foot: it goes on when they have gone by, and has first come
+    to a stand where it `stands`."""
+    force, limit = _force([every(structure, c) for c in on_foot]), 4 if hard else 2
+    stood = ["self.speed < 0.2"] if stands else []
+    gone = " and ".join([*stood, f"{force} <= 0", *(every_passed(structure, c) for c in on_foot)])
     return [
-        f"interrupt when {force} > {4 if hard else 2}:",
+        f"interrupt when {force} > {limit}:",
         f"    do Drive(line, 0, rate=lambda: max({FULL if hard else FIRM}, min(9, 1.1 * {force}))) until {gone}",
     ]
 
@@ -154,20 +164,27 @@ def _gets_past(actor: Actor, cid: str) -> bool:
 
 
 def _around(
-    statements: list[str], threats: list[str], limit: float, rate: str, release: float = 0, when: str = ""
+    statements: list[str],
+    threats: list[str],
+    limit: float,
+    rate: str,
+    release: float = 0,
+    when: str = "",
+    stands: bool = False,
 ) -> list[str]:
     """The statements, interrupted by braking at `rate` when the need (m/s2) for one of the threats is over `limit`,
-    until it is no more than `release`; `when`: a condition of that, with its `and`."""
+    until it is no more than `release`, or to a stand; `when`: a condition of that, with its `and`."""
     head, rest = statements[:1], statements[1:]
     if not threats:
         return [*head, "try:", *(f"    {s}" for s in rest)]
     force = _force(threats)
+    over = STOOD.format(force=force, limit=limit) if stands else f"{force} <= {scope.number(release)}"
     return [
         *head,
         "try:",
         *(f"    {s}" for s in rest),
         f"interrupt when {when}{force} > {scope.number(limit)}:",
-        f"    do Drive(line, 0, rate={rate.format(force=force)}) until {force} <= {scope.number(release)}",
+        f"    do Drive(line, 0, rate={rate.format(force=force)}) until {over}",
     ]
 
 

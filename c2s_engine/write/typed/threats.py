@@ -8,6 +8,8 @@ from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.tables import is_static, is_walker
 
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
+CALM = {"follow", "keep_lane", "go_straight", "turn_left", "turn_right", "move_along", "brake"}
+"""What ego does before it is to stop while nothing forces it to."""
 
 
 def hits_ego(spec: ObjectSpec) -> bool:
@@ -79,6 +81,14 @@ def on_foot(structure: Structure) -> list[str]:
     objects = [(c.id, c.spec) for c in structure.objects if isinstance(c.spec, ObjectSpec) and is_walker(c.spec.type)]
     does = {cid: {p.action for p in o.phases} for cid, o in objects}
     return [cid for cid, _ in objects if "cross_road" in does[cid] and "collide" not in does[cid]]
+
+
+def is_stopped(spec: EgoSpec | ObjectSpec) -> bool:
+    """Whether ego is told to come to a stand for who forces it to brake, which slowing down is not."""
+    actions = [p.action for p in spec.phases]
+    forced = isinstance(spec, EgoSpec) and spec.reaction == "brake"
+    at = actions.index("stop") if forced and "stop" in actions else None
+    return at is not None and spec.phases[at].trigger is None and set(actions[:at]) <= CALM
 
 
 def slowed(actor: Actor, target: str | None) -> str:

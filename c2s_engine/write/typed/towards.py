@@ -7,7 +7,7 @@ from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.order import goes_after, turns_left
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, WORKS, is_static, is_walker
 from c2s_engine.write.typed.threats import every_passed, standing
-from c2s_engine.write.typed.usual import SIREN
+from c2s_engine.write.typed.usual import SIREN, walks_first
 
 
 def ending(phase: Phase, natural: str) -> str:
@@ -103,7 +103,10 @@ def _until_forced(c: Course, p: Phase, other: str) -> list[Step]:
         return _waits_for_oncoming(c, other)
     if p.target and (is_walker(spec.type) or spec.type == "bicycle"):
         waits = f"until {every_passed(a.structure, p.target)}"
-        return [([c.drive()], f"until need(self, {other}) > 2"), ([c.drive("0", 3.5)], waits)]
+        sets_out = "" if is_static(spec) else f"{other}.speed > 0.3 and "
+        near = f"{sets_out}(distance from self to {other}) < 10 + self.speed ** 2 / 6"
+        near = "" if walks_first(spec) or spec.type == "bicycle" else f" or {near}"
+        return [([c.drive()], f"until need(self, {other}) > 2{near}"), ([c.drive("0", 3.5)], waits)]
     if spec.placement.position == "on_ramp":  # it comes in ahead: no more room than that takes
         near = f"(distance from self to {other}) < 40 and lead_on(self, {other}) > -40"
         pace = f"lambda: max({scope.number(0.7 * a.value)}, pace(self, {other}, {scope.number(0.9 * a.value)}, 0.5))"

@@ -8,7 +8,7 @@ from c2s_engine.write.typed.collisions import hit_beside, hit_next
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.overtakings import nearest
 from c2s_engine.write.typed.tables import LENGTH, WORKS, is_static
-from c2s_engine.write.typed.threats import IN_WAY, shown, standing, threatening
+from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, standing, threatening
 from c2s_engine.write.typed.towards import before_standing, opposite_standing
 from c2s_engine.write.typed.usual import speed_of
 
@@ -56,9 +56,10 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         limit = 1.2 if phase.action in ("swerve", "lane_change") else 4 if hard else 2
         seen = shown(a.structure, cid) if cid else ""
         met = any(p.action == "collide" for p in a.spec.phases)
-        return f"until {seen + ' and ' if seen else ''}need(self, {a.ref(cid)}) > {limit}" + (
-            f" or near(self, {a.ref(cid)})" if met else ""
-        )
+        also = f" or near(self, {a.ref(cid)})" if met else ""
+        if phase.action == "stop" and is_stopped(a.spec) and not on_foot(a.structure) and a.value > 0:
+            also += " or self.speed < 0.5"  # it was forced to
+        return f"until {seen + ' and ' if seen else ''}need(self, {a.ref(cid)}) > {limit}{also}"
     if a.is_ego and phase.action == "stop" and (cid := _stopped_for(course, phase)):
         return f"until (distance from self to {a.ref(cid)}) < 14 + self.speed ** 2 / 6"
     if phase.action == "stop" and not a.is_ego and first and (cid := opposite_standing(course)):

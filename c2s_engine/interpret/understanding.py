@@ -17,6 +17,7 @@ from c2s_engine.interpret.what.headlines import headline
 from c2s_engine.interpret.what.herded import herded
 from c2s_engine.interpret.what.indicated import indicated
 from c2s_engine.interpret.what.left_untold import left_untold
+from c2s_engine.interpret.what.own_parts import own_parts
 from c2s_engine.interpret.what.passing import came_up_behind
 from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.pulled_out import pulled_out
@@ -57,6 +58,7 @@ def understand(text: str) -> Scene:
     clauses = Clauses(words, cast)
     unnamed_doers(cast, clauses)
     herded(clauses)
+    own_parts(clauses)
     pushed(clauses)
     merged_into(clauses)
     came_out_into(clauses)

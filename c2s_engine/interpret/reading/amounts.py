@@ -44,7 +44,7 @@ def _bare() -> re.Pattern[str]:
         rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerates? to"
         rf"|(?:speeds?|sped|picks?|picked) up to)"
         rf"(?:,? at|,? doing| (?:drives|does|did|goes|went|is doing|was doing|runs)|:| speed)?"
-        rf" (?:about |around |roughly |maybe |a steady |only )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)"
+        rf" (?:about |around |roughly |maybe |a steady |only |at least |easily |over |nearly |almost )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)"
         rf"(?=\s*(?:[,.;)]|$|straight\b|and\b"
         rf"|in the\b|when\b|while\b|where\b|although\b|same\b|left\b|right\b|but\b|on the\b|behind\b|ahead\b"
         rf"|in (?:left|right)\b"

@@ -91,6 +91,7 @@ def actors(scene: Scene) -> list[Entity]:
             and where.rel is None
             and where.lane is None
             and not (entity.person and scene.road.crosswalk)
+            and "parked" not in entity.roles
         ):
             continue
         only_denied = [e for e in scene.clauses.events if e.agent is entity or e.patient is entity]
@@ -154,7 +155,7 @@ def actors(scene: Scene) -> list[Entity]:
 
 
 HURT = re.compile(
-    r"\b(?:injur|hurt\b|kill|wound|unharmed|unhurt|uninjured|hospital|witness|interview|died|fatal|treated|dead\b)"
+    r"\b(?:injur|hurt\b|complain|kill|wound|unharmed|unhurt|uninjured|hospital|witness|interview|died|fatal|treated|dead\b)"
 )
 OFF = re.compile(r"\b(?:off|out|up|down|on|alight|board)\b")
 LET_OFF = re.compile(r"(?:let|allow|pick|drop|set|discharg|collect|unload|deliver|board|alight)\w*$")

@@ -24,6 +24,11 @@ OWN_SPEED = re.compile(
     r"\b(?P<whose>\w+)(?: 's)? (?:speed|velocity|pace)(?: (?:is|was|of|at|about|around|constant))*\s*[:=,]?\s*$"
 )
 """Whose speed is named right before it: "pedestrian speed 5 km/h", "walking speed: 5 km/h"."""
+HEADED = re.compile(
+    r"\s*,?\s*(?:(?:which|who) was )?(?:(?:travell?ing|driving|heading|going) )?(?:(?:due )?(?:north|south|east|west)"
+    r"(?:bound)?|[nsew]/?b) at (?:(?:about|around|roughly|approximately|an? (?:estimated|speed of)|some) )?"
+)
+"""Whose heading is told before a speed: "turned across the path of V1, northbound at 40 mph"."""
 ON_FOOT = frozenset(("walking", "running", "crossing"))
 COMPARED_WITH = re.compile(r"\b(?:than|as) (?:the |an? )?$")
 AT_REST = frozenset(("stationary", "stop", "brake", "brake_stop", "held_up", "yield"))
@@ -203,14 +208,19 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
     """The road user right before a speed: "in front of the ego at 100 km/h"."""
     for i, entity in scene.cast.of.items():
         word = scene.words[i]
-        if word.span is None or word.end > span.start or span.start - word.end > 24:
+        if word.span is None or word.end > span.start or span.start - word.end > 44:
+            continue
+        between = scene.plain[word.end : span.start]
+        if HEADED.fullmatch(between) and word.dep == "pobj":
+            return entity
+        if len(between) > 24:
             continue
         if re.fullmatch(
             (
                 r"\s*,?\s*(at|doing|going|travell?ing at|driving at|moving at)\s*(about |around |roughly "
                 r"|approximately |only |just )?"
             ),
-            scene.plain[word.end : span.start],
+            between,
         ):
             compared = COMPARED_WITH.search(scene.plain[max(0, word.start - 12) : word.start])
             slow = not entity.ego and "slow" in entity.roles and entity.mover and not entity.person

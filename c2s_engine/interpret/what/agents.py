@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from c2s_engine.interpret.what.event import Event
 PACE = frozenset(("speed", "velocity", "pace"))
 CAUSES = language.words("causes")
+BELIEVED = language.words("believed")
 ALONG = frozenset(("past", "across", "along", "through", "around", "round"))
 UNCHANGED = frozenset(("hit", "cut", "put", "let", "shut"))
 """Verbs whose past is like their base form."""
@@ -190,7 +191,8 @@ class Agents(Subjectless):
             if word.dep == "pcomp" and above is not None and above.dep == "ccomp" and head.norm == "before":
                 letting = self.words[above.head]
                 above = letting if letting.lemma in ("let", "allow") else above  # "let it pass before turning"
-            finite = word.tag in ("VBZ", "VBD", "VBP") and not (word.norm in UNCHANGED and self._made_to(above))
+            past = word.tag == "VBN" and above is not None and above.tag == "VBG" and above.dep == "ccomp"  # "and braked"
+            finite = (past or word.tag in ("VBZ", "VBD", "VBP")) and not (word.norm in UNCHANGED and self._made_to(above))
             if word.dep == "conj" and above is not None and finite:
                 comma = self.words[word.i - 1].norm == ","
                 if (
@@ -201,8 +203,13 @@ class Agents(Subjectless):
                         and comma
                         and not any(self.words[c].dep == "cc" and above.i < c < word.i for c in above.children)
                     )
+                    or above.dep == "ccomp"
+                    and above.tag == "VBG"
+                    and word.tag in ("VBD", "VBN")
+                    and self._lemma(self.words[above.head]) in BELIEVED
                     or above.dep == "advcl"
                     and self.words[word.i - 1].norm == "then"
+                    and self.words[word.i - 2].norm != "and"
                 ):
                     above = self._governor(above) or above
             above = self._joined_verb(word, above)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import VEHICLES, Entity, fits
+from c2s_engine.interpret.entities import MOTOR, VEHICLES, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.ego_by_noun import EgoByNoun
 
@@ -39,7 +39,19 @@ class Owned(EgoByNoun):
             return owner
         if before and before[0] in ("our", "my"):
             return self.ego if kind in VEHICLES else None
+        if kind in MOTOR and self._of_ego_before(word):
+            self.ego.type, self.ego.typed = (kind, True) if kind != "vehicle" else (self.ego.type, self.ego.typed)
+            return self.ego
         return None
+
+    def _of_ego_before(self, word: Word) -> bool:
+        """Whether it stands right behind a name of ego that owns it: "the claimant's grey Fiesta"."""
+        for other in reversed(self.words[max(0, word.i - 4) : word.i]):
+            if other.span is not None and other.span.kind == "ego":
+                return other.norm.endswith(("'s", "s'")) or other.norm.endswith("’s")
+            if not other.tag.startswith(("JJ", "NN", "POS", "CD")):
+                return False
+        return False
 
     def _ridden(self, word: Word) -> bool:
         """Whether a make is that of a motorcycle: "I was riding my Honda", "out on my BMW"."""

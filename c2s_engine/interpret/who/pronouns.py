@@ -17,9 +17,11 @@ THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
 DOES = language.words("manoeuvres") | language.words("drives") | language.words("on_foot") | {"cross", "start", "do"}
 SHOWS = language.words("notices") | language.words("has_before_one") | {"be", "see", "detect", "find", "approach"}
 STANDS = frozenset(("parked", "stationary"))
+TOGETHER = frozenset(("couple", "family", "friends", "group", "pair", "crew"))
 HAS = frozenset(("on", "in", "with", "aboard", "astride", "behind"))
 """How one is told to have something with oneself."""
 OWNERS = frozenset(language.table("actors")["with_animals"])
+STRIKES = language.words("strikes")
 BUMPED = language.words("bumped")
 MOVES = language.word_list("motion") | {"leave"}
 ROOTED = frozenset(language.table("actors")["fixed"]) | {"tree", "trees"}
@@ -76,6 +78,8 @@ class Pronouns(Persons):
             others = [e for e in self.entities if e.type in MOTOR]
             return others[-1] if others else self._new(Entity("", "vehicle", noun="vehicle"))
         if norm in ("they", "them", "their", "themselves"):
+            if (drives := self._theirs(word)) is not None:
+                return drives
             if self.words[word.i - 1].norm in BUMPED and (lying := self._lies_before(word)) is not None:
                 return lying  # "strips of tyre lie there. The van swerves around them"
             many = [e for e in self.entities if e.count > 1]
@@ -99,6 +103,13 @@ class Pronouns(Persons):
         if others and self.words[word.i + 1].norm in ("all", "both") and word.dep == "nsubj":
             self.both[word.i] = others
         return self.ego
+
+    def _theirs(self, word: Word) -> Entity | None:
+        """Who drives what is called "their" vehicle: "the couple drove home ... their Skoda slid"."""
+        span = self.words[word.head].span
+        own = word.dep == "poss" and span is not None and span.kind == "actor" and span.data["type"] in MOTOR
+        told = [e for e in (self.ego, *self.entities) if e.manned and e.names & TOGETHER and not e.person]
+        return told[-1] if own and told else None
 
     def _has_it(self, word: Word) -> Word | None:
         """The person whose it is: "a woman on her bike", "a farmer driving his tractor", "a man rides his bike"."""
@@ -137,6 +148,8 @@ class Pronouns(Persons):
 
         if (owned := self._owned(word)) is not None:
             return owned
+        if (struck := self._of_the_other(word)) is not None and fits(struck):
+            return struck
         if word.dep == "nsubj" and (near := comes_near(self.words, self.of, word)) is not None:
             return near
         if word.dep == "nsubj" and (animal := self._animal_before(word)) is not None:
@@ -148,6 +161,17 @@ class Pronouns(Persons):
         if found is None and bumped:
             found = self._salient(word, lambda e: e.type == "animal")
         return found
+
+    def _of_the_other(self, word: Word) -> Entity | None:
+        """Whose part is struck, of those who did something right before: "the van pulled out in front of the bus and
+        the motorcycle hit its wing"."""
+        verb = self._governor(word)
+        if word.dep != "poss" or self.words[word.head].dep != "dobj" or verb.lemma not in STRIKES:
+            return None
+        own = [c for c in verb.children if self.words[c].dep == "nsubj" and c in self.of]
+        did = [e for i, e in self.subjects if self.words[i].sentence == word.sentence and i < verb.i]
+        others = [e for e in did if own and e is not self.of[own[0]]]
+        return others[-1] if verb.dep == "conj" and others else None
 
     def _owned(self, word: Word) -> Entity | None:
         """The animal whose owner is told of, or after which somebody runs: "its owner runs after it"."""

@@ -196,3 +196,141 @@ def test_what_reports_say_besides(read) -> None:
     assert [o.spec.type for o in s.objects] == ["car"]
     s = read("A boy ran into the road from between two parked vehicles. V1 struck the boy.")
     assert [o.spec.placement.position for o in s.objects if o.spec.count == 2] == ["parked"]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("A Ford Ranger driven by Mr Price came up behind a cyclist. The Ranger's bumper struck the bicycle.", "truck"),
+        ("Ms Lee's Kia Picanto came up behind a cyclist. The Picanto struck the bicycle.", "car"),
+        ("A Tesla Model Y came up behind a cyclist. The Model Y struck the bicycle.", "car"),
+        ("A Nissan Leaf came up behind a cyclist. The white Leaf struck the bicycle.", "car"),
+    ],
+)
+def test_a_vehicle_is_called_by_its_model_alone(read, text: str, kind: str) -> None:
+    s = read(text)
+    assert s.ego.spec.type == kind
+    assert [o.spec.type for o in s.objects] == ["bicycle"]
+    assert _targets(s.ego) == ["O1"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "While driving a loaded milk tanker down a hill, the insured driver noticed a tractor ahead. The tanker skidded.",
+        "I was travelling from Swindon to Bath in the tanker. A tractor was ahead. I skidded.",
+    ],
+)
+def test_what_ego_drives_is_told_before_or_after_a_route(read, text: str) -> None:
+    s = read(text)
+    assert s.ego.spec.type == "truck"
+    assert len(s.objects) == 1
+    assert "lose_control" in _acts(s.ego)
+
+
+def test_a_blow_of_the_heading_is_told_once(read) -> None:
+    s = read(
+        "A pick-up crashed into the back of a stationary school bus. Police said the pick-up drifted to the left out of "
+        "its lane and hit the right rear corner of the bus."
+    )
+    assert _acts(s.ego) == ["drift", "collide"]
+
+
+def test_who_is_only_brought_to_hospital_or_comes_afterwards_is_not_there(read) -> None:
+    s = read("Two people were taken to hospital after a van hit a bus. The cops came after 20 minutes.")
+    assert not [o for o in s.objects if o.spec.type == "pedestrian"]
+    s = read("V2 was parked; its driver walked away. V1 struck V2.")
+    assert len(s.objects) == 1
+    assert [o.spec.type for o in read("The truck driver walked across the road.").objects] == ["pedestrian"]
+
+
+def test_who_comes_flying(read) -> None:
+    s = read("I was starting across the intersection when this white van came flying through from the right at 50 mph.")
+    assert s.objects[0].spec.speed == pytest.approx(22.35, abs=0.01)
+    assert s.objects[0].spec.placement.position == "crossing_right"
+
+
+def test_a_lorry_that_blocks_by_backing(read) -> None:
+    s = read("V1 was blocked by a lorry backing into a yard.")
+    assert "reverse" in _acts(s.objects[0])
+    assert "reverse" not in _acts(s.ego)
+
+
+def test_what_had_not_been_moving_did_not_stop_for_it(read) -> None:
+    s = read("V1 was backing out. Driver 2 said that V1 had not been moving when he began to back up.")
+    assert _acts(s.ego) == ["reverse"]
+
+
+def test_the_wrong_way_onto_a_highway(read) -> None:
+    s = read("Vehicle 1 entered the highway in the wrong direction and met Vehicle 2, which was in the left lane.")
+    assert "oncoming" in _acts(s.ego)
+
+
+def test_each_of_those_joined_has_the_speed(read) -> None:
+    s = read("V1 was going east. V2 came towards V1. V3 was behind V1. V1 and V3 each about 30 mph.")
+    assert s.ego.spec.speed == s.objects[1].spec.speed == pytest.approx(13.41, abs=0.01)
+
+
+def test_one_stops_behind_who_slowed_not_behind_who_is_parked(read) -> None:
+    s = read(
+        "V1 was ahead of V2. V1 slowed for a pedestrian who had stepped out from behind a parked truck. V2 stopped behind it."
+    )
+    assert s.objects[0].spec.placement.of == "ego"
+
+
+def test_codes_of_targets(read) -> None:
+    s = read("TGT1 was ahead of VUT. VOI2 cut in in front of VUT. TGT1 braked.")
+    assert [_acts(o) for o in s.objects] == [["brake"], ["cut_in"]]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("My daughter was crossing the road when a van hit her.", "child"),
+        ("My husband was walking along the road when a van hit him.", "pedestrian"),
+        ("My son was cycling to school when a van turned left in front of him and hit him.", "bicycle"),
+    ],
+)
+def test_whose_relative_was_struck_was_not_driving(read, text: str, kind: str) -> None:
+    s = read(text)
+    assert s.ego.spec.type == "van"
+    assert [o.spec.type for o in s.objects] == [kind]
+    assert _targets(s.ego) == ["O1"]
+
+
+def test_whose_relative_is_in_the_way_of_who_drives(read) -> None:
+    s = read("I was driving home in my car and my wife was driving behind me. A van cut in.")
+    assert s.ego.spec.type == "car"
+
+
+def test_a_claimant_on_a_bicycle_is_struck_by_the_defendant(read) -> None:
+    s = read("The claimant was riding her bicycle along a road. The defendant, in a van, struck the claimant.")
+    assert s.ego.spec.type == "van"
+    assert [o.spec.type for o in s.objects] == ["bicycle"]
+    assert _targets(s.ego) == ["O1"]
+
+
+def test_letters_for_the_parties_of_a_claim(read) -> None:
+    s = read(
+        "Third party (TP) was stationary in lane 2. Our driver (OD), in a 7.5t box van, braked hard and swerved to lane 1. "
+        "OD missed TP but side-swiped a Nissan Note in lane 1."
+    )
+    assert s.ego.spec.type in ("van", "truck")
+    assert [o.spec.name for o in s.objects] == ["third_party", "nissan"]
+    assert _targets(s.ego) == ["O2"]
+
+
+def test_speeds_at_the_end_in_the_order_of_the_vehicles(read) -> None:
+    s = read("V1 was going east. V2 was behind V1. Speeds were 25 and 30 mph respectively.")
+    assert [s.ego.spec.speed, s.objects[0].spec.speed] == pytest.approx([11.18, 13.41], abs=0.01)
+
+
+def test_who_moves_in_a_lane_does_not_drift(read) -> None:
+    s = read("The pickup moving slowly in the lane to the left of ego turned right across ego's lane.")
+    assert "drift" not in _acts(s.objects[0])
+    assert "drift" in _acts(read("The van ahead slowly drifts to the left over the line.").objects[0])
+
+
+def test_who_has_stopped_with_an_apostrophe_stands(read) -> None:
+    s = read("I'd stopped outside the school when a van hit me from behind.")
+    assert s.ego.spec.speed == 0.0

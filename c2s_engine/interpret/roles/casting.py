@@ -157,6 +157,7 @@ def actors(scene: Scene) -> list[Entity]:
 HURT = re.compile(
     r"\b(?:injur|hurt\b|complain|kill|wound|unharmed|unhurt|uninjured|hospital|witness|interview|died|fatal|treated|dead\b)"
 )
+BROUGHT = ("take", "rush", "airlift", "transport", "fly", "bring", "convey")
 OFF = re.compile(r"\b(?:off|out|up|down|on|alight|board)\b")
 LET_OFF = re.compile(r"(?:let|allow|pick|drop|set|discharg|collect|unload|deliver|board|alight)\w*$")
 
@@ -171,7 +172,7 @@ def _only_spoken_of(scene: Scene, entity: Entity) -> bool:
         before = [w.norm for w in scene.words[max(0, mention.word - 2) : mention.word]]
         off = any(LET_OFF.match(word) for word in before) and OFF.search(clause)
         says = entity.count > 1 and verb.lemma in SAYS
-        hurt = HURT.search(clause) and (verb.lemma == "be" or HURT.match(verb.norm) is not None)
+        hurt = HURT.search(clause) and (verb.lemma in ("be", *BROUGHT) or HURT.match(verb.norm) is not None)
         if not (hurt or off or says):
             return False
     return True

@@ -65,6 +65,7 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         if owner is not None and owner.noun in language.table("actors")["queues"]:
             owner = None
         near = scene.plain[max(0, span.start - 60) : span.start]
+        each = re.search(r"\b(?:and|,) [^.;,]*\beach\b[^.;,]*$", near) is not None
         both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(
             re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20])
         )
@@ -144,6 +145,8 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         subject_also = event.also if event is not None else []
         for other in subject_also:
             scene.speeds.setdefault(other, value)
+        for other in _each(scene, span, owner) if each else ():
+            scene.speeds.setdefault(other, value)
         if both or like:
             scene.speeds.setdefault(cast.ego, value)
             others = [e for e in scene.actors if e.type in VEHICLES]
@@ -157,6 +160,17 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
     compared_speeds(scene, quantities)
     by_limit(scene, quantities)
     speeds_by_ratio(scene, quantities, taken)
+
+
+def _each(scene: Scene, span: scan.Span, owner: Entity) -> list[Entity]:
+    """Who is joined with the one whose speed it is: "V1 and V3 each about 30 mph"."""
+    told = [i for i, e in scene.cast.of.items() if e is owner and scene.words[i].end <= span.start]
+    word = scene.words[max(told)] if told else None
+    joined = []
+    while word is not None and word.dep in ("conj", "appos") and word.head in scene.cast.of and word.head < word.i:
+        word = scene.words[word.head]
+        joined.append(scene.cast.of[word.i])
+    return joined
 
 
 def _had_by_then(scene: Scene, event: Event) -> bool:

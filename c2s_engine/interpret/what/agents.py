@@ -44,6 +44,8 @@ class Agents(Subjectless):
         passive = passive or word.tag == "VBN" and any(self.words[c].dep == "agent" for c in word.children)
         subjects = [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass", "csubj")]
         subjects = [c for c in subjects if not self.words[c].norm.endswith("self")] or subjects  # "its driver himself"
+        helping = [h for h in word.children if self.words[h].dep == "aux"]  # "when a van came flying through"
+        subjects = subjects or [c for h in helping for c in self.words[h].children if self.words[c].dep == "nsubj"]
         if word.tag == "VBG" and word.dep == "pobj" and word.i - 1 in word.children and word.i - 1 in self.cast.of:
             return self.cast.of[word.i - 1], word.i - 1, False  # "hit by a van changing lanes"
         subjects.sort(key=lambda c: (c > word.i, -c))

@@ -96,7 +96,9 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and cast.words[event.word].norm in ("move", "moving")
             and event.act in ("travel", "start", "move_along")
         ):
-            event.act, event.mode = "stationary", "fact"
+            before = any(cast.words[c].norm == "had" for c in cast.words[event.word].children)
+            moved = any(e.agent is event.agent and e.act in ("reverse", "start") and e.done for e in clauses.events)
+            event.act, event.mode = "stationary", "hypothetical" if moved and before else "fact"
         if (
             event.act == "overtake"
             and not event.agent.ego

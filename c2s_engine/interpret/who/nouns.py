@@ -189,7 +189,7 @@ class Nouns(Introduced, NotThere, Counted):
         definite = bool(DEFINITE & set(before)) or previous in DEFINITE or previous == "neither"
         other = bool({"other", "another"} & set(before)) or previous in ("other", "another")
         ordinal = next((ORDINALS[b] for b in before if b in ORDINALS), None)
-        if definite and not other and ordinal is None and " " not in noun:
+        if definite and not other and ordinal is None and (" " not in noun or noun in language.makes()):
             shade = COLOURS & set(before)
             named = [e for e in self.entities if e.noun.endswith(f" {noun}") and e.count == count]
             named = [e for e in named if not shade or shade & {*e.names, *e.noun.split(" ")}]
@@ -229,6 +229,8 @@ class Nouns(Introduced, NotThere, Counted):
         bare = not {*before} - {","} and previous not in ("a", "an") and not data.get("plural")
         if kind in PERSONS and self._of_a_person(word, noun):
             return self._new(Entity("", kind, noun=noun, count=count, roles=roles, typed=True))
+        if noun in PARTIES and self._other_side(noun):
+            return self._new(Entity("", kind, noun=noun, roles=roles))
         if definite or bare or (roles and not {"a", "an", "another", "second", "third"} & set(before)):
             found = self._definite(word, kind, noun, roles, other, ordinal, definite, count, bare)
             if found is None and bare and data.get("person") and not roles:

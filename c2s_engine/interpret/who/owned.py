@@ -10,6 +10,7 @@ from c2s_engine.interpret.who.ego_by_noun import EgoByNoun
 OWNERS = language.words("owners")
 MOVES = language.word_list("motion") | language.words("strikes") | language.words("manoeuvres")
 MISHAPS = language.words("mishaps")
+CLAIMS = frozenset(("claimant", "plaintiff", "complainant"))
 AFOOT = frozenset(
     (*language.table("people")["walks"], "run", "cross", "stand", "wait", "load", "unload", "watch", "see")
 )
@@ -43,6 +44,11 @@ class Owned(EgoByNoun):
             self.ego.type, self.ego.typed = (kind, True) if kind != "vehicle" else (self.ego.type, self.ego.typed)
             return self.ego
         return None
+
+    def _other_side(self, noun: str) -> bool:
+        """Whether only the other party of a claim was spoken of: "the claimant was cycling ... the defendant"."""
+        known = {e.noun for e in self.entities}
+        return noun not in known and bool(known & CLAIMS) != (noun in CLAIMS) and bool(known & OWNERS)
 
     def _of_ego_before(self, word: Word) -> bool:
         """Whether it stands right behind a name of ego that owns it: "the claimant's grey Fiesta"."""

@@ -16,6 +16,7 @@ LOOSE = frozenset(("debris", "box", "obstacle"))
 THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
 DOES = language.words("manoeuvres") | language.words("drives") | language.words("on_foot") | {"cross", "start", "do"}
 SHOWS = language.words("notices") | language.words("has_before_one") | {"be", "see", "detect", "find", "approach"}
+HALTS = frozenset(("stop", "slow", "brake", "halt", "wait", "pull"))
 STANDS = frozenset(("parked", "stationary"))
 TOGETHER = frozenset(("couple", "family", "friends", "group", "pair", "crew"))
 HAS = frozenset(("on", "in", "with", "aboard", "astride", "behind"))
@@ -160,7 +161,16 @@ class Pronouns(Persons):
         found = apart or self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
         if found is None and bumped:
             found = self._salient(word, lambda e: e.type == "animal")
-        return found
+        return self._who_halted(word, found) or found
+
+    def _who_halted(self, word: Word, found: Entity | None) -> Entity | None:
+        """Behind whom one halts: who was told to halt, not what stands there beside: "the first vehicle slowed for a man
+        behind a parked truck. The second stopped behind it"."""
+        if found is None or "parked" not in found.roles or self.words[word.i - 1].norm != "behind":
+            return None
+        told = [(i, e) for i, e in self.subjects if self.words[i].sentence == word.sentence - 1]
+        halts = [e for i, e in told if self._governor(self.words[i]).lemma in HALTS and "parked" not in e.roles]
+        return halts[-1] if halts and self._governor(word).lemma in HALTS else None
 
     def _of_the_other(self, word: Word) -> Entity | None:
         """Whose part is struck, of those who did something right before: "the van pulled out in front of the bus and

@@ -53,6 +53,11 @@ IN_QUEUE = re.compile(
 """What a person does who is in the queue at the wheel: "the person behind ran into me"."""
 
 
+OUR_DRIVER = re.compile(
+    r"\bour (?:driver|insured|operator|rider) ,? ?(?:(?:who )?was )?(?:in|on|driving|operating|riding) (?:an?|the|his|her)"
+    r" (?:[\w.-]+ ){0,3}$"
+)
+CYCLES = frozenset(language.table("people")["cycles"])
 CHAUFFEURS = language.words("chauffeurs")
 ASTRAY = frozenset(("off", "into", "towards", "toward", "onto", "out", "against", "crazy", "mad"))
 """Where one drives somebody whom one does not carry."""
@@ -90,8 +95,10 @@ class AtWheel(Reference):
         return self.ego
 
     def _drives_on(self, word: Word) -> Entity | None:
-        """Who drives, in what is not told: "the couple drove home", "a family was driving to the coast"."""
+        """Who drives or cycles, in or on what is not told: "the couple drove home", "a boy was cycling to school"."""
         verb = self.words[word.head]
+        if word.dep == "nsubj" and verb.lemma in CYCLES:
+            return self._new(Entity("", "bicycle", typed=True, manned=True, sex=self._sex(word)))
         objects = (self.words[c] for c in verb.children if self.words[c].dep == "dobj")
         if word.dep != "nsubj" or verb.lemma != "drive" or any(w.lemma not in ("way", "mile", "route") for w in objects):
             return None
@@ -172,6 +179,8 @@ class AtWheel(Reference):
         back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
         text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
         match = DRIVEN.search(text + " ")
+        if match is None and (OUR_DRIVER.search(" ".join(w.norm for w in back) + " ") or self._driven_first(word)):
+            return self.ego
         if match is None:
             return self._party_in(word)
         owner = next(self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None)
@@ -181,6 +190,16 @@ class AtWheel(Reference):
             return None
         two = owner.type in ("bicycle", "motorcycle") and re.search(r"rider|courier", owner.noun)
         return owner if owner.type in ("vehicle", "rider") or owner.ego or two else None
+
+    def _driven_first(self, word: Word) -> bool:
+        """Whether it is told before ego what ego drives: "while driving a tanker, the insured saw a tractor"."""
+        verb = self.words[word.head]
+        main = self.words[verb.head]
+        main = self.words[main.head] if main.dep == "prep" else main
+        if word.dep != "dobj" or verb.norm not in STEERS or verb.tag != "VBG" or main.i < word.i:
+            return False
+        subjects = (self.words[c].span for c in main.children if self.words[c].dep == "nsubj" and c > word.i)
+        return any(s is not None and s.kind == "ego" for s in subjects)
 
     def _party_in(self, word: Word) -> Entity | None:
         """The party who moves in a vehicle: "the suspect fled in a stolen Audi"."""

@@ -23,6 +23,7 @@ from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.pulled_out import pulled_out
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.stays_put import stays_put
+from c2s_engine.interpret.what.struck_both import struck_both
 from c2s_engine.interpret.what.unsaid import unsaid
 from c2s_engine.interpret.where.other_lane import meets_ego, next_lane
 from c2s_engine.interpret.where.own_edge import on_own_edge
@@ -59,6 +60,7 @@ def understand(text: str) -> Scene:
     unnamed_doers(cast, clauses)
     herded(clauses)
     own_parts(clauses)
+    struck_both(clauses)
     pushed(clauses)
     merged_into(clauses)
     came_out_into(clauses)

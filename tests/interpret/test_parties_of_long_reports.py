@@ -143,7 +143,9 @@ def test_who_merges_and_then_brakes_is_one(read) -> None:
 
 
 def test_a_move_within_the_lane_is_no_lane_change(read) -> None:
-    s = read("Ego is in the right lane when a van drifts towards it. Ego brakes and moves to the right within its lane.")
+    s = read(
+        "Ego is in the right lane when a van drifts towards it. Ego brakes and moves to the right within its lane."
+    )
     assert "lane_change" not in _acts(s.ego)
     assert "lane_change" in _acts(read("Ego brakes and moves to the right lane.").ego)
 
@@ -159,11 +161,16 @@ def test_a_move_within_the_lane_is_no_lane_change(read) -> None:
 def test_the_speed_is_of_whose_heading_is_told(read, text: str) -> None:
     assert read(text).ego.spec.speed == pytest.approx(17.88, abs=0.01)
     s = read("V2 was southbound at 20 mph. " + text)
-    assert [s.ego.spec.speed, s.objects[0].spec.speed] == [pytest.approx(17.88, abs=0.01), pytest.approx(8.94, abs=0.01)]
+    assert [s.ego.spec.speed, s.objects[0].spec.speed] == [
+        pytest.approx(17.88, abs=0.01),
+        pytest.approx(8.94, abs=0.01),
+    ]
 
 
 def test_steering_aside_at_a_junction_is_no_turn(read) -> None:
-    s = read("V1 was northbound. At the intersection V2 turned left in front of V1. V1 braked and steered right but hit V2.")
+    s = read(
+        "V1 was northbound. At the intersection V2 turned left in front of V1. V1 braked and steered right but hit V2."
+    )
     assert s.place.spec.manoeuvre != "right"
     assert "swerve" in _acts(s.ego)
 
@@ -334,3 +341,40 @@ def test_who_moves_in_a_lane_does_not_drift(read) -> None:
 def test_who_has_stopped_with_an_apostrophe_stands(read) -> None:
     s = read("I'd stopped outside the school when a van hit me from behind.")
     assert s.ego.spec.speed == 0.0
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["V1 hit V2 and then V3.", "V1 collided with V2 and V3.", "V1 struck V2 and V3 and came to rest."],
+)
+def test_who_strikes_several_one_after_the_other(read, text: str) -> None:
+    assert _targets(read(text).ego) == ["O1", "O2"]
+
+
+def test_who_is_only_named_behind_is_not_struck(read) -> None:
+    assert _targets(read("V1 hit V2 and V3 braked.").ego) == ["O1"]
+    assert _targets(read("Ego hits the car between a van and a bus.").ego) == ["O1"]
+
+
+def test_what_one_saw_coming_is_told_once(read) -> None:
+    s = read(
+        "V1 was northbound. OP1 swerved left into the southbound lane and struck V2, which was southbound. OP2 stated that "
+        "he saw V1 come into his lane."
+    )
+    assert _acts(s.ego)[-1] == "collide"
+
+
+def test_who_was_waiting_before_another_came(read) -> None:
+    s = read(
+        "While I was in my car at the junction waiting to turn right onto the high street, a moped came along the high "
+        "street from the right. It hit my wing."
+    )
+    assert s.ego.spec.speed == 0.0
+    assert "turn_right" not in _acts(s.objects[0])
+
+
+def test_he_is_not_ego_after_the_others_insured(read) -> None:
+    s = read(
+        "I edged forward. A lorry was parked there. A pickup came past the lorry. Your insured says he was doing 30 mph."
+    )
+    assert s.ego.spec.speed != pytest.approx(13.41, abs=0.01)

@@ -81,7 +81,9 @@ def _by_model(text: str, start: int, make: str, model: str) -> list[Span]:
         return []
     kind = nouns.get(f"{make} {model.lower()}", nouns[make])[0]
     data = {"type": kind, "plural": False, "person": False, "noun": make, "roles": [], "words": [], "make": make}
-    later = re.compile(rf"\b(?:[Tt]he|[Tt]his|[Tt]hat|[Hh]is|[Hh]er|'s|’s)(?: \w+)? (?P<model>{re.escape(model)})(?![\w-])")
+    later = re.compile(
+        rf"\b(?:[Tt]he|[Tt]his|[Tt]hat|[Hh]is|[Hh]er|'s|’s)(?: \w+)? (?P<model>{re.escape(model)})(?![\w-])"
+    )
     return [Span("actor", m.start("model"), m.end("model"), dict(data)) for m in later.finditer(text, start)]
 
 

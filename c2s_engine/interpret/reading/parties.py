@@ -28,8 +28,6 @@ def other_party(text: str, span: Span) -> bool:
     """Whether a name of ego means another: "the claimant", as the text tells of "the insured", too; "a robotaxi", where
     ego is called so."""
     name, before = text[span.start : span.end], text[: span.start]
-    if re.search(r"\byour $", before):
-        return True  # "your insured says he was doing 30", to the other side's insurer
     if re.match(r"claimant|plaintiff|complainant", name):
         return "insured" in text or WITHOUT_MOTOR.search(text) is not None
     if (

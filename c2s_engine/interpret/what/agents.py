@@ -193,8 +193,12 @@ class Agents(Subjectless):
             if word.dep == "pcomp" and above is not None and above.dep == "ccomp" and head.norm == "before":
                 letting = self.words[above.head]
                 above = letting if letting.lemma in ("let", "allow") else above  # "let it pass before turning"
-            past = word.tag == "VBN" and above is not None and above.tag == "VBG" and above.dep == "ccomp"  # "and braked"
-            finite = (past or word.tag in ("VBZ", "VBD", "VBP")) and not (word.norm in UNCHANGED and self._made_to(above))
+            past = (
+                word.tag == "VBN" and above is not None and above.tag == "VBG" and above.dep == "ccomp"
+            )  # "and braked"
+            finite = (past or word.tag in ("VBZ", "VBD", "VBP")) and not (
+                word.norm in UNCHANGED and self._made_to(above)
+            )
             if word.dep == "conj" and above is not None and finite:
                 comma = self.words[word.i - 1].norm == ","
                 if (

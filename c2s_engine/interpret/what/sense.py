@@ -117,7 +117,9 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             turns = road.kind in ("intersection", "roundabout") and (verb not in JERKS or INTO.search(event.text))
             event.act = "turn" if turns else "swerve" if verb in JERKS else "lane_change"
         steers = event.act == "turn" and clauses._lemma(cast.words[event.word]) == "steer"
-        braked = any(e.agent is event.agent and e.act == "brake" and 0 < event.word - e.word < 6 for e in clauses.events)
+        braked = any(
+            e.agent is event.agent and e.act == "brake" and 0 < event.word - e.word < 6 for e in clauses.events
+        )
         if steers and (braked or road.kind not in ("intersection", "roundabout")) and not INTO.search(event.text):
             event.act = "swerve"
         if event.act == "pass_by":

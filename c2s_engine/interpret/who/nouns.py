@@ -170,7 +170,8 @@ class Nouns(Introduced, NotThere, Counted):
             and (
                 word.dep in ("appos", "attr")
                 or bracket
-                or (bool(host.label) or host.noun in PARTIES) and not host.typed
+                or (bool(host.label) or host.noun in PARTIES)
+                and not host.typed
                 or self._set_off(word)
             )
             and self.words[word.i - 1].norm not in ("and", "or")

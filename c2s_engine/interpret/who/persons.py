@@ -59,7 +59,7 @@ class Persons(Salience):
         above = self.words[head.head] if word.dep == "pobj" and head.norm == "of" else head
         part = word.dep in ("pobj", "poss", "compound", "nmod") and above.lemma in DRIVERS
         label = word.span is not None and word.span.kind == "label" and word.span.data["word"] in AT_THE_WHEEL
-        party = entity.ego and OF_A_CLAIM.match(word.norm) is not None
+        party = entity.ego and OF_A_CLAIM.match(word.norm) is not None and self.words[word.i - 1].norm != "your"
         entity.manned = entity.manned or part or label or party or entity.noun in PARTIES
         if part and above.dep in ("nsubj", "nsubjpass"):
             self.subjects.append((above.i, entity))  # "the driver of the van saw me"

@@ -65,7 +65,9 @@ RIDES_ALONG = re.compile(
     r"\b(?:i|we) (?:was|were|am|are|sat|sit|rode)(?: [\w-]+){0,3} (?:passengers?\b|beside (?:him|her)|next to (?:him|her)"
     r"|in the (?:back|passenger|front|rear)(?: seat)?s?\b)|\bmy passenger seat\b"
 )
-AT_IT = re.compile(r",? ?(?:(?:who|and) )?(?:was|were|is|had been) (?:driving|at the wheel|behind the wheel)\b(?= ?[,.;]| and| at the time)")
+AT_IT = re.compile(
+    r",? ?(?:(?:who|and) )?(?:was|were|is|had been) (?:driving|at the wheel|behind the wheel)\b(?= ?[,.;]| and| at the time)"
+)
 HELD = frozenset(("a", "an", "another", "some"))
 
 
@@ -100,7 +102,11 @@ class AtWheel(Reference):
         if word.dep == "nsubj" and verb.lemma in CYCLES:
             return self._new(Entity("", "bicycle", typed=True, manned=True, sex=self._sex(word)))
         objects = (self.words[c] for c in verb.children if self.words[c].dep == "dobj")
-        if word.dep != "nsubj" or verb.lemma != "drive" or any(w.lemma not in ("way", "mile", "route") for w in objects):
+        if (
+            word.dep != "nsubj"
+            or verb.lemma != "drive"
+            or any(w.lemma not in ("way", "mile", "route") for w in objects)
+        ):
             return None
         return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))
 

@@ -67,7 +67,8 @@ def test_what_a_party_of_a_claim_owns_is_that_party(read, text: str, kind: str) 
 
 def test_the_third_party_is_what_is_named_beside_it(read) -> None:
     s = read(
-        "Our insured was stationary at the lights when she was struck from behind by the third party's vehicle, a white "
+        "Our insured was stationary at the lights when she was struck from behind by the third "
+        "party's vehicle, a white "
         "Transit van. The third party had been following her for some time."
     )
     assert [o.spec.type for o in s.objects] == ["van"]
@@ -177,7 +178,8 @@ def test_steering_aside_at_a_junction_is_no_turn(read) -> None:
 
 def test_the_third_is_of_its_own_kind(read) -> None:
     s = read(
-        "The first vehicle, a Vauxhall Corsa, had slowed. The second vehicle, a Volvo lorry, slowed behind it. The third, "
+        "The first vehicle, a Vauxhall Corsa, had slowed. The second vehicle, a Volvo lorry, slowed "
+        "behind it. The third, "
         "a Nissan Qashqai, ran into the back of the lorry."
     )
     assert [o.spec.type for o in s.objects] == ["truck", "car"]
@@ -186,7 +188,8 @@ def test_the_third_is_of_its_own_kind(read) -> None:
 
 def test_abbreviated_vehicles_with_what_they_are(read) -> None:
     s = read(
-        "Veh. 1 (Honda CR-V) was stopped at the stop sign. Veh. 2 (Kia Rio) was eastbound. Driver 1 pulled forward. The "
+        "Veh. 1 (Honda CR-V) was stopped at the stop sign. Veh. 2 (Kia Rio) was eastbound. Driver 1 "
+        "pulled forward. The "
         "front of Veh. 2 struck Veh. 1."
     )
     assert len(s.objects) == 1
@@ -224,7 +227,8 @@ def test_a_vehicle_is_called_by_its_model_alone(read, text: str, kind: str) -> N
 @pytest.mark.parametrize(
     "text",
     [
-        "While driving a loaded milk tanker down a hill, the insured driver noticed a tractor ahead. The tanker skidded.",
+        "While driving a loaded milk tanker down a hill, the insured driver noticed a tractor ahead. "
+        "The tanker skidded.",
         "I was travelling from Swindon to Bath in the tanker. A tractor was ahead. I skidded.",
     ],
 )
@@ -237,7 +241,8 @@ def test_what_ego_drives_is_told_before_or_after_a_route(read, text: str) -> Non
 
 def test_a_blow_of_the_heading_is_told_once(read) -> None:
     s = read(
-        "A pick-up crashed into the back of a stationary school bus. Police said the pick-up drifted to the left out of "
+        "A pick-up crashed into the back of a stationary school bus. Police said the pick-up drifted "
+        "to the left out of "
         "its lane and hit the right rear corner of the bus."
     )
     assert _acts(s.ego) == ["drift", "collide"]
@@ -280,7 +285,8 @@ def test_each_of_those_joined_has_the_speed(read) -> None:
 
 def test_one_stops_behind_who_slowed_not_behind_who_is_parked(read) -> None:
     s = read(
-        "V1 was ahead of V2. V1 slowed for a pedestrian who had stepped out from behind a parked truck. V2 stopped behind it."
+        "V1 was ahead of V2. V1 slowed for a pedestrian who had stepped out from behind a parked "
+        "truck. V2 stopped behind it."
     )
     assert s.objects[0].spec.placement.of == "ego"
 
@@ -319,7 +325,8 @@ def test_a_claimant_on_a_bicycle_is_struck_by_the_defendant(read) -> None:
 
 def test_letters_for_the_parties_of_a_claim(read) -> None:
     s = read(
-        "Third party (TP) was stationary in lane 2. Our driver (OD), in a 7.5t box van, braked hard and swerved to lane 1. "
+        "Third party (TP) was stationary in lane 2. Our driver (OD), in a 7.5t box van, braked hard "
+        "and swerved to lane 1. "
         "OD missed TP but side-swiped a Nissan Note in lane 1."
     )
     assert s.ego.spec.type in ("van", "truck")
@@ -358,7 +365,8 @@ def test_who_is_only_named_behind_is_not_struck(read) -> None:
 
 def test_what_one_saw_coming_is_told_once(read) -> None:
     s = read(
-        "V1 was northbound. OP1 swerved left into the southbound lane and struck V2, which was southbound. OP2 stated that "
+        "V1 was northbound. OP1 swerved left into the southbound lane and struck V2, which was "
+        "southbound. OP2 stated that "
         "he saw V1 come into his lane."
     )
     assert _acts(s.ego)[-1] == "collide"
@@ -375,6 +383,7 @@ def test_who_was_waiting_before_another_came(read) -> None:
 
 def test_he_is_not_ego_after_the_others_insured(read) -> None:
     s = read(
-        "I edged forward. A lorry was parked there. A pickup came past the lorry. Your insured says he was doing 30 mph."
+        "I edged forward. A lorry was parked there. A pickup came past the lorry. Your insured says "
+        "he was doing 30 mph."
     )
     assert s.ego.spec.speed != pytest.approx(13.41, abs=0.01)

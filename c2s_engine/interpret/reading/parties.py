@@ -18,7 +18,8 @@ BESIDE_EGO = re.compile(
 
 
 WITHOUT_MOTOR = re.compile(
-    r"\b(?:claimant|plaintiff|complainant)(?:,? (?!s\b)[\w-]+){0,6}?,? (?:(?:riding|rode|on) (?:his|her|an?) (?:[\w-]+ )?"
+    r"\b(?:claimant|plaintiff|complainant)(?:,? (?!s\b)[\w-]+){0,6}?,? "
+    r"(?:(?:riding|rode|on) (?:his|her|an?) (?:[\w-]+ )?"
     r"(?:bicycle|bike|push ?bike|cycle|e-bike)|cycl(?:ing|ed)|pedestrian|cyclist|walk(?:ing|ed)|on foot|stepped)\b"
 )
 """A party of a claim that is on a bicycle or on foot."""

@@ -43,3 +43,14 @@ def _share(scene: Scene, number: int, dimension: str, spans: list[Span], values:
             scene.speeds[entity] = (value, value, spans[0].start, spans[-1].end)
         else:
             scene.where(entity).gap = (value, value)
+
+
+def joined_with(scene: Scene, span: Span, owner: Entity) -> list[Entity]:
+    """Who is joined with the one whose speed it is: "V1 and V3 each about 30 mph"."""
+    told = [i for i, e in scene.cast.of.items() if e is owner and scene.words[i].end <= span.start]
+    word = scene.words[max(told)] if told else None
+    joined = []
+    while word is not None and word.dep in ("conj", "appos") and word.head in scene.cast.of and word.head < word.i:
+        word = scene.words[word.head]
+        joined.append(scene.cast.of[word.i])
+    return joined

@@ -9,7 +9,7 @@ from c2s_engine.interpret.speed.by_limit import by_limit, told_by_limit
 from c2s_engine.interpret.speed.changes_by import changes_by
 from c2s_engine.interpret.speed.comparisons import compared_speeds, is_difference
 from c2s_engine.interpret.speed.ratios import speeds_by_ratio
-from c2s_engine.interpret.speed.shared_out import shared_out
+from c2s_engine.interpret.speed.shared_out import joined_with, shared_out
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import VEHICLES, Entity
 
@@ -145,7 +145,7 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         subject_also = event.also if event is not None else []
         for other in subject_also:
             scene.speeds.setdefault(other, value)
-        for other in _each(scene, span, owner) if each else ():
+        for other in joined_with(scene, span, owner) if each else ():
             scene.speeds.setdefault(other, value)
         if both or like:
             scene.speeds.setdefault(cast.ego, value)
@@ -160,17 +160,6 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
     compared_speeds(scene, quantities)
     by_limit(scene, quantities)
     speeds_by_ratio(scene, quantities, taken)
-
-
-def _each(scene: Scene, span: scan.Span, owner: Entity) -> list[Entity]:
-    """Who is joined with the one whose speed it is: "V1 and V3 each about 30 mph"."""
-    told = [i for i, e in scene.cast.of.items() if e is owner and scene.words[i].end <= span.start]
-    word = scene.words[max(told)] if told else None
-    joined = []
-    while word is not None and word.dep in ("conj", "appos") and word.head in scene.cast.of and word.head < word.i:
-        word = scene.words[word.head]
-        joined.append(scene.cast.of[word.i])
-    return joined
 
 
 def _had_by_then(scene: Scene, event: Event) -> bool:

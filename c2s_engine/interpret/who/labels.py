@@ -201,8 +201,8 @@ class Labels(Nouns):
         return closed < len(after) and after[closed].norm == ","
 
     def _beside_another(self, word: Word, verb: Word) -> bool:
-        """Whether a noun is set beside the one before its comma, behind another verb: "was stopped when she was struck by
-        the third party, a van"."""
+        """Whether a noun is set beside the one before its comma, behind another verb: "was stopped when she was struck
+        by the third party, a van"."""
         comma = next((w.i for w in reversed(self.words[max(0, word.i - 5) : word.i]) if w.norm == ","), None)
         beside = comma is not None and comma - 1 in self.of and self.words[comma + 1].norm in ("a", "an")
         return beside and any(w.verb and w.dep != "aux" for w in self.words[verb.i + 1 : comma])

@@ -9,27 +9,24 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, PERSONS, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.nearing import comes_near
-from c2s_engine.interpret.who.persons import Persons
+from c2s_engine.interpret.who.theirs import Theirs
 
 SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offside"))
 LOOSE = frozenset(("debris", "box", "obstacle"))
 THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
 DOES = language.words("manoeuvres") | language.words("drives") | language.words("on_foot") | {"cross", "start", "do"}
 SHOWS = language.words("notices") | language.words("has_before_one") | {"be", "see", "detect", "find", "approach"}
-HALTS = frozenset(("stop", "slow", "brake", "halt", "wait", "pull"))
 STANDS = frozenset(("parked", "stationary"))
-TOGETHER = frozenset(("couple", "family", "friends", "group", "pair", "crew"))
 HAS = frozenset(("on", "in", "with", "aboard", "astride", "behind"))
 """How one is told to have something with oneself."""
 OWNERS = frozenset(language.table("actors")["with_animals"])
-STRIKES = language.words("strikes")
 BUMPED = language.words("bumped")
 MOVES = language.word_list("motion") | {"leave"}
 ROOTED = frozenset(language.table("actors")["fixed"]) | {"tree", "trees"}
 """What no "it" that moves can mean."""
 
 
-class Pronouns(Persons):
+class Pronouns(Theirs):
     """The part of Cast that resolves words without a noun of their own."""
 
     words: list[Word]
@@ -105,13 +102,6 @@ class Pronouns(Persons):
             self.both[word.i] = others
         return self.ego
 
-    def _theirs(self, word: Word) -> Entity | None:
-        """Who drives what is called "their" vehicle: "the couple drove home ... their Skoda slid"."""
-        span = self.words[word.head].span
-        own = word.dep == "poss" and span is not None and span.kind == "actor" and span.data["type"] in MOTOR
-        told = [e for e in (self.ego, *self.entities) if e.manned and e.names & TOGETHER and not e.person]
-        return told[-1] if own and told else None
-
     def _has_it(self, word: Word) -> Word | None:
         """The person whose it is: "a woman on her bike", "a farmer driving his tractor", "a man rides his bike"."""
         if word.norm not in ("his", "her", "their") or word.dep != "poss":
@@ -162,26 +152,6 @@ class Pronouns(Persons):
         if found is None and bumped:
             found = self._salient(word, lambda e: e.type == "animal")
         return self._who_halted(word, found) or found
-
-    def _who_halted(self, word: Word, found: Entity | None) -> Entity | None:
-        """Behind whom one halts: who was told to halt, not what stands there beside: "the first vehicle slowed for a man
-        behind a parked truck. The second stopped behind it"."""
-        if found is None or "parked" not in found.roles or self.words[word.i - 1].norm != "behind":
-            return None
-        told = [(i, e) for i, e in self.subjects if self.words[i].sentence == word.sentence - 1]
-        halts = [e for i, e in told if self._governor(self.words[i]).lemma in HALTS and "parked" not in e.roles]
-        return halts[-1] if halts and self._governor(word).lemma in HALTS else None
-
-    def _of_the_other(self, word: Word) -> Entity | None:
-        """Whose part is struck, of those who did something right before: "the van pulled out in front of the bus and
-        the motorcycle hit its wing"."""
-        verb = self._governor(word)
-        if word.dep != "poss" or self.words[word.head].dep != "dobj" or verb.lemma not in STRIKES:
-            return None
-        own = [c for c in verb.children if self.words[c].dep == "nsubj" and c in self.of]
-        did = [e for i, e in self.subjects if self.words[i].sentence == word.sentence and i < verb.i]
-        others = [e for e in did if own and e is not self.of[own[0]]]
-        return others[-1] if verb.dep == "conj" and others else None
 
     def _owned(self, word: Word) -> Entity | None:
         """The animal whose owner is told of, or after which somebody runs: "its owner runs after it"."""

@@ -54,19 +54,20 @@ IN_QUEUE = re.compile(
 
 
 OUR_DRIVER = re.compile(
-    r"\bour (?:driver|insured|operator|rider) ,? ?(?:(?:who )?was )?(?:in|on|driving|operating|riding) (?:an?|the|his|her)"
-    r" (?:[\w.-]+ ){0,3}$"
+    r"\bour (?:driver|insured|operator|rider) ,? ?(?:(?:who )?was )?(?:in|on|driving|operating|riding) "
+    r"(?:an?|the|his|her) (?:[\w.-]+ ){0,3}$"
 )
 CYCLES = frozenset(language.table("people")["cycles"])
 CHAUFFEURS = language.words("chauffeurs")
 ASTRAY = frozenset(("off", "into", "towards", "toward", "onto", "out", "against", "crazy", "mad"))
 """Where one drives somebody whom one does not carry."""
 RIDES_ALONG = re.compile(
-    r"\b(?:i|we) (?:was|were|am|are|sat|sit|rode)(?: [\w-]+){0,3} (?:passengers?\b|beside (?:him|her)|next to (?:him|her)"
+    r"\b(?:i|we) (?:was|were|am|are|sat|sit|rode)(?: [\w-]+){0,3} (?:passengers?\b|(?:beside|next to) (?:him|her)"
     r"|in the (?:back|passenger|front|rear)(?: seat)?s?\b)|\bmy passenger seat\b"
 )
 AT_IT = re.compile(
-    r",? ?(?:(?:who|and) )?(?:was|were|is|had been) (?:driving|at the wheel|behind the wheel)\b(?= ?[,.;]| and| at the time)"
+    r",? ?(?:(?:who|and) )?(?:was|were|is|had been) (?:driving|at the wheel|behind the wheel)\b"
+    r"(?= ?[,.;]| and| at the time)"
 )
 HELD = frozenset(("a", "an", "another", "some"))
 

@@ -17,11 +17,13 @@ from c2s_engine.interpret.what.headlines import headline
 from c2s_engine.interpret.what.herded import herded
 from c2s_engine.interpret.what.indicated import indicated
 from c2s_engine.interpret.what.left_untold import left_untold
+from c2s_engine.interpret.what.own_parts import own_parts
 from c2s_engine.interpret.what.passing import came_up_behind
 from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.pulled_out import pulled_out
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.stays_put import stays_put
+from c2s_engine.interpret.what.struck_both import struck_both
 from c2s_engine.interpret.what.unsaid import unsaid
 from c2s_engine.interpret.where.other_lane import meets_ego, next_lane
 from c2s_engine.interpret.where.own_edge import on_own_edge
@@ -57,6 +59,8 @@ def understand(text: str) -> Scene:
     clauses = Clauses(words, cast)
     unnamed_doers(cast, clauses)
     herded(clauses)
+    own_parts(clauses)
+    struck_both(clauses)
     pushed(clauses)
     merged_into(clauses)
     came_out_into(clauses)

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
 
 ON_ITS_WAY = frozenset(language.words("on_its_way"))
+OPENS = frozenset(("while", "whilst", "when", "as"))
 USES = frozenset(("use", "borrow", "cross", "enter"))
 
 
@@ -19,10 +20,29 @@ def bring_home(words: list[Word], word: Word) -> None:
     doer = words[word.i - 2] if word.i > 1 and words[word.i - 1].norm == "," else word
     if word.dep == "advcl" and word.norm in ON_ITS_WAY and road_user(doer) and words[doer.head].dep == "agent":
         hang(words, word, doer, "acl")  # "was struck by V2, turning out of a lot"
+    if (begun := _begun_before(words, word)) is not None:
+        hang(words, word, begun, "advcl")  # "while I was at the lights waiting to turn, a rider came"
     if (user := _what_for(words, word)) is not None:
         hang(words, word, user, "advcl")  # "uses ego's lane to pass a queue"
     if (lane := _lane_before(words, word)) is not None:
         hang(words, word, lane)  # "approaches a queue in the lane to its right"
+
+
+def _begun_before(words: list[Word], word: Word) -> Word | None:
+    """The verb of the clause before the comma that a participle belongs to, which the tree has with the main clause."""
+    main = words[word.head]
+    later = word.dep == "advcl" and main.verb and any(w.norm == "," for w in words[word.i : main.i])
+    place = word.dep == "acl" and word.norm == "waiting" and main.span is None  # "at the junction waiting to turn"
+    if word.tag != "VBG" or not later and not place:
+        return None
+    for other in reversed(words[max(0, word.i - 12) : word.i]):
+        if other.sentence != word.sentence or other.norm == ",":
+            return None
+        if other.tag in ("VBD", "VBZ", "VBP"):
+            marks = {words[c].norm for c in other.children}
+            own = any(words[c].dep.startswith("nsubj") for c in other.children)
+            return other if own and marks & OPENS else None
+    return None
 
 
 def _what_for(words: list[Word], word: Word) -> Word | None:

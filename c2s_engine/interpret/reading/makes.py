@@ -62,13 +62,29 @@ def models(text: str, plain: str) -> list[Span]:
     found = []
     for match in _with_model().finditer(text):
         make, model = match["make"].lower(), match["model"].lower()
+        if match["make"][0].isupper() and stands_for_a_vehicle(plain, match.start(), match.end()):
+            found += _by_model(text, match.end(), make, match["model"])
         known = model in language.actor_nouns() or model.split()[0] in language.actor_nouns() or model in NO_MODEL
         if known or not match["make"][0].isupper() or not stands_for_a_vehicle(plain, match.start(), match.end()):
             continue
-        kind = ridden(plain, match.start(), language.actor_nouns()[make][0])
+        nouns = language.actor_nouns()
+        kind = ridden(plain, match.start(), nouns.get(f"{make} {model}", nouns[make])[0])
         data = {"type": kind, "plural": False, "person": False, "noun": make, "roles": [], "words": [], "make": make}
         found.append(Span("actor", match.start(), match.end(), data))
     return found
+
+
+def _by_model(text: str, start: int, make: str, model: str) -> list[Span]:
+    """Where a vehicle is then called by its model alone, which no table knows: "a Ford Ranger ... the Ranger"."""
+    nouns = language.actor_nouns()
+    if len(model) < 3 or not model[0].isupper() or model.lower() in nouns or model.lower() in NO_MODEL:
+        return []
+    kind = nouns.get(f"{make} {model.lower()}", nouns[make])[0]
+    data = {"type": kind, "plural": False, "person": False, "noun": make, "roles": [], "words": [], "make": make}
+    later = re.compile(
+        rf"\b(?:[Tt]he|[Tt]his|[Tt]hat|[Hh]is|[Hh]er|'s|’s)(?: \w+)? (?P<model>{re.escape(model)})(?![\w-])"
+    )
+    return [Span("actor", m.start("model"), m.end("model"), dict(data)) for m in later.finditer(text, start)]
 
 
 RIDES = re.compile(

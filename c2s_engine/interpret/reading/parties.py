@@ -17,12 +17,20 @@ BESIDE_EGO = re.compile(
 )
 
 
+WITHOUT_MOTOR = re.compile(
+    r"\b(?:claimant|plaintiff|complainant)(?:,? (?!s\b)[\w-]+){0,6}?,? "
+    r"(?:(?:riding|rode|on) (?:his|her|an?) (?:[\w-]+ )?"
+    r"(?:bicycle|bike|push ?bike|cycle|e-bike)|cycl(?:ing|ed)|pedestrian|cyclist|walk(?:ing|ed)|on foot|stepped)\b"
+)
+"""A party of a claim that is on a bicycle or on foot."""
+
+
 def other_party(text: str, span: Span) -> bool:
     """Whether a name of ego means another: "the claimant", as the text tells of "the insured", too; "a robotaxi", where
     ego is called so."""
     name, before = text[span.start : span.end], text[: span.start]
     if re.match(r"claimant|plaintiff|complainant", name):
-        return "insured" in text
+        return "insured" in text or WITHOUT_MOTOR.search(text) is not None
     if (
         re.split(r"[ -]", name)[-1] not in language.actor_nouns()
         or EGO.search(name)

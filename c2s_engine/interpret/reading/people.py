@@ -6,7 +6,7 @@ from functools import cache
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.scan import Span
 
-WORD = r"[A-Z][a-z]+(?:['’-][A-Z]?[a-z]+)*"
+WORD = r"[A-Z][a-z]+(?:['’-](?!s\b)[A-Z]?[a-z]+)*"
 OWNS = r"(?:was |is |had been )?(?:driving|riding|steering|drove|rode|drives|rides|walking|cycling)"
 
 
@@ -39,7 +39,7 @@ def _first() -> re.Pattern[str]:
 OWNER = re.compile(
     rf"(?<![\w'’-])(?P<name>(?:[A-Z]\. )?{WORD}(?: {WORD})?)(?=(?:, (?:aged )?\d\d,)? {OWNS} (?P<own>his|her)\b)"
 )
-LOWER = re.compile(r"(?<![\w-])(?P<title>mrs?|ms)\.? (?P<name>[a-z][a-z'-]+)(?![\w-])")
+LOWER = re.compile(r"(?<![\w-])(?P<title>mrs?|ms)\.? (?P<name>[a-z]+(?:['-](?!s\b)[a-z]+)*)(?![\w-])")
 AGED = re.compile(
     r"(?<=[aneAhsT] )(?P<name>\d{1,2}[- ]year[- ]old)(?=\s*(?:[.,;:)]|$)|\s+(?:was|is|had|has|then|from|in|on|at"
     r"|who|and|but|to|could|did|drove|lost|ran|hit|made|went|came|took|rode|\w+ed)\b)"

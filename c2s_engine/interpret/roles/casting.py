@@ -91,6 +91,7 @@ def actors(scene: Scene) -> list[Entity]:
             and where.rel is None
             and where.lane is None
             and not (entity.person and scene.road.crosswalk)
+            and "parked" not in entity.roles
         ):
             continue
         only_denied = [e for e in scene.clauses.events if e.agent is entity or e.patient is entity]
@@ -154,8 +155,9 @@ def actors(scene: Scene) -> list[Entity]:
 
 
 HURT = re.compile(
-    r"\b(?:injur|hurt\b|kill|wound|unharmed|unhurt|uninjured|hospital|witness|interview|died|fatal|treated|dead\b)"
+    r"\b(?:injur|hurt\b|complain|kill|wound|unharmed|unhurt|uninjured|hospital|witness|interview|died|fatal|treated|dead\b)"
 )
+BROUGHT = ("take", "rush", "airlift", "transport", "fly", "bring", "convey")
 OFF = re.compile(r"\b(?:off|out|up|down|on|alight|board)\b")
 LET_OFF = re.compile(r"(?:let|allow|pick|drop|set|discharg|collect|unload|deliver|board|alight)\w*$")
 
@@ -170,7 +172,7 @@ def _only_spoken_of(scene: Scene, entity: Entity) -> bool:
         before = [w.norm for w in scene.words[max(0, mention.word - 2) : mention.word]]
         off = any(LET_OFF.match(word) for word in before) and OFF.search(clause)
         says = entity.count > 1 and verb.lemma in SAYS
-        hurt = HURT.search(clause) and (verb.lemma == "be" or HURT.match(verb.norm) is not None)
+        hurt = HURT.search(clause) and (verb.lemma in ("be", *BROUGHT) or HURT.match(verb.norm) is not None)
         if not (hurt or off or says):
             return False
     return True

@@ -9,7 +9,7 @@ from c2s_engine.interpret.speed.by_limit import by_limit, told_by_limit
 from c2s_engine.interpret.speed.changes_by import changes_by
 from c2s_engine.interpret.speed.comparisons import compared_speeds, is_difference
 from c2s_engine.interpret.speed.ratios import speeds_by_ratio
-from c2s_engine.interpret.speed.shared_out import shared_out
+from c2s_engine.interpret.speed.shared_out import joined_with, shared_out
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import VEHICLES, Entity
 
@@ -24,6 +24,11 @@ OWN_SPEED = re.compile(
     r"\b(?P<whose>\w+)(?: 's)? (?:speed|velocity|pace)(?: (?:is|was|of|at|about|around|constant))*\s*[:=,]?\s*$"
 )
 """Whose speed is named right before it: "pedestrian speed 5 km/h", "walking speed: 5 km/h"."""
+HEADED = re.compile(
+    r"\s*,?\s*(?:(?:which|who) was )?(?:(?:travell?ing|driving|heading|going) )?(?:(?:due )?(?:north|south|east|west)"
+    r"(?:bound)?|[nsew]/?b) at (?:(?:about|around|roughly|approximately|an? (?:estimated|speed of)|some) )?"
+)
+"""Whose heading is told before a speed: "turned across the path of V1, northbound at 40 mph"."""
 ON_FOOT = frozenset(("walking", "running", "crossing"))
 COMPARED_WITH = re.compile(r"\b(?:than|as) (?:the |an? )?$")
 AT_REST = frozenset(("stationary", "stop", "brake", "brake_stop", "held_up", "yield"))
@@ -60,6 +65,7 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         if owner is not None and owner.noun in language.table("actors")["queues"]:
             owner = None
         near = scene.plain[max(0, span.start - 60) : span.start]
+        each = re.search(r"\b(?:and|,) [^.;,]*\beach\b[^.;,]*$", near) is not None
         both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(
             re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20])
         )
@@ -139,6 +145,8 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         subject_also = event.also if event is not None else []
         for other in subject_also:
             scene.speeds.setdefault(other, value)
+        for other in joined_with(scene, span, owner) if each else ():
+            scene.speeds.setdefault(other, value)
         if both or like:
             scene.speeds.setdefault(cast.ego, value)
             others = [e for e in scene.actors if e.type in VEHICLES]
@@ -203,14 +211,19 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
     """The road user right before a speed: "in front of the ego at 100 km/h"."""
     for i, entity in scene.cast.of.items():
         word = scene.words[i]
-        if word.span is None or word.end > span.start or span.start - word.end > 24:
+        if word.span is None or word.end > span.start or span.start - word.end > 44:
+            continue
+        between = scene.plain[word.end : span.start]
+        if HEADED.fullmatch(between) and word.dep == "pobj":
+            return entity
+        if len(between) > 24:
             continue
         if re.fullmatch(
             (
                 r"\s*,?\s*(at|doing|going|travell?ing at|driving at|moving at)\s*(about |around |roughly "
                 r"|approximately |only |just )?"
             ),
-            scene.plain[word.end : span.start],
+            between,
         ):
             compared = COMPARED_WITH.search(scene.plain[max(0, word.start - 12) : word.start])
             slow = not entity.ego and "slow" in entity.roles and entity.mover and not entity.person

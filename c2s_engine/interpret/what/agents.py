@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from c2s_engine.interpret.what.event import Event
 PACE = frozenset(("speed", "velocity", "pace"))
 CAUSES = language.words("causes")
+BELIEVED = language.words("believed")
 ALONG = frozenset(("past", "across", "along", "through", "around", "round"))
 UNCHANGED = frozenset(("hit", "cut", "put", "let", "shut"))
 """Verbs whose past is like their base form."""
@@ -43,6 +44,8 @@ class Agents(Subjectless):
         passive = passive or word.tag == "VBN" and any(self.words[c].dep == "agent" for c in word.children)
         subjects = [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass", "csubj")]
         subjects = [c for c in subjects if not self.words[c].norm.endswith("self")] or subjects  # "its driver himself"
+        helping = [h for h in word.children if self.words[h].dep == "aux"]  # "when a van came flying through"
+        subjects = subjects or [c for h in helping for c in self.words[h].children if self.words[c].dep == "nsubj"]
         if word.tag == "VBG" and word.dep == "pobj" and word.i - 1 in word.children and word.i - 1 in self.cast.of:
             return self.cast.of[word.i - 1], word.i - 1, False  # "hit by a van changing lanes"
         subjects.sort(key=lambda c: (c > word.i, -c))
@@ -190,7 +193,12 @@ class Agents(Subjectless):
             if word.dep == "pcomp" and above is not None and above.dep == "ccomp" and head.norm == "before":
                 letting = self.words[above.head]
                 above = letting if letting.lemma in ("let", "allow") else above  # "let it pass before turning"
-            finite = word.tag in ("VBZ", "VBD", "VBP") and not (word.norm in UNCHANGED and self._made_to(above))
+            past = (
+                word.tag == "VBN" and above is not None and above.tag == "VBG" and above.dep == "ccomp"
+            )  # "and braked"
+            finite = (past or word.tag in ("VBZ", "VBD", "VBP")) and not (
+                word.norm in UNCHANGED and self._made_to(above)
+            )
             if word.dep == "conj" and above is not None and finite:
                 comma = self.words[word.i - 1].norm == ","
                 if (
@@ -201,8 +209,13 @@ class Agents(Subjectless):
                         and comma
                         and not any(self.words[c].dep == "cc" and above.i < c < word.i for c in above.children)
                     )
+                    or above.dep == "ccomp"
+                    and above.tag == "VBG"
+                    and word.tag in ("VBD", "VBN")
+                    and self._lemma(self.words[above.head]) in BELIEVED
                     or above.dep == "advcl"
                     and self.words[word.i - 1].norm == "then"
+                    and self.words[word.i - 2].norm != "and"
                 ):
                     above = self._governor(above) or above
             above = self._joined_verb(word, above)

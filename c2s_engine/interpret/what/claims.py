@@ -11,6 +11,8 @@ from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
 SAYS = language.words("says")
+SEES = frozenset(("see", "notice", "observe", "watch", "spot"))
+ASIDE = frozenset(("oncoming", "swerve", "drift", "lane_change", "cut_in", "lose_control", "turn"))
 TELLERS = frozenset(("i", "we", "my", "our", "me", "us"))
 FAULTS = frozenset(("run_red", "run_stop", "lane_change", "cut_in", "oncoming", "drift", "reverse"))
 
@@ -22,10 +24,29 @@ def claimed(cast: Cast, clauses: Clauses) -> None:
     for event, who in said:
         if teller and event.agent.ego and not who.ego:
             event.mode = "hypothetical"
+    for event in clauses.events:
+        if event.mode == "fact" and _seen_again(cast, clauses, event):
+            event.mode = "hypothetical"
     blamed = [(e, who) for e, who in said if e.act in FAULTS and e.agent is not who]
     for event, who in blamed:
         if any(e.act == event.act and e.agent is who and by is event.agent for e, by in blamed):
             event.mode = "disputed"
+
+
+def _seen_again(cast: Cast, clauses: Clauses, event: Event) -> bool:
+    """Whether somebody says that he saw come who then struck him, which was told: "he saw V1 come into his lane"."""
+    word = cast.words[event.word]
+    above = cast.words[word.head]
+    if (
+        word.dep != "ccomp"
+        or above.lemma not in SEES
+        or above.dep != "ccomp"
+        or cast.words[above.head].lemma not in SAYS
+    ):
+        return False
+    seer = clauses._subject(above)[0]
+    told = [e for e in clauses.events if e.agent is event.agent and e.word < event.word and e.done]
+    return any(e.act == "collide" and e.patient is seer for e in told) and any(e.act in ASIDE for e in told)
 
 
 def _tells(cast: Cast) -> bool:

@@ -26,6 +26,7 @@ FASTER = re.compile(r"\b(?:behind|rear|overtak\w*|tailgat\w*|catch\w*|caught|fas
 NEARLY = language.words("nearly")
 SHORT_OF = {"collide": "approach", "stop": "brake", "brake_stop": "brake"}
 """What one does that nearly does something."""
+AS_GOOD_AS = frozenset(("stationary", "travel", "approach", "brake"))
 CAUSES = language.words("causes")
 BACKWARDS = re.compile(
     r"(?:roll|drive|move|slide|drift|go|come) (?:\w+ )?(?:back|backwards?|rearwards?) (?:and |into )"
@@ -209,6 +210,7 @@ class Clauses(Deverbal):
             event.patient = next((e for e in reversed(led) if e is not event.agent), None)
         event.words, event.mode, event.passive = own, self._mode(word), passive
         if any(self.words[c].norm in NEARLY for c in word.children):
+            event.mode = event.mode if event.act in AS_GOOD_AS or event.act in SHORT_OF else "hypothetical"
             event.act = SHORT_OF.get(event.act, event.act)
         if event.act == "stop" and passive and lemma != "bring" and event.agent is agent and not BY.search(whole):
             event.act = "stationary"

@@ -26,6 +26,7 @@ TRIED = re.compile(
 
 
 LETTING = ("let", "allow", "permit")
+BELIEVED = language.words("believed")
 UNREAL = language.words("unreal")
 CHANCES = language.words("chances")
 SEEKS = language.words("seeks")
@@ -173,6 +174,7 @@ class Modes(Agents):
                     and not own_subject
                     and not (self._mode(head) == "hypothetical" and "but" in between)
                     and word.tag in ("VB", "VBN")
+                    and not (head.tag == "VBG" and head.dep == "ccomp" and word.tag == "VBN")  # "and braked"
                     and self._lemma(word) not in CONTACT
                 ):
                     mode = above
@@ -180,6 +182,8 @@ class Modes(Agents):
                     mode = above
             elif word.dep == "pcomp" and self.words[head.head].lemma in ("instead", "rather"):
                 mode = "negated"
+        if mode == "fact" and self._only_believed(word):
+            mode = "hypothetical"
         if mode in ("negated", "hypothetical") and self._else_otherwise(word):
             mode = "fact"
         if mode == "negated" and self._no_duty(word):
@@ -218,6 +222,13 @@ class Modes(Agents):
         ):
             mode = "negated"
         return mode
+
+    def _only_believed(self, word: Word) -> bool:
+        """Whether somebody only believed that it was going on or about to: "he thought that V2 was turning"."""
+        above = self.words[word.head]
+        going_on = word.tag == "VBG" and any(self.words[c].norm in ("was", "were") for c in word.children)
+        believed = self._lemma(above) in BELIEVED and above.tag in ("VBD", "VBG", "VBN")
+        return word.dep == "ccomp" and going_on and believed and above.i < word.i
 
     def _else_otherwise(self, word: Word) -> bool:
         """Whether it is only denied in a condition that did not come true: "would have hit it had he not swerved"."""

@@ -147,6 +147,8 @@ class Nominal(Timing):
             ):
                 return
             agent, patient = self._noun_agent(word, verb)
+            if word.tag == "VBG" and word.dep == "acl" and word.head in self.cast.of:
+                agent = self.cast.of[word.head]  # "blocked by a lorry backing into a yard"
             if rule["act"] == "overtake" and agent is not None and not agent.ego and verb is not None:
                 subject = self._subject(verb)[0]
                 agent, patient = (subject, agent) if subject is not None else (agent, patient)  # "its pass of a truck"

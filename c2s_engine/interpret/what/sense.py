@@ -96,7 +96,9 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and cast.words[event.word].norm in ("move", "moving")
             and event.act in ("travel", "start", "move_along")
         ):
-            event.act, event.mode = "stationary", "fact"
+            before = any(cast.words[c].norm == "had" for c in cast.words[event.word].children)
+            moved = any(e.agent is event.agent and e.act in ("reverse", "start") and e.done for e in clauses.events)
+            event.act, event.mode = "stationary", "hypothetical" if moved and before else "fact"
         if (
             event.act == "overtake"
             and not event.agent.ego
@@ -115,7 +117,10 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             turns = road.kind in ("intersection", "roundabout") and (verb not in JERKS or INTO.search(event.text))
             event.act = "turn" if turns else "swerve" if verb in JERKS else "lane_change"
         steers = event.act == "turn" and clauses._lemma(cast.words[event.word]) == "steer"
-        if steers and road.kind not in ("intersection", "roundabout") and not INTO.search(event.text):
+        braked = any(
+            e.agent is event.agent and e.act == "brake" and 0 < event.word - e.word < 6 for e in clauses.events
+        )
+        if steers and (braked or road.kind not in ("intersection", "roundabout")) and not INTO.search(event.text):
             event.act = "swerve"
         if event.act == "pass_by":
             junction = road.kind == "intersection" and not re.search(r"lane|left|right|behind", event.whole)

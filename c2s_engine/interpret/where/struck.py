@@ -40,6 +40,8 @@ PUSHES_ONTO = re.compile(
 )
 """Who is pushed, and into whom."""
 IN_ORDER = re.compile(r"\bin (?:that|this|the same|numerical|the following) order\b")
+AGAIN = frozenset(("again", "second", "twice", "then", "another", "subsequently", "continued", "kept", "also"))
+"""What tells of another blow."""
 BACKS_INTO = (6.0, 12.0)
 """How far (m) behind ego stands what it reverses into."""
 
@@ -100,9 +102,21 @@ def twice(clauses: Clauses) -> None:
         later = [e for e in hits if e is not event and e.agent is event.agent and e.patient is not None]
         if event.patient is None and any(0 < e.word - event.word < 16 for e in later):
             event.mode = "hypothetical"
+        again = [e for e in later if e.patient is event.patient and e.word > event.word]
+        if event.patient is not None and again and event.mode == "fact":
+            _told_once(clauses, event, again[0])
         struck = any(e.word < event.word and event.agent in (e.agent, e.patient) for e in hits if e is not event)
         if RESTS.match(event.text) and not event.agent.ego and struck:
             event.mode = "hypothetical"
+
+
+def _told_once(clauses: Clauses, first: Event, again: Event) -> None:
+    """A blow that a heading or summary tells before the story does: only the story's."""
+    words = clauses.words[first.word : again.word + 8]
+    here = [w.norm for w in words if w.sentence <= clauses.words[again.word].sentence]
+    if AGAIN.isdisjoint(here) and clauses.words[first.word].sentence < clauses.words[again.word].sentence:
+        between = any(e.agent is first.agent and first.order < e.order < again.order for e in clauses.events if e.done)
+        (first if between else again).mode = "hypothetical"
 
 
 def struck_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:

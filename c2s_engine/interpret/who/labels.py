@@ -200,6 +200,13 @@ class Labels(Nouns):
         closed = next((n for n, w in enumerate(after) if w.norm == "," or w.tag in ("VBD", "VBZ", "CC")), len(after))
         return closed < len(after) and after[closed].norm == ","
 
+    def _beside_another(self, word: Word, verb: Word) -> bool:
+        """Whether a noun is set beside the one before its comma, behind another verb: "was stopped when she was struck
+        by the third party, a van"."""
+        comma = next((w.i for w in reversed(self.words[max(0, word.i - 5) : word.i]) if w.norm == ","), None)
+        beside = comma is not None and comma - 1 in self.of and self.words[comma + 1].norm in ("a", "an")
+        return beside and any(w.verb and w.dep != "aux" for w in self.words[verb.i + 1 : comma])
+
     def _copula(self, word: Word) -> Entity | None:
         """The subject of "X is/was a truck"."""
         head = self.words[word.head]
@@ -209,7 +216,7 @@ class Labels(Nouns):
         if word.dep == "pobj" and head.norm == "as" and (verb := self.words[head.head]).lemma in STANDS_STILL:
             subjects = (c for c in verb.children if self.words[c].dep in ("nsubj", "nsubjpass") and c < word.i)
             return next((self.of[c] for c in subjects if c in self.of), None)  # "stopped as the last car"
-        if word.dep == "attr" and head.lemma == "be":
+        if word.dep == "attr" and head.lemma == "be" and not self._beside_another(word, head):
             for child in head.children:
                 if (
                     self.words[child].dep == "nsubj"

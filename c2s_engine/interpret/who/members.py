@@ -193,12 +193,14 @@ class Members(Portions):
             and self.words[word.i - 2].norm == "a"
         ):
             model = movers[-1]
+            after = [w.norm for w in self.words[word.i + 1 : word.i + 3]]
+            of_a_kind = model.noun != "vehicle" and after not in ([",", "a"], [",", "an"])  # "the third, a Nissan, ran"
             return self._new(
                 Entity(
                     "",
-                    model.type,
+                    model.type if of_a_kind else "vehicle",
                     noun=model.noun,
-                    typed=model.typed,
+                    typed=model.typed and of_a_kind,
                     roles=set(model.roles & {"parked", "stationary"}),
                 )
             )

@@ -35,7 +35,8 @@ class Named(AtWheel):
             if not known[0].typed:
                 self._at_wheel(word, known[0])
         else:
-            found = self._driver_of(word) or self._owner_of(word) or self._at_wheel(word) or self._by_deed(word)
+            found = self._at_my_wheel(word) or self._driver_of(word) or self._owner_of(word) or self._at_wheel(word)
+            found = found or self._was_driving(word) or self._by_deed(word)
             if found is None and YEARS.search(word.norm) and self.words[word.i - 1].norm == "the":
                 found = self._salient(word, lambda e: e.type != "animal" and (e.person or e.manned))
         if found is not None:

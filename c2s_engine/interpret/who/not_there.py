@@ -15,6 +15,7 @@ LADEN = language.words("laden")
 LETS_OFF = frozenset(("drop", "pick", "collect", "discharge"))
 BEARS = frozenset(("carry", "transport", "ferry"))
 LOST, SAYS = language.words("lost"), language.words("says")
+ATTENDS = language.words("attends")
 SEES = language.words("notices") | {"watch", "hear", "look", "help"}
 ON_FOOT = language.words("on_foot") | {"cross"}
 WALKS_WITH = language.words("walks_with")
@@ -166,8 +167,11 @@ class NotThere:
         )
 
     def _reports(self, word: Word) -> bool:
-        """Whether police only say something or are told it: "he told troopers", "according to officers"."""
+        """Whether police only say something or are told it, or come when all is over: "he told troopers", "according to
+        officers", "cops came after 20 minutes"."""
         verb = self.words[word.head]
+        if word.dep == "nsubj" and verb.lemma in ATTENDS:
+            return True
         if self.words[verb.head].norm == "according":
             return True
         above = self.words[verb.head] if verb.norm in ("to", "by") else verb

@@ -10,7 +10,7 @@ from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.counted import Counted
 from c2s_engine.interpret.who.introduced import Introduced
 from c2s_engine.interpret.who.not_there import NotThere
-from c2s_engine.interpret.who.persons import DRIVERS
+from c2s_engine.interpret.who.persons import DRIVERS, PARTIES
 from c2s_engine.interpret.who.reference import BOUND, COLOURS
 
 TWO_WHEELERS = language.words("two_wheelers")
@@ -85,7 +85,8 @@ class Nouns(Introduced, NotThere, Counted):
             at_wheel = (
                 self._driver_of(word) or self._at_wheel(word, self._owner_told(word, noun)) or self._aboard_before(word)
             )
-            driver = at_wheel or self._steering(word) or self._keeper(word) or self._rides_along(word)
+            driver = self._at_my_wheel(word) or at_wheel or self._steering(word) or self._keeper(word)
+            driver = driver or self._rides_along(word) or self._drives_on(word)
             if driver is not None:
                 driver.names.add(noun.split(" ")[-1])
                 return driver
@@ -166,7 +167,13 @@ class Nouns(Introduced, NotThere, Counted):
         bracket = word.i and any(w.norm in ("(", "--", "-", ":") for w in self.words[max(0, word.i - 4) : word.i])
         if (
             host is not None
-            and (word.dep in ("appos", "attr") or bracket or bool(host.label) and not host.typed or self._set_off(word))
+            and (
+                word.dep in ("appos", "attr")
+                or bracket
+                or (bool(host.label) or host.noun in PARTIES)
+                and not host.typed
+                or self._set_off(word)
+            )
             and self.words[word.i - 1].norm not in ("and", "or")
             and (fits(host, kind) or host.type == "vehicle" or (host.ego and not self.ego.typed and kind in MOTOR))
             and not (word.dep == "conj" and not host.label and not host.ego)
@@ -183,7 +190,7 @@ class Nouns(Introduced, NotThere, Counted):
         definite = bool(DEFINITE & set(before)) or previous in DEFINITE or previous == "neither"
         other = bool({"other", "another"} & set(before)) or previous in ("other", "another")
         ordinal = next((ORDINALS[b] for b in before if b in ORDINALS), None)
-        if definite and not other and ordinal is None and " " not in noun:
+        if definite and not other and ordinal is None and (" " not in noun or noun in language.makes()):
             shade = COLOURS & set(before)
             named = [e for e in self.entities if e.noun.endswith(f" {noun}") and e.count == count]
             named = [e for e in named if not shade or shade & {*e.names, *e.noun.split(" ")}]
@@ -223,6 +230,8 @@ class Nouns(Introduced, NotThere, Counted):
         bare = not {*before} - {","} and previous not in ("a", "an") and not data.get("plural")
         if kind in PERSONS and self._of_a_person(word, noun):
             return self._new(Entity("", kind, noun=noun, count=count, roles=roles, typed=True))
+        if noun in PARTIES and self._other_side(noun):
+            return self._new(Entity("", kind, noun=noun, roles=roles))
         if definite or bare or (roles and not {"a", "an", "another", "second", "third"} & set(before)):
             found = self._definite(word, kind, noun, roles, other, ordinal, definite, count, bare)
             if found is None and bare and data.get("person") and not roles:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import VEHICLES, Entity, fits
+from c2s_engine.interpret.entities import MOTOR, VEHICLES, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.ego_by_noun import EgoByNoun
 
 OWNERS = language.words("owners")
 MOVES = language.word_list("motion") | language.words("strikes") | language.words("manoeuvres")
 MISHAPS = language.words("mishaps")
+CLAIMS = frozenset(("claimant", "plaintiff", "complainant"))
 AFOOT = frozenset(
     (*language.table("people")["walks"], "run", "cross", "stand", "wait", "load", "unload", "watch", "see")
 )
@@ -39,7 +40,24 @@ class Owned(EgoByNoun):
             return owner
         if before and before[0] in ("our", "my"):
             return self.ego if kind in VEHICLES else None
+        if kind in MOTOR and self._of_ego_before(word):
+            self.ego.type, self.ego.typed = (kind, True) if kind != "vehicle" else (self.ego.type, self.ego.typed)
+            return self.ego
         return None
+
+    def _other_side(self, noun: str) -> bool:
+        """Whether only the other party of a claim was spoken of: "the claimant was cycling ... the defendant"."""
+        known = {e.noun for e in self.entities}
+        return noun not in known and bool(known & CLAIMS) != (noun in CLAIMS) and bool(known & OWNERS)
+
+    def _of_ego_before(self, word: Word) -> bool:
+        """Whether it stands right behind a name of ego that owns it: "the claimant's grey Fiesta"."""
+        for other in reversed(self.words[max(0, word.i - 4) : word.i]):
+            if other.span is not None and other.span.kind == "ego":
+                return other.norm.endswith(("'s", "s'")) or other.norm.endswith("’s")
+            if not other.tag.startswith(("JJ", "NN", "POS", "CD")):
+                return False
+        return False
 
     def _ridden(self, word: Word) -> bool:
         """Whether a make is that of a motorcycle: "I was riding my Honda", "out on my BMW"."""

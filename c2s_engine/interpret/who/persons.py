@@ -17,10 +17,12 @@ RESTS = language.words("rests")
 DRIVERS = frozenset(language.table("people")["drivers"])
 STEERS = language.words("steers")
 MANOEUVRES = language.words("manoeuvres") | {"cut", "pull", "change", "back"}
+STRIKES = language.words("strikes") | {"catch", "knock", "contact"}
 SAYS = language.words("says")
 PARTIES = language.words("owners")
 REACTS = language.words("reacts")
 AGE = re.compile(r"\b(\d+) ?-? ?year ?-? ?old (?:[\w-]+ ){0,2}$")
+OF_A_CLAIM = re.compile(r"(?:claimant|plaintiff|complainant|insured|policy ?holder)(?: driver)?$")
 AFOOT = frozenset((*language.table("people")["walks"], "cross", "run", "cycle", "sit", "see", "watch"))
 OBLIQUE = {"he": "him", "she": "her"}
 AT_THE_WHEEL = frozenset(("driver", "d", "operator", "op", "opr"))
@@ -57,7 +59,8 @@ class Persons(Salience):
         above = self.words[head.head] if word.dep == "pobj" and head.norm == "of" else head
         part = word.dep in ("pobj", "poss", "compound", "nmod") and above.lemma in DRIVERS
         label = word.span is not None and word.span.kind == "label" and word.span.data["word"] in AT_THE_WHEEL
-        entity.manned = entity.manned or part or label or entity.noun in PARTIES
+        party = entity.ego and OF_A_CLAIM.match(word.norm) is not None and self.words[word.i - 1].norm != "your"
+        entity.manned = entity.manned or part or label or party or entity.noun in PARTIES
         if part and above.dep in ("nsubj", "nsubjpass"):
             self.subjects.append((above.i, entity))  # "the driver of the van saw me"
         steers = self.words[head.i] if head.norm in STEERS and word.dep == "dobj" else None
@@ -81,7 +84,8 @@ class Persons(Salience):
             else ""
         )
         mine = self._first_person()  # who says "I" is never "he"
-        alive = lambda e: e.type != "animal" and (e.person or e.manned or e.type in RIDDEN)  # noqa: E731
+        striker = self._striker_of(word)
+        alive = lambda e: e is not striker and e.type != "animal" and (e.person or e.manned or e.type in RIDDEN)  # noqa: E731
         me = lambda e: mine and e.ego and not e.manned or e.sex == "i"  # noqa: E731
         fits = lambda e: alive(e) and not (wanted and e.sex and e.sex != wanted) and not me(e)  # noqa: E731
         told = lambda e: fits(e) and bool(wanted) and e.sex == wanted  # noqa: E731
@@ -97,7 +101,17 @@ class Persons(Salience):
         if found is None and spoken and not mine and not any(e.mover and e.type != "animal" for e in self.entities):
             return self.ego  # "according to the driver, a dog ran in front of his car"
         found = found or self._other_party(word, wanted)
+        found = found or self._salient(word, lambda e: e.mover and e.sex != "i" and e.count == 1)
         return found or self._salient(word, lambda e: e.mover and e.sex != "i") or self._unnamed(word)
+
+    def _striker_of(self, word: Word) -> Entity | None:
+        """Who strikes a part of him or her, whom that word therefore does not mean: "the front of the bus caught her
+        wheel"."""
+        verb = self._governor(word)
+        if word.dep != "poss" or self.words[word.head].dep != "dobj" or verb.lemma not in STRIKES:
+            return None
+        subject = next((c for c in verb.children if self.words[c].dep == "nsubj"), None)
+        return self.referent(subject) if subject is not None else None
 
     def _other_party(self, word: Word, sex: str) -> Entity | None:
         """Who is only called "he" or "she" by one who says "I": the other driver, by what is done or said."""

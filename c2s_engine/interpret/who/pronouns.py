@@ -9,7 +9,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, PERSONS, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.nearing import comes_near
-from c2s_engine.interpret.who.persons import Persons
+from c2s_engine.interpret.who.theirs import Theirs
 
 SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offside"))
 LOOSE = frozenset(("debris", "box", "obstacle"))
@@ -26,7 +26,7 @@ ROOTED = frozenset(language.table("actors")["fixed"]) | {"tree", "trees"}
 """What no "it" that moves can mean."""
 
 
-class Pronouns(Persons):
+class Pronouns(Theirs):
     """The part of Cast that resolves words without a noun of their own."""
 
     words: list[Word]
@@ -76,6 +76,8 @@ class Pronouns(Persons):
             others = [e for e in self.entities if e.type in MOTOR]
             return others[-1] if others else self._new(Entity("", "vehicle", noun="vehicle"))
         if norm in ("they", "them", "their", "themselves"):
+            if (drives := self._theirs(word)) is not None:
+                return drives
             if self.words[word.i - 1].norm in BUMPED and (lying := self._lies_before(word)) is not None:
                 return lying  # "strips of tyre lie there. The van swerves around them"
             many = [e for e in self.entities if e.count > 1]
@@ -137,6 +139,8 @@ class Pronouns(Persons):
 
         if (owned := self._owned(word)) is not None:
             return owned
+        if (struck := self._of_the_other(word)) is not None and fits(struck):
+            return struck
         if word.dep == "nsubj" and (near := comes_near(self.words, self.of, word)) is not None:
             return near
         if word.dep == "nsubj" and (animal := self._animal_before(word)) is not None:
@@ -147,7 +151,7 @@ class Pronouns(Persons):
         found = apart or self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
         if found is None and bumped:
             found = self._salient(word, lambda e: e.type == "animal")
-        return found
+        return self._who_halted(word, found) or found
 
     def _owned(self, word: Word) -> Entity | None:
         """The animal whose owner is told of, or after which somebody runs: "its owner runs after it"."""

@@ -53,10 +53,69 @@ IN_QUEUE = re.compile(
 """What a person does who is in the queue at the wheel: "the person behind ran into me"."""
 
 
+OUR_DRIVER = re.compile(
+    r"\bour (?:driver|insured|operator|rider) ,? ?(?:(?:who )?was )?(?:in|on|driving|operating|riding) "
+    r"(?:an?|the|his|her) (?:[\w.-]+ ){0,3}$"
+)
+CYCLES = frozenset(language.table("people")["cycles"])
+CHAUFFEURS = language.words("chauffeurs")
+ASTRAY = frozenset(("off", "into", "towards", "toward", "onto", "out", "against", "crazy", "mad"))
+"""Where one drives somebody whom one does not carry."""
+RIDES_ALONG = re.compile(
+    r"\b(?:i|we) (?:was|were|am|are|sat|sit|rode)(?: [\w-]+){0,3} (?:passengers?\b|(?:beside|next to) (?:him|her)"
+    r"|in the (?:back|passenger|front|rear)(?: seat)?s?\b)|\bmy passenger seat\b"
+)
+AT_IT = re.compile(
+    r",? ?(?:(?:who|and) )?(?:was|were|is|had been) (?:driving|at the wheel|behind the wheel)\b"
+    r"(?= ?[,.;]| and| at the time)"
+)
+HELD = frozenset(("a", "an", "another", "some"))
+
+
 class AtWheel(Reference):
     """The part of Cast that takes a driver or rider and the vehicle for one."""
 
     wheels: dict[int, Entity]  # the noun of a vehicle -> whom it carries, who was spoken of before
+
+    def _at_my_wheel(self, word: Word) -> Entity | None:
+        """Ego, where somebody drives who carries the one who tells it: "Dad was driving us home", "Sue was driving and
+        I sat beside her"; and when that person is spoken of again."""
+        if {self.words[c].norm for c in word.children} & HELD:
+            return None
+        noun = word.norm.split(" ")[-1]
+        if noun in self.ego.names:
+            return self.ego if self.ego.manned else None
+        verb = self.words[word.head]
+        told = [w for w in self.words[verb.i : verb.i + 6] if w.sentence == word.sentence and w.i not in self.asking]
+        norms = [w.norm for w in told]
+        carried = any(w.norm in ("us", "me") and w.head == verb.i and w.i <= verb.i + 3 for w in told)
+        drives = word.dep == "nsubj" and verb.lemma in CHAUFFEURS and carried and ASTRAY.isdisjoint(norms)
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 8])
+        if not drives and not (AT_IT.match(after) and RIDES_ALONG.search(" ".join(w.norm for w in self.words))):
+            return None
+        self.ego.manned, self.ego.sex = True, self.ego.sex or self._sex(word)
+        self.ego.names.add(noun)
+        return self.ego
+
+    def _drives_on(self, word: Word) -> Entity | None:
+        """Who drives or cycles, in or on what is not told: "the couple drove home", "a boy was cycling to school"."""
+        verb = self.words[word.head]
+        if word.dep == "nsubj" and verb.lemma in CYCLES:
+            return self._new(Entity("", "bicycle", typed=True, manned=True, sex=self._sex(word)))
+        objects = (self.words[c] for c in verb.children if self.words[c].dep == "dobj")
+        if (
+            word.dep != "nsubj"
+            or verb.lemma != "drive"
+            or any(w.lemma not in ("way", "mile", "route") for w in objects)
+        ):
+            return None
+        return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))
+
+    def _was_driving(self, word: Word) -> Entity | None:
+        """Whose driver is now called by name: "the couple drove home. Mrs Parry, who was driving, braked"."""
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 8])
+        manned = [e for e in (self.ego, *self.entities) if e.manned and not e.person and e.mentions]
+        return manned[-1] if AT_IT.match(after) and len(manned) == 1 else None
 
     def _at_wheel(self, word: Word, known: Entity | None = None) -> Entity | None:
         """A person of whom it is said later in the clause what is driven ("a woman in front of us in a red van",
@@ -127,6 +186,8 @@ class AtWheel(Reference):
         back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
         text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
         match = DRIVEN.search(text + " ")
+        if match is None and (OUR_DRIVER.search(" ".join(w.norm for w in back) + " ") or self._driven_first(word)):
+            return self.ego
         if match is None:
             return self._party_in(word)
         owner = next(self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None)
@@ -136,6 +197,16 @@ class AtWheel(Reference):
             return None
         two = owner.type in ("bicycle", "motorcycle") and re.search(r"rider|courier", owner.noun)
         return owner if owner.type in ("vehicle", "rider") or owner.ego or two else None
+
+    def _driven_first(self, word: Word) -> bool:
+        """Whether it is told before ego what ego drives: "while driving a tanker, the insured saw a tractor"."""
+        verb = self.words[word.head]
+        main = self.words[verb.head]
+        main = self.words[main.head] if main.dep == "prep" else main
+        if word.dep != "dobj" or verb.norm not in STEERS or verb.tag != "VBG" or main.i < word.i:
+            return False
+        subjects = (self.words[c].span for c in main.children if self.words[c].dep == "nsubj" and c > word.i)
+        return any(s is not None and s.kind == "ego" for s in subjects)
 
     def _party_in(self, word: Word) -> Entity | None:
         """The party who moves in a vehicle: "the suspect fled in a stolen Audi"."""

@@ -201,7 +201,7 @@ class Timing(Afterwards):
                         event.trigger = {"kind": "distance", "value": quantity["low"]}
                     elif quantity["dimension"] == "time" and (
                         re.match(r"((only|right|left|hard|just|exactly|straight) )*(after|at) (\w+ |t = )?#time$", text)
-                        or re.search(r"#time (into|later|after the start|in)", text)
+                        or re.search(r"#time (into|later|after(wards| that| the start)|thereafter|in)", text)
                     ):
                         event.trigger = {"kind": "time", "value": quantity["low"]}
             above = [i for verb in self._verbs_above(word) for i in self.own(verb)]
@@ -212,7 +212,7 @@ class Timing(Afterwards):
                 for quantity in (*event.quantities, *self._quantities(above)):
                     if quantity["dimension"] == "time" and re.search(
                         (
-                            r"#time (later|into|in\b|after the start|after start)|(^|, )(after|at) (about |around "
+                            r"#time (later|into|in\b|after(?:wards| that| the start| start)|thereafter)|(^|, )(after|at) (about |around "
                             r"|roughly |t ?= ?)?#time|\bat t ?= ?#time"
                             r"|\b(right|left|hard|sharply|down) after (about )?#time\b"
                         ),

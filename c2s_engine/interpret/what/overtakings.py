@@ -33,7 +33,7 @@ def overtakings(clauses: Clauses) -> None:
 
 def _each_of_several(clauses: Clauses) -> None:
     """Who overtakes "both", or "ego and the truck", does so with one after the other: with ego first, the rearmost."""
-    for event in [e for e in clauses.events if e.act == "overtake" and e.done and e.patient is not None]:
+    for event in [e for e in clauses.events if e.act == "overtake" and e.mode == "fact" and e.patient is not None]:
         verb = clauses.words[event.word]
         behind = [clauses.words[c] for c in verb.children if c > verb.i]
         inner = [clauses.words[c] for w in behind if w.dep == "prep" and w.norm in ("past", "by") for c in w.children]

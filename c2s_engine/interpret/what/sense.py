@@ -242,7 +242,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
 def _meant_and_done(clauses: Clauses) -> None:
     """ "Meant to turn right. ... Then it turned right": what is told again when it is done happens only then."""
     for event in clauses.events:
-        if event.mode != "intended" or event.act not in ("turn", "lane_change"):
+        if event.mode != "intended" or event.act not in ("turn", "lane_change", "overtake"):
             continue
         later = [e for e in clauses.events if e.agent is event.agent and e.act == event.act and e.mode == "fact"]
         done = next((e for e in later if e.word > event.word), None)

@@ -54,7 +54,7 @@ WITHIN = re.compile(
     r"|(?:be|come|get) (?:only |just |about |less than )*#dist (?:away|from|off|distant)\b"
 )
 HEADING = DIRECTED | {"to", "across", "over"}
-AND_ANOTHER = re.compile(r",? and (?:the |an? |another |one |two |some |three )?(?:\w+ )?@(?!ego).*$")
+AND_ANOTHER = re.compile(r"(?:,? and (?:the |an? |another |one |two |some |three )?(?:\w+ )?| , )@(?!ego).*$")
 """Who else is there ("there is a van ahead and a cyclist in the right lane"), with a place of its own."""
 
 
@@ -202,7 +202,7 @@ class Places(OwnWords, Inferred):
             ),
             front,
         )
-        fronted = fronted or FRONTED.search(front)
+        fronted = (fronted or FRONTED.search(front)) if not self._of_subject(word) else None
         if fronted and word.span is not None:
             read(fronted[1] + (" park" if self._parks(entity) else ""), where, entity, self.cast, "noun")
         self._fronted_far(word, front, where, entity)
@@ -301,6 +301,12 @@ class Places(OwnWords, Inferred):
             rest = self.clauses.own(word)
             read(self.clauses.render([r for r in rest if r > i]), where, entity, self.cast, "noun")
             self._gap(rest, where, entity=entity)
+
+    def _of_subject(self, word: Word) -> bool:
+        """Whether a place before a noun is set off behind the subject: "ego, in the left lane, approaches a truck"."""
+        verb = self.words[word.head]
+        subjects = [c for c in verb.children if self.words[c].dep == "nsubj" and c < verb.i]
+        return word.dep == "dobj" and bool(subjects) and self.words[subjects[0] + 1].norm == "," and verb.i < word.i
 
     def _parks(self, entity: Entity) -> bool:
         """Whether it is told as parked."""

@@ -1,0 +1,66 @@
+"""Who is told of in one go: two that do the same, the next of a list, the former and the latter, both who are passed."""
+
+import pytest
+
+
+def seen(structure):
+    return [(o.spec.type, o.spec.placement.position, [p.action for p in o.spec.phases]) for o in structure.objects]
+
+
+@pytest.mark.parametrize("verb", ["approach the crossroads", "come up to the junction", "approach an intersection"])
+def test_two_from_one_side_are_both_others(read, verb: str) -> None:
+    s = read(f"A car and a bicycle {verb} from the right. The former stops, the latter goes straight on.")
+    assert [(kind, where) for kind, where, _ in seen(s)] == [("car", "crossing_right"), ("bicycle", "crossing_right")]
+    assert s.objects[0].spec.phases[0].action == "stop" and "stop" not in seen(s)[1][2]
+
+
+@pytest.mark.parametrize(
+    ("text", "act"),
+    [
+        ("Both the van in the left lane and the truck in the right lane drift toward the ego.", "drift"),
+        ("The van in the left lane and the truck ahead of ego brake.", "brake"),
+        ("The car ahead and the truck behind brake hard.", "brake"),
+        ("A van and a motorcycle cut in in front of ego.", "cut_in"),
+    ],
+)
+def test_two_do_the_same(read, text: str, act: str) -> None:
+    assert [acts for _, _, acts in seen(read(text))] == [[act], [act]]
+
+
+def test_the_next_of_a_list(read) -> None:
+    s = read("There is one truck ahead of ego, one in the left lane and one behind.")
+    assert [where for _, where, _ in seen(s)] == ["ahead", "left_lane", "behind"]
+
+
+def test_one_of_a_group_is_no_new_one(read) -> None:
+    assert len(read("Two cyclists ride ahead of ego, and one swerves to the left.").objects) == 2
+
+
+@pytest.mark.parametrize("both", ["both", "ego and the van", "ego and then the van"])
+def test_who_passes_two_passes_each(read, both: str) -> None:
+    s = read(f"A van drives ahead of ego. A motorcycle comes from behind and overtakes {both}.")
+    passed = [(p.action, p.target) for p in s.objects[1].spec.phases]
+    assert passed == [("overtake", "ego"), ("overtake", s.objects[0].id)]
+
+
+def test_a_clause_that_follows_is_not_passed(read) -> None:
+    s = read("Ego overtakes a truck and a car behind it brakes.")
+    ego = next(c.spec for c in s.components if c.id == "E")
+    assert [p.action for p in ego.phases].count("overtake") == 1
+
+
+def test_the_second_one_does_it(read) -> None:
+    s = read("Two motorcycles come toward ego. The first stays in its lane, the second one swerves into ego's lane.")
+    assert [acts for _, _, acts in seen(s)] == [["keep_lane"], ["oncoming"]]
+
+
+def test_two_that_crash_into_each_other_in_front_of_ego(read) -> None:
+    s = read("A car comes toward ego. The car and a bus crash into each other in front of ego.")
+    hits = [p.target for o in s.objects for p in o.spec.phases if p.action == "collide"]
+    assert hits and "ego" not in hits
+
+
+@pytest.mark.parametrize("other", ["van", "truck", "motorcycle"])
+def test_the_lead_is_not_who_the_main_clause_names(read, other: str) -> None:
+    s = read(f"When the lead brakes, the {other} cuts in from the right.")
+    assert [acts for _, _, acts in seen(s)] == [["brake"], ["cut_in"]]

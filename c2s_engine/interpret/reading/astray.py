@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
 
 ON_ITS_WAY = frozenset(language.words("on_its_way"))
+SIDES = frozenset(("road", "street", "side", "lane", "left", "right", "kerb", "curb", "pavement", "sidewalk", "verge"))
 USES = frozenset(("use", "borrow", "cross", "enter"))
 
 
@@ -19,10 +20,28 @@ def bring_home(words: list[Word], word: Word) -> None:
     doer = words[word.i - 2] if word.i > 1 and words[word.i - 1].norm == "," else word
     if word.dep == "advcl" and word.norm in ON_ITS_WAY and road_user(doer) and words[doer.head].dep == "agent":
         hang(words, word, doer, "acl")  # "was struck by V2, turning out of a lot"
+    if (place := _clause_of_place(words, word)) is not None:
+        hang(words, word, words[place.head], "advcl")
+        hang(words, place, word)
     if (user := _what_for(words, word)) is not None:
         hang(words, word, user, "advcl")  # "uses ego's lane to pass a queue"
     if (lane := _lane_before(words, word)) is not None:
         hang(words, word, lane)  # "approaches a queue in the lane to its right"
+
+
+def _clause_of_place(words: list[Word], verb: Word) -> Word | None:
+    """The fronted place of a clause that the tree takes for a relative one: "on the left side of the road two children
+    play, while on the right side ..."."""
+    noun = words[verb.head]
+    subject = next((words[c] for c in verb.children if words[c].dep == "nsubj" and c < verb.i), None)
+    if verb.dep != "relcl" or verb.tag not in ("VBP", "VBZ", "VBD") or subject is None or noun.norm not in SIDES:
+        return None
+    first = min([subject.i, *(c for c in subject.children if c < subject.i)])
+    place = noun
+    while place.dep in ("prep", "pobj") and words[place.head].i < place.i:
+        place = words[place.head]
+    alone = place.dep == "prep" and words[place.head].i > verb.i
+    return place if first == noun.i + 1 and road_user(subject) and alone else None
 
 
 def _what_for(words: list[Word], word: Word) -> Word | None:

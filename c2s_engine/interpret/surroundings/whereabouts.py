@@ -74,8 +74,11 @@ def _patterns() -> list[tuple[dict[str, Any], re.Pattern[str], re.Pattern[str] |
     ]
 
 
-BENDS = re.compile(r"\b(curve|bend|corner) (?:to|towards) (?:the )?(?:left|right)\b")
-"""Which way the road bends: no side on which somebody is."""
+BENDS = re.compile(
+    r"\b(curve|bend|corner|lateral(?:ly)? (?:offset|shift|shifted|displaced|overlap)(?: (?:of|by))?(?: #dist)?)"
+    r" (?:to|towards) (?:the |its )?(?:left|right)\b(?!-hand| lane)"
+)
+"""Which way the road bends, or how far one is off the middle of its lane: no side on which somebody is."""
 
 
 def read(text: str, where: Where, entity: Entity, cast: Cast, source: str = "") -> None:

@@ -197,7 +197,8 @@ class Places(OwnWords, Inferred):
         fronted = re.search(
             (
                 r"(?:^|, |\band |: )((?:from|to|on|at|in) (?:the |its |@\w+ 's )+(?:left|right)(?:-?hand|most)?"
-                r"(?: side| lane| pavement| sidewalk| footpath| verge| shoulder| kerb| curb| edge)?)"
+                r"(?: side| lane| pavement| sidewalk| footpath| verge| shoulder| kerb| curb| edge)?"
+                r"(?: of the (?:road|street|carriageway))?)"
                 r"(?:(?<=lane) ,)?(?: (?!(?:and|but)\b)\w+){0,3}$"
             ),
             front,

@@ -184,6 +184,8 @@ class Members(Portions):
                 return self.member(others[0], "first" if norm == "former" else "last")
             return pair[0 if norm == "latter" or len(pair) == 1 else 1] if pair else None
         if norm == "one" and (listed := self._next_listed(word, following)) is not None:
+            if listed.group is not None:
+                return self.member(listed.group, "last")
             return self._new(Entity("", listed.type, noun=listed.noun, typed=listed.typed))
         counted = norm == "one" and word.i > 1 and self.words[word.i - 1].norm in COUNTED
         if (
@@ -218,7 +220,7 @@ class Members(Portions):
         return None
 
     def _next_listed(self, word: Word, following: Word | None) -> Entity | None:
-        """Like whom the next of a list is: "one car in front, one on the left and one behind"."""
+        """Like whom the next of a list is ("one car in front, one on the left and one behind"), or of whose group."""
         before = self.words[word.i - 1].norm if word.i else ""
         before = self.words[word.i - 2].norm if before == "and" and word.i > 1 and "," in before else before
         if following is None or following.norm not in PLACED or before not in (",", ";", "and"):
@@ -227,7 +229,8 @@ class Members(Portions):
         back = [w for w in back if not self.of[w.i].ego]
         model = self.of[back[-1].i] if back else None
         counts = {w.norm for w in self.words[back[-1].i - 2 : back[-1].i + 1]} if back else set()
-        return model if model is not None and model.count == 1 and model.mover and counts & {"one", "a", "an"} else None
+        alone = model is not None and model.count == 1 and model.mover
+        return model if alone and counts & {"one", "a", "an"} else None
 
     def _the_other(self, movers: list[Entity], mutual: bool) -> Entity:
         """Whom "the other" means: not who was the last subject (unless in "one behind the other"), one of the same kind

@@ -10,6 +10,7 @@ from c2s_engine.interpret.entities import MOTOR, PERSONS, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.nearing import comes_near
 from c2s_engine.interpret.who.persons import Persons
+from c2s_engine.interpret.who.taken_up import taken_up
 
 SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offside"))
 LOOSE = frozenset(("debris", "box", "obstacle"))
@@ -135,7 +136,8 @@ class Pronouns(Persons):
                 return False
             return (not alive and e.sex != "i" and e.mover or e.type in things) and not (i and e.ego)
 
-        if (owned := self._owned(word)) is not None:
+        owned = self._owned(word) or taken_up(self.words, self.of, self.subjects, word)
+        if owned is not None:
             return owned
         if word.dep == "nsubj" and (near := comes_near(self.words, self.of, word)) is not None:
             return near

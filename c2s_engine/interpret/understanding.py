@@ -22,6 +22,7 @@ from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.pulled_out import pulled_out
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.stays_put import stays_put
+from c2s_engine.interpret.what.there_and_back import swerves_back
 from c2s_engine.interpret.what.unsaid import unsaid
 from c2s_engine.interpret.where.in_between import ahead_of_the_gap, in_between
 from c2s_engine.interpret.where.other_lane import meets_ego, next_lane
@@ -74,6 +75,7 @@ def understand(text: str) -> Scene:
     indicated(cast, clauses)
     stays_put(cast, clauses)
     doors_opened(cast, clauses)
+    swerves_back(clauses)
     gaps = in_between(clauses)
     places = Places(cast, clauses)
     ahead_of_the_gap(gaps, places.of)

@@ -20,6 +20,10 @@ def bring_home(words: list[Word], word: Word) -> None:
     doer = words[word.i - 2] if word.i > 1 and words[word.i - 1].norm == "," else word
     if word.dep == "advcl" and word.norm in ON_ITS_WAY and road_user(doer) and words[doer.head].dep == "agent":
         hang(words, word, doer, "acl")  # "was struck by V2, turning out of a lot"
+    before = words[word.i - 1]
+    by = before.dep == "pobj" and words[before.head].dep == "agent" and road_user(before)
+    if word.dep == "advcl" and word.tag == "VBN" and by:
+        hang(words, word, before, "acl")  # "occluded by a van parked on the right"
     if (place := _clause_of_place(words, word)) is not None:
         hang(words, word, words[place.head], "advcl")
         hang(words, place, word)

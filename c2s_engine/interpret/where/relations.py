@@ -25,7 +25,7 @@ from c2s_engine.interpret.where.implied_lanes import evaded_lane, followed_lane
 from c2s_engine.interpret.where.inferred import Inferred
 from c2s_engine.interpret.where.lane_numbers import number_lanes
 from c2s_engine.interpret.where.own_words import DIRECTED, PLACING, OwnWords
-from c2s_engine.interpret.where.places_in import places_in
+from c2s_engine.interpret.where.places_in import WHY, places_in
 from c2s_engine.interpret.where.ranked import ranked
 from c2s_engine.interpret.where.revealed import reveal
 from c2s_engine.interpret.where.struck import struck_places
@@ -243,7 +243,7 @@ class Places(OwnWords, Inferred):
                 if other.sentence != word.sentence or other.norm == ";":
                     break
                 rest.append(other.i)
-            for clause in re.split(r" , ", self.clauses.render(rest)):
+            for clause in re.split(r" , ", WHY.sub("", self.clauses.render(rest))):
                 if not re.search(r"\b(turn|cut|change|merge|move|swerve|overtake)\w*\b", clause):
                     read(clause, where, entity, self.cast, "noun")
             self._gap(rest, where)

@@ -128,7 +128,7 @@ class Members(Portions):
         known = [e for e in self.entities if e.group is group]
         if word.norm == "others" and known:
             return self.rest(group)
-        if word.norm == "other" and known:
+        if (word.norm == "other" or word.norm == "one" and before[-1:] == ["other"]) and known:
             return self.member(group, "first" if len(known) == 1 and known[0].ordinal == -1 else "last")
         return None
 

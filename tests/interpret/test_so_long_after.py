@@ -30,7 +30,9 @@ def test_so_long_after_ones_own_deed(read) -> None:
 
 
 def test_so_long_after_a_moment(read) -> None:
-    objects = read("The car ahead brakes at t=4 s; one second later the truck behind ego changes to the left lane.").objects
+    objects = read(
+        "The car ahead brakes at t=4 s; one second later the truck behind ego changes to the left lane."
+    ).objects
     assert [o.spec.phases[0].trigger.value for o in objects] == [4.0, 5.0]
 
 
@@ -39,7 +41,9 @@ def test_who_is_on_foot_comes_after_the_other(read) -> None:
     assert [(p.action, p.trigger.of) for p in objects[1].spec.phases] == [("cross_road", objects[0].id)]
 
 
-@pytest.mark.parametrize("text", ["Ego drives at 50 km/h. 2 s later the car ahead brakes.", "The car ahead brakes after 2 s."])
+@pytest.mark.parametrize(
+    "text", ["Ego drives at 50 km/h. 2 s later the car ahead brakes.", "The car ahead brakes after 2 s."]
+)
 def test_from_the_start_where_nothing_went_before(read, text: str) -> None:
     phases = read(text).objects[0].spec.phases
     assert [(p.action, p.trigger.kind, p.trigger.value) for p in phases] == [("brake", "time", 2.0)]

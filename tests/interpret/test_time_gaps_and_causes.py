@@ -120,7 +120,9 @@ def test_one_after_another_names_nobody(read) -> None:
 
 
 def test_a_lateral_offset_is_no_lane(read) -> None:
-    s = read("The target vehicle stands at a lateral offset of 0.5 m to the right in the ego's lane; ego comes at 50 km/h.")
+    s = read(
+        "The target vehicle stands at a lateral offset of 0.5 m to the right in the ego's lane; ego comes at 50 km/h."
+    )
     assert objects(s)[0].placement.position == "ahead"
 
 

@@ -24,6 +24,10 @@ def bring_home(words: list[Word], word: Word) -> None:
     by = before.dep == "pobj" and words[before.head].dep == "agent" and road_user(before)
     if word.dep == "advcl" and word.tag == "VBN" and by:
         hang(words, word, before, "acl")  # "occluded by a van parked on the right"
+    if word.norm == "at" and word.dep == "prep" and by and word.head != before.i and _has_its_speed(words, word):
+        hang(words, word, before)  # "V1 at 60 mph is followed by V2 at 65 mph"
+    if word.norm in ("at", "with") and word.dep == "prep" and before.dep == "nsubjpass" and road_user(before):
+        hang(words, word, before)  # "V1 at 60 km/h is overtaken by a van"
     if (place := _clause_of_place(words, word)) is not None:
         hang(words, word, words[place.head], "advcl")
         hang(words, place, word)
@@ -31,6 +35,13 @@ def bring_home(words: list[Word], word: Word) -> None:
         hang(words, word, user, "advcl")  # "uses ego's lane to pass a queue"
     if (lane := _lane_before(words, word)) is not None:
         hang(words, word, lane)  # "approaches a queue in the lane to its right"
+
+
+def _has_its_speed(words: list[Word], at: Word) -> bool:
+    """Whether a speed is told before the verb, so that another behind "by" is of who is named there."""
+    verb = words[at.head]
+    spans = [w.span for w in words if w.sentence == at.sentence and w.i < verb.i and w.span is not None]
+    return any(s.kind == "quantity" and s.data["dimension"] == "speed" for s in spans)
 
 
 def _clause_of_place(words: list[Word], verb: Word) -> Word | None:

@@ -60,7 +60,7 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         if owner is not None and owner.noun in language.table("actors")["queues"]:
             owner = None
         near = scene.plain[max(0, span.start - 60) : span.start]
-        both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(
+        both = bool(re.search(r"\bboth\b(?! (?:lanes|sides|directions)\b)[^.;]*$", near)) or bool(
             re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20])
         )
         if re.search(r"\bspeeds(?: (?:of|are|were|at|around|about|is|being|each))*[: ]*$", near):

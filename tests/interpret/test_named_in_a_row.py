@@ -1,4 +1,4 @@
-"""Who is told of in one go: two that do the same, the next of a list, the former and the latter, both who are passed."""
+"""Who is told of in one go: two that do the same, the next of a list, both who are passed."""
 
 import pytest
 

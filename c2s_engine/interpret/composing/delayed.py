@@ -13,7 +13,8 @@ from c2s_engine.interpret.what.event import Event
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
 
 SINCE = re.compile(
-    r"#time (?:later|after(?:wards?)?(?! the (?:start|beginning))|thereafter)\b|\bafter (?:an?other|a further|further) #time"
+    r"#time (?:later|after(?:wards?)?(?! the (?:start|beginning))|thereafter)\b"
+    r"|\bafter (?:an?other|a further|further) #time"
 )
 STILL = frozenset(("stationary", "stop", "wait"))
 

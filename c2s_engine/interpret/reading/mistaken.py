@@ -169,7 +169,7 @@ def _nouns(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
 
 
 def _plural(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
-    """Verbs of two that are joined, taken for a noun that the second qualifies: "a car and a bicycle approach the ..."."""
+    """Verbs of two that are joined, taken for a noun that the second qualifies: "a car and a bus approach the ..."."""
     found: dict[int, str] = {}
     for token in doc[4:-1]:
         _, start, end, span = piece[token.i]
@@ -180,9 +180,10 @@ def _plural(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
         before = [t.text for t in doc[max(0, noun.i - 3) : noun.i]]
         named = names_one(piece[noun.i][3], MOVERS) and noun.dep_ == "compound" and noun.head.i == token.i
         joined = "and" in before and any(names_one(p[3], MOVERS) for p in piece[: token.i - 2])
-        if named and joined and not any(t.tag_ in ("VBZ", "VBD", "VBP", "MD") for t in doc[: token.i]):
-            if OBJECT.match(rest) or DIRECTED.match(rest) or ALONE.match(rest):
-                found[token.i] = "take" if OBJECT.match(rest) else "go"
+        told = any(t.tag_ in ("VBZ", "VBD", "VBP", "MD") for t in doc[: token.i])
+        goes_on = OBJECT.match(rest) or DIRECTED.match(rest) or ALONE.match(rest)
+        if named and joined and goes_on and not told:
+            found[token.i] = "take" if OBJECT.match(rest) else "go"
     return found
 
 

@@ -246,6 +246,8 @@ def _meant_and_done(clauses: Clauses) -> None:
             continue
         later = [e for e in clauses.events if e.agent is event.agent and e.act == event.act and e.mode == "fact"]
         done = next((e for e in later if e.word > event.word), None)
+        if done is not None and clauses.words[done.word].sentence - clauses.words[event.word].sentence > 3:
+            continue
         if done is not None and side(done) in (None, side(event)):
             event.mode, done.side = PART, done.side or side(event)
 

@@ -216,8 +216,8 @@ class Timing(Afterwards):
                 for quantity in (*event.quantities, *self._quantities(above)):
                     if quantity["dimension"] == "time" and re.search(
                         (
-                            r"#time (later|into|in\b|after(?:wards| that| the start| start)|thereafter)|(^|, )(after|at) (about |around "
-                            r"|roughly |t ?= ?)?#time|\bat t ?= ?#time"
+                            r"#time (later|into|in\b|after(?:wards| that| the start| start)|thereafter)"
+                            r"|(^|, )(after|at) (about |around |roughly |t ?= ?)?#time|\bat t ?= ?#time"
                             r"|\b(right|left|hard|sharply|down) after (about )?#time\b"
                         ),
                         own,

@@ -303,12 +303,6 @@ class Places(OwnWords, Inferred):
             read(self.clauses.render([r for r in rest if r > i]), where, entity, self.cast, "noun")
             self._gap(rest, where, entity=entity)
 
-    def _of_subject(self, word: Word) -> bool:
-        """Whether a place before a noun is set off behind the subject: "ego, in the left lane, approaches a truck"."""
-        verb = self.words[word.head]
-        subjects = [c for c in verb.children if self.words[c].dep == "nsubj" and c < verb.i]
-        return word.dep == "dobj" and bool(subjects) and self.words[subjects[0] + 1].norm == "," and verb.i < word.i
-
     def _parks(self, entity: Entity) -> bool:
         """Whether it is told as parked."""
         stands = (e for e in self.clauses.events if e.agent is entity and e.act == "stationary")

@@ -136,8 +136,7 @@ class Pronouns(Persons):
                 return False
             return (not alive and e.sex != "i" and e.mover or e.type in things) and not (i and e.ego)
 
-        owned = self._owned(word) or taken_up(self.words, self.of, self.subjects, word)
-        if owned is not None:
+        if (owned := self._owned(word) or taken_up(self.words, self.of, self.subjects, word)) is not None:
             return owned
         if word.dep == "nsubj" and (near := comes_near(self.words, self.of, word)) is not None:
             return near

@@ -210,8 +210,8 @@ class Reference(Owned):
         return max(scored)[2] if scored else None
 
     def _in_other_clause(self, word: Word, entity: Entity, noun: str) -> bool:
-        """Whether it was named only just, by its part in the scene, as the doer of the clause before this one: "when the
-        lead brakes, the van ..." tells of two."""
+        """Whether it was named only just, by its part in the scene, as the doer of the clause before this one: "when
+        the lead brakes, the van ..." tells of two."""
         told = [self.words[m.word] for m in entity.mentions]
         if entity.typed or noun in ("vehicle", "car") or word.dep != "nsubj" or len(told) != 1:
             return False

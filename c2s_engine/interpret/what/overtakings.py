@@ -32,13 +32,13 @@ def overtakings(clauses: Clauses) -> None:
 
 
 def _each_of_several(clauses: Clauses) -> None:
-    """Who overtakes "both", or "ego and the truck", does so with one after the other: with ego first, the rearmost."""
+    """Who overtakes "ego and the truck" does so with one after the other: with ego first, the rearmost."""
     for event in [e for e in clauses.events if e.act == "overtake" and e.mode == "fact" and e.patient is not None]:
         verb = clauses.words[event.word]
         behind = [clauses.words[c] for c in verb.children if c > verb.i]
         inner = [clauses.words[c] for w in behind if w.dep == "prep" and w.norm in ("past", "by") for c in w.children]
         told = [w for w in (*behind, *inner) if w.dep in ("dobj", "pobj") and w.i in clauses.cast.of]
-        if len(told) != 1 or told[0].i - verb.i > 4:
+        if len(told) != 1 or told[0].i - verb.i > 4 or told[0].norm == "both" and not event.agent.ego:
             continue
         those = [clauses.cast.of[told[0].i], *clauses.cast.both.get(told[0].i, []), *_joined(clauses, told[0].i)]
         those = sorted(dict.fromkeys(e for e in those if e is not event.agent), key=lambda e: not e.ego)

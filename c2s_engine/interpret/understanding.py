@@ -24,7 +24,9 @@ from c2s_engine.interpret.what.pulled_out import pulled_out
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.stays_put import stays_put
 from c2s_engine.interpret.what.struck_both import struck_both
+from c2s_engine.interpret.what.there_and_back import swerves_back
 from c2s_engine.interpret.what.unsaid import unsaid
+from c2s_engine.interpret.where.in_between import ahead_of_the_gap, in_between
 from c2s_engine.interpret.where.other_lane import meets_ego, next_lane
 from c2s_engine.interpret.where.own_edge import on_own_edge
 from c2s_engine.interpret.where.protruding import protruding
@@ -32,6 +34,7 @@ from c2s_engine.interpret.where.relations import Places
 from c2s_engine.interpret.where.struck import came_out_into, merged_into, pushed, twice
 from c2s_engine.interpret.who.foretold import foretold
 from c2s_engine.interpret.who.mentions import Cast
+from c2s_engine.interpret.who.moving_objects import moving_objects
 
 
 def understand(text: str) -> Scene:
@@ -55,6 +58,7 @@ def understand(text: str) -> Scene:
     road = place.read(plain, sentences, quantities)
     words = syntax.parse(text, plain, sentences, dates.besides(plain, spans))
     cast = Cast(words)
+    moving_objects(cast)
     foretold(cast)
     clauses = Clauses(words, cast)
     unnamed_doers(cast, clauses)
@@ -75,7 +79,10 @@ def understand(text: str) -> Scene:
     indicated(cast, clauses)
     stays_put(cast, clauses)
     doors_opened(cast, clauses)
+    swerves_back(clauses)
+    gaps = in_between(clauses)
     places = Places(cast, clauses)
+    ahead_of_the_gap(gaps, places.of)
     next_lane(plain, road, places.of)
     meets_ego(clauses, places.of)
     on_own_edge(clauses, places.of, road)

@@ -126,7 +126,7 @@ FIELDS: list[tuple[str, str, dict[str, Any]]] = [
     (TRACTOR, "everybody slower except ego", {"E.speed": 22.22}),
     (OVERTAKER, "when the car cuts in ego has to brake with 5 m/s2", {"E.phases.0.trigger.action": "cut_in"}),
     (CLOSER, "first the woman crosses, then the van brakes", {"O2.phases.0.action": "cross_road"}),
-    (OVERTAKER, "the vehicle that cuts in should brake hard afterwards", {"O1.phases.2.action": "brake"}),
+    (OVERTAKER, "the vehicle that cuts in should brake hard afterwards", {"O2.phases.2.action": "brake"}),
 ]
 
 
@@ -153,7 +153,7 @@ def test_what_a_turn_makes_of_a_scene(read, scene: str, text: str, fields: dict[
         (STREET, "one of the parked cars is a van", "E O2 O3"),
         (LIGHTS, "ego stops for 2 s and then turns", "R O1 O2"),
         (TRACTOR, "terminate when ego hits the tractor", "E R O1 O2"),
-        (OVERTAKER, "the overtaker cancels and drops back", "E R O2 O3"),
+        (OVERTAKER, "the overtaker cancels and drops back", "E R O1 O3"),
         (CLOSER, "the child... no the woman should start 2 s later", "E R O1 O2"),
         (BUS_LANE, "ego goes to the right", "O1"),
     ],

@@ -2,35 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
+from c2s_engine.interpret.composing.delayed import begun, delayed, lateness
 from c2s_engine.interpret.composing.objects import Draft
+from c2s_engine.interpret.composing.seen import DONE, ENTERS, SEEN, shown
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Entity
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 
 MARKS = frozenset(("when", "once", "as", "after"))
-SEEN = {
-    "brake": ("brake", "stop"),
-    "brake_stop": ("stop", "brake"),
-    "stop": ("stop",),
-    "start": ("start", "accelerate"),
-    "turn": ("turn_left", "turn_right"),
-    "lane_change": ("lane_change", "cut_out", "cut_in"),
-    "cut_in": ("cut_in",),
-    "cut_out": ("cut_out", "lane_change"),
-    "cross_road": ("cross_road",),
-}
-"""What can be watched of an event, as actions of the specs."""
-
-DONE = SEEN | {"swerve": ("swerve",), "accelerate": ("accelerate",), "oncoming": ("oncoming",), "drift": ("drift",)}
-DONE |= {"overtake": ("overtake",), "go_straight": ("go_straight",), "evade": ("lane_change", "swerve")}
-INTO = re.compile(
-    r"^(?:enter|reach|arrive at|drive into|be in|get to|come to) (?:the |an? )?(?:junction|intersection|crossroads?)"
-)
-ENTERS = frozenset(("travel", "go_straight", "cross_path", "turn"))
 
 
 def waited_for(scene: Scene, ego: EgoSpec, drafts: list[Draft], ids: Mapping[Entity, str]) -> EgoSpec:
@@ -56,11 +38,11 @@ def _waiting(
         awaited = _awaited(scene, event)
         if awaited is None or awaited.agent not in ids or event.trigger is not None:
             continue
-        trigger = _trigger(scene, awaited, ids[awaited.agent], others)
+        trigger = shown(scene, awaited, ids[awaited.agent], others)
         at = next((i for i, p in enumerate(found) if p.action in DONE.get(event.act, ()) and p.trigger is None), None)
         if trigger is not None and at is not None:
-            found[at] = found[at].model_copy(update={"trigger": trigger})
-    return tuple(found)
+            found[at : at + 1] = begun(entity, found, at, trigger, lateness(scene, awaited))
+    return tuple(delayed(scene, entity, found, ids, others))
 
 
 def _awaited(scene: Scene, event: Event) -> Event | None:
@@ -75,12 +57,3 @@ def _awaited(scene: Scene, event: Event) -> Event | None:
         if other.adverbial in MARKS and (other.act in SEEN or other.act in ENTERS):
             return other
     return None
-
-
-def _trigger(scene: Scene, awaited: Event, of: str, others: Mapping[str, ObjectSpec | EgoSpec]) -> Trigger | None:
-    """The trigger for what is awaited, where the other has a phase that shows it."""
-    own = [p.action for p in others[of].phases] if of in others else []
-    action = next((a for a in SEEN.get(awaited.act, ()) if a in own), None)
-    if action is None and awaited.agent.ego and awaited.act in ENTERS and INTO.search(awaited.text):
-        action = next((a for a in ("turn_left", "turn_right") if a in own), "go_straight")
-    return Trigger(kind="action", of=of, action=action) if action is not None else None  # type: ignore[arg-type]

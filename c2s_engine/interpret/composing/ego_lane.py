@@ -36,6 +36,8 @@ def ego_lane_of(scene: Scene) -> str | None:
             linear.append(other.norm)
         texts.append(" ".join(linear))
         below = scene.clauses._below(mention.word)
+        listed = next((i for i in below if i > mention.word and scene.cast.of.get(i, ego) is not ego), len(scene.words))
+        below = [i for i in below if i < listed or scene.words[listed].dep != "appos"]  # "ahead of ego, one in the ..."
         texts.append(" ".join(scene.words[i].norm for i in below if i > mention.word))
     texts += _lanes_where(scene)
     if scene.places.row is not None:  # "the second of three trucks"

@@ -182,5 +182,7 @@ def _passes_others(scene: Scene, entity: Entity) -> bool:
 
 
 def _passed_by_another(scene: Scene, entity: Entity) -> bool:
-    """Whether another road user (not ego) overtakes this one: it is slower."""
-    return any(e.act == "overtake" and e.patient is entity and e.done and not e.agent.ego for e in scene.clauses.events)
+    """Whether another road user (not ego) overtakes this one, and not ego, too: it is slower."""
+    passing = [e for e in scene.clauses.events if e.act == "overtake" and e.done and not e.agent.ego]
+    past_ego = {e.agent for e in passing if e.patient is not None and e.patient.ego}
+    return any(e.patient is entity and e.agent not in past_ego for e in passing)

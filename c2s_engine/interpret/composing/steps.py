@@ -24,6 +24,8 @@ def trigger_of(event: Event) -> Trigger | None:
     if event.trigger is None:
         return None
     told = event.trigger
+    if told["kind"] == "headway":
+        return None  # until it is known how fast they are
     return Trigger(kind=told["kind"], value=round(told["value"], 2), place=told.get("place"), of=told.get("id"))
 
 

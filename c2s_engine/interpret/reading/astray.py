@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
 ON_ITS_WAY = frozenset(language.words("on_its_way"))
 OPENS = frozenset(("while", "whilst", "when", "as"))
+SIDES = frozenset(("road", "street", "side", "lane", "left", "right", "kerb", "curb", "pavement", "sidewalk", "verge"))
 USES = frozenset(("use", "borrow", "cross", "enter"))
 
 
@@ -22,6 +23,17 @@ def bring_home(words: list[Word], word: Word) -> None:
         hang(words, word, doer, "acl")  # "was struck by V2, turning out of a lot"
     if (begun := _begun_before(words, word)) is not None:
         hang(words, word, begun, "advcl")  # "while I was at the lights waiting to turn, a rider came"
+    before = words[word.i - 1]
+    by = before.dep == "pobj" and words[before.head].dep == "agent" and road_user(before)
+    if word.dep == "advcl" and word.tag == "VBN" and by:
+        hang(words, word, before, "acl")  # "occluded by a van parked on the right"
+    if word.norm == "at" and word.dep == "prep" and by and word.head != before.i and _has_its_speed(words, word):
+        hang(words, word, before)  # "V1 at 60 mph is followed by V2 at 65 mph"
+    if word.norm in ("at", "with") and word.dep == "prep" and before.dep == "nsubjpass" and road_user(before):
+        hang(words, word, before)  # "V1 at 60 km/h is overtaken by a van"
+    if (place := _clause_of_place(words, word)) is not None:
+        hang(words, word, words[place.head], "advcl")
+        hang(words, place, word)
     if (user := _what_for(words, word)) is not None:
         hang(words, word, user, "advcl")  # "uses ego's lane to pass a queue"
     if (lane := _lane_before(words, word)) is not None:
@@ -43,6 +55,28 @@ def _begun_before(words: list[Word], word: Word) -> Word | None:
             own = any(words[c].dep.startswith("nsubj") for c in other.children)
             return other if own and marks & OPENS else None
     return None
+
+
+def _has_its_speed(words: list[Word], at: Word) -> bool:
+    """Whether a speed is told before the verb, so that another behind "by" is of who is named there."""
+    verb = words[at.head]
+    spans = [w.span for w in words if w.sentence == at.sentence and w.i < verb.i and w.span is not None]
+    return any(s.kind == "quantity" and s.data["dimension"] == "speed" for s in spans)
+
+
+def _clause_of_place(words: list[Word], verb: Word) -> Word | None:
+    """The fronted place of a clause that the tree takes for a relative one: "on the left side of the road two children
+    play, while on the right side ..."."""
+    noun = words[verb.head]
+    subject = next((words[c] for c in verb.children if words[c].dep == "nsubj" and c < verb.i), None)
+    if verb.dep != "relcl" or verb.tag not in ("VBP", "VBZ", "VBD") or subject is None or noun.norm not in SIDES:
+        return None
+    first = min([subject.i, *(c for c in subject.children if c < subject.i)])
+    place = noun
+    while place.dep in ("prep", "pobj") and words[place.head].i < place.i:
+        place = words[place.head]
+    alone = place.dep == "prep" and words[place.head].i > verb.i
+    return place if first == noun.i + 1 and road_user(subject) and alone else None
 
 
 def _what_for(words: list[Word], word: Word) -> Word | None:

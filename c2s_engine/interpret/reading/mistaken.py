@@ -18,6 +18,7 @@ DIRECTED = re.compile(
 """What tells where one goes, behind the past tense of a verb of motion."""
 ONWARDS = re.compile(r"\s+on\s*(?:[.,;]|$|(?:and|along|down|straight|as|past|through)\b)")
 ON_SIDE = re.compile(r"\b(?:on|to|in) (?:my|our|the|its|his|her|their) (?:left|right)(?: side)? $")
+ALONE = re.compile(r"\s*[.,;]|\s+(?:hard|sharply|suddenly|simultaneously|at|when|as|because)\b")
 LANES = re.compile(r"\s+lanes?\b")
 OBJECT = re.compile(r"\s+(?:me|us|him|her|it|them|my|our|his|its|their|the|an?|another|ego|control)\b")
 OBJECTS = language.words("objects_taken_for_verbs")
@@ -31,6 +32,7 @@ def mistaken(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
     return {
         **_participles(doc, piece, plain),
         **_nouns(doc, piece, plain),
+        **_plural(doc, piece, plain),
         **_objects(doc),
         **_infinitives(doc, piece, plain),
         **_bursts(doc),
@@ -152,7 +154,11 @@ def _nouns(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
         if (
             before[3] is not None
             and before[3].data.get("plural")
-            or any(t.tag_ in ("VBZ", "VBD", "MD") and t.head.i == token.i and t.dep_ != "conj" for t in doc)
+            or any(t.tag_ in ("VBZ", "VBD", "MD") and t.head.i == token.i and t.dep_ != "conj" for t in doc[token.i :])
+            or any(
+                t.tag_ in ("VBZ", "VBD", "MD") and t.head.i == token.i and not _own_clause(doc, t, token.i)
+                for t in doc[: token.i]
+            )
         ):
             continue
         finite = [t for t in doc[: token.i] if t.tag_ in ("VBZ", "VBD", "VBP", "MD") and not _relative(t)]
@@ -162,9 +168,34 @@ def _nouns(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
     return found
 
 
+def _plural(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
+    """Verbs of two that are joined, taken for a noun that the second qualifies: "a car and a bus approach the ..."."""
+    found: dict[int, str] = {}
+    for token in doc[4:-1]:
+        _, start, end, span = piece[token.i]
+        if token.tag_ not in ("NN", "NNP") or span is not None or plain[start:end] not in verb_lemmas():
+            continue
+        placed = doc[token.i - 1].text in ("ahead", "behind")
+        noun, rest = doc[token.i - 1 - placed], plain[end : end + 24]
+        before = [t.text for t in doc[max(0, noun.i - 3) : noun.i]]
+        named = names_one(piece[noun.i][3], MOVERS) and noun.dep_ == "compound" and noun.head.i == token.i
+        joined = "and" in before and any(names_one(p[3], MOVERS) for p in piece[: token.i - 2])
+        told = any(t.tag_ in ("VBZ", "VBD", "VBP", "MD") for t in doc[: token.i])
+        goes_on = OBJECT.match(rest) or DIRECTED.match(rest) or ALONE.match(rest)
+        if named and joined and goes_on and not told:
+            found[token.i] = "take" if OBJECT.match(rest) else "go"
+    return found
+
+
 def _ends(word: str) -> tuple[str, str]:
     """A word, and the last part of it: "on-ramp"."""
     return word, word.rpartition("-")[2]
+
+
+def _own_clause(doc: Any, verb: Any, at: int) -> bool:
+    """Whether a verb before a comma has its own subject: "the first stays in its lane, the second one swerves"."""
+    told = verb.dep_ == "conj" or verb.dep_ == "ccomp" and any(t.dep_ == "nsubj" for t in verb.lefts)
+    return told and (verb.dep_ == "conj" or _closed(doc, verb.i, at))
 
 
 def _relative(token: Any) -> bool:

@@ -45,6 +45,12 @@ def _keys() -> dict[str, dict[str, Any]]:
     return {name: entry for entry in language.table("notation")["fields"] for name in entry["names"]}
 
 
+PLACED = re.compile(
+    r"(?:in |on |at )?(?:the |its )?(?:(?:left|right|middle|cent(?:er|re)|own|same|ego|next|adjacent|opposite|oncoming)"
+    r"(?:-?most|-?hand)? )?lane\b|[+-]?\d|(?:ahead|behind|in front|alongside|abreast|v ?=|speed)\b",
+    re.IGNORECASE,
+)
+"""What a key for another road user is followed by where the value tells where it is, not what."""
 TITLE = ""
 """Instead of the sentence of a field that only names the scenario."""
 
@@ -90,6 +96,8 @@ def _sentence(key: str, value: str, names: dict[str, str]) -> str | None:
     data = language.table("notation")
     plain = " ".join(re.sub(r"[_#]", " ", key.lower()).split())
     whole = plain
+    if re.sub(r"\s*\d+$", "", plain) in data["others"] and PLACED.match(value):
+        return None
     if re.sub(r"\s*\d+$", "", plain) in data["others"]:
         parts = NAMED.match(value)
         first, rest = (parts["noun"], value[parts.end("noun") :].lstrip(", ")) if parts else (value, "")

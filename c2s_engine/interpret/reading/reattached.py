@@ -49,6 +49,7 @@ def reattach(words: list[Word]) -> None:
         _doer_of_passive(words, word)
         _by_which(words, word)
         _object_of_relative(words, word)
+        _two_subjects(words, word)
         seen = _place_of_seen(words, word)
         if seen is not None:
             hang(words, word, seen)
@@ -174,6 +175,18 @@ def _object_of_relative(words: list[Word], verb: Word) -> None:
     if before.dep == "relcl" and before.head == first.i and not objects:
         hang(words, second, before)
         second.dep = "dobj"
+
+
+def _two_subjects(words: list[Word], verb: Word) -> None:
+    """Join two subjects with "and" between them: "the van in the left lane and the truck in the right lane drift"."""
+    subjects = [words[c] for c in verb.children if words[c].dep == "nsubj" and c < verb.i]
+    if len(subjects) != 2 or not all(road_user(w) for w in subjects):
+        return
+    first, second = subjects
+    start = min([second.i, *(c for c in second.children if c < second.i)])
+    inner = any(w.tag in ("VBZ", "VBD", "VBP", "MD") for w in words[first.i : verb.i])
+    if words[start - 1].norm in ("and", "or", "nor") and words[start - 1].head in (first.i, verb.i) and not inner:
+        hang(words, second, first, "conj")
 
 
 def _joined(words: list[Word], word: Word) -> bool:

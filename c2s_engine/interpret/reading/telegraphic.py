@@ -62,6 +62,10 @@ def spelt_out(text: str) -> list[Replacement]:
     return found
 
 
+TITLED = re.compile(r":\s+(?:an?|the|one|two|three)\s")
+"""What follows a title: the tale itself, of somebody who is named in it."""
+
+
 def _sentence(text: str, plain: str, start: int, end: int, names: list[Span], unit: str) -> list[Replacement]:
     found: list[Replacement] = []
     subjects: list[Subject] = []
@@ -84,6 +88,8 @@ def _sentence(text: str, plain: str, start: int, end: int, names: list[Span], un
             again = note is not None and (note.places or note.acts or note.speed)
             said = " ".join(_say(h.name, h, note) for h in subjects) if note is not None and again else None
             said = said.replace("{neighbour}", "ego") if said is not None else None
+        if said is not None and first == start and TITLED.match(plain, stop) and not any(h.ego for h in subjects):
+            said, subjects = None, []  # "lead vehicle braking: an SUV in front of ego ..."
         if said is not None:
             before = ". " if first > start and text[last:first].strip(" \t") in (",", "-", "and", "&", "+") else None
             at = last if before else first

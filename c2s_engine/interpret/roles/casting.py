@@ -190,7 +190,10 @@ def _title_only(scene: Scene, entity: Entity) -> bool:
         or scene.words[first].dep == "nsubj"
         and scene.words[first].head > last  # "car on the right: pulls out"
         or any(m.word > last and m.kind != "pronoun" for m in entity.mentions)
-    ):
+        or first < 3
+        and scene.words[last].norm == ":"
+        and any(e.agent is entity and e.done and last < e.word < last + 9 for e in scene.clauses.events)
+    ):  # "car in front: emergency braking"
         return False
     where = scene.where(entity)
     kinds = VEHICLES if entity.type == "vehicle" else {entity.type}

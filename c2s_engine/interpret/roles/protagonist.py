@@ -123,6 +123,13 @@ def _passes_nobody(acts: list[Event]) -> bool:
     return bool(passed) and all(p is None or p.mover and p.type not in VEHICLES for p in passed)
 
 
+def _all_from_one_side(event: Event, vehicles: list[Entity]) -> bool:
+    """Whether all who drive come from the same side, told together: ego, who meets them, is none of them."""
+    together = {event.agent, *event.also}
+    told = event.act in ("approach", "travel") and len(together) > 1 and together >= {*vehicles}
+    return told and re.search(r"\bfrom the (?:left|right)\b", event.whole) is not None
+
+
 def _by_whom(cast: Cast, entity: Entity) -> bool:
     """Whether it is first named as who did something to another ("was hit by a left-turning truck")."""
     at = entity.mentions[0].word
@@ -169,6 +176,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     if not told_by and any(IS_AHEAD.match(after(e.mentions[0].word, cast)) for e in vehicles):
         return  # of somebody who is not named
     acting = {e: [v for v in clauses.events if v.agent is e and v.done] for e in vehicles}
+    if not told_by and any(_all_from_one_side(v, vehicles) for v in clauses.events):
+        return
     candidates = []
     for entity in vehicles:
         if (

@@ -37,6 +37,7 @@ REACHED = re.compile(
     r"(?:speed|velocity)(?: of)? )?(?:about |around |roughly |only |just )?$"
 )
 """What stands before a speed that is reached, not had at first."""
+FILLS = re.compile(r"\b(?:occup|block|fill|obstruct|cover)\w* (?:up )?both lanes\b[^.;]*$")
 GOES_ON = re.compile(r"(continue|proceed|carry|go|drive|travel|roll|move)( on)?( \w+ing)?( on)? at #speed")
 
 
@@ -66,7 +67,7 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
             owner = None
         near = scene.plain[max(0, span.start - 60) : span.start]
         each = re.search(r"\b(?:and|,) [^.;,]*\beach\b[^.;,]*$", near) is not None
-        both = bool(re.search(r"\bboth\b[^.;]*$", near)) or bool(
+        both = bool(re.search(r"\bboth\b[^.;]*$", near) and not FILLS.search(near)) or bool(
             re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20])
         )
         if re.search(r"\bspeeds(?: (?:of|are|were|at|around|about|is|being|each))*[: ]*$", near):

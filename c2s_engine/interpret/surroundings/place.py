@@ -181,6 +181,8 @@ def is_limit(before: str, after: str) -> bool:
         ),
         after,
     )
+    if re.search(r"\b(?:school|speed|residential|home) zone,\s*$", before):  # "school zone, 30 km/h, three kids"
+        return True
     if re.search(r"\d( ?(km/?h|kph|mph|k))? in an? $|, posted( at)? $", before):  # "50 in a 30", "50 mph, posted 30"
         return True
     return bool(near or follows) and not re.search(

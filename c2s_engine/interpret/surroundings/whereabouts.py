@@ -74,9 +74,17 @@ def _patterns() -> list[tuple[dict[str, Any], re.Pattern[str], re.Pattern[str] |
     ]
 
 
+BENDS = re.compile(
+    r"\b(curve|bend|corner|lateral(?:ly)? (?:offset|shift|shifted|displaced|overlap)(?: (?:of|by))?(?: #dist)?)"
+    r" (?:to|towards) (?:the |its )?(?:left|right)\b(?!-hand| lane)"
+)
+"""Which way the road bends, or how far one is off the middle of its lane: no side on which somebody is."""
+
+
 def read(text: str, where: Where, entity: Entity, cast: Cast, source: str = "") -> None:
     """Add what the words say to what is known; what is known already stays."""
     by_key = {e.key: e for e in cast.entities} | {"ego": cast.ego}
+    text = BENDS.sub(r"\1", text)
     for fact, pattern, unless, only_if in _patterns():
         if unless is not None and unless.search(text) or only_if is not None and not only_if.search(text):
             continue

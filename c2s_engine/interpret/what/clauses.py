@@ -167,6 +167,8 @@ class Clauses(Deverbal):
         if word.i in self.dangling or word.dep == "xcomp" and word.head in self.dangling:
             agent = self.cast.ego
         patient = awaited if awaited is not None and not awaited.ego else self._patient(word, own, agent, passive)
+        if ("each other" in text or "one another" in text) and (others := self._also(at, word.i)):
+            patient = others[0]  # "V2 and V3 crashed into each other in front of V1"
         if patient is None and word.dep == "amod" and word.head == word.i + 1:  # "collided head-on with V2"
             later = [i for i in range(word.i + 2, min(word.i + 6, len(self.words))) if i in self.cast.of]
             patient = self.cast.of[later[0]] if later and self.words[word.i + 2].norm in ("with", "into") else None

@@ -5,6 +5,7 @@ import re
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.towards import OPPOSITE, side
+from c2s_engine.interpret.who.mentions import Entity
 
 BACK = re.compile(r"\b(?:back|again|return\w*|in|re-?join\w*|re-?enter\w*)\b")
 HOME = re.compile(r"\bback\b|\bagain\b|return")
@@ -15,6 +16,7 @@ PART = "part"
 
 def overtakings(clauses: Clauses) -> None:
     """What belongs to an overtaking is told once: pulling out is part of it, coming back in cuts in on ego."""
+    _each_of_several(clauses)
     passing = [e for e in clauses.events if e.act == "overtake" and e.done]
     _comes_back_in(clauses, [e for e in passing if not e.agent.ego and (e.patient is None or e.patient.ego)])
     for event in passing:
@@ -27,6 +29,30 @@ def overtakings(clauses: Clauses) -> None:
             _by_ego(event, out, back)
         elif not event.agent.ego and (event.patient is None or event.patient.ego):
             _past_ego(event, out, back)
+
+
+def _each_of_several(clauses: Clauses) -> None:
+    """Who overtakes "ego and the truck" does so with one after the other: with ego first, the rearmost."""
+    for event in [e for e in clauses.events if e.act == "overtake" and e.mode == "fact" and e.patient is not None]:
+        verb = clauses.words[event.word]
+        behind = [clauses.words[c] for c in verb.children if c > verb.i]
+        inner = [clauses.words[c] for w in behind if w.dep == "prep" and w.norm in ("past", "by") for c in w.children]
+        told = [w for w in (*behind, *inner) if w.dep in ("dobj", "pobj") and w.i in clauses.cast.of]
+        if len(told) != 1 or told[0].i - verb.i > 4 or told[0].norm == "both" and not event.agent.ego:
+            continue
+        those = [clauses.cast.of[told[0].i], *clauses.cast.both.get(told[0].i, []), *_joined(clauses, told[0].i)]
+        those = sorted(dict.fromkeys(e for e in those if e is not event.agent), key=lambda e: not e.ego)
+        if len(those) > 1 and event.patient in those:
+            event.patient = those[0]
+            later = [Event.echo(event, patient=e, order=event.order + n / 100) for n, e in enumerate(those[1:], 1)]
+            at = clauses.events.index(event) + 1
+            clauses.events[at:at] = later
+
+
+def _joined(clauses: Clauses, at: int) -> list[Entity]:
+    """Those joined to a noun by "and"."""
+    joined = [c for c in clauses.words[at].children if clauses.words[c].dep == "conj" and c in clauses.cast.of]
+    return [e for c in joined for e in (clauses.cast.of[c], *_joined(clauses, c))]
 
 
 ROUND = re.compile(

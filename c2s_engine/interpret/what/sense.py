@@ -247,10 +247,12 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
 def _meant_and_done(clauses: Clauses) -> None:
     """ "Meant to turn right. ... Then it turned right": what is told again when it is done happens only then."""
     for event in clauses.events:
-        if event.mode != "intended" or event.act not in ("turn", "lane_change"):
+        if event.mode != "intended" or event.act not in ("turn", "lane_change", "overtake"):
             continue
         later = [e for e in clauses.events if e.agent is event.agent and e.act == event.act and e.mode == "fact"]
         done = next((e for e in later if e.word > event.word), None)
+        if done is not None and clauses.words[done.word].sentence - clauses.words[event.word].sentence > 3:
+            continue
         if done is not None and side(done) in (None, side(event)):
             event.mode, done.side = PART, done.side or side(event)
 

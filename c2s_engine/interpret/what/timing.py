@@ -54,6 +54,11 @@ AT_A_DISTANCE = (
 RIGHT = ("only", "just", "exactly", "right", "left", "even", "shortly")
 """What stands before the word that opens a clause: "swerved right when ..."."""
 TTC = ("ttc", "time-to-collision", "collision")
+NEARNESS = re.compile(
+    r"(?P<ttc>\bttc\b|time[- ]to[- ](?:collision|contact))|\b(?:time[- ]?)?(?:gap|headway)s?\b|\bthw\b"
+)
+"""Times that tell how near one is: to the collision, or behind another."""
+CONDITIONS = ("when", "once", "as", "after", "until", "while", "where", "if", "whenever")
 WHEN = re.compile(
     r"when|once|as soon as|after|until|^(?:if|where)\b.*\b(?:within|than|away|under|below)\b"
     r"|^as\b.*\b(?:away|closer|nearer|within|under|(?:close|drop|fall|shrink|narrow|decrease)s?)\b"
@@ -161,11 +166,10 @@ class Timing(Afterwards):
                 for quantity in quantities:
                     if event.trigger is not before:
                         break  # "once it is 50 m behind the van, and returns when it is 20 m past it"
-                    if quantity["dimension"] == "time" and re.search(
-                        r"\bttc\b|time[- ]to[- ](collision|contact)", text
-                    ):
+                    nearness = NEARNESS.search(text) if quantity["dimension"] == "time" else None
+                    if nearness is not None and (nearness["ttc"] or marks in CONDITIONS):
                         event.trigger = {
-                            "kind": "ttc",
+                            "kind": "ttc" if nearness["ttc"] else "headway",
                             "value": quantity["low"],
                             "of": self._to_whom(event, inside),
                             "at": quantity["start"],
@@ -173,7 +177,7 @@ class Timing(Afterwards):
                     elif (
                         quantity["dimension"] == "distance"
                         and self.words[i].dep in ("advcl", "advmod", "relcl")
-                        and marks in ("when", "once", "as", "after", "until", "while", "where", "if", "whenever")
+                        and marks in CONDITIONS
                         and WHEN.search(
                             text,
                         )
@@ -201,7 +205,7 @@ class Timing(Afterwards):
                         event.trigger = {"kind": "distance", "value": quantity["low"]}
                     elif quantity["dimension"] == "time" and (
                         re.match(r"((only|right|left|hard|just|exactly|straight) )*(after|at) (\w+ |t = )?#time$", text)
-                        or re.search(r"#time (into|later|after the start|in)", text)
+                        or re.search(r"#time (into|later|after(wards| that| the start)|thereafter|in)", text)
                     ):
                         event.trigger = {"kind": "time", "value": quantity["low"]}
             above = [i for verb in self._verbs_above(word) for i in self.own(verb)]
@@ -212,8 +216,8 @@ class Timing(Afterwards):
                 for quantity in (*event.quantities, *self._quantities(above)):
                     if quantity["dimension"] == "time" and re.search(
                         (
-                            r"#time (later|into|in\b|after the start|after start)|(^|, )(after|at) (about |around "
-                            r"|roughly |t ?= ?)?#time|\bat t ?= ?#time"
+                            r"#time (later|into|in\b|after(?:wards| that| the start| start)|thereafter)"
+                            r"|(^|, )(after|at) (about |around |roughly |t ?= ?)?#time|\bat t ?= ?#time"
                             r"|\b(right|left|hard|sharply|down) after (about )?#time\b"
                         ),
                         own,

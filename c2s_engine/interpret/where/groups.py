@@ -71,7 +71,8 @@ def goes_on_abreast(clauses: Clauses) -> None:
             drives = (
                 e for e in clauses.events if e.agent is event.agent and e.done and e.act in ("travel", "overtake")
             )
-            if any(abs(e.word - event.word) < 12 for e in drives):
+            moving = any(q["dimension"] == "speed" and q["low"] > 0 for q in event.quantities)
+            if moving or any(abs(e.word - event.word) < 12 for e in drives):
                 event.act = "travel"
 
 

@@ -24,6 +24,9 @@ INTO_EGO_LANE = re.compile(r"^\w+ (?:\w+ )?(?:in|on)?to (?:the )?@ego 's (?:\w+ 
 SIDEWAYS = re.compile(
     r"^side-?swip|^(?:merge|drift|veer|swerve|steer|cut|move over|pull over|stray|wander|slide)\w* (?:\w+ )?into\b"
 )
+IN_MIDDLE = re.compile(r"\bin the (?:middle|cent(?:er|re)) lane\b")
+IN_NAMED = re.compile(r"\bin the (?:left|right|middle|cent(?:er|re))(?:-?hand|-?most)? lane\b")
+LEAVES = frozenset(("cut_in", "lane_change", "cut_out", "swerve", "drift", "turn", "enter_road", "cross_path"))
 HALTS = ("stationary", "stop", "brake_stop")
 BEHIND = re.compile(r"(?:(?!lane|left|right|,|;)\S+ ){1,6}behind (?:the |an? )?(?:[\w-]+ )?@(?P<who>a\d+)\b(?! 's)")
 STANDING_OR_LED = frozenset(("stationary", "parked", "lead", "oncoming", "crossing"))
@@ -136,12 +139,24 @@ def followed_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
         other = _stood_behind(event, of) or event.patient
         where = of.get(other) if other is not None else None
         behind = event.act in ("follow", *HALTS) or event.act == "collide" and _runs_up_to(event, clauses)
+        told = " ; ".join([event.whole, *(text for _, text in where.phrases)]) if where is not None else ""
+        behind = behind or event.act == "approach" and _only_lane(event, told, clauses)
         if not behind or not event.done or not event.agent.ego or where is None or where.of is not None:
             continue
+        if where.lane in (None, "same") and where.rel in (None, "ahead") and IN_MIDDLE.search(told):
+            return "middle"
         if where.lane in ("left", "right") and where.rel in (None, "ahead"):
             lane, where.lane, where.side, where.rel = where.lane, "same", None, "ahead"
             return f"{lane}most"
     return None
+
+
+def _only_lane(event: Event, told: str, clauses: Clauses) -> bool:
+    """Whether ego comes up to one whose lane is the only one that is named, and who stays in it."""
+    lanes = [w for w in clauses.words if w.norm == "lane"]
+    moves = any(e.agent is event.patient and e.done and e.act in LEAVES for e in clauses.events)
+    named = len(lanes) == 1 and IN_NAMED.search(told) is not None
+    return named and not moves and "stationary" not in {e.act for e in clauses.events if e.agent.ego}
 
 
 def _stood_behind(event: Event, of: dict[Entity, Where]) -> Entity | None:

@@ -191,7 +191,13 @@ class Inferred(Concealed):
                 "right",
             ):
                 whose.lane = "oncoming"
-            if where.rel is None and where.lane is None:
+            passes_ego = any(
+                e.agent is event.agent and e.act == "overtake" and e.done and e.patient is self.cast.ego
+                for e in self.clauses.events
+            )
+            if where.rel is None and where.lane is None and passes_ego:
+                where.lane, where.rel = "same", "ahead"  # "overtakes ego and the truck": ahead of ego, too
+            elif where.rel is None and where.lane is None:
                 where.lane, where.rel, where.side = whose.lane, "ahead", whose.side
                 if whose.lane in (None, "same", "left", "right"):
                     where.of, where.lane = event.agent, "same"

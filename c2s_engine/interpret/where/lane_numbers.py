@@ -42,7 +42,8 @@ NAMED = re.compile(
 )
 FROM_SIDE = re.compile(
     rf"\b(?:lanes?|{NTH})(?: one)? (?:\w+ ){{0,2}}from (?:the )?(?:far )?(?P<side>left|right)\b(?! lane)"
-    r"|count\w* from (?:the )?(?P<side2>left|right)\b"
+    r"|(?:count|number)\w* (?:\w+ )?(?:starts? |starting |begins? |beginning )?(?:from|on|at) (?:the )?"
+    r"(?P<side2>left|right)\b"
 )
 NEAR = 25
 """Words within which a blow belongs to a move."""

@@ -90,3 +90,9 @@ class OwnWords:
                 break
             found.append(other.i)
         return found
+
+    def _of_subject(self, word: Word) -> bool:
+        """Whether a place before a noun is set off behind the subject: "ego, in the left lane, approaches a truck"."""
+        verb = self.words[word.head]
+        subjects = [c for c in verb.children if self.words[c].dep == "nsubj" and c < verb.i]
+        return word.dep == "dobj" and bool(subjects) and self.words[subjects[0] + 1].norm == "," and verb.i < word.i

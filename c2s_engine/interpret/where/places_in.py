@@ -31,6 +31,8 @@ LANE_OF_EGO = re.compile(r"(?<=@ego) (?:in|on) the (?:[\w-]+ )?lane\b")
 """In which lane ego is whom another cuts off or passes."""
 HALTS_AT = re.compile(r"(?<=ahead|front) (?:stop|halt) (?:at|in|by) .*$")
 """Where one halts that is told to be ahead: it starts there, not where it halts."""
+WHY = re.compile(r"\b(?:due to|because of|owing to|caused by) [^,.;]*")
+"""Why it is done: where somebody else is."""
 PULLS_IN = re.compile(r"(?:pull|draw|swing) (?:over )?in\b(?! front)")
 PASSES_IN = re.compile(r"in the (?:left|right|middle|cent(?:er|re))(?:-hand)? lane\b")
 
@@ -44,7 +46,7 @@ def _passed_there(event: Event, part: str) -> bool:
 def places_in(event: Event) -> Iterator[str]:
     """Each such phrase, without where one goes and whose path is crossed."""
     whole = LANE_OF_EGO.sub("", event.whole) if event.act in ("cut_in", "overtake") else event.whole
-    for match in PLACE.finditer(whole):
+    for match in PLACE.finditer(WHY.sub(" ", whole)):
         left = event.act != "leave_road" or "lane" in match[0]  # what is left is the road, unless a lane is named
         if left and (ORIGIN.match(match[0]) or event.act in DONE_THERE):
             part = INTO.sub("", match[0])

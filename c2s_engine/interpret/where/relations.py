@@ -25,7 +25,7 @@ from c2s_engine.interpret.where.implied_lanes import evaded_lane, followed_lane
 from c2s_engine.interpret.where.inferred import Inferred
 from c2s_engine.interpret.where.lane_numbers import number_lanes
 from c2s_engine.interpret.where.own_words import DIRECTED, PLACING, OwnWords
-from c2s_engine.interpret.where.places_in import places_in
+from c2s_engine.interpret.where.places_in import WHY, places_in
 from c2s_engine.interpret.where.ranked import ranked
 from c2s_engine.interpret.where.revealed import reveal
 from c2s_engine.interpret.where.struck import struck_places
@@ -54,7 +54,7 @@ WITHIN = re.compile(
     r"|(?:be|come|get) (?:only |just |about |less than )*#dist (?:away|from|off|distant)\b"
 )
 HEADING = DIRECTED | {"to", "across", "over"}
-AND_ANOTHER = re.compile(r",? and (?:the |an? |another |one |two |some |three )?(?:\w+ )?@(?!ego).*$")
+AND_ANOTHER = re.compile(r"(?:,? and (?:the |an? |another |one |two |some |three )?(?:\w+ )?| , )@(?!ego).*$")
 """Who else is there ("there is a van ahead and a cyclist in the right lane"), with a place of its own."""
 
 
@@ -197,12 +197,13 @@ class Places(OwnWords, Inferred):
         fronted = re.search(
             (
                 r"(?:^|, |\band |: )((?:from|to|on|at|in) (?:the |its |@\w+ 's )+(?:left|right)(?:-?hand|most)?"
-                r"(?: side| lane| pavement| sidewalk| footpath| verge| shoulder| kerb| curb| edge)?)"
+                r"(?: side| lane| pavement| sidewalk| footpath| verge| shoulder| kerb| curb| edge)?"
+                r"(?: of the (?:road|street|carriageway))?)"
                 r"(?:(?<=lane) ,)?(?: (?!(?:and|but)\b)\w+){0,3}$"
             ),
             front,
         )
-        fronted = fronted or FRONTED.search(front)
+        fronted = (fronted or FRONTED.search(front)) if not self._of_subject(word) else None
         if fronted and word.span is not None:
             read(fronted[1] + (" park" if self._parks(entity) else ""), where, entity, self.cast, "noun")
         self._fronted_far(word, front, where, entity)
@@ -242,7 +243,7 @@ class Places(OwnWords, Inferred):
                 if other.sentence != word.sentence or other.norm == ";":
                     break
                 rest.append(other.i)
-            for clause in re.split(r" , ", self.clauses.render(rest)):
+            for clause in re.split(r" , ", WHY.sub("", self.clauses.render(rest))):
                 if not re.search(r"\b(turn|cut|change|merge|move|swerve|overtake)\w*\b", clause):
                     read(clause, where, entity, self.cast, "noun")
             self._gap(rest, where)

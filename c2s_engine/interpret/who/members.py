@@ -17,6 +17,7 @@ ENDS = {
 """What tells the first and the last of a group, before and after "one"."""
 PICKED = {"latter": "last", "former": "first", "one": "first"}
 """Words that pick one out of those who are named after "of"."""
+PLACED = frozenset(("at", "on", "in", "behind", "ahead", "beside", "to", "from", "next", "alongside", "further"))
 NUMBERS = frozenset(("two", "three", "four"))
 COUNTED = frozenset(("second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"))
 
@@ -127,7 +128,7 @@ class Members(Portions):
         known = [e for e in self.entities if e.group is group]
         if word.norm == "others" and known:
             return self.rest(group)
-        if word.norm == "other" and known:
+        if (word.norm == "other" or word.norm == "one" and before[-1:] == ["other"]) and known:
             return self.member(group, "first" if len(known) == 1 and known[0].ordinal == -1 else "last")
         return None
 
@@ -182,6 +183,10 @@ class Members(Portions):
             if len(set(others)) == 1 and others[0].count == 2:  # "two cyclists ...; the former turns left"
                 return self.member(others[0], "first" if norm == "former" else "last")
             return pair[0 if norm == "latter" or len(pair) == 1 else 1] if pair else None
+        if norm == "one" and (listed := self._next_listed(word, following)) is not None:
+            if listed.group is not None:
+                return self.member(listed.group, "last")
+            return self._new(Entity("", listed.type, noun=listed.noun, typed=listed.typed))
         counted = norm == "one" and word.i > 1 and self.words[word.i - 1].norm in COUNTED
         if (
             norm == "another"
@@ -215,6 +220,19 @@ class Members(Portions):
         if norm == "both" or norm in ("two", "pair", "duo") and self.words[word.i - 1].norm in ("the", "these"):
             return self._together(word)
         return None
+
+    def _next_listed(self, word: Word, following: Word | None) -> Entity | None:
+        """Like whom the next of a list is ("one car in front, one on the left and one behind"), or of whose group."""
+        before = self.words[word.i - 1].norm if word.i else ""
+        before = self.words[word.i - 2].norm if before == "and" and word.i > 1 and "," in before else before
+        if following is None or following.norm not in PLACED or before not in (",", ";", "and"):
+            return None
+        back = [w for w in self.words[: word.i - 1] if w.sentence == word.sentence and w.i in self.of]
+        back = [w for w in back if not self.of[w.i].ego]
+        model = self.of[back[-1].i] if back else None
+        counts = {w.norm for w in self.words[back[-1].i - 2 : back[-1].i + 1]} if back else set()
+        alone = model is not None and model.count == 1 and model.mover
+        return model if alone and counts & {"one", "a", "an"} else None
 
     def _the_other(self, movers: list[Entity], mutual: bool) -> Entity:
         """Whom "the other" means: not who was the last subject (unless in "one behind the other"), one of the same kind

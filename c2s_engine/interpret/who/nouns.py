@@ -174,7 +174,7 @@ class Nouns(Introduced, NotThere, Counted):
                 and not host.typed
                 or self._set_off(word)
             )
-            and self.words[word.i - 1].norm not in ("and", "or")
+            and self.words[word.i - 1].norm not in ("and", "or", "one")
             and (fits(host, kind) or host.type == "vehicle" or (host.ego and not self.ego.typed and kind in MOTOR))
             and not (word.dep == "conj" and not host.label and not host.ego)
             and not (word.dep == "appos" and self.of.get(word.head, host) is not host)

@@ -9,6 +9,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, PERSONS, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.nearing import comes_near
+from c2s_engine.interpret.who.taken_up import taken_up
 from c2s_engine.interpret.who.theirs import Theirs
 
 SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offside"))
@@ -137,7 +138,7 @@ class Pronouns(Theirs):
                 return False
             return (not alive and e.sex != "i" and e.mover or e.type in things) and not (i and e.ego)
 
-        if (owned := self._owned(word)) is not None:
+        if (owned := self._owned(word) or taken_up(self.words, self.of, self.subjects, word)) is not None:
             return owned
         if (struck := self._of_the_other(word)) is not None and fits(struck):
             return struck

@@ -52,6 +52,7 @@ class Reference(Owned):
         candidates = [e for e in candidates if not ways or ways & e.names or not BOUND & e.names]
         if count == 1 and kind != "vehicle":  # the tractor is not the oncoming traffic
             candidates = [e for e in candidates if e.noun != "traffic"]
+        candidates = [e for e in candidates if not self._in_other_clause(word, e, noun)]
         coloured = [e for e in candidates if e.names & COLOURS & set(before)]
         candidates = coloured or candidates
         short = [e for e in self.entities if e.noun.startswith(f"{noun} ") and e.count == count and _alike(e, kind)]
@@ -207,6 +208,15 @@ class Reference(Owned):
         if not scored and kind == self.ego.type and self.ego.typed:
             return self.ego
         return max(scored)[2] if scored else None
+
+    def _in_other_clause(self, word: Word, entity: Entity, noun: str) -> bool:
+        """Whether it was named only just, by its part in the scene, as the doer of the clause before this one: "when
+        the lead brakes, the van ..." tells of two."""
+        told = [self.words[m.word] for m in entity.mentions]
+        if entity.typed or noun in ("vehicle", "car") or word.dep != "nsubj" or len(told) != 1:
+            return False
+        verb = self.words[told[0].head]
+        return told[0].dep == "nsubj" and verb.dep == "advcl" and verb.head == word.head and told[0].norm != noun
 
     def _in_a_note(self, word: Word, noun: str, candidates: list[Entity]) -> Entity | None:
         """Who was told of with "a" in a sentence before, and on the same side of ego: "an ambulance approaches from

@@ -1,0 +1,143 @@
+"""Time gaps as triggers, why somebody brakes, objects that drive, keys that tell a place, who comes between."""
+
+import pytest
+
+
+def ego(structure):
+    return next(c.spec for c in structure.components if c.id == "E")
+
+
+def objects(structure):
+    return [o.spec for o in structure.objects]
+
+
+@pytest.mark.parametrize(
+    ("text", "metres"),
+    [
+        ("The lead brakes when the headway is 1.2 s. Ego drives at 90 km/h.", 30.0),
+        ("Ego drives at 90 km/h. When the time gap falls below 1.2 s, the lead brakes.", 30.0),
+        ("Ego drives at 90 km/h. The lead brakes once THW is less than 1.2 s.", 30.0),
+    ],
+)
+def test_a_time_gap_triggers_at_its_distance(read, text: str, metres: float) -> None:
+    trigger = objects(read(text))[0].phases[0].trigger
+    assert (trigger.kind, trigger.value) == ("distance", metres)
+
+
+def test_ego_brakes_by_the_time_gap(read) -> None:
+    phase = ego(read("Ego drives at 72 km/h. When the time gap to the lead drops below 1 s, ego brakes.")).phases[0]
+    assert (phase.action, phase.trigger.kind, phase.trigger.value) == ("brake", "distance", 20.0)
+
+
+def test_a_time_gap_that_is_kept_is_no_trigger(read) -> None:
+    s = read("Ego follows the lead with a time gap of 2 s. The lead brakes.")
+    assert objects(s)[0].phases[0].trigger is None
+    assert objects(s)[0].placement.gap is not None
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The car ahead brakes because of a child from the right.",
+        "The car ahead brakes due to a cat from the left.",
+        "Car in front: emergency braking due to cat from left. Ego 5 m behind.",
+    ],
+)
+def test_why_somebody_brakes_tells_of_another_place(read, text: str) -> None:
+    car, other = objects(read(text))
+    assert (car.placement.position, car.phases[0].action) == ("ahead", "brake")
+    assert other.placement.position == "roadside"
+
+
+@pytest.mark.parametrize("act", ["cuts in from the left", "brakes ahead of ego", "overtakes ego"])
+def test_an_object_that_drives_is_a_vehicle(read, act: str) -> None:
+    assert objects(read(f"The object {act}."))[0].type == "car"
+
+
+@pytest.mark.parametrize("text", ["An object lies on the road.", "Ego brakes for a stationary object."])
+def test_an_object_that_lies_there_is_none(read, text: str) -> None:
+    assert objects(read(text))[0].type == "obstacle"
+
+
+def test_a_key_that_is_followed_by_a_place(read) -> None:
+    s = read("Ego: lane 2, 120 km/h. NPC1: lane 3, 20 m behind, 150 km/h. NPC1 overtakes ego.")
+    (npc,) = objects(s)
+    assert (npc.placement.along, npc.placement.gap, [p.action for p in npc.phases]) == ("behind", 20.0, ["overtake"])
+
+
+def test_a_key_that_is_followed_by_a_kind(read) -> None:
+    assert objects(read("Ego: car. Actor 1: white van, right lane. Actor 1 cuts in."))[0].type == "van"
+
+
+def test_lanes_numbered_from_the_right(read) -> None:
+    s = read("Lane numbering from right. Ego: lane 1, 80 km/h. NPC1: lane 2, 90 km/h. NPC1 cuts in.")
+    assert objects(s)[0].placement.position == "left_lane"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The lead vehicle brakes, and the vehicle in the left lane cuts in between the lead vehicle and the ego.",
+        "A truck drives ahead of ego. A car in the left lane squeezes in between ego and the truck.",
+    ],
+)
+def test_who_comes_between_cuts_in_on_ego(read, text: str) -> None:
+    found = {o.placement.position: o for o in objects(read(text))}
+    assert found["left_lane"].phases[-1].target == "ego"
+    assert found["ahead"].placement.of == "ego"
+
+
+def test_who_swerves_and_comes_back_does_not_cut_in(read) -> None:
+    (car, *_) = objects(read("The car ahead swerves to the right round a box and comes back in front of ego."))
+    assert (car.placement.position, [p.action for p in car.phases]) == ("ahead", ["swerve"])
+
+
+def test_what_the_same_one_saw_before_is_hit(read) -> None:
+    s = read("The car ahead swerves around a box in the lane and brakes. Ego sees the box too late and hits it.")
+    hit = next(p.target for p in ego(s).phases if p.action == "collide")
+    assert next(o.spec.type for o in s.objects if o.id == hit) == "box"
+
+
+def test_the_doer_is_followed(read) -> None:
+    s = read("The truck ahead changes to the left lane to pass a tractor. Ego follows it.")
+    followed = next(p.target for p in ego(s).phases if p.action == "follow")
+    assert next(o.spec.name for o in s.objects if o.id == followed) == "truck"
+
+
+def test_on_either_side_somebody(read) -> None:
+    text = "On the left side of the road two children play while on the right side their mother is waiting."
+    assert [(o.type, o.placement.side) for o in objects(read(text))] == [("child", "left"), ("pedestrian", "right")]
+
+
+def test_the_other_one(read) -> None:
+    first, second = objects(read("One of the two cars ahead brakes and the other one changes to the right lane."))
+    assert [p.action for p in first.phases] == ["brake"] and "brake" not in [p.action for p in second.phases]
+
+
+def test_one_after_another_names_nobody(read) -> None:
+    cars = objects(read("Two of the four parked cars pull out in front of ego one after another."))
+    assert [c.count for c in cars] == [2, 2]
+
+
+def test_a_lateral_offset_is_no_lane(read) -> None:
+    s = read(
+        "The target vehicle stands at a lateral offset of 0.5 m to the right in the ego's lane; ego comes at 50 km/h."
+    )
+    assert objects(s)[0].placement.position == "ahead"
+
+
+def test_what_was_meant_and_is_done_later(read) -> None:
+    s = read("Ego follows a bus. The bus stops. Ego wants to pass it. Ego waits, then passes it.")
+    assert [p.action for p in ego(s).phases][-2:] == ["wait", "overtake"]
+
+
+def test_a_target_that_runs_from_behind_cars_crosses(read) -> None:
+    s = read("The EPTc runs from behind two parked cars on the nearside at 5 km/h, VUT at 30 km/h.")
+    child = next(o for o in objects(s) if o.type == "child")
+    assert (child.placement.side, child.phases[0].action) == ("right", "cross_road")
+
+
+def test_who_is_hidden_is_not_who_is_parked(read) -> None:
+    s = read("A pedestrian is occluded by a van parked on the right and runs across.")
+    van = next(o for o in objects(s) if o.type == "van")
+    assert (van.placement.position, van.placement.side) == ("parked", "right")

@@ -25,6 +25,8 @@ def _joined(clauses: Clauses, event: Event) -> list[Entity]:
         return []
     after = [w for w in clauses.words[found[0] + 1 :] if w.sentence == verb.sentence and _noun(clauses, w)]
     joined = [w for w in after if w.dep == "conj" and w.head == found[0] or w.head == verb.i and _then(clauses, w)]
+    if not any(w.norm in ("and", "then") for w in clauses.words[found[0] : max([w.i for w in joined], default=0)]):
+        return []  # "a deer, Subaru, Route 9": no more than named together
     return [e for e in dict.fromkeys(of[w.i] for w in joined) if e not in (event.agent, event.patient, *event.also)]
 
 

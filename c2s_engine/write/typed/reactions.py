@@ -111,9 +111,11 @@ def _stop_for(structure: Structure, on_foot: list[str], hard: bool, stands: bool
     force, limit = _force([every(structure, c) for c in on_foot]), 4 if hard else 2
     stood = ["self.speed < 0.2"] if stands else []
     gone = " and ".join([*stood, f"{force} <= 0", *(every_passed(structure, c) for c in on_foot)])
+    brake = f"Drive(line, 0, rate=lambda: max({FULL if hard else FIRM}, min(9, 1.1 * {force})))"
     return [
         f"interrupt when {force} > {limit}:",
-        f"    do Drive(line, 0, rate=lambda: max({FULL if hard else FIRM}, min(9, 1.1 * {force}))) until {gone}",
+        f"    do {brake} until {gone}",
+        *(["    do Drive(line, 0) for 1 seconds"] if stands else []),
     ]
 
 

@@ -24,6 +24,7 @@ STRANGE = [
     "\u202eego brakes\u202c \u0000 car\ufeff ahead",
     "a) b) c) 1. 2. 3. Step 4: Event 5:",
     "km/h m s ft mph 50 60 - 70 to 80 and 90 or 100",
+    "Vehicle 1 swerved, hitting Vehicle 3. A boy ran in front of a car. Accounts of riders and walkers.",
 ]
 WORDS = st.sampled_from(
     [

@@ -132,7 +132,7 @@ class Inferred(Concealed):
             for mention in entity.mentions:
                 for child in self.words[mention.word].children:
                     other = self.cast.of.get(child)
-                    if self.words[child].dep == "conj" and other is not None and other is not entity and not other.ego:
+                    if self.words[child].dep == "conj" and other in self.of and other is not entity and not other.ego:
                         where.rel, where.lane, where.side = self.of[other].rel, self.of[other].lane, self.of[other].side
                         if (
                             any(e.agent is other and e.act == "stationary" for e in self.clauses.events)

@@ -16,7 +16,7 @@ from c2s_engine.write.typed.writer import MapChoice
 
 DEFAULT_MAP = "Town05"
 ROOMS = (1.0, 0.7, 0.45, 0.25)
-PRELUDE = "import math\n" + source("approach") + source("ring_approach") + source("bend_start")
+PRELUDE = "import math\n" + source("approach") + source("pocket") + source("ring_approach") + source("bend_start")
 
 
 @dataclass(frozen=True)

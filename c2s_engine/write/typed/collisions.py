@@ -4,6 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
+from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, is_static, is_walker
 from c2s_engine.write.typed.threats import slowed
 from c2s_engine.write.typed.usual import reach
@@ -12,6 +13,8 @@ LANE_WIDTH = 3.5
 """m, of most maps' lanes."""
 LATE = "simulation().currentTime * simulation().timestep > 12"
 """When whoever is to hit another no longer waits for that one to slow down."""
+FRONT = 5.5
+"""m from the middle of a car to where it meets one that crosses its way at a sharp angle."""
 SIDEWAYS = frozenset(
     ("overtake", "lane_change", "cut_in", "cut_out", "swerve", "drift", "lose_control", "oncoming", "leave_road")
 )
@@ -77,18 +80,19 @@ def _at_last(other: str, on_the_way: str, speed: float) -> list[Step]:
 
 def _at_the_junction(c: Course, p: Phase, other: str, goal: float) -> list[Step]:
     """By another road to where it meets the other, with that one."""
-    spot = [] if c.spotted else meeting_spot(c.actor.plan.turning)
+    spot = [] if c.spotted else meeting_spot(c.actor.plan)
     goal *= 1.2 if "accelerate" in _before(c, p) else 1
     c.set(goal)
-    later = ", -0.3" if c.actor.plan.turning and p.target in (None, "ego") else ""  # ego is in the midst of its turn
-    timed = f"do Drive(line, lambda: strike(self, line, {other}, others, spot, {c.speed}{later}))"
+    front = f", 0, {FRONT}" if c.actor.plan.turning and p.target in (None, "ego") else ""
+    timed = c.drive(f"lambda: strike(self, line, {other}, others, spot, {c.speed}{front})")
     ram = f"do Ram({other}, {scope.number(goal)})"  # where it had to brake it is late
     return [([*spot, timed], "until to_go(line, self, spot) < 1"), ([ram], f"until touch(self, {other})")]
 
 
-def meeting_spot(turning: bool) -> list[str]:
-    """The statements that find where its way meets ego's."""
-    return [f"others = way(egoLane{', egoTurn' if turning else ''})", "spot = meeting(line, others)"]
+def meeting_spot(plan: Plan, amid: bool = True) -> list[str]:
+    """The statements that find where its way meets ego's: as far through the junction as may be where it is `amid`."""
+    others = f"others = way(egoLane{', egoTurn' if plan.turning else ''})"
+    return [others, f"spot = {'amid(line, others, egoTurn)' if amid and plan.turning else 'meeting(line, others)'}"]
 
 
 def sets_out_to_meet(c: Course) -> tuple[list[str], str] | None:
@@ -97,7 +101,7 @@ def sets_out_to_meet(c: Course) -> tuple[list[str], str] | None:
     if not c.actor.sets_out:
         return None
     speed, c.spotted = c.speed if c.value > 0 else "8", True
-    return meeting_spot(c.actor.plan.turning), f"until due(self, line, ego, others, spot, {speed}) or {LATE}"
+    return meeting_spot(c.actor.plan), f"until due(self, line, ego, others, spot, {speed}) or {LATE}"
 
 
 def hit_next(c: Course, p: Phase) -> Phase | None:

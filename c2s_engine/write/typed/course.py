@@ -7,6 +7,7 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.pockets import pocket_name
 from c2s_engine.write.typed.stations import outwards
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, is_static
 from c2s_engine.write.typed.usual import rides_beside, speed_of
@@ -68,7 +69,7 @@ class Course:
         self.backwards = False
         self.spotted = False  # the spot where its way meets ego's is known
         self.behind = ""  # whom it overtakes later, where that one is ahead in its lane
-        self.aside = _aside(actor)  # m to the left of its lane's middle that it keeps to
+        self.aside = _aside(actor)  # m to the left of its lane's middle that it keeps to; "": it keeps to the middle
 
     # What is driven.
 
@@ -80,7 +81,7 @@ class Course:
         guarded = goal.startswith("lambda: gain(")
         rate = max(rate or 0, GUARDED) if guarded else rate
         extra = f", rate={scope.number(rate)}" if rate else ""
-        offset = offset or (scope.number(self.aside) if self.aside else "")
+        offset = offset or self.aside
         extra += f", offset={offset}" if offset else ""
         extra += f", shift={scope.number(shift)}" if shift else ""
         return f"do Drive(line, {goal}{extra})"
@@ -114,7 +115,7 @@ class Course:
     def onto(self, step: int) -> str:
         """The statement that makes the lane `step` lanes to the left the line to follow (the other way if none)."""
         plan = self.actor.plan
-        self.aside = 0.0
+        self.aside = ""
         if self.lane is None:  # from a ramp, the kerb or a parking lane onto ego's lane
             self.lane = 0
         else:
@@ -181,13 +182,16 @@ class Course:
         return bool(placement and placement.position == "on_ramp" and self.lane is None)
 
 
-def _aside(actor: Actor) -> float:
-    """Riders who start at the edge of the lane, or go along beside the lanes, stay there."""
+def _aside(actor: Actor) -> str:
+    """Riders who start at the edge of the lane, or go along beside the lanes, stay there; who drives past one that
+    waits before the junction keeps to the other side."""
     spec = actor.spec
-    if isinstance(spec, ObjectSpec) and rides_beside(spec) and min(actor.plan.offsets) >= 0:
-        return -(HALF_LANE + outwards(spec))
-    if not isinstance(spec, ObjectSpec) or spec.placement.position != "partly_in_lane":
-        return 0.0
-    if spec.type not in ("bicycle", "motorcycle"):
-        return 0.0
-    return EDGE if spec.placement.side == "left" else -EDGE
+    if not isinstance(spec, ObjectSpec):
+        return ""
+    if actor.cid in actor.plan.pocketed.values():
+        return f"-{pocket_name(spec.placement.position)}[1]"
+    if rides_beside(spec) and min(actor.plan.offsets) >= 0:
+        return scope.number(-(HALF_LANE + outwards(spec)))
+    if spec.placement.position != "partly_in_lane" or spec.type not in ("bicycle", "motorcycle"):
+        return ""
+    return scope.number(EDGE if spec.placement.side == "left" else -EDGE)

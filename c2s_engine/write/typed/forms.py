@@ -5,7 +5,8 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.hiding import standing
 from c2s_engine.write.typed.passing import passing
-from c2s_engine.write.typed.tables import LENGTH, OBSTRUCTING, TURN, is_static, is_vehicle
+from c2s_engine.write.typed.pockets import own_ways
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, OBSTRUCTING, TURN, is_static, is_vehicle
 from c2s_engine.write.typed.threats import IN_WAY, is_hit
 from c2s_engine.write.typed.usual import LONGEST_VIEW, default_gap, speed_of
 
@@ -29,7 +30,7 @@ def normal(structure: Structure) -> Structure:
     """S as the writer reads it."""
     place, ego = structure.place.spec, structure.ego.spec
     assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
-    turn = _turn(place, ego)
+    turn, structure = _turn(place, ego), own_ways(structure)
     for component in structure.objects:
         spec = component.spec
         if isinstance(spec, ObjectSpec) and spec.type in OBSTRUCTING and _in_the_way(component.id, structure):
@@ -47,6 +48,8 @@ def normal(structure: Structure) -> Structure:
             place = place.model_copy(update={"ego_lane": "rightmost" if place.ego_lane else None})
         elif _leaves_side_road(spec, place, turn):
             found = spec.model_copy(update={"phases": _with_turn(spec.phases)})
+        elif _met_in_turn(component.id, spec, ego, turn):
+            found = spec.model_copy(update={"phases": (*spec.phases, Phase(action="collide", target="ego"))})
         elif _is_let_by(component.id, spec, ego):
             found = spec.model_copy(update={"phases": (Phase(action="overtake", target="ego"),)})
         if found is not spec:
@@ -154,6 +157,15 @@ def _meets_turning(spec: ObjectSpec, place: PlaceSpec, turn: str | None) -> bool
         return False
     own = any(p.action in ("turn_left", "turn_right") for p in spec.phases)
     return spec.placement.of == "ego" and (own or turn == "left")
+
+
+def _met_in_turn(cid: str, spec: ObjectSpec, ego: EgoSpec, turn: str | None) -> bool:
+    """Whether ego runs, in its turn, into one that goes straight on over the junction: both drive at each other."""
+    actions = [p.action for p in ego.phases]
+    after = "turn_left" in actions and "collide" in actions[actions.index("turn_left") :]
+    if turn != "left" or not after or not is_hit(ego, cid) or spec.placement.position not in APPROACH_ANGLE:
+        return False
+    return {p.action for p in spec.phases} <= {"go_straight", "keep_lane", "run_red", "run_stop", "move_along"}
 
 
 def _leaves_side_road(spec: ObjectSpec, place: PlaceSpec, turn: str | None) -> bool:

@@ -5,8 +5,8 @@ from functools import cache
 from importlib.resources import files
 
 ORDER = (
-    "way", "approach", "ring_approach", "along", "bend_start", "straight_on",
-    "need", "most_need", "passed", "ttc", "pace", "meeting", "meet", "strike", "due", "lurk", "gain", "level",
+    "way", "approach", "pocket", "ring_approach", "along", "bend_start", "straight_on",
+    "need", "most_need", "passed", "ttc", "pace", "meeting", "amid", "meet", "strike", "due", "lurk", "gain", "level",
     "lead_on", "drive", "ram", "turn_round", "backwards", "back_into", "walk",
 )  # fmt: skip
 _NAMES = {
@@ -17,7 +17,7 @@ _NAMES = {
     "back_into": "BackInto",
     "walk": "Walk",
 }
-_CALLED = {"most_need": "need", "due": "strike", "level": "lead_on"}
+_CALLED = {"most_need": "need", "due": "strike", "level": "lead_on", "amid": "meeting"}
 """The part that another one calls, besides those that all programs have."""
 
 

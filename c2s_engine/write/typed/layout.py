@@ -114,7 +114,10 @@ def _start(
         return _in_line(structure, cid, spec, plan, draw, starts[placement.of], found)
     if position in APPROACH_ANGLE:
         to = draw(cid, stations.to_junction(cid, spec, plan))
-        return _Start(approach_name(plan, position, turn_of(spec.phases)), -to, 0.0, to, onward=-1)
+        passes = structure[plan.pocketed[cid]].spec if cid in plan.pocketed else spec
+        assert isinstance(passes, ObjectSpec)
+        beside = 0.0 if passes is spec else LANE
+        return _Start(approach_name(plan, position, turn_of(passes.phases)), -to, beside, to, onward=-1)
     if position == "on_ramp":
         to = stations.to_merge(spec, plan)
         return _Start("rampLane", -to, 0.0, to, onward=-1)

@@ -151,7 +151,7 @@ def _driver(
         bends = turn_of(spec.phases) != "STRAIGHT"
         first = scope.reference(structure, cid) if spec.count > 1 else "self"  # the others keep its pace
         statements = [_synchronised(s, prefix, sooner, bends, first) for s in statements]
-        met = meeting_spot(True) if struck else ["spot = meeting(line, way(egoLane, egoTurn))"]
+        met = meeting_spot(plan, amid=False) if struck else ["spot = meeting(line, way(egoLane, egoTurn))"]
         statements[1:1] = met
     if any(p.action == "run_red" for p in spec.phases):
         statements.insert(1, "take SetTrafficLightAction('red', distance=150)")
@@ -166,8 +166,9 @@ def _synchronised(statement: str, prefix: str, sooner: float | None, bends: bool
         if sooner is None
         else f"meet({first}, ego, spot, {prefix}_SPEED{early})"
     )
-    met = f"do Drive(line, lambda: {timed})"
-    return statement.replace(f"do Drive(line, {prefix}_SPEED)", met)
+    for then in (")", ", offset="):  # a rate is stated for what it does of its own accord
+        statement = statement.replace(f"do Drive(line, {prefix}_SPEED{then}", f"do Drive(line, lambda: {timed}{then}")
+    return statement
 
 
 def _sooner(structure: Structure, spec: ObjectSpec, plan: Plan) -> float:

@@ -3,6 +3,7 @@
 from c2s_engine.maps.expressions import PlaceCode
 from c2s_engine.write.typed import kernel
 from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.pockets import pocket_name
 from c2s_engine.write.typed.scope import number, quantity
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME
 
@@ -20,6 +21,8 @@ def write_place(plan: Plan, code: PlaceCode, parts: frozenset[str], signs: Pairs
     """The fragment of R: kernel, choice of the place, lanes by name, ego's start."""
     if plan.approaches:
         parts = parts | {"ring_approach" if plan.place.kind == "roundabout" else "approach"}
+    if plan.pockets:
+        parts = parts | {"pocket"}
     if code.yields == "spots":
         parts = parts | {"along"}
     if plan.place.kind == "curve":
@@ -57,10 +60,8 @@ def candidates(plan: Plan, code: PlaceCode, signs: Pairs = frozenset()) -> str:
     if not plan.approaches:
         return f"[(m, o) for m in {code.expression}{innermost}]" if plan.oncoming else code.expression
     ring = plan.place.kind == "roundabout"
-    roles = ", ".join(
-        f"ring_approach(m, {APPROACH_ANGLE[p]})" if ring else f"approach(m, {APPROACH_ANGLE[p]}, ManeuverType.{t})"
-        for p, t in plan.approaches
-    )
+    roles = ", ".join(_role(plan, p, t) for p, t in plan.approaches)
+    roles += "".join(f", pocket({_role(plan, p, t)})" for p, t in plan.pockets)
     listed = f"{{{', '.join(map(str, sorted(signs)))}}}"
     fit = "".join(
         f" and (j[0].intersection.id, j[{i}].road.id) in {listed}"
@@ -83,6 +84,14 @@ def candidates(plan: Plan, code: PlaceCode, signs: Pairs = frozenset()) -> str:
     if plan.oncoming:
         return f"[j for j in [(m, {roles}, o) for m in {code.expression}{innermost}] if all(j){fit}]"
     return f"[j for j in [(m, {roles}) for m in {code.expression}] if all(j){fit}]"
+
+
+def _role(plan: Plan, position: str, turn: str) -> str:
+    """The lane of an approach: where others are passed on it, one with a lane to its left if there is one."""
+    if plan.place.kind == "roundabout":
+        return f"ring_approach(m, {APPROACH_ANGLE[position]})"
+    outer = ", True" if (position, turn) in plan.pockets else ""
+    return f"approach(m, {APPROACH_ANGLE[position]}, ManeuverType.{turn}{outer})"
 
 
 def _choice(plan: Plan, code: PlaceCode, signs: Pairs) -> list[str]:
@@ -130,6 +139,8 @@ def _choice(plan: Plan, code: PlaceCode, signs: Pairs) -> list[str]:
     lines = [f"junction = Uniform(*{places})", "egoTurn = junction[0]", "egoLane = egoTurn.startLane"]
     for i, (position, turn) in enumerate(plan.approaches, start=1):
         lines.append(f"{approach_name(plan, position, turn)} = junction[{i}]")
+    for i, (position, _) in enumerate(plan.pockets, start=len(plan.approaches) + 1):
+        lines.append(f"{pocket_name(position)} = junction[{i}]  # a lane, and m to the left on it")
     return lines + (["oncomingLane = junction[-1]"] if plan.oncoming else [])
 
 

@@ -7,6 +7,7 @@ from c2s_engine.write.typed.beside import behind_junction, beside_road
 from c2s_engine.write.typed.hiding import aside, hidden
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.pockets import pocket_name
 from c2s_engine.write.typed.spot import Spot, measured, member, position_constant
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_NAME, LENGTH, WORKS, is_vehicle, is_walker
 from c2s_engine.write.typed.usual import right_behind, turn_of
@@ -123,13 +124,18 @@ def turn_given(spec: ObjectSpec) -> bool:
 
 
 def _approaching(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
-    turn = turn_of(spec.phases)
-    lane = approach_name(plan, spec.placement.position, turn)
+    turn, waits = turn_of(spec.phases), cid in plan.pocketed
+    lane = pocket_name(spec.placement.position) if waits else approach_name(plan, spec.placement.position, turn)
     name = f"{scope.constant(structure, cid)}_TO_JUNCTION"
     value = scope.quantity(stations.to_junction(cid, spec, plan))
     at = f"-({member(spec, name)})" if spec.count > 1 else f"-{name}"
     constants = [f"{name} = {value}  # m"]
     loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
+    if waits:
+        point = f"{lane}[0].centerline.pointAlongBy({at})"
+        aside = f"at (new OrientedPoint at {point}, facing roadDirection) offset by -{lane}[1] @ 0"
+        there = (aside, "with regionContainedIn everywhere", f"facing (roadDirection at {point})")
+        return Spot(tuple(constants), there, _way_over(plan, f"{lane}[0]", turn), approach=f"{lane}[0]")
     return Spot(
         tuple(constants),
         (f"at {lane}.centerline.pointAlongBy({at})", *loose),

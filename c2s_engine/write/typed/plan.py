@@ -20,6 +20,8 @@ class Plan:
     offsets: frozenset[int]  # lane offsets from ego's (+1: one to the left) that fragments refer to
     base: int  # index of ego's lane in its group (0: rightmost, -1: leftmost)
     approaches: tuple[tuple[str, str], ...] = ()  # (position, turn type) that objects need
+    pocketed: dict[str, str] = field(default_factory=dict)  # who waits on an approach -> who drives past it there
+    pockets: tuple[tuple[str, str], ...] = ()  # (position, turn type of who drives past) of those
     oncoming: bool = False
     ramp: bool = False
     stops: tuple[str, ...] = ()  # positions of those who pass a stop sign of their own

@@ -13,6 +13,7 @@ from c2s_engine.write.typed import contradictions, lanes, layout
 from c2s_engine.write.typed import room as rooms
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.pockets import pocketed
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP, TURN
 from c2s_engine.write.typed.threats import hits_ego, is_hit
 from c2s_engine.write.typed.usual import speed_of, turn_of, uses_crosswalk
@@ -51,18 +52,11 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         place, base, offsets = lanes.lanes_for(place, offsets, beside)
     if oncoming:
         place = place.model_copy(update={"oncoming": True})
-    approaches = tuple(
-        sorted(
-            {
-                (o.placement.position, turn_of(o.phases))
-                for o in objects.values()
-                if o.placement.position in APPROACH_ANGLE
-            }
-        )
-    )
+    crossing = {cid: o for cid, o in objects.items() if o.placement.position in APPROACH_ANGLE}
+    passed = {} if place.kind == "roundabout" else pocketed(objects)
+    ways = {cid: (o.placement.position, turn_of(o.phases)) for cid, o in crossing.items()}
     speed, top = middle(speed_of(ego, place)), high(speed_of(ego, place))
     duration = getattr(restrictions, "duration", None) or 20.0
-    crossing = {cid: o for cid, o in objects.items() if o.placement.position in APPROACH_ANGLE}
     met = frozenset(cid for cid, o in crossing.items() if hits_ego(o) or is_hit(ego, cid))
     set_out = frozenset(cid for cid in met if _sets_out(objects[cid]))
     plan = Plan(
@@ -77,7 +71,9 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         ),
         offsets=offsets,
         base=base,
-        approaches=approaches,
+        approaches=tuple(sorted({way for cid, way in ways.items() if cid not in passed})),
+        pocketed=passed,
+        pockets=tuple(sorted({ways[by] for by in passed.values()})),
         stops=tuple(sorted({o.placement.position for o in objects.values() if _runs_stop(o)} & APPROACH_ANGLE.keys())),
         oncoming=oncoming,
         ramp=ramp,

@@ -9,6 +9,7 @@ from c2s_engine.write.typed.apart import apart
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.forms import normal
 from c2s_engine.write.typed.planning import make_plan
+from c2s_engine.write.typed.pockets import pocketed
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, is_vehicle
 from c2s_engine.write.typed.usual import default_gap, right_behind, speed_of
 
@@ -106,9 +107,12 @@ def _comes_later(spec: ObjectSpec) -> bool:
 def _queued(structure: Structure) -> Structure:
     """Of several on the on-ramp or on an approach the first is timed to ego; each other comes behind the one before."""
     before: dict[str, str] = {}
+    waiting = pocketed({c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)})
     for component in structure.objects:
         spec = component.spec
         if not isinstance(spec, ObjectSpec) or spec.placement.position not in (*APPROACH_ANGLE, "on_ramp"):
+            continue
+        if component.id in waiting:  # the others go past it
             continue
         position = spec.placement.position
         if position in before and (position == "on_ramp" or spec.placement.gap is None):

@@ -17,6 +17,10 @@ CLOSEST = 0.3
 """m between the members of a row at least."""
 BEFORE_JUNCTION = 5.0
 """m before a junction where those cross who cross at its crosswalk."""
+HALF_TURN, INTO = 17.0, 20.0
+"""m from the junction's edge to where ego, turning left, is run into by one from the opposite side, for each of them."""
+TURNS_AT = 8.0
+"""m/s about at which fast drivers turn."""
 RIGHT_BEHIND = 0.6
 """m from what hides somebody to who stands by it."""
 
@@ -119,7 +123,9 @@ def to_junction(cid: str, spec: ObjectSpec, plan: Plan) -> float | tuple[float, 
     own = middle(speed_of(spec, plan.place))
     far = middle(plan.distance or 40)
     seconds = far / max(plan.ego_speed, 4) if plan.ego_speed > 0 else math.sqrt(far + 5)
-    lead = 6 if spec.placement.position == "opposite_approach" else 3
+    lead = 6.0 if spec.placement.position == "opposite_approach" else 3
+    if cid in plan.met and plan.place.manoeuvre == "left" and spec.placement.position == "opposite_approach":
+        lead = own * HALF_TURN / min(max(plan.ego_speed, 4), TURNS_AT) - INTO
     lead -= 15 if plan.place.kind == "roundabout" and cid in plan.met else 0  # it has a piece of the ring to go
     early = plan.early.get(cid, 0.0)
     least = 22.0 if early else 8.0  # it has to be seen driving up

@@ -4,11 +4,11 @@ def to_go(points, car, spot):
     steps = there - nearest(car, points)
     return (distance from car to spot) if 0 < steps < 6 else 2 * steps
 
-def strike(car, points, other, others, spot, speed, sooner=0):
+def strike(car, points, other, others, spot, speed, sooner=0, front=0):
     """The speed (m/s), about `speed`, at which `car` on its points reaches the spot with `other` on those of it, or
-    `sooner` s before it (a bend slows it); while that stands before the spot, `car` hangs back so far as it then
-    needs."""
-    own, far = to_go(points, car, spot), to_go(others, other, spot)
+    `sooner` s before it (a bend slows it), or so that its front, `front` m ahead of it, does; while that stands before
+    the spot, `car` hangs back so far as it then needs."""
+    own, far = to_go(points, car, spot), to_go(others, other, spot) + front * other.speed / speed
     if own < 4 or far < 3:
         return speed
     if other.speed < 1:

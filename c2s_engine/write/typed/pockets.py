@@ -1,0 +1,76 @@
+"""Who waits before the junction where another drives past it: it has the lane to the left, or that side of its own."""
+
+from collections.abc import Mapping
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, is_static, is_vehicle
+
+WAITS = {"stop", "wait", "stationary"}
+"""What one does that stays before the junction."""
+STAYS_BEHIND = {*WAITS, "follow", "brake", "yield"}
+"""What one does, first of all, that comes up behind others."""
+
+
+def pocketed(objects: Mapping[str, ObjectSpec]) -> dict[str, str]:
+    """The ids of those who wait on an approach, each with who drives past it on that approach."""
+    found = {}
+    for cid, spec in objects.items():
+        if not _waits(spec):
+            continue
+        past = (c for c, o in objects.items() if c != cid and _goes_by(o, spec, cid))
+        if by := next(past, None):
+            found[cid] = by
+    return found
+
+
+def own_ways(structure: Structure) -> Structure:
+    """S where those who come from behind one that waits on an approach, and go past it, come by that approach
+    themselves."""
+    objects = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+    for component in structure.objects:
+        spec = component.spec
+        first = objects.get(spec.placement.of) if isinstance(spec, ObjectSpec) else None
+        if (
+            not isinstance(spec, ObjectSpec)
+            or first is None
+            or not _waits(first)
+            or spec.placement.position != "behind"
+        ):
+            continue
+        if not _passes(spec, spec.placement.of):
+            continue
+        changes = {"position": first.placement.position, "of": "ego", "gap": None, "along": None}
+        phases = tuple(p for p in spec.phases if p.action not in ("overtake", "follow"))
+        placement = spec.placement.model_copy(update=changes)
+        changed = spec.model_copy(update={"placement": placement, "phases": phases})
+        structure = structure.with_component(component.model_copy(update={"spec": changed}))
+    return structure
+
+
+def pocket_name(position: str) -> str:
+    """The variable of the lane where one waits that others pass, with how far (m) to its left it stands there."""
+    return APPROACH_NAME[position].replace("Approach", "Pocket")
+
+
+def _waits(spec: ObjectSpec) -> bool:
+    if spec.placement.position not in APPROACH_ANGLE or not is_vehicle(spec.type):
+        return False
+    return is_static(spec) or bool(spec.phases) and {p.action for p in spec.phases} <= WAITS
+
+
+def _goes_by(spec: ObjectSpec, waiting: ObjectSpec, cid: str) -> bool:
+    """Whether somebody drives past one that waits, by the same approach."""
+    same = spec.placement.position == waiting.placement.position and spec.placement.of == "ego"
+    if not same or not is_vehicle(spec.type) or is_static(spec) or _waits(spec) or spec.speed == 0:
+        return False
+    first = spec.phases[0].action if spec.phases else ""
+    return first not in STAYS_BEHIND and not any(p.action == "collide" and p.target == cid for p in spec.phases)
+
+
+def _passes(spec: ObjectSpec, cid: str) -> bool:
+    """Whether somebody that comes up behind another goes past it: it overtakes that one, or runs into ego."""
+    if any(p.action == "collide" and p.target == cid for p in spec.phases) or is_static(spec):
+        return False
+    hits = any(p.action == "collide" and p.target in (None, "ego") for p in spec.phases)
+    return hits or any(p.action == "overtake" and p.target == cid for p in spec.phases)

@@ -15,6 +15,8 @@ LATE = "simulation().currentTime * simulation().timestep > 12"
 """When whoever is to hit another no longer waits for that one to slow down."""
 FRONT = 5.5
 """m from the middle of a car to where it meets one that crosses its way at a sharp angle."""
+SETS_OFF = 8.0
+"""m/s that who stood and moved off is at when it runs into another."""
 SIDEWAYS = frozenset(
     ("overtake", "lane_change", "cut_in", "cut_out", "swerve", "drift", "lose_control", "oncoming", "leave_road")
 )
@@ -31,7 +33,8 @@ Step = tuple[list[str], str]
 
 def collides(c: Course, p: Phase) -> list[Step]:
     """The steps up to the contact."""
-    other, goal = c.actor.ref(p.target), c.wanted(p, c.value)
+    sets_off = not c.value and "start" in _before(c, p)
+    other, goal = c.actor.ref(p.target), c.wanted(p, SETS_OFF if sets_off else c.value)
     c.set(goal)
     beside = _beside_the_lane(c, p) if c.actor.is_ego else ""
     if "u_turn" in _before(c, p):

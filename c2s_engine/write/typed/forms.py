@@ -4,6 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.hiding import standing
+from c2s_engine.write.typed.lanes import pulls_out
 from c2s_engine.write.typed.passing import passing
 from c2s_engine.write.typed.pockets import own_ways
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, OBSTRUCTING, TURN, is_static, is_vehicle
@@ -22,6 +23,8 @@ ABRUPT = 6.0
 """m/s2 at which one brakes who is then run into."""
 UNDISTURBED = 3.0
 """s for which everybody drives on before what nothing triggers."""
+PASSES_IN = 3.0
+"""s that somebody who comes along the road is away from where ego comes onto it."""
 AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
 """What somebody does about, or to, what lies in its way."""
 
@@ -48,6 +51,10 @@ def normal(structure: Structure) -> Structure:
             place = place.model_copy(update={"ego_lane": "rightmost" if place.ego_lane else None})
         elif _leaves_side_road(spec, place, turn):
             found = spec.model_copy(update={"phases": _with_turn(spec.phases)})
+        elif _passes_where_ego_comes_out(component.id, spec, ego):
+            hits = [p for p in spec.phases if p.action == "collide"] or [Phase(action="collide", target="ego")]
+            found = _placed(spec, position="behind", gap=round(PASSES_IN * max(middle(speed_of(spec, place)), 5)))
+            found = found.model_copy(update={"phases": tuple(hits)})
         elif _met_in_turn(component.id, spec, ego, turn):
             found = spec.model_copy(update={"phases": (*spec.phases, Phase(action="collide", target="ego"))})
         elif _is_let_by(component.id, spec, ego):
@@ -157,6 +164,13 @@ def _meets_turning(spec: ObjectSpec, place: PlaceSpec, turn: str | None) -> bool
         return False
     own = any(p.action in ("turn_left", "turn_right") for p in spec.phases)
     return spec.placement.of == "ego" and (own or turn == "left")
+
+
+def _passes_where_ego_comes_out(cid: str, spec: ObjectSpec, ego: EgoSpec) -> bool:
+    """Whether somebody who drives along the road collides with ego, which comes onto it from beside it."""
+    collides = is_hit(ego, cid) or any(p.action == "collide" and p.target in (None, "ego") for p in spec.phases)
+    plain = {p.action for p in spec.phases} <= {"collide", "keep_lane", "go_straight", "move_along"}
+    return pulls_out(ego) and collides and plain and _open_ahead(spec) and spec.placement.facing is None
 
 
 def _met_in_turn(cid: str, spec: ObjectSpec, ego: EgoSpec, turn: str | None) -> bool:

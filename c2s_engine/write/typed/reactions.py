@@ -16,6 +16,8 @@ HARD = "lambda: max(4.5, min(9, 1.1 * {force}))"
 """m/s2: how hard drivers brake for who forces them to: a little more than it takes."""
 STOOD = "self.speed < 0.2 and {force} <= {limit}"
 """What ends the braking of one that is to come to a stand: the need of it must be over, too."""
+LATE = 3
+"""m/s at which ego still is when it reaches whom it brakes for too late."""
 FIRM, FULL = 4.0, 4.5
 """m/s2: at least so hard, so that ego stands before somebody on foot has gone by."""
 
@@ -78,7 +80,7 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     movers = [c for c in met if not (_beside(s, c) and _stands(s, c))]
     for c in movers:
         one = scope.reference(s, c)
-        aside = f"Drive(line, 0, rate={rate}) until need(self, {one}) <= 0"  # who comes from beside the road
+        aside = f"Drive(line, {LATE}, rate={rate}) until need(self, {one}) <= 0"  # who comes from beside the road
         lines += [
             f"interrupt when need(self, {one}) > 6:",
             f"    do {aside if _beside(s, c) else f'Ram({one}, 0, {rate})'}",

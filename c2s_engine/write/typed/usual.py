@@ -93,7 +93,7 @@ def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
         return max(60.0, min(5.5 * (ego_speed + own), 260.0))
     if position == "intersection_exit":
         return 3.0 if place and place.kind == "roundabout" else 14.0  # on the ring, whose pieces are short
-    if ego_speed == 0 and o.speed == 0 and position == "ahead" and place and place.kind in JUNCTION:
+    if ego_speed == 0 and o.speed == 0 and position in ("ahead", "behind") and place and place.kind in JUNCTION:
         return IN_QUEUE
     if is_static(o) and position == "behind":
         return 8.0  # of interest only to who backs up

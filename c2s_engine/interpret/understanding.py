@@ -11,9 +11,10 @@ from c2s_engine.interpret.what.aftermath import aftermath
 from c2s_engine.interpret.what.bearings import against_the_traffic, sides_by_compass
 from c2s_engine.interpret.what.claims import claimed
 from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.damage import struck_by_damage
 from c2s_engine.interpret.what.doors import doors_opened
 from c2s_engine.interpret.what.foot_crossings import on_foot
-from c2s_engine.interpret.what.headlines import headline
+from c2s_engine.interpret.what.headlines import headline, story_first
 from c2s_engine.interpret.what.herded import herded
 from c2s_engine.interpret.what.indicated import indicated
 from c2s_engine.interpret.what.left_untold import left_untold
@@ -21,6 +22,7 @@ from c2s_engine.interpret.what.own_parts import own_parts
 from c2s_engine.interpret.what.passing import came_up_behind
 from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.pulled_out import pulled_out
+from c2s_engine.interpret.what.pulled_over import had_pulled_over
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.stays_put import stays_put
 from c2s_engine.interpret.what.struck_both import struck_both
@@ -62,9 +64,12 @@ def understand(text: str) -> Scene:
     foretold(cast)
     clauses = Clauses(words, cast)
     unnamed_doers(cast, clauses)
+    story_first(cast, clauses)
+    had_pulled_over(clauses)
     herded(clauses)
     own_parts(clauses)
     struck_both(clauses)
+    struck_by_damage(cast, clauses)
     pushed(clauses)
     merged_into(clauses)
     came_out_into(clauses)

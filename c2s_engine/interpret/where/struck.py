@@ -173,10 +173,15 @@ def _next_in_chain(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> Non
     """Who hits one that has hit ego is behind that one: "V2 hit V1. V3 hit V2"."""
     agent, patient = hit.agent, hit.patient
     assert patient is not None
-    before = (e for e in clauses.events if e.act == "collide" and e.agent is patient and e.done and e.word < hit.word)
-    if agent not in of or patient not in of or not any(e.patient is not None and e.patient.ego for e in before):
+    if agent not in of or patient not in of:
         return
-    if _open(of[agent]) and _open(of[patient]) and agent.mover and not agent.roles & {"oncoming", "crossing"}:
+    hits = [e for e in clauses.events if e.act == "collide" and e.agent is patient and e.done]
+    before = any(e.patient is not None and e.patient.ego for e in hits if e.word < hit.word) and _open(of[patient])
+    after = of[patient].of is None or of[patient].of.ego  # type: ignore[union-attr]
+    waits = of[patient].rel == "behind" and after and of[patient].lane in (None, "same")
+    if not before and not (waits and not any(e.word < hit.word for e in hits if e.patient is agent)):
+        return
+    if _open(of[agent]) and agent.mover and not agent.roles & {"oncoming", "crossing"}:
         of[agent].rel, of[agent].lane, of[agent].of = "behind", "same", patient
 
 

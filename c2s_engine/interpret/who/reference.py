@@ -167,16 +167,17 @@ class Reference(Owned):
             return led  # "a van is ahead of ego. The vehicle ahead brakes"
         if definite and count == 1 and not other and (there := self._by_place(word, candidates)) is not None:
             return there
-        if self._distinguished(word) and not any(e.noun == noun or e.type == kind for e in candidates):
+        alike = kind == "rider" or any(e.noun == noun or e.type == kind for e in candidates)
+        if self._distinguished(word) and not alike:
             return None
         if self._distinguished(word) and kind in ("vehicle", "car") and not self._matching_relation(word, candidates):
             return None if candidates or self._relative_to_ego(word) else None
         if count > 1:
             many = [e for e in candidates if e.count > 1 and "group" not in e.roles]
             counted = any(w.norm in language.table("actors")["counts"] for w in self.words[word.i - 2 : word.i])
-            alike = [e for e in many if e.count == count] if counted else many
-            if alike:
-                return alike[-1]
+            many = [e for e in many if e.count == count] if counted else many
+            if many:
+                return many[-1]
             told = {w.norm for w in self.words[max(0, word.i - 2) : word.i]} & ALL_OF_THEM
             every = VEHICLES if noun == "vehicles" else CARS if noun == "cars" else ()
             fitting = [e for e in self.entities if e.type in every] if every else candidates

@@ -166,7 +166,8 @@ class AtWheel(Reference):
         if drives and told and known is None and (driver := self._who_drove(word)) is not None:
             return driver  # "a van cut us off, and the guy braked"
         steers = verb.lemma in VEHICULAR or MANOEUVRE.match(after) or self._in_a_lane(word) and not WALKS.match(after)
-        if word.dep != "nsubj" or not steers:
+        nearer = any(self.words[c].dep == "nsubj" and word.i < c < verb.i for c in verb.children)
+        if word.dep != "nsubj" or not steers or nearer:  # "a woman to cross, when a van ran into the rear"
             return None
         if known is not None:
             return None if known.person else known

@@ -1,0 +1,40 @@
+"""Subjects that the tree gives to another word: two who met ("a Ford and a Mazda collided"), and who does something
+while doing another thing ("when a cyclist riding on the right swerved")."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from c2s_engine.interpret.reading.hanging import hang, road_user
+
+if TYPE_CHECKING:
+    from c2s_engine.interpret.reading.syntax import Word
+
+MEETS = frozenset(("collide", "crash", "meet", "touch"))
+SUBJECTS = ("nsubj", "nsubjpass", "aux", "auxpass", "expl")
+
+
+def tell_of_two(words: list[Word], verb: Word) -> None:
+    """Make a past form behind two that are joined the verb of both."""
+    noun = words[verb.head]
+    first = words[noun.head]
+    two = noun.dep == "conj" and first.dep == "ROOT" and road_user(noun) and road_user(first)
+    if two and verb.lemma in MEETS and verb.tag in ("VBN", "VBD"):
+        verb.tag = "VBD"
+        hang(words, first, verb, "nsubj")
+
+
+def share_participle(words: list[Word], verb: Word) -> None:
+    """Give a past form the noun that the tree has as the subject of the participle between them."""
+    if verb.tag not in ("VBD", "VBN") or any(words[c].dep in SUBJECTS for c in verb.children):
+        return
+    for child in (words[c] for c in verb.children if c < verb.i):
+        nouns = [words[c] for c in child.children if words[c].dep == "nsubj" and c + 1 == child.i]
+        helped = any(words[c].dep == "aux" for c in child.children)
+        if child.tag == "VBG" and child.dep == "advcl" and nouns and road_user(nouns[0]) and not helped:
+            for mark in [words[c] for c in child.children if words[c].norm in ("when", "while", "as") and c < nouns[0].i]:
+                hang(words, mark, verb)
+            hang(words, nouns[0], verb)
+            hang(words, child, nouns[0], "acl")
+            verb.tag = "VBD"
+            return

@@ -64,6 +64,14 @@ def after(i: int, cast: Cast) -> str:
     return " ".join(w.norm for w in cast.words[i : i + 10] if w.sentence == cast.words[i].sentence)
 
 
+def seen_by_one(i: int, cast: Cast) -> bool:
+    """Whether it is told only as what somebody who is named sees or fails to see: ahead of that one."""
+    verb = cast._governor(cast.words[i])
+    above = cast.words[verb.head]
+    subjects = (cast.referent(c) for c in above.children if cast.words[c].dep == "nsubj" and c < verb.i)
+    return verb.dep == "ccomp" and any(e is not None and e.mover for e in subjects)
+
+
 def from_aside(i: int, cast: Cast) -> bool:
     """Whether one is said to come from a side, not who does something meanwhile ("by a car while crossing")."""
     return FROM_ASIDE.search(re.split(r" (?:while|whilst|when|as|who)\b", after(i, cast))[0]) is not None

@@ -6,7 +6,15 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.reading.askers import bystanding
 from c2s_engine.interpret.roles.among_others import anchors, crossed, cut_off, who_is_led
-from c2s_engine.interpret.roles.aside import AHEAD, IS_AHEAD, after, beside_nobody, from_aside, only_hides
+from c2s_engine.interpret.roles.aside import (
+    AHEAD,
+    IS_AHEAD,
+    after,
+    beside_nobody,
+    from_aside,
+    only_hides,
+    seen_by_one,
+)
 from c2s_engine.interpret.roles.at_stops import at_a_stop
 from c2s_engine.interpret.roles.bare import ROLE_WORDS, bare_first
 from c2s_engine.interpret.roles.paired import leave_group, one_of_both
@@ -173,7 +181,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         e for e in cast.entities if e.type in MOTOR and e.count == 1 and _on_its_own(e) and not _of_parked(e, clauses)
     ]
     told_by = cast.me is not cast.ego or bystanding(" ".join(w.norm for w in cast.words))
-    if not told_by and any(IS_AHEAD.match(after(e.mentions[0].word, cast)) for e in vehicles):
+    firsts = [e.mentions[0].word for e in vehicles]
+    if not told_by and any(IS_AHEAD.match(after(i, cast)) and not seen_by_one(i, cast) for i in firsts):
         return  # of somebody who is not named
     acting = {e: [v for v in clauses.events if v.agent is e and v.done] for e in vehicles}
     if not told_by and any(_all_from_one_side(v, vehicles) for v in clauses.events):

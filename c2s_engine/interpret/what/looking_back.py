@@ -15,7 +15,8 @@ OPENS = re.compile(
     r"(?: on)? (?:,|@|it\b|he\b|she\b|they\b|have\b))"
 )
 CLOSES = re.compile(
-    r"(?<!\bas )(?<!\blike )(?<!\bthan )\b(?:before(?:hand)?|earlier|previously|(?:before|prior to) (?:that|this))"
+    r"(?<!\bas )(?<!\blike )(?<!\bthan )\b(?:before(?:hand)?|earlier|previously|(?:before|prior to) (?:that|this)"
+    r"|at (?:the|that) time(?: of (?:the |this )?(?:collision|crash|accident|impact|incident))?)"
     r"(?: on)? ?\.?$"
 )
 ONWARDS = re.compile(

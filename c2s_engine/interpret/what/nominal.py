@@ -123,6 +123,14 @@ class Nominal(Timing):
             return (told[1], told[0]) if struck else (told[0], told[1])
         return None
 
+    def _last_two(self, word: Word) -> tuple[Entity, Entity] | None:
+        """The last two of whom was told, where a contact of nobody is told and nobody is called ego: "contact was made"."""
+        told = [self.cast.of[i] for i in sorted(self.cast.of, reverse=True) if i < word.i]
+        two = list(dict.fromkeys(e for e in told if e.mover))[:2]
+        if self.cast.ego.mentions or len(two) < 2 or word.dep not in ("nsubj", "nsubjpass"):
+            return None
+        return (two[1], two[0]) if two[1].type in MOTOR and two[0].type not in MOTOR else (two[0], two[1])
+
     def _met_in(self, word: Word, verb: Word | None, other: Entity | None) -> tuple[Entity, Entity] | None:
         """Who was hurt in a collision with another, or had one: who has a motor hits one that has none."""
         involving = [c for c in word.children if self.words[c].norm == "involving"]
@@ -180,7 +188,9 @@ class Nominal(Timing):
             if agent is None and rule["act"] in OTHERS:
                 agent = self._somebody_else(word, verb)
             if agent is None:
-                if rule["act"] == "collide":
+                if rule["act"] == "collide" and (last := self._last_two(word)) is not None:
+                    agent, patient = last
+                elif rule["act"] == "collide":
                     others = [self.cast.of[i] for i in sorted(self.cast.of) if i < word.i and not self.cast.of[i].ego]
                     patient = patient or (others[-1] if others else None)
                 elif rule["act"] not in (
@@ -194,7 +204,7 @@ class Nominal(Timing):
                     "overtake",
                 ):
                     return
-                agent = self.cast.ego
+                agent = agent or self.cast.ego
             moment = re.search(
                 r"(until|at|before|on|upon) (the )?(moment|point|time|instant)? ?(of )?(the )?impact", near
             )

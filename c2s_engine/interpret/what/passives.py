@@ -10,16 +10,24 @@ from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
 FROM_BEHIND = re.compile(r"\bfrom (?:behind|the rear)\b|\brear-?end|\bin the (?:rear|back)\b")
+BY_A_PART = re.compile(
+    r"\bby (?:the |its )?(?:(?:front|rear|left|right|near|off|near-?side|off-?side|passenger|driver|wing|door) ?)*"
+    r"(?:corner|bumper|wing|mirror|bonnet|hood|front|wheel|fender|side)\b(?! (?:of|and)\b)(?! @)"
+)
 SUFFERED = frozenset(("collide", "overtake", "cut_in"))
 
 
 def unnamed_doers(cast: Cast, clauses: Clauses) -> None:
     """Turn the passives without an agent round: the one spoken of suffers it from ego, or ego from the one near it."""
     for event in clauses.events:
-        if event.act not in SUFFERED or not event.passive or BY.search(event.whole) or event.also:
+        part = BY_A_PART.search(event.whole) is not None
+        if event.act not in SUFFERED or not event.passive or not part and BY.search(event.whole) or event.also:
             continue
         suffers = event.agent
         doer = _last(cast, clauses, event) if suffers.ego else cast.ego
+        if part and not cast.ego.mentions:  # "a bus braked, a pedestrian was hit by the front left corner"
+            motors = [cast.of[i] for i in sorted(cast.of) if i < event.word and cast.of[i].type in MOTOR]
+            doer = next((e for e in reversed(motors) if e is not suffers), doer)
         if event.patient is not None and event.patient is not suffers and not event.patient.ego:
             continue
         if event.act == "cut_in" and doer is cast.ego and any(e.act == "turn" and e.agent.ego for e in clauses.events):

@@ -73,7 +73,7 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             and event.act in ("approach", "travel", "oncoming")
             and (EACH_OTHER.search(event.text) or MEET_AT.match(event.text))
         ):
-            _towards_each_other(event, of)
+            _towards_each_other(event, clauses, of)
 
 
 AFTER = re.compile(r"(?:chase|\w+ (?:\w+ )?after) (?:it|him|her|(?:the |its |his |her )?(?:\w+ )?(?:ball|@a\d+))\b")
@@ -187,14 +187,18 @@ EACH_OTHER = re.compile(
 MEET_AT = re.compile(r"(?:meet|converge)\b.*\b(?:intersection|junction|crossroads?|crossing)\b|\w+ .*\bright angles\b")
 
 
-def _towards_each_other(event: Event, of: dict[Entity, Where]) -> None:
+ACROSS_PATH = re.compile(r"\bleft\b.*\b(?:across|in front of|path of)\b")
+
+
+def _towards_each_other(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Of two that approach each other, of which ego is one, the other comes the other way; from the side where they
     meet at a junction."""
     both = [event.agent, *event.also, *([event.patient] if event.patient is not None else [])]
     if not any(e.ego for e in both):
         return
     for other in both:
-        if other in of and other.mover and not other.person and of[other].open:
+        turns = any(e.agent is other and e.act == "turn" and ACROSS_PATH.search(e.text) for e in clauses.events if e.done)
+        if other in of and other.mover and not other.person and of[other].open and not turns:
             of[other].lane = "crossing" if MEET_AT.match(event.text) else "oncoming"
 
 

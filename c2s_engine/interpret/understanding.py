@@ -18,6 +18,7 @@ from c2s_engine.interpret.what.headlines import headline, story_first
 from c2s_engine.interpret.what.herded import herded
 from c2s_engine.interpret.what.indicated import indicated
 from c2s_engine.interpret.what.left_untold import left_untold
+from c2s_engine.interpret.what.onwards import same_side, turns_by_name
 from c2s_engine.interpret.what.own_parts import own_parts
 from c2s_engine.interpret.what.passing import came_up_behind
 from c2s_engine.interpret.what.passives import unnamed_doers
@@ -27,7 +28,7 @@ from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.stays_put import stays_put
 from c2s_engine.interpret.what.struck_both import struck_both
 from c2s_engine.interpret.what.there_and_back import swerves_back
-from c2s_engine.interpret.what.unsaid import unsaid
+from c2s_engine.interpret.what.unsaid import by_who_did_not_notice, unsaid
 from c2s_engine.interpret.where.in_between import ahead_of_the_gap, in_between
 from c2s_engine.interpret.where.other_lane import meets_ego, next_lane
 from c2s_engine.interpret.where.own_edge import on_own_edge
@@ -63,6 +64,7 @@ def understand(text: str) -> Scene:
     moving_objects(cast)
     foretold(cast)
     clauses = Clauses(words, cast)
+    by_who_did_not_notice(cast, clauses)
     unnamed_doers(cast, clauses)
     story_first(cast, clauses)
     had_pulled_over(clauses)
@@ -74,6 +76,7 @@ def understand(text: str) -> Scene:
     merged_into(clauses)
     came_out_into(clauses)
     came_up_behind(clauses)
+    turns_by_name(cast, clauses)
     choose_ego(cast, clauses)
     unsaid(cast, clauses)
     claimed(cast, clauses)
@@ -82,6 +85,7 @@ def understand(text: str) -> Scene:
     against_the_traffic(clauses)
     sides_by_compass(clauses)
     indicated(cast, clauses)
+    same_side(clauses)
     stays_put(cast, clauses)
     doors_opened(cast, clauses)
     swerves_back(clauses)

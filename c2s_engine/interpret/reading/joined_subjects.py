@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
 
 MEETS = frozenset(("collide", "crash", "meet", "touch"))
+HIT = frozenset(("hit", "struck", "clipped", "rammed", "rear-ended", "killed", "injured", "overtaken"))
 SUBJECTS = ("nsubj", "nsubjpass", "aux", "auxpass", "expl")
 
 
@@ -38,3 +39,13 @@ def share_participle(words: list[Word], verb: Word) -> None:
             hang(words, child, nouns[0], "acl")
             verb.tag = "VBD"
             return
+
+
+def suffer(words: list[Word], verb: Word) -> None:
+    """Make a form before "by" a participle in notes without articles: "pedestrian hit by front left corner"."""
+    bare = not any(words[c].dep in ("aux", "auxpass", "dobj") for c in verb.children)
+    by = words[verb.i + 1] if verb.i + 1 < len(words) else verb
+    if verb.norm in HIT and verb.tag in ("VBD", "VBN") and by.norm == "by" and by.head == verb.i and bare:
+        verb.tag, by.dep = "VBN", "agent"
+        for child in verb.children:
+            words[child].dep = "nsubjpass" if words[child].dep == "nsubj" else words[child].dep

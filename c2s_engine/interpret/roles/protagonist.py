@@ -301,6 +301,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         and not told_by
         and not first
         and not met
+        and not any(v.act == "oncoming" for v in acting.get(best, []))
         and not anchors(best, clauses)
         and not crossed(best, clauses)
         and best.mentions[0].word > 6

@@ -20,6 +20,9 @@ SUFFERED = frozenset(("collide", "overtake", "cut_in"))
 def unnamed_doers(cast: Cast, clauses: Clauses) -> None:
     """Turn the passives without an agent round: the one spoken of suffers it from ego, or ego from the one near it."""
     for event in clauses.events:
+        if event.act == "collide" and event.passive and not cast.ego.mentions and _told_later(event, clauses):
+            event.mode = "hypothetical"
+            continue
         part = BY_A_PART.search(event.whole) is not None
         if event.act not in SUFFERED or not event.passive or not part and BY.search(event.whole) or event.also:
             continue
@@ -43,6 +46,14 @@ def unnamed_doers(cast: Cast, clauses: Clauses) -> None:
             doer.mentions.append(Mention(word.i, word.start, word.end, kind="unnamed"))
         if doer is not None:
             event.agent, event.patient = doer, suffers
+
+
+def _told_later(event: Event, clauses: Clauses) -> bool:
+    """Whether it is told later who did it: "he was hit as he crossed. The car that hit him ..."."""
+    suffers = event.patient if event.agent.ego else event.agent
+    later = (e for e in clauses.events if e.act == "collide" and not e.passive and e.done and e.word > event.word)
+    unnamed = event.agent.ego and BY.search(event.whole) is None
+    return unnamed and any(e.patient is suffers and not e.agent.ego for e in later)
 
 
 def _may_follow(doer: Entity | None, clauses: Clauses) -> bool:

@@ -14,13 +14,13 @@ PULLED = re.compile(
     r"|(?:off (?:the |of the )?(?:road|roadway|highway|carriageway|side)|(?:on|to|onto|into|off to|off onto) (?:the |an? |its )?"
     r"(?:[\w-]+ )?(?:shoulder|verge|lay-?by|side of|roadside|emergency lane|kerb|curb|grass|breakdown lane)))"
 )
-ACTS = frozenset(("leave_road", "lane_change", "stop", "brake_stop", "cut_out", "cut_in", "turn", "travel", "drift", "exit_road"))
+ACTS = frozenset(("turn_or_change", "leave_road", "lane_change", "stop", "brake_stop", "cut_out", "cut_in", "turn", "travel", "drift", "exit_road"))
 
 
 def had_pulled_over(clauses: Clauses) -> None:
     """Let such a one stand, at the roadside where it is another than ego."""
     for event in clauses.events:
-        if event.act not in ACTS or event.mode != "fact" or event.agent.type not in MOTOR or event.agent.count > 1:
+        if event.act not in ACTS or event.mode != "fact" or event.agent.type not in MOTOR:
             continue
         if _had(clauses, event) and PULLED.match(event.text):
             event.act, event.patient = "stationary", None

@@ -114,7 +114,7 @@ class Timing(Afterwards):
         blow = mark in ("when", "as") and event.act == "collide" and event.agent is main.agent
         if blow and event.word > main.word:
             return  # "was turning left when it struck V2"
-        if mark in ("after", "once", "when", "as", "having") and event.word > main.word:
+        if mark in ("after", "once", "when", "as", "having", "because") and event.word > main.word:
             event.order = main.order - 0.4
         elif mark == "before" and event.word < main.word:
             event.order = main.order + 0.4
@@ -139,7 +139,7 @@ class Timing(Afterwards):
         word = self.words[event.word]
         while word.dep in ("conj", "acomp", "attr") and word.head < word.i:
             word = self.words[word.head]
-        main = self._main(word) if word.dep == "relcl" and event.act in BEFORE_THE_BLOW else None
+        main = self._main(word) if word.dep == "relcl" and event.act in BY_WHICH else None
         return main if main is not None and event.word > main.word else None
 
     def joined_to(self, event: Event) -> Event | None:

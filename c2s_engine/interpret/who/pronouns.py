@@ -12,6 +12,7 @@ from c2s_engine.interpret.who.nearing import comes_near
 from c2s_engine.interpret.who.taken_up import taken_up
 from c2s_engine.interpret.who.theirs import Theirs
 
+RIDDEN = frozenset(("bicycle", "motorcycle", "rider"))
 SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offside"))
 LOOSE = frozenset(("debris", "box", "obstacle"))
 THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
@@ -151,6 +152,9 @@ class Pronouns(Theirs):
         if word.dep == "nsubj" and (same := self._still(word)) is not None and fits(same):
             return same
         apart = self._not_he(word, fits)
+        vehicle = lambda e: fits(e) and e.count == 1 and not _rider(e)  # noqa: E731
+        if any(vehicle(e) for i, e in self.of.items() if self.words[i].sentence == word.sentence):
+            apart = apart or self._salient(word, vehicle)  # "a van was overtaking a cyclist when the car behind it"
         found = apart or self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
         if found is None and bumped:
             found = self._salient(word, lambda e: e.type == "animal")
@@ -333,3 +337,8 @@ class Pronouns(Theirs):
                 return None
             above = self.words[above.head]
         return self.of.get(above.i)
+
+
+def _rider(entity: Entity) -> bool:
+    """Whether one is named as a person, if on two wheels: "it" is rather another."""
+    return language.actor_nouns().get(entity.noun, ("", False, False))[2] and entity.type in RIDDEN

@@ -67,6 +67,7 @@ class Reference(Owned):
             if made and definite and not any(e.noun == noun for e in candidates):
                 return made[-1]  # "a Ford F-150 ... the Ford": a pickup
             candidates = [e for e in candidates if e.noun not in brands or {noun, same} & {e.noun, *e.names}]
+            candidates = [e for e in candidates if count > 1 or not e.noun.endswith("queue")]
         groups = [e for e in candidates if e.count > 1 and e.group is None and "group" not in e.roles]
         if (
             roles

@@ -22,7 +22,8 @@ SITS = re.compile(
     r"(?:[\w-]+ ){0,3}$"
 )
 DRIVEN = re.compile(
-    r"@ ?,?(?: ?\(?(?:who )?(?:was|is|were|had been))? (?:(?:operating|driving|riding)(?: (?:an?|his|her|the|their))?"
+    r"@ ?,?(?: ?\(?(?:who )?(?:was|is|were|had been))?(?: at (?:all|the) (?:material|relevant) times?,?)? "
+    r"(?:(?:operating|driving|riding)(?: (?:an?|his|her|the|their))?|the (?:registered )?(?:driver|rider|operator) of (?:an?|the)"
     r"|(?P<how>drove|rode|drives?|rides?|operated|at the wheel of|in charge of|in|on) (?:an?|his|her|the|their|my))"
     r"(?: (?!behind|past|beside|towards?|after|along|around|ahead|before|near|into|with)[\w-]+){0,2} $"
 )
@@ -184,7 +185,7 @@ class AtWheel(Reference):
 
     def _driven_by(self, word: Word) -> Entity | None:
         """Whose vehicle it is in "the defendant, operating a dump truck": the driver and the vehicle are one."""
-        back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
+        back = [w for w in self.words[max(0, word.i - 10) : word.i] if w.sentence == word.sentence]
         text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
         match = DRIVEN.search(text + " ")
         if match is None and (OUR_DRIVER.search(" ".join(w.norm for w in back) + " ") or self._driven_first(word)):

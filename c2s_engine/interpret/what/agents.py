@@ -269,8 +269,12 @@ class Agents(Subjectless):
         return alone and any(self.words[c].norm in ALONG for c in word.children)
 
     def _made_to(self, verb: Word | None) -> bool:
-        """Whether somebody is made or seen to do it ("causing it to swerve and hit the rail")."""
-        return verb is not None and verb.tag == "VB" and self._lemma(self.words[verb.head]) in CAUSES | SEES
+        """Whether somebody is made to do it ("causing it to swerve and hit the rail"), or seen by one on foot."""
+        if verb is None or verb.tag != "VB":
+            return False
+        above = self.words[verb.head]
+        seer = self._subject(above)[0] if self._lemma(above) in SEES else None
+        return self._lemma(above) in CAUSES or seer is not None and seer.person
 
     def _inverted(self, word: Word) -> tuple[Entity | None, int | None, bool]:
         """ "Up from behind comes a motorcyclist"; "standing in the lane is a car"."""

@@ -152,8 +152,9 @@ class Pronouns(Theirs):
         if word.dep == "nsubj" and (same := self._still(word)) is not None and fits(same):
             return same
         apart = self._not_he(word, fits)
-        vehicle = lambda e: fits(e) and e.count == 1 and not _rider(e)  # noqa: E731
-        if any(vehicle(e) for i, e in self.of.items() if self.words[i].sentence == word.sentence):
+        led = {e for i, e in self.subjects if self.words[i].sentence == word.sentence}
+        vehicle = lambda e: fits(e) and e.count == 1 and not (_rider(e) and e not in led)  # noqa: E731
+        if word.dep != "nsubj" and any(vehicle(e) for i, e in self.of.items() if self.words[i].sentence == word.sentence):
             apart = apart or self._salient(word, vehicle)  # "a van was overtaking a cyclist when the car behind it"
         found = apart or self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
         if found is None and bumped:

@@ -156,7 +156,9 @@ class Reference(Owned):
             single = [e for e in vehicles if e.count == 1 and "group" not in e.roles]
             itself = self._subject_of(self._governor(word)) if word.dep in ("dobj", "pobj") else None
             single = [e for e in single if e is not itself]  # "the car struck the other car"
-            return None if not single or self._only_one(single) else single[-1]
+            return None if not single or self._only_one(single) or self._explained(word) else single[-1]
+        if ordinal is not None and 0 < len(candidates) <= ordinal and not self.ego_named and count == 1:
+            return None  # "the lead vehicle stopped. The second vehicle ..."
         if ordinal is not None and any(e.ordinal is not None and e.group is None for e in candidates):
             numbered = [e for e in reversed(candidates) if e.ordinal == ordinal and e.group is None]
             unnumbered = [e for e in candidates if e.ordinal is None and ordinal == 0]
@@ -240,6 +242,11 @@ class Reference(Owned):
         """Whether there is one only, that was told as one of two ("one vehicle"): the other is still to come."""
         first = those[0].mentions[0].word if those[0].mentions else 0
         return len(those) == 1 and first > 0 and self.words[first - 1].norm == "one" and not self.ego.mentions
+
+    def _explained(self, word: Word) -> bool:
+        """Whether it is told behind a comma for the first time what it is: "the other vehicle, a van, was turning"."""
+        after = [self.words[c] for c in word.children if c > word.i and self.words[c].dep == "appos"]
+        return any({"a", "an"} & {self.words[c].norm for c in w.children} for w in after) and not self.ego_named
 
     def _distinguished(self, word: Word) -> bool:
         """Whether the noun phrase goes on to say which one: "the car in front of it", "the van that ..."."""

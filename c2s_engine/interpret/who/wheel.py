@@ -103,6 +103,9 @@ class AtWheel(Reference):
         verb = self.words[word.head]
         if word.dep == "nsubj" and verb.lemma in CYCLES:
             return self._new(Entity("", "bicycle", typed=True, manned=True, sex=self._sex(word)))
+        after = self.words[word.i + 1] if word.i + 1 < len(self.words) else word
+        if after.norm == "driving" and after.dep == "acl" and not any(self.words[c].dep == "dobj" for c in after.children):
+            return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))  # "a nurse driving home"
         objects = (self.words[c] for c in verb.children if self.words[c].dep == "dobj")
         if (
             word.dep != "nsubj"
@@ -214,6 +217,10 @@ class AtWheel(Reference):
         """The party who moves in a vehicle: "the suspect fled in a stolen Audi"."""
         by = self.words[word.head]
         verb = self.words[by.head]
+        if by.norm in ("in", "on") and verb.dep == "appos" and verb.head in self.of and word.dep == "pobj":
+            same = self.of[verb.head]  # "the second, a man in a Rover"
+            if same.type == "vehicle" and not same.typed and self.words[verb.head].span is None:
+                return same
         if by.norm not in ("in", "on") or not verb.verb:
             return None
         subjects = [self.of[c] for c in verb.children if self.words[c].dep == "nsubj" and c in self.of]

@@ -49,3 +49,15 @@ def suffer(words: list[Word], verb: Word) -> None:
         verb.tag, by.dep = "VBN", "agent"
         for child in verb.children:
             words[child].dep = "nsubjpass" if words[child].dep == "nsubj" else words[child].dep
+
+
+def before_its_clause(words: list[Word], verb: Word) -> None:
+    """Hang a participle that stands before the "when" of the clause to which the tree takes it on the main verb: "stood
+    there, letting a man cross, when a van hit it"."""
+    clause = words[verb.head]
+    if verb.tag != "VBG" or verb.dep != "advcl" or clause.dep != "advcl" or not verb.i < clause.i:
+        return
+    main = words[clause.head]
+    marks = [c for c in clause.children if words[c].norm == "when" and verb.i < c < clause.i]
+    if marks and main.i < verb.i and words[verb.i - 1].norm == ",":
+        hang(words, verb, main)

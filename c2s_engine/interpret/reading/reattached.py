@@ -9,7 +9,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.astray import bring_home
 from c2s_engine.interpret.reading.found_standing import found_standing
 from c2s_engine.interpret.reading.hanging import hang, road_user
-from c2s_engine.interpret.reading.joined_subjects import share_participle, suffer, tell_of_two
+from c2s_engine.interpret.reading.joined_subjects import before_its_clause, share_participle, suffer, tell_of_two
 from c2s_engine.interpret.reading.lost_subjects import find_subject
 from c2s_engine.interpret.reading.motions import irregular, third_person
 
@@ -47,6 +47,7 @@ def reattach(words: list[Word]) -> None:
         found_standing(words, word)
         share_participle(words, word)
         suffer(words, word)
+        before_its_clause(words, word)
         find_subject(words, word)
         bring_home(words, word)
         if word.norm == "by" and word.dep == "prep" and (answers := _answer(words, word)) is not None:

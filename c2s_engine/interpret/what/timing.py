@@ -89,7 +89,8 @@ class Timing(Afterwards):
             main = self._main(word) if any(self.words[c].norm == "had" for c in word.children) else None
             if main is not None and main.agent is event.agent and word.dep == "relcl":
                 event.order = min(event.order, main.order - 0.2)
-            beside = self._main(word) if word.dep == "acl" and word.tag == "VBG" else None
+            states = word.dep == "acl" and word.tag == "VBG" or word.dep == "relcl" and word.lemma == "be"
+            beside = self._main(word) if states else None
             if beside is not None and beside.agent is event.agent and word.i < beside.word:
                 event.order = min(event.order, beside.order - 0.2)  # "when a cyclist riding on the left swerved"
 

@@ -14,10 +14,10 @@ def others(structure) -> list:
 @pytest.mark.parametrize(
     "text",
     [
-        "The insured was stationary at a zebra crossing, allowing a woman with a pram to cross, when a delivery van ran "
-        "into the rear of her vehicle.",
-        "The insured was stationary at a zebra crossing, letting a man with a stick cross, when a van ran into the back "
-        "of his car.",
+        "The insured was stationary at a zebra crossing, allowing a woman with a pram to cross, when a delivery van "
+        "ran into the rear of her vehicle.",
+        "The insured was stationary at a zebra crossing, letting a man with a stick cross, when a van ran into the "
+        "back of his car.",
         "The plaintiff was waiting at a crossing to let a woman cross when a van hit the rear of her vehicle.",
     ],
 )
@@ -80,8 +80,8 @@ def test_somebody_else_is_none_of_those_who_met(read) -> None:
          "ego", "ahead"),
         ("The bus and the lorry collided; the lorry was damaged at the front and the bus at the rear.",
          "O1", "behind"),
-        ("Contact occurred between both vehicles. The Waymo AV sustained damage to the rear bumper and the other vehicle "
-         "had front damage.", "O1", "behind"),
+        ("Contact occurred between both vehicles. The Waymo AV sustained damage to the rear bumper and the other "
+         "vehicle had front damage.", "O1", "behind"),
         ("They collided in the intersection, causing damage to the front of V1 and the left side of V2.",
          "ego", "crossing_right"),
     ],
@@ -102,7 +102,10 @@ def test_damage_does_not_overrule_what_is_told(read) -> None:
     ("text", "walkers"),
     [
         ("A motorist who had pulled in opened his door and a cyclist rode into it.", "bicycle"),
-        ("The driver of a parked Skoda opened the door as the cyclist was passing; the cyclist hit the door.", "bicycle"),
+        (
+            "The driver of a parked Skoda opened the door as the cyclist was passing; the cyclist hit the door.",
+            "bicycle",
+        ),
         ("Cyclist struck by car door. A motorist opened her door without looking as the rider came past.", "bicycle"),
     ],
 )

@@ -33,7 +33,9 @@ def share_participle(words: list[Word], verb: Word) -> None:
         nouns = [words[c] for c in child.children if words[c].dep == "nsubj" and c + 1 == child.i]
         helped = any(words[c].dep == "aux" for c in child.children)
         if child.tag == "VBG" and child.dep == "advcl" and nouns and road_user(nouns[0]) and not helped:
-            for mark in [words[c] for c in child.children if words[c].norm in ("when", "while", "as") and c < nouns[0].i]:
+            for mark in [
+                words[c] for c in child.children if words[c].norm in ("when", "while", "as") and c < nouns[0].i
+            ]:
                 hang(words, mark, verb)
             hang(words, nouns[0], verb)
             hang(words, child, nouns[0], "acl")

@@ -61,13 +61,17 @@ def _bursts(doc: Any) -> dict[int, str]:
 
 
 def _infinitives(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
-    """Verbs behind "to" that are taken for nouns: "the car ahead starts to brake", "letting a man to cross, when ..."."""
+    """Verbs behind "to" that are taken for nouns: "the car ahead starts to brake", "lets a man to cross, when ..."."""
     found = {}
     for token in doc[2:]:
         _, start, end, span = piece[token.i]
         verb = doc[token.i - 2]
         begins = doc[token.i - 1].text == "to" and base_form(verb.text, verb.lemma_) in _light()
-        who = doc[token.i - 1].text == "to" and names_one(piece[verb.i][3], PERSONS) and ALONE.match(plain[end : end + 24])
+        who = (
+            doc[token.i - 1].text == "to"
+            and names_one(piece[verb.i][3], PERSONS)
+            and ALONE.match(plain[end : end + 24])
+        )
         nominal = begins and token.tag_ == "NN" or who and doc[token.i - 1].dep_ == "prep"
         if nominal and span is None and plain[start:end] in verb_lemmas():
             found[token.i] = "go"

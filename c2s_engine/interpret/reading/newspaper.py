@@ -8,7 +8,9 @@ if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
 
 LONGEST = 14
-DETERMINERS = frozenset(("a", "an", "the", "this", "that", "my", "our", "his", "her", "its", "their", "your", "another"))
+DETERMINERS = frozenset(
+    ("a", "an", "the", "this", "that", "my", "our", "his", "her", "its", "their", "your", "another")
+)
 
 
 def has_headline(words: list[Word]) -> bool:
@@ -17,7 +19,9 @@ def has_headline(words: list[Word]) -> bool:
     named = [w for w in first if w.span is not None and w.span.kind in ("ego", "label", "actor")]
     if not named or len(first) > LONGEST or any(w.span is None or w.span.kind != "actor" for w in named):
         return False
-    if any(w.norm in DETERMINERS for w in first) or any(w.span is not None and w.span.kind == "quantity" for w in first):
+    if any(w.norm in DETERMINERS for w in first) or any(
+        w.span is not None and w.span.kind == "quantity" for w in first
+    ):
         return False
     story = {w.norm for w in words if w.sentence > 0}
     past = any(w.tag == "VBD" for w in words if w.sentence > 0)

@@ -104,7 +104,10 @@ def short_labels(text: str) -> list[Span]:
     return parts
 
 
-ON_FOOT = re.compile(r"\b(?:pedestrians?|walk\w*|(?:in|on) (?:the|a) (?:\w+ )?crosswalk|on foot|jog\w*|cross(?:ed|ing|es)|stepp\w+|stand(?:ing|s) (?:on|in|at|by|near|beside))\b")
+ON_FOOT = re.compile(
+    r"\b(?:pedestrians?|walk\w*|(?:in|on) (?:the|a) (?:\w+ )?crosswalk|on foot|jog\w*|cross(?:ed|ing|es)|stepp\w+"
+    r"|stand(?:ing|s) (?:on|in|at|by|near|beside))\b"
+)
 """What tells that somebody is on foot, who may be "P-2" then."""
 
 
@@ -127,7 +130,8 @@ def _drives(text: str, number: str) -> bool:
     )
     bracket = re.search(rf"{p} ?\(([^()]+)\)", text)
     aboard = bracket is not None and any(w in _vehicle_nouns() for w in re.findall(r"[\w-]+", bracket[1]))
-    if aboard or not ON_FOOT.search(text):
+    cycles = re.search(rf"{p},? (?:was )?(?:on|riding) (?:an?|his|her) (?:\w+ )?(?:bicycle|bike)\b", text)
+    if aboard or not ON_FOOT.search(text) and not cycles:
         return True
     numbered = rf"(?<![\w-])(?:v|veh|vehicle|unit)[ -]?#?{number}(?!\d)|{rides}"
     return re.search(numbered, text) is not None and not re.search(f"{afoot}|{struck}", text)

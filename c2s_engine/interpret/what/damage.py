@@ -61,7 +61,11 @@ def _damaged(cast: Cast) -> dict[Entity, str]:
             at += 1
             continue
         end = at + 1
-        while end < len(cast.words) and (_of_part(cast.words[end]) or cast.words[end].norm in BESIDE) and cast.words[end].sentence == first.sentence:
+        while (
+            end < len(cast.words)
+            and (_of_part(cast.words[end]) or cast.words[end].norm in BESIDE)
+            and cast.words[end].sentence == first.sentence
+        ):
             end += 1
         zone, owner = _zone({n for w in cast.words[at:end] for n in w.norm.split("-")}), _owner(cast, at, end)
         if owner is not None and (owner.ego or owner.type in MOTOR):

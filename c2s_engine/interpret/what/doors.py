@@ -14,7 +14,10 @@ from c2s_engine.interpret.who.mentions import Cast
 
 OPENS = frozenset(("open", "fling", "swing", "throw", "fly", "push", "shove", "crack"))
 ONTO = re.compile(r"\bdoors? (?:right |straight |directly )?(?:in|on)to (?:the |my )?@(\w+)")
-DOOR = re.compile(r"\w+ (?:into |with |against |by )?(?:the |a |an |its |his |her |@\w+ 's )?(?:(?:open|opened|opening|car|driver's) )*doors?\b")
+DOOR = re.compile(
+    r"\w+ (?:into |with |against |by )?(?:the |a |an |its |his |her |@\w+ 's )?"
+    r"(?:(?:open|opened|opening|car|driver's) )*doors?\b"
+)
 SITS = language.words("occupants")
 
 

@@ -23,7 +23,9 @@ IN_VAIN = re.compile(
     r"\b(?:could not|couldn't|unable to|not able to|failed to|too late to|no time to|was not enough to)"
     r" (?:\w+ )?(?:avoid|stop|prevent|evade|miss|react)\b"
 )
-TRIES = frozenset(("turn_or_change", "brake", "brake_stop", "stop", "swerve", "lane_change", "evade", "reverse", "accelerate"))
+TRIES = frozenset(
+    ("turn_or_change", "brake", "brake_stop", "stop", "swerve", "lane_change", "evade", "reverse", "accelerate")
+)
 ONWARDS = re.compile(
     r"\b(?:by (?:then|now|that time|this time|the time)|then|now|meanwhile|meantime|finally|again|afterwards|later)\b"
 )
@@ -47,8 +49,8 @@ def looking_back(cast: Cast, clauses: Clauses) -> None:
 
 
 def tried_to_avoid(cast: Cast, clauses: Clauses) -> None:
-    """Put what one tried in vain before the blow that was told first: "was struck by V2, whose driver said he swerved but
-    could not avoid it", "hit a car because a child ran out and I had to swerve"."""
+    """Put what one tried in vain before the blow that was told first: "was struck by V2, whose driver said he swerved
+    but could not avoid it", "hit a car because a child ran out and I had to swerve"."""
     for number in sorted({w.sentence for w in cast.words}):
         here = [w for w in cast.words if w.sentence == number]
         why = next((w.i for w in here if w.norm == "because"), None)

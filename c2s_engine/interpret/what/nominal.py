@@ -124,7 +124,7 @@ class Nominal(Timing):
         return None
 
     def _last_two(self, word: Word) -> tuple[Entity, Entity] | None:
-        """The last two of whom was told, where a contact of nobody is told and nobody is called ego: "contact was made"."""
+        """The last two of whom was told, where a contact of nobody is told and nobody is ego: "contact was made"."""
         told = [self.cast.of[i] for i in sorted(self.cast.of, reverse=True) if i < word.i]
         two = list(dict.fromkeys(e for e in told if e.mover))[:2]
         if self.cast.ego.mentions or len(two) < 2 or word.dep not in ("nsubj", "nsubjpass"):

@@ -31,7 +31,9 @@ def turns_by_name(cast: Cast, clauses: Clauses) -> None:
     """Let one that is only called a turning one, and is in a collision, turn before it."""
     for entity in cast.entities:
         told = [e for e in clauses.events if e.done and (entity in (e.agent, e.patient) or e.act == "collide")]
-        blow = next((e for e in told if e.act == "collide" and (e.patient is None or entity in (e.agent, e.patient))), None)
+        blow = next(
+            (e for e in told if e.act == "collide" and (e.patient is None or entity in (e.agent, e.patient))), None
+        )
         acts = {e.act for e in told if e.agent is entity}
         if blow is None or entity.type not in MOTOR or not acts <= {"collide", "travel"}:
             continue

@@ -11,10 +11,25 @@ from c2s_engine.interpret.what.event import Event
 PULLED = re.compile(
     r"(?:pull|draw|move|drive|turn|park|steer|come|coast|roll)\w* (?:(?:well|right|safely|completely|partly) )*"
     r"(?:(?:over|in|up|aside)\b(?! (?:@|front|behind|between|the (?:left|right|other|next) lane|with\b))"
-    r"|(?:off (?:the |of the )?(?:road|roadway|highway|carriageway|side)|(?:on|to|onto|into|off to|off onto) (?:the |an? |its )?"
-    r"(?:[\w-]+ )?(?:shoulder|verge|lay-?by|side of|roadside|emergency lane|kerb|curb|grass|breakdown lane)))"
+    r"|(?:off (?:the |of the )?(?:road|roadway|highway|carriageway|side)"
+    r"|(?:on|to|onto|into|off to|off onto) (?:the |an? |its )?(?:[\w-]+ )?"
+    r"(?:shoulder|verge|lay-?by|side of|roadside|emergency lane|kerb|curb|grass|breakdown lane)))"
 )
-ACTS = frozenset(("turn_or_change", "leave_road", "lane_change", "stop", "brake_stop", "cut_out", "cut_in", "turn", "travel", "drift", "exit_road"))
+ACTS = frozenset(
+    (
+        "turn_or_change",
+        "leave_road",
+        "lane_change",
+        "stop",
+        "brake_stop",
+        "cut_out",
+        "cut_in",
+        "turn",
+        "travel",
+        "drift",
+        "exit_road",
+    )
+)
 
 
 def had_pulled_over(clauses: Clauses) -> None:

@@ -197,7 +197,9 @@ def _towards_each_other(event: Event, clauses: Clauses, of: dict[Entity, Where])
     if not any(e.ego for e in both):
         return
     for other in both:
-        turns = any(e.agent is other and e.act == "turn" and ACROSS_PATH.search(e.text) for e in clauses.events if e.done)
+        turns = any(
+            e.agent is other and e.act == "turn" and ACROSS_PATH.search(e.text) for e in clauses.events if e.done
+        )
         if other in of and other.mover and not other.person and of[other].open and not turns:
             of[other].lane = "crossing" if MEET_AT.match(event.text) else "oncoming"
 

@@ -39,8 +39,8 @@ class Attached(Riders):
         return told
 
     def _owner_told(self, word: Word, noun: str) -> Entity | None:
-        """Somebody spoken of before, whose vehicle is named now: "a woman was hurt ... the woman's Polo"; who is told of
-        right before: "the second, a man in a Rover"."""
+        """Somebody spoken of before, whose vehicle is named now: "a woman was hurt ... the woman's Polo"; who is
+        told of right before: "the second, a man in a Rover"."""
         same = self.of.get(word.head) if word.dep == "appos" else None
         if same is not None and same.type == "vehicle" and not same.typed and self.words[word.head].span is None:
             return same

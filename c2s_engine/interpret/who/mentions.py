@@ -37,7 +37,8 @@ __all__ = [
 
 
 CARRIED = re.compile(
-    r"\b(?:i|we|plaintiff|claimant|complainant|insured) (?:was|were|am|are) (?:(?:an?|the|sitting|seated|travell?ing|riding|driving|passengers?|front|back"
+    r"\b(?:i|we|plaintiff|claimant|complainant|insured) (?:was|were|am|are) "
+    r"(?:(?:an?|the|sitting|seated|travell?ing|riding|driving|passengers?|front|back"
     r"|rear|seat|home|to work|from (?:\w+ ){1,2}to \w+) )*(?:in|on|aboard) (?:an?|the|his|her|their"
     r"|my \w+ 's) (?:[\w-]+ ){0,2}$"
 )

@@ -24,7 +24,9 @@ SAYS = language.words("says")
 PARTIES = language.words("owners")
 REACTS = language.words("reacts")
 AGE = re.compile(r"\b(\d+) ?-? ?year ?-? ?old (?:[\w-]+ ){0,2}$")
-OF_A_CLAIM = re.compile(r"(?:(?:my|our) client|claimant|plaintiff|complainant|insured|policy ?holder)(?: driver|'s \w+)?$")
+OF_A_CLAIM = re.compile(
+    r"(?:(?:my|our) client|claimant|plaintiff|complainant|insured|policy ?holder)(?: driver|'s \w+)?$"
+)
 AFOOT = frozenset((*language.table("people")["walks"], "cross", "run", "cycle", "sit", "see", "watch"))
 OBLIQUE = {"he": "him", "she": "her"}
 AT_THE_WHEEL = frozenset(("driver", "d", "operator", "op", "opr"))
@@ -119,7 +121,9 @@ class Persons(Salience):
         """Who strikes a part of him or her, whom that word therefore does not mean: "the front of the bus caught her
         wheel"."""
         verb, part = self._governor(word), self.words[word.head]
-        into = part.dep == "pobj" and self.words[part.head].norm == "into" and part.lemma in BODY  # "rode into his door"
+        into = (
+            part.dep == "pobj" and self.words[part.head].norm == "into" and part.lemma in BODY
+        )  # "rode into his door"
         if word.dep != "poss" or not into and (part.dep != "dobj" or verb.lemma not in STRIKES):
             return None
         subject = next((c for c in verb.children if self.words[c].dep == "nsubj"), None)

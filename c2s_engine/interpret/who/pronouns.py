@@ -154,7 +154,9 @@ class Pronouns(Theirs):
         apart = self._not_he(word, fits)
         led = {e for i, e in self.subjects if self.words[i].sentence == word.sentence}
         vehicle = lambda e: fits(e) and e.count == 1 and not (_rider(e) and e not in led)  # noqa: E731
-        if word.dep != "nsubj" and any(vehicle(e) for i, e in self.of.items() if self.words[i].sentence == word.sentence):
+        if word.dep != "nsubj" and any(
+            vehicle(e) for i, e in self.of.items() if self.words[i].sentence == word.sentence
+        ):
             apart = apart or self._salient(word, vehicle)  # "a van was overtaking a cyclist when the car behind it"
         found = apart or self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
         if found is None and bumped:
@@ -162,7 +164,7 @@ class Pronouns(Theirs):
         return self._who_halted(word, found) or found
 
     def _still(self, word: Word) -> Entity | None:
-        """Whom "it" meant right before, as the object of the clause on which this one hangs: "overtook it as it turned"."""
+        """Whom "it" meant right before, as the object of the clause on which this hangs: "overtook it as it turned"."""
         mark = self.words[word.i - 1].norm if word.i else ""
         before = next((w for w in reversed(self.words[: word.i]) if w.norm in ("it", "its") and w.i in self.of), None)
         if mark not in ("as", "while", "whilst") or before is None or before.sentence != word.sentence:

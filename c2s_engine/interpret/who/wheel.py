@@ -23,7 +23,8 @@ SITS = re.compile(
 )
 DRIVEN = re.compile(
     r"@ ?,?(?: ?\(?(?:who )?(?:was|is|were|had been))?(?: at (?:all|the) (?:material|relevant) times?,?)? "
-    r"(?:(?:operating|driving|riding)(?: (?:an?|his|her|the|their))?|the (?:registered )?(?:driver|rider|operator) of (?:an?|the)"
+    r"(?:(?:operating|driving|riding)(?: (?:an?|his|her|the|their))?"
+    r"|the (?:registered )?(?:driver|rider|operator) of (?:an?|the)"
     r"|(?P<how>drove|rode|drives?|rides?|operated|at the wheel of|in charge of|in|on) (?:an?|his|her|the|their|my))"
     r"(?: (?!behind|past|beside|towards?|after|along|around|ahead|before|near|into|with)[\w-]+){0,2} $"
 )
@@ -104,7 +105,11 @@ class AtWheel(Reference):
         if word.dep == "nsubj" and verb.lemma in CYCLES:
             return self._new(Entity("", "bicycle", typed=True, manned=True, sex=self._sex(word)))
         after = self.words[word.i + 1] if word.i + 1 < len(self.words) else word
-        if after.norm == "driving" and after.dep == "acl" and not any(self.words[c].dep == "dobj" for c in after.children):
+        if (
+            after.norm == "driving"
+            and after.dep == "acl"
+            and not any(self.words[c].dep == "dobj" for c in after.children)
+        ):
             return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))  # "a nurse driving home"
         objects = (self.words[c] for c in verb.children if self.words[c].dep == "dobj")
         if (

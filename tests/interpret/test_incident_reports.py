@@ -254,3 +254,26 @@ def test_stopped_ahead_in_notes_is_a_state(read) -> None:
 def test_it_was_there_before_it_was_told(read) -> None:
     s = read("A child was hit as he crossed behind the ice-cream van. The car that hit him was doing 20 mph.")
     assert s.ego.spec.type == "car" and actions(s.ego.spec) == ["collide"]
+
+
+@pytest.mark.parametrize("name", ["V#", "V #", "Veh #", "U#"])
+def test_numbers_with_a_sign(read, name: str) -> None:
+    s = read(
+        f"{name}1 was northbound. {name}2 was southbound and turned left in front of {name}1. {name}1 hit {name}2."
+    )
+    assert actions(s.ego.spec) == ["collide"] and others(s)[0].placement.position == "opposite_approach"
+
+
+def test_letters_at_the_end_and_corners(read) -> None:
+    s = read("Vehicle A ran a red light. Vehicle B had a green light. The front right of B hit the rear left of A.")
+    assert actions(others(s)[0])[-1] == "collide" and others(s)[0].phases[-1].target == "ego"
+
+
+def test_a_participle_before_by_in_notes(read) -> None:
+    s = read("Bus braked, pedestrian hit by front left corner.")
+    assert (s.ego.spec.type, s.ego.spec.phases[-1].action) == ("bus", "collide")
+
+
+def test_who_told_before_what_others_thought(read) -> None:
+    s = read("Policyholder waiting at give way sign. TP behind thought PH had gone and ran into back of PH.")
+    assert "collide" not in actions(s.ego.spec) and actions(others(s)[0]) == ["collide"]

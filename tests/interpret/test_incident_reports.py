@@ -277,3 +277,22 @@ def test_a_participle_before_by_in_notes(read) -> None:
 def test_who_told_before_what_others_thought(read) -> None:
     s = read("Policyholder waiting at give way sign. TP behind thought PH had gone and ran into back of PH.")
     assert "collide" not in actions(s.ego.spec) and actions(others(s)[0]) == ["collide"]
+
+
+@pytest.mark.parametrize("text", ["V1 follows V2. V2 braked to avoid a dog.", "V2 stopped to avoid a dog. V1 hit V2."])
+def test_who_brakes_to_avoid_does_not_swerve(read, text: str) -> None:
+    car, dog = others(read(text))
+    assert len(car.phases) == 1 and car.phases[0].action in ("brake", "stop")
+    assert (dog.type, dog.placement.of) == ("animal", "O1")
+
+
+def test_who_swerves_to_avoid_swerves(read) -> None:
+    car, cyclist = others(read("V1 follows V2. V2 swerved to avoid a cyclist."))
+    assert actions(car) == ["swerve"] and cyclist.placement.of == "O1"
+
+
+def test_ego_by_what_it_was_said_to_be(read) -> None:
+    s = read(
+        "The subject vehicle, a tow truck, was standing on the shoulder. A semi moved over. An SUV hit the tow truck."
+    )
+    assert others(s)[-1].phases[-1].target == "ego"

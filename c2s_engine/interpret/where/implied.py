@@ -40,6 +40,8 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _joins(event, of[event.agent])
         if event.done and event.act in ("lane_change", "overtake") and event.agent in of:
             _out_from_behind(event, of)
+        if event.done and event.act == "evade" and event.agent in of and event.patient in of:
+            _ahead_of_who_avoids(event, of)
         if (event.done or event.mode == "negated") and event.agent.ego and event.patient in of:
             _crosses(event, clauses, of[event.patient])
         if event.done and event.agent.ego and event.patient in of:
@@ -74,6 +76,20 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             and (EACH_OTHER.search(event.text) or MEET_AT.match(event.text))
         ):
             _towards_each_other(event, clauses, of)
+
+
+def _ahead_of_who_avoids(event: Event, of: dict[Entity, Where]) -> None:
+    """Whom another than ego brakes or swerves for is ahead of that one."""
+    agent, patient = event.agent, event.patient
+    assert patient is not None
+    if (
+        of[patient].open
+        and of[patient].lane is None
+        and agent.mover
+        and not agent.person
+        and of[agent].of is not patient
+    ):
+        of[patient].rel, of[patient].of = "ahead", agent
 
 
 AFTER = re.compile(r"(?:chase|\w+ (?:\w+ )?after) (?:it|him|her|(?:the |its |his |her )?(?:\w+ )?(?:ball|@a\d+))\b")

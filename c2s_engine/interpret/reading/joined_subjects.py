@@ -15,6 +15,15 @@ HIT = frozenset(("hit", "struck", "clipped", "rammed", "rear-ended", "killed", "
 SUBJECTS = ("nsubj", "nsubjpass", "aux", "auxpass", "expl")
 
 
+def own_subject(words: list[Word], verb: Word) -> None:
+    """Give a verb the subject that is its own."""
+    if verb.dep == "acl":
+        tell_of_two(words, verb)
+    share_participle(words, verb)
+    suffer(words, verb)
+    before_its_clause(words, verb)
+
+
 def tell_of_two(words: list[Word], verb: Word) -> None:
     """Make a past form behind two that are joined the verb of both."""
     noun = words[verb.head]

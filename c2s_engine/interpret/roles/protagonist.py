@@ -5,7 +5,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.reading.askers import bystanding
-from c2s_engine.interpret.roles.among_others import anchors, crossed, cut_off, who_is_led
+from c2s_engine.interpret.roles.among_others import anchors, crossed, cut_off, who_is_led, who_met_it
 from c2s_engine.interpret.roles.aside import (
     AHEAD,
     IS_AHEAD,
@@ -107,15 +107,6 @@ def _in_mode(entity: Entity, cast: Cast) -> bool:
         if IN_MODE.search(" ".join(w.norm for w in rest[: next(other, len(rest))])):
             return True
     return False
-
-
-def _who_met_it(passive: Entity, candidates: list[Entity], clauses: Clauses) -> Entity:
-    """Who overtakes or follows one that does nothing itself, though that is told first ("while overtaking a tractor, a
-    Golf hit a Corsa"), or hits another ("a child crossed behind a van. The car that hit him ...")."""
-    met = (v for v in clauses.events if v.act in ("overtake", "follow", "approach") and v.patient is passive)
-    hits = [v for v in clauses.events if v.act == "collide" and v.done]
-    hits = [] if any(passive in (v.agent, v.patient, *v.also) for v in hits) else hits
-    return next((v.agent for v in (*met, *hits) if v.agent in candidates), passive)
 
 
 def _demanded(entity: Entity, cast: Cast) -> bool:
@@ -279,7 +270,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         candidates = generic
     others = [e for e in cast.entities if e not in candidates]
     best = next((e for e in candidates if "following" in e.roles), candidates[0])
-    best = best if acting.get(best) else _who_met_it(best, candidates, clauses)
+    best = best if acting.get(best) else who_met_it(best, candidates, clauses)
     best = who_is_led(best, [e for e in vehicles if not e.roles & ROLE_WORDS], clauses)
     hit = {v.patient for v in clauses.events if v.act in ("collide", "overtake", "follow", "yield") and v.agent is best}
     if (

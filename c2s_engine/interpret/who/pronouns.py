@@ -8,7 +8,7 @@ from collections.abc import Callable
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, PERSONS, Entity
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.nearing import comes_near
+from c2s_engine.interpret.who.nearing import comes_near, still_it
 from c2s_engine.interpret.who.taken_up import taken_up
 from c2s_engine.interpret.who.theirs import Theirs
 
@@ -149,7 +149,7 @@ class Pronouns(Theirs):
             return animal
         if bumped and word.dep in ("pobj", "dobj") and (lying := self._lies_before(word)) is not None:
             return lying
-        if word.dep == "nsubj" and (same := self._still(word)) is not None and fits(same):
+        if word.dep == "nsubj" and (same := still_it(self.words, self.of, word)) is not None and fits(same):
             return same
         apart = self._not_he(word, fits)
         led = {e for i, e in self.subjects if self.words[i].sentence == word.sentence}
@@ -162,15 +162,6 @@ class Pronouns(Theirs):
         if found is None and bumped:
             found = self._salient(word, lambda e: e.type == "animal")
         return self._who_halted(word, found) or found
-
-    def _still(self, word: Word) -> Entity | None:
-        """Whom "it" meant right before, as the object of the clause on which this hangs: "overtook it as it turned"."""
-        mark = self.words[word.i - 1].norm if word.i else ""
-        before = next((w for w in reversed(self.words[: word.i]) if w.norm in ("it", "its") and w.i in self.of), None)
-        if mark not in ("as", "while", "whilst") or before is None or before.sentence != word.sentence:
-            return None
-        between = [w for w in self.words[before.i + 1 : word.i] if w.norm == "," or w.dep == "nsubj" or w.i in self.of]
-        return self.of[before.i] if before.dep == "dobj" and not between else None
 
     def _owned(self, word: Word) -> Entity | None:
         """The animal whose owner is told of, or after which somebody runs: "its owner runs after it"."""

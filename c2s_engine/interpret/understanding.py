@@ -11,21 +11,24 @@ from c2s_engine.interpret.what.aftermath import aftermath
 from c2s_engine.interpret.what.bearings import against_the_traffic, sides_by_compass
 from c2s_engine.interpret.what.claims import claimed
 from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.damage import struck_by_damage
 from c2s_engine.interpret.what.doors import doors_opened
 from c2s_engine.interpret.what.foot_crossings import on_foot
-from c2s_engine.interpret.what.headlines import headline
+from c2s_engine.interpret.what.headlines import headline, story_first
 from c2s_engine.interpret.what.herded import herded
 from c2s_engine.interpret.what.indicated import indicated
 from c2s_engine.interpret.what.left_untold import left_untold
+from c2s_engine.interpret.what.onwards import same_side, turns_by_name
 from c2s_engine.interpret.what.own_parts import own_parts
 from c2s_engine.interpret.what.passing import came_up_behind
 from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.pulled_out import pulled_out
+from c2s_engine.interpret.what.pulled_over import had_pulled_over
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.stays_put import stays_put
 from c2s_engine.interpret.what.struck_both import struck_both
 from c2s_engine.interpret.what.there_and_back import swerves_back
-from c2s_engine.interpret.what.unsaid import unsaid
+from c2s_engine.interpret.what.unsaid import by_who_did_not_notice, unsaid
 from c2s_engine.interpret.where.in_between import ahead_of_the_gap, in_between
 from c2s_engine.interpret.where.other_lane import meets_ego, next_lane
 from c2s_engine.interpret.where.own_edge import on_own_edge
@@ -61,14 +64,19 @@ def understand(text: str) -> Scene:
     moving_objects(cast)
     foretold(cast)
     clauses = Clauses(words, cast)
+    by_who_did_not_notice(cast, clauses)
     unnamed_doers(cast, clauses)
+    story_first(cast, clauses)
+    had_pulled_over(clauses)
     herded(clauses)
     own_parts(clauses)
     struck_both(clauses)
+    struck_by_damage(cast, clauses)
     pushed(clauses)
     merged_into(clauses)
     came_out_into(clauses)
     came_up_behind(clauses)
+    turns_by_name(cast, clauses)
     choose_ego(cast, clauses)
     unsaid(cast, clauses)
     claimed(cast, clauses)
@@ -77,6 +85,7 @@ def understand(text: str) -> Scene:
     against_the_traffic(clauses)
     sides_by_compass(clauses)
     indicated(cast, clauses)
+    same_side(clauses)
     stays_put(cast, clauses)
     doors_opened(cast, clauses)
     swerves_back(clauses)

@@ -92,7 +92,9 @@ def steps_of(
 ) -> list[Phase]:
     act, trigger = event.act, trigger_of(event)
     towards = side(event)
-    if act == "evade" and event.patient is not None and not entity.person and not event.patient.ego and not crossing:
+    by_braking = bool(before) and before[-1].action in ("brake", "stop") and event.whole.startswith("to ")
+    avoids = act == "evade" and event.patient is not None and not by_braking  # "stopped to avoid a dog": by that
+    if avoids and not entity.person and not event.patient.ego and not crossing:  # type: ignore[union-attr]
         return [Phase(action="swerve", side=towards, trigger=trigger)]
     if act in ("travel", "lead", "held_up", "approach", "keep_lane", "evade", "swing"):
         if act == "keep_lane" and not before:

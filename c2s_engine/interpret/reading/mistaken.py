@@ -5,7 +5,7 @@ from functools import cache
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import MOVERS
+from c2s_engine.interpret.entities import MOVERS, PERSONS
 from c2s_engine.interpret.reading.motions import base_form, past_forms, third_person, third_persons, verb_lemmas
 from c2s_engine.interpret.reading.proxies import FOLLOWS
 from c2s_engine.interpret.spans import Span, names_one
@@ -61,13 +61,19 @@ def _bursts(doc: Any) -> dict[int, str]:
 
 
 def _infinitives(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
-    """Verbs behind "to" that are taken for nouns: "the car ahead starts to brake"."""
+    """Verbs behind "to" that are taken for nouns: "the car ahead starts to brake", "lets a man to cross, when ..."."""
     found = {}
     for token in doc[2:]:
         _, start, end, span = piece[token.i]
         verb = doc[token.i - 2]
         begins = doc[token.i - 1].text == "to" and base_form(verb.text, verb.lemma_) in _light()
-        if begins and token.tag_ == "NN" and span is None and plain[start:end] in verb_lemmas():
+        who = (
+            doc[token.i - 1].text == "to"
+            and names_one(piece[verb.i][3], PERSONS)
+            and ALONE.match(plain[end : end + 24])
+        )
+        nominal = begins and token.tag_ == "NN" or who and doc[token.i - 1].dep_ == "prep"
+        if nominal and span is None and plain[start:end] in verb_lemmas():
             found[token.i] = "go"
     return found
 

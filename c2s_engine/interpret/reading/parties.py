@@ -4,6 +4,7 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import VEHICLES
 from c2s_engine.interpret.reading.motions import irregular, third_persons
 from c2s_engine.interpret.spans import Span
 
@@ -103,6 +104,18 @@ def short_labels(text: str) -> list[Span]:
     return parts
 
 
+ON_FOOT = re.compile(
+    r"\b(?:pedestrians?|walk\w*|(?:in|on) (?:the|a) (?:\w+ )?crosswalk|on foot|jog\w*|cross(?:ed|ing|es)|stepp\w+"
+    r"|stand(?:ing|s) (?:on|in|at|by|near|beside))\b"
+)
+"""What tells that somebody is on foot, who may be "P-2" then."""
+
+
+@cache
+def _vehicle_nouns() -> frozenset[str]:
+    return frozenset(noun for noun, (kind, _, _) in language.actor_nouns().items() if kind in VEHICLES)
+
+
 def _drives(text: str, number: str) -> bool:
     """Whether "P-2" is the party at the wheel of vehicle 2, as nothing tells of it on foot."""
     p = rf"(?<![\w-])p[ -]?{number}(?!\d)"
@@ -115,5 +128,10 @@ def _drives(text: str, number: str) -> bool:
         rf"{p},? (?:(?:stated|said|says|states|reported|that|he|she|they|who|was|is|had been) )*"
         r"(?:riding|driving|operating|travel+ing|[nsew]/?b\b|(?:north|south|east|west)bound|in (?:the )?(?:#|lane))"
     )
+    bracket = re.search(rf"{p} ?\(([^()]+)\)", text)
+    aboard = bracket is not None and any(w in _vehicle_nouns() for w in re.findall(r"[\w-]+", bracket[1]))
+    cycles = re.search(rf"{p},? (?:was )?(?:on|riding) (?:an?|his|her) (?:\w+ )?(?:bicycle|bike)\b", text)
+    if aboard or not ON_FOOT.search(text) and not cycles:
+        return True
     numbered = rf"(?<![\w-])(?:v|veh|vehicle|unit)[ -]?#?{number}(?!\d)|{rides}"
     return re.search(numbered, text) is not None and not re.search(f"{afoot}|{struck}", text)

@@ -9,6 +9,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.astray import bring_home
 from c2s_engine.interpret.reading.found_standing import found_standing
 from c2s_engine.interpret.reading.hanging import hang, road_user
+from c2s_engine.interpret.reading.joined_subjects import own_subject
 from c2s_engine.interpret.reading.lost_subjects import find_subject
 from c2s_engine.interpret.reading.motions import irregular, third_person
 
@@ -42,6 +43,7 @@ def reattach(words: list[Word]) -> None:
         if word.dep == "ccomp" and _joined(words, word):
             word.dep = "conj"  # "overtakes ego and 2 s later brakes"
         found_standing(words, word)
+        own_subject(words, word)
         find_subject(words, word)
         bring_home(words, word)
         if word.norm == "by" and word.dep == "prep" and (answers := _answer(words, word)) is not None:

@@ -301,7 +301,8 @@ def _letters(text: str, found: list[Span]) -> list[Span]:
     spans = []
     for letter, number in letters.items():
         verb = (
-            r"(?=\s+(?!car\b|truck\b|bus\b|van\b)\w+(?:s|ed)\b|\s+(?:is|was|has|cannot|must|then)\b)"
+            r"(?=\s+(?!car\b|truck\b|bus\b|van\b)\w+(?:s|ed)\b|\s+(?:is|was|has|cannot|must|then)\b"
+            r"|\s*(?:[.;,)]|$)|['’]s\b)"
             if letter == "a"
             else r"(?![\w'-]*\.\w)"
         )

@@ -36,3 +36,12 @@ def anchors(entity: Entity, clauses: Clauses) -> bool:
         re.findall(rf"\b(ahead of|behind|in front of|alongside|beside|next to) (?:the )?@{entity.key}\b", text)
     )
     return len(placed) > 1
+
+
+def who_met_it(passive: Entity, candidates: list[Entity], clauses: Clauses) -> Entity:
+    """Who overtakes or follows one that does nothing itself, though that is told first ("while overtaking a tractor, a
+    Golf hit a Corsa"), or hits another ("a child crossed behind a van. The car that hit him ...")."""
+    met = (v for v in clauses.events if v.act in ("overtake", "follow", "approach") and v.patient is passive)
+    hits = [v for v in clauses.events if v.act == "collide" and v.done]
+    hits = [] if any(passive in (v.agent, v.patient, *v.also) for v in hits) else hits
+    return next((v.agent for v in (*met, *hits) if v.agent in candidates), passive)

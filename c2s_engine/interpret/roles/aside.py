@@ -48,6 +48,9 @@ IS_AHEAD = re.compile(
 """Places and ways that are told as beside or towards somebody."""
 
 
+OTHER_CLAUSE = re.compile(r" (?:that (?:the|an?)|while|whilst|when|because)\b")
+
+
 def beside_nobody(entity: Entity, cast: Cast) -> bool:
     """Whether it is first told by its place beside somebody who is not named: that is ego. A title does not count."""
     titled = [m for m in entity.mentions if ":" not in [w.norm for w in cast.words[m.word + 1 : m.word + 2]]]
@@ -56,12 +59,21 @@ def beside_nobody(entity: Entity, cast: Cast) -> bool:
     first = " ".join(w.norm for w in cast.words[at : at + 9])
     stands = entity.group is None and entity.count == 1 and the and re.match(r"\S+ (is|was|were) ", first)
     before = " ".join(w.norm for w in cast.words[max(0, at - 8) : at] if w.sentence == cast.words[at].sentence) + " "
+    first = OTHER_CLAUSE.split(first)[0]  # "the Kia did not see that traffic ahead had stopped"
     return not stands and (BESIDE.search(first) or FRONTED.search(before)) is not None
 
 
 def after(i: int, cast: Cast) -> str:
     """A word with what follows it in its sentence."""
     return " ".join(w.norm for w in cast.words[i : i + 10] if w.sentence == cast.words[i].sentence)
+
+
+def seen_by_one(i: int, cast: Cast) -> bool:
+    """Whether it is told only as what somebody who is named sees or fails to see: ahead of that one."""
+    verb = cast._governor(cast.words[i])
+    above = cast.words[verb.head]
+    subjects = (cast.referent(c) for c in above.children if cast.words[c].dep == "nsubj" and c < verb.i)
+    return verb.dep == "ccomp" and any(e is not None and e.mover for e in subjects)
 
 
 def from_aside(i: int, cast: Cast) -> bool:

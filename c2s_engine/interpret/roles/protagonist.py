@@ -5,8 +5,16 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.reading.askers import bystanding
-from c2s_engine.interpret.roles.among_others import anchors, crossed, cut_off, who_is_led
-from c2s_engine.interpret.roles.aside import AHEAD, IS_AHEAD, after, beside_nobody, from_aside, only_hides
+from c2s_engine.interpret.roles.among_others import anchors, crossed, cut_off, who_is_led, who_met_it
+from c2s_engine.interpret.roles.aside import (
+    AHEAD,
+    IS_AHEAD,
+    after,
+    beside_nobody,
+    from_aside,
+    only_hides,
+    seen_by_one,
+)
 from c2s_engine.interpret.roles.at_stops import at_a_stop
 from c2s_engine.interpret.roles.bare import ROLE_WORDS, bare_first
 from c2s_engine.interpret.roles.paired import leave_group, one_of_both
@@ -101,13 +109,6 @@ def _in_mode(entity: Entity, cast: Cast) -> bool:
     return False
 
 
-def _who_met_it(passive: Entity, candidates: list[Entity], clauses: Clauses) -> Entity:
-    """Who overtakes or follows one that does nothing itself, though that is told first: "while overtaking a tractor, a
-    Golf hit a Corsa"."""
-    met = (v for v in clauses.events if v.act in ("overtake", "follow", "approach") and v.patient is passive)
-    return next((v.agent for v in met if v.agent in candidates), passive)
-
-
 def _demanded(entity: Entity, cast: Cast) -> bool:
     """Whether a rule asks something of it: "the vehicle shall clear the lane"."""
     return any(
@@ -173,7 +174,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         e for e in cast.entities if e.type in MOTOR and e.count == 1 and _on_its_own(e) and not _of_parked(e, clauses)
     ]
     told_by = cast.me is not cast.ego or bystanding(" ".join(w.norm for w in cast.words))
-    if not told_by and any(IS_AHEAD.match(after(e.mentions[0].word, cast)) for e in vehicles):
+    firsts = [e.mentions[0].word for e in vehicles]
+    if not told_by and any(IS_AHEAD.match(after(i, cast)) and not seen_by_one(i, cast) for i in firsts):
         return  # of somebody who is not named
     acting = {e: [v for v in clauses.events if v.agent is e and v.done] for e in vehicles}
     if not told_by and any(_all_from_one_side(v, vehicles) for v in clauses.events):
@@ -268,7 +270,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         candidates = generic
     others = [e for e in cast.entities if e not in candidates]
     best = next((e for e in candidates if "following" in e.roles), candidates[0])
-    best = best if acting.get(best) else _who_met_it(best, candidates, clauses)
+    best = best if acting.get(best) else who_met_it(best, candidates, clauses)
     best = who_is_led(best, [e for e in vehicles if not e.roles & ROLE_WORDS], clauses)
     hit = {v.patient for v in clauses.events if v.act in ("collide", "overtake", "follow", "yield") and v.agent is best}
     if (
@@ -292,6 +294,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
         and not told_by
         and not first
         and not met
+        and not any(v.act == "oncoming" for v in acting.get(best, []))
         and not anchors(best, clauses)
         and not crossed(best, clauses)
         and best.mentions[0].word > 6

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from c2s_engine.interpret.what.event import Event
 PACE = frozenset(("speed", "velocity", "pace"))
 CAUSES = language.words("causes")
+SEES = language.words("notices") | {"watch", "hear"}
 BELIEVED = language.words("believed")
 ALONG = frozenset(("past", "across", "along", "through", "around", "round"))
 UNCHANGED = frozenset(("hit", "cut", "put", "let", "shut"))
@@ -213,6 +214,10 @@ class Agents(Subjectless):
                     and above.tag == "VBG"
                     and word.tag in ("VBD", "VBN")
                     and self._lemma(self.words[above.head]) in BELIEVED
+                    or above.dep == "ccomp"
+                    and word.tag == "VBD"
+                    and any(self.words[c].norm == "had" for c in above.children)
+                    and self._lemma(self.words[above.head]) in BELIEVED  # "thought V1 had gone and ran into it"
                     or above.dep == "advcl"
                     and self.words[word.i - 1].norm == "then"
                     and self.words[word.i - 2].norm != "and"
@@ -264,8 +269,12 @@ class Agents(Subjectless):
         return alone and any(self.words[c].norm in ALONG for c in word.children)
 
     def _made_to(self, verb: Word | None) -> bool:
-        """Whether somebody is made to do it ("causing it to swerve and hit the rail")."""
-        return verb is not None and verb.tag == "VB" and self._lemma(self.words[verb.head]) in CAUSES
+        """Whether somebody is made to do it ("causing it to swerve and hit the rail"), or seen by one on foot."""
+        if verb is None or verb.tag != "VB":
+            return False
+        above = self.words[verb.head]
+        seer = self._subject(above)[0] if self._lemma(above) in SEES else None
+        return self._lemma(above) in CAUSES or seer is not None and seer.person
 
     def _inverted(self, word: Word) -> tuple[Entity | None, int | None, bool]:
         """ "Up from behind comes a motorcyclist"; "standing in the lane is a car"."""

@@ -1,4 +1,4 @@
-"""Headlines and notes without a verb that name a collision and who was in it: "Rear-end, I-80, two semis"."""
+"""Headlines and notes that name a collision and who was in it: "Rear-end, I-80, two semis", "Lorry hits cyclist"."""
 
 import re
 
@@ -46,3 +46,17 @@ def headline(cast: Cast, clauses: Clauses, of: dict[Entity, Where], road: Road) 
         road.kind = "intersection"
     at = {"order": float(word.i), "words": [word.i], "start": word.start, "end": word.end}
     clauses.events.append(Event("collide", cast.ego, word.i, first, first, struck, **at))
+
+
+def story_first(cast: Cast, clauses: Clauses) -> None:
+    """Put a blow that a headline tells behind what the story tells of: "Lorry hits cyclist. The lorry turned left"."""
+    if not cast.headlined or not clauses.events:
+        return
+    last = max(e.order for e in clauses.events)
+    for event in clauses.events:
+        parties = {event.agent, event.patient}
+        told = (e for e in clauses.events if e.act == "collide" and e.done and clauses.words[e.word].sentence > 0)
+        if event.act == "collide" and event.done and clauses.words[event.word].sentence == 0:
+            if any(None not in (e.agent, e.patient) and {e.agent, e.patient} == parties for e in told):
+                event.mode = "hypothetical"
+            event.order = last + 1

@@ -15,8 +15,16 @@ OPENS = re.compile(
     r"(?: on)? (?:,|@|it\b|he\b|she\b|they\b|have\b))"
 )
 CLOSES = re.compile(
-    r"(?<!\bas )(?<!\blike )(?<!\bthan )\b(?:before(?:hand)?|earlier|previously|(?:before|prior to) (?:that|this))"
+    r"(?<!\bas )(?<!\blike )(?<!\bthan )\b(?:before(?:hand)?|earlier|previously|(?:before|prior to) (?:that|this)"
+    r"|at (?:the|that) time(?: of (?:the |this )?(?:collision|crash|accident|impact|incident))?)"
     r"(?: on)? ?\.?$"
+)
+IN_VAIN = re.compile(
+    r"\b(?:could not|couldn't|unable to|not able to|failed to|too late to|no time to|was not enough to)"
+    r" (?:\w+ )?(?:avoid|stop|prevent|evade|miss|react)\b"
+)
+TRIES = frozenset(
+    ("turn_or_change", "brake", "brake_stop", "stop", "swerve", "lane_change", "evade", "reverse", "accelerate")
 )
 ONWARDS = re.compile(
     r"\b(?:by (?:then|now|that time|this time|the time)|then|now|meanwhile|meantime|finally|again|afterwards|later)\b"
@@ -38,6 +46,21 @@ def looking_back(cast: Cast, clauses: Clauses) -> None:
         first = min(e.order for e in earlier if cast.words[e.word].sentence == last)
         for at, event in enumerate(sorted(told, key=lambda e: e.order)):
             event.order = first - 0.5 + 0.02 * at
+
+
+def tried_to_avoid(cast: Cast, clauses: Clauses) -> None:
+    """Put what one tried in vain before the blow that was told first: "was struck by V2, whose driver said he swerved
+    but could not avoid it", "hit a car because a child ran out and I had to swerve"."""
+    for number in sorted({w.sentence for w in cast.words}):
+        here = [w for w in cast.words if w.sentence == number]
+        why = next((w.i for w in here if w.norm == "because"), None)
+        why = here[0].i if why is None and IN_VAIN.search(" ".join(w.norm for w in here)) else why
+        for event in [e for e in clauses.events if cast.words[e.word].sentence == number and e.done]:
+            if why is None or event.word < why or event.act not in TRIES:
+                continue
+            blows = [e for e in clauses.events if e.act == "collide" and e.done and e.word < why]
+            first = next((e.order for e in blows if event.agent in (e.agent, e.patient)), None)
+            event.order = event.order if first is None else first - 0.3
 
 
 def _main(cast: Cast, event: Event) -> bool:

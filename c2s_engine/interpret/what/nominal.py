@@ -9,7 +9,7 @@ from c2s_engine.interpret.reading.motions import rules
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.timing import Timing
-from c2s_engine.interpret.who.mentions import Entity
+from c2s_engine.interpret.who.mentions import MOTOR, Entity
 
 ATTRIBUTIVE = frozenset(
     ("brake", "stop", "accelerate", "reverse", "swerve", "lose_control", "drift", "u_turn", "cross_road", "overtake")
@@ -17,6 +17,7 @@ ATTRIBUTIVE = frozenset(
 
 HAPPENS = frozenset(("occur", "happen", "result", "ensue", "take", "follow", "come", "be", "arise", "involve"))
 STRUCK_PART = re.compile(r"\b(?:between|of) the (?:\w+ )?(?:rear|back|tail|side|flank|door|quarter)\b")
+HURT = frozenset(("hurt", "injure", "kill", "die", "involve", "damage", "be", "have", "wound"))
 OTHERS = frozenset(("cut_in", "cut_out", "lane_change", "brake", "stop"))
 STANDS = language.words("stands")
 BY_MEANS = language.words("by_means")
@@ -122,6 +123,28 @@ class Nominal(Timing):
             return (told[1], told[0]) if struck else (told[0], told[1])
         return None
 
+    def _last_two(self, word: Word) -> tuple[Entity, Entity] | None:
+        """The last two of whom was told, where a contact of nobody is told and nobody is ego: "contact was made"."""
+        told = [self.cast.of[i] for i in sorted(self.cast.of, reverse=True) if i < word.i]
+        two = list(dict.fromkeys(e for e in told if e.mover))[:2]
+        if self.cast.ego.mentions or len(two) < 2 or word.dep not in ("nsubj", "nsubjpass"):
+            return None
+        return (two[1], two[0]) if two[1].type in MOTOR and two[0].type not in MOTOR else (two[0], two[1])
+
+    def _met_in(self, word: Word, verb: Word | None, other: Entity | None) -> tuple[Entity, Entity] | None:
+        """Who was hurt in a collision with another, or had one: who has a motor hits one that has none."""
+        involving = [c for c in word.children if self.words[c].norm == "involving"]
+        named = [self.cast.of[i] for c in involving for i in self._below(c) if i in self.cast.of]
+        other = other or next((e for e in named if e.mover), None)
+        if other is None or verb is None or word.dep not in ("pobj", "dobj") or verb.i > word.i:
+            return None
+        whom = [self.cast.referent(c) for c in verb.children if self.words[c].dep in ("nsubj", "nsubjpass")]
+        whom += [self.cast.of[verb.head]] if verb.dep == "acl" and verb.head in self.cast.of else []
+        one = next((e for e in whom if e is not None and e.mover), None)
+        if one is None or one is other or self._lemma(verb) not in HURT:
+            return None
+        return (other, one) if other.type in MOTOR and one.type not in MOTOR else (one, other)
+
     def _noun(self, word: Word) -> None:
         if word.i in self.by_word or word.span is not None:
             return
@@ -154,6 +177,8 @@ class Nominal(Timing):
                 agent, patient = (subject, agent) if subject is not None else (agent, patient)  # "its pass of a truck"
             if rule["act"] == "collide" and (parties := self._struck_each_other(word, verb)) is not None:
                 agent, patient = parties
+            elif rule["act"] == "collide" and agent is None and (met := self._met_in(word, verb, patient)) is not None:
+                agent, patient = met
             if patient is agent:
                 patient = None
             if rule["act"] == "cut_in" and (agent is None or agent.ego):
@@ -163,7 +188,9 @@ class Nominal(Timing):
             if agent is None and rule["act"] in OTHERS:
                 agent = self._somebody_else(word, verb)
             if agent is None:
-                if rule["act"] == "collide":
+                if rule["act"] == "collide" and (last := self._last_two(word)) is not None:
+                    agent, patient = last
+                elif rule["act"] == "collide":
                     others = [self.cast.of[i] for i in sorted(self.cast.of) if i < word.i and not self.cast.of[i].ego]
                     patient = patient or (others[-1] if others else None)
                 elif rule["act"] not in (
@@ -177,7 +204,7 @@ class Nominal(Timing):
                     "overtake",
                 ):
                     return
-                agent = self.cast.ego
+                agent = agent or self.cast.ego
             moment = re.search(
                 r"(until|at|before|on|upon) (the )?(moment|point|time|instant)? ?(of )?(the )?impact", near
             )

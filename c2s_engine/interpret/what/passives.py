@@ -10,16 +10,27 @@ from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
 FROM_BEHIND = re.compile(r"\bfrom (?:behind|the rear)\b|\brear-?end|\bin the (?:rear|back)\b")
+BY_A_PART = re.compile(
+    r"\bby (?:the |its )?(?:(?:front|rear|left|right|near|off|near-?side|off-?side|passenger|driver|wing|door) ?)*"
+    r"(?:corner|bumper|wing|mirror|bonnet|hood|front|wheel|fender|side)\b(?! (?:of|and)\b)(?! @)"
+)
 SUFFERED = frozenset(("collide", "overtake", "cut_in"))
 
 
 def unnamed_doers(cast: Cast, clauses: Clauses) -> None:
     """Turn the passives without an agent round: the one spoken of suffers it from ego, or ego from the one near it."""
     for event in clauses.events:
-        if event.act not in SUFFERED or not event.passive or BY.search(event.whole) or event.also:
+        if event.act == "collide" and event.passive and not cast.ego.mentions and _told_later(event, clauses):
+            event.mode = "hypothetical"
+            continue
+        part = BY_A_PART.search(event.whole) is not None
+        if event.act not in SUFFERED or not event.passive or not part and BY.search(event.whole) or event.also:
             continue
         suffers = event.agent
         doer = _last(cast, clauses, event) if suffers.ego else cast.ego
+        if part and not cast.ego.mentions:  # "a bus braked, a pedestrian was hit by the front left corner"
+            motors = [cast.of[i] for i in sorted(cast.of) if i < event.word and cast.of[i].type in MOTOR]
+            doer = next((e for e in reversed(motors) if e is not suffers), doer)
         if event.patient is not None and event.patient is not suffers and not event.patient.ego:
             continue
         if event.act == "cut_in" and doer is cast.ego and any(e.act == "turn" and e.agent.ego for e in clauses.events):
@@ -35,6 +46,14 @@ def unnamed_doers(cast: Cast, clauses: Clauses) -> None:
             doer.mentions.append(Mention(word.i, word.start, word.end, kind="unnamed"))
         if doer is not None:
             event.agent, event.patient = doer, suffers
+
+
+def _told_later(event: Event, clauses: Clauses) -> bool:
+    """Whether it is told later who did it: "he was hit as he crossed. The car that hit him ..."."""
+    suffers = event.patient if event.agent.ego else event.agent
+    later = (e for e in clauses.events if e.act == "collide" and not e.passive and e.done and e.word > event.word)
+    unnamed = event.agent.ego and BY.search(event.whole) is None
+    return unnamed and any(e.patient is suffers and not e.agent.ego for e in later)
 
 
 def _may_follow(doer: Entity | None, clauses: Clauses) -> bool:

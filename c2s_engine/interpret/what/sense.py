@@ -10,7 +10,7 @@ from c2s_engine.interpret.what.echoes import echoes
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.halfway import go_after, set_out
 from c2s_engine.interpret.what.heeded import hindered, merged_back, unheeded
-from c2s_engine.interpret.what.looking_back import looking_back
+from c2s_engine.interpret.what.looking_back import looking_back, tried_to_avoid
 from c2s_engine.interpret.what.making_room import makes_room
 from c2s_engine.interpret.what.overtakings import PART, overtakings, round_things
 from c2s_engine.interpret.what.passing import by_the_other_lane, headings, let_past, out_to_pass, passed
@@ -69,6 +69,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     merged_back(clauses)
     before_the_story(cast, clauses)
     looking_back(cast, clauses)
+    tried_to_avoid(cast, clauses)
     set_out(clauses)
     go_after(clauses)
     makes_room(cast, clauses, road)

@@ -89,6 +89,10 @@ class Timing(Afterwards):
             main = self._main(word) if any(self.words[c].norm == "had" for c in word.children) else None
             if main is not None and main.agent is event.agent and word.dep == "relcl":
                 event.order = min(event.order, main.order - 0.2)
+            states = word.dep == "acl" and word.tag == "VBG" or word.dep == "relcl" and word.lemma == "be"
+            beside = self._main(word) if states else None
+            if beside is not None and beside.agent is event.agent and word.i < beside.word:
+                event.order = min(event.order, beside.order - 0.2)  # "when a cyclist riding on the left swerved"
 
     def _order_one(self, event: Event) -> None:
         """Put what a subordinate clause tells before or after what the main one does."""
@@ -111,7 +115,7 @@ class Timing(Afterwards):
         blow = mark in ("when", "as") and event.act == "collide" and event.agent is main.agent
         if blow and event.word > main.word:
             return  # "was turning left when it struck V2"
-        if mark in ("after", "once", "when", "as", "having") and event.word > main.word:
+        if mark in ("after", "once", "when", "as", "having", "because") and event.word > main.word:
             event.order = main.order - 0.4
         elif mark == "before" and event.word < main.word:
             event.order = main.order + 0.4
@@ -136,7 +140,7 @@ class Timing(Afterwards):
         word = self.words[event.word]
         while word.dep in ("conj", "acomp", "attr") and word.head < word.i:
             word = self.words[word.head]
-        main = self._main(word) if word.dep == "relcl" and event.act in BEFORE_THE_BLOW else None
+        main = self._main(word) if word.dep == "relcl" and event.act in BY_WHICH else None
         return main if main is not None and event.word > main.word else None
 
     def joined_to(self, event: Event) -> Event | None:

@@ -17,9 +17,15 @@ def unsaid(cast: Cast, clauses: Clauses) -> None:
     for event in clauses.events:
         if event.act == "collide":
             _by_the_other(cast, event)
-            _by_who_did_not_notice(cast, clauses, event)
         if event.act == "follow" and event.agent.ego and event.patient is None and event.done:
             event.patient = _before(cast, event)
+
+
+def by_who_did_not_notice(cast: Cast, clauses: Clauses) -> None:
+    """Who "did not notice that traffic had stopped and struck V2" strikes, not the traffic."""
+    for event in clauses.events:
+        if event.act == "collide":
+            _by_who_did_not_notice(cast, clauses, event)
 
 
 def _by_the_other(cast: Cast, event: Event) -> None:
@@ -43,7 +49,7 @@ def _by_who_did_not_notice(cast: Cast, clauses: Clauses, event: Event) -> None:
     if any(cast.words[c].dep.startswith("nsubj") for c in word.children):
         return
     who = clauses._subject(above)[0]
-    if who is None or who is event.agent:
+    if who is None or who is event.agent or who.person:  # "a neighbour saw a van pass and hit it"
         return
     event.patient = event.agent if event.patient in (None, who) else event.patient
     event.agent = who

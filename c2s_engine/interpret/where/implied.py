@@ -40,6 +40,8 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _joins(event, of[event.agent])
         if event.done and event.act in ("lane_change", "overtake") and event.agent in of:
             _out_from_behind(event, of)
+        if event.done and event.act == "evade" and event.agent in of and event.patient in of:
+            _ahead_of_who_avoids(event, of)
         if (event.done or event.mode == "negated") and event.agent.ego and event.patient in of:
             _crosses(event, clauses, of[event.patient])
         if event.done and event.agent.ego and event.patient in of:
@@ -73,7 +75,21 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             and event.act in ("approach", "travel", "oncoming")
             and (EACH_OTHER.search(event.text) or MEET_AT.match(event.text))
         ):
-            _towards_each_other(event, of)
+            _towards_each_other(event, clauses, of)
+
+
+def _ahead_of_who_avoids(event: Event, of: dict[Entity, Where]) -> None:
+    """Whom another than ego brakes or swerves for is ahead of that one."""
+    agent, patient = event.agent, event.patient
+    assert patient is not None
+    if (
+        of[patient].open
+        and of[patient].lane is None
+        and agent.mover
+        and not agent.person
+        and of[agent].of is not patient
+    ):
+        of[patient].rel, of[patient].of = "ahead", agent
 
 
 AFTER = re.compile(r"(?:chase|\w+ (?:\w+ )?after) (?:it|him|her|(?:the |its |his |her )?(?:\w+ )?(?:ball|@a\d+))\b")
@@ -187,14 +203,20 @@ EACH_OTHER = re.compile(
 MEET_AT = re.compile(r"(?:meet|converge)\b.*\b(?:intersection|junction|crossroads?|crossing)\b|\w+ .*\bright angles\b")
 
 
-def _towards_each_other(event: Event, of: dict[Entity, Where]) -> None:
+ACROSS_PATH = re.compile(r"\bleft\b.*\b(?:across|in front of|path of)\b")
+
+
+def _towards_each_other(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Of two that approach each other, of which ego is one, the other comes the other way; from the side where they
     meet at a junction."""
     both = [event.agent, *event.also, *([event.patient] if event.patient is not None else [])]
     if not any(e.ego for e in both):
         return
     for other in both:
-        if other in of and other.mover and not other.person and of[other].open:
+        turns = any(
+            e.agent is other and e.act == "turn" and ACROSS_PATH.search(e.text) for e in clauses.events if e.done
+        )
+        if other in of and other.mover and not other.person and of[other].open and not turns:
             of[other].lane = "crossing" if MEET_AT.match(event.text) else "oncoming"
 
 

@@ -32,10 +32,17 @@ BEHIND = re.compile(r"(?:(?!lane|left|right|,|;)\S+ ){1,6}behind (?:the |an? )?(
 STANDING_OR_LED = frozenset(("stationary", "parked", "lead", "oncoming", "crossing"))
 
 
+SHIFTS = frozenset(("lane_change", "drift", "swerve", "cut_out", "evade"))
+
+
 def hit_beside(event: Event, clauses: Clauses, where: Where) -> None:
     """Whom ego hits while it changes lanes is in the lane beside; into whose path it runs a sign crosses."""
     who = event.patient
     assert who is not None
+    if event.act == "collide" and where.lane == "adjacent" and where.side is None:
+        before = (e for e in clauses.events if e.agent.ego and e.done and e.order <= event.order and e.act in SHIFTS)
+        towards = next((s for e in before if (s := side(e))), None)
+        where.lane, where.side = towards or where.lane, towards  # "swerved left and hit a car in the adjacent lane"
     if not who.mover or who.person or not where.open or where.lane is not None or who.roles & STANDING_OR_LED:
         return
     before = [e for e in clauses.events if e.agent.ego and e.done and e.order <= event.order]

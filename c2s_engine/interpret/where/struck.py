@@ -131,6 +131,8 @@ def struck_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None
             _one_behind(hit, of)
         elif HEAD_ON.search(hit.text):
             _head_on(hit, of)
+        elif _in_other_lane(hit, clauses, of):
+            of[hit.agent].lane = "oncoming"
         else:
             _next_in_chain(hit, clauses, of)
             _ahead_of_pushed(hit, clauses, of)
@@ -173,11 +175,25 @@ def _next_in_chain(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> Non
     """Who hits one that has hit ego is behind that one: "V2 hit V1. V3 hit V2"."""
     agent, patient = hit.agent, hit.patient
     assert patient is not None
-    before = (e for e in clauses.events if e.act == "collide" and e.agent is patient and e.done and e.word < hit.word)
-    if agent not in of or patient not in of or not any(e.patient is not None and e.patient.ego for e in before):
+    if agent not in of or patient not in of:
         return
-    if _open(of[agent]) and _open(of[patient]) and agent.mover and not agent.roles & {"oncoming", "crossing"}:
+    hits = [e for e in clauses.events if e.act == "collide" and e.agent is patient and e.done]
+    before = any(e.patient is not None and e.patient.ego for e in hits if e.word < hit.word) and _open(of[patient])
+    after = of[patient].of is None or of[patient].of.ego  # type: ignore[union-attr]
+    waits = of[patient].rel == "behind" and after and of[patient].lane in (None, "same")
+    if not before and not (waits and not any(e.word < hit.word for e in hits if e.patient is agent)):
+        return
+    if _open(of[agent]) and agent.mover and not agent.roles & {"oncoming", "crossing"}:
         of[agent].rel, of[agent].lane, of[agent].of = "behind", "same", patient
+
+
+def _in_other_lane(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> bool:
+    """Whether one is hit that had got into the oncoming lane: by one that comes the other way."""
+    patient = hit.patient
+    if hit.agent not in of or not _open(of[hit.agent]) or patient is None or not hit.agent.mover or hit.agent.person:
+        return False
+    over = any(e.act == "oncoming" and e.agent is patient and e.done and e.order < hit.order for e in clauses.events)
+    return over and (patient.ego or patient in of and of[patient].lane != "oncoming")
 
 
 def _ahead_of_pushed(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:

@@ -39,7 +39,11 @@ class Attached(Riders):
         return told
 
     def _owner_told(self, word: Word, noun: str) -> Entity | None:
-        """Somebody spoken of before, whose vehicle is named now: "a woman was hurt ... the woman's Polo"."""
+        """Somebody spoken of before, whose vehicle is named now: "a woman was hurt ... the woman's Polo"; who is
+        told of right before: "the second, a man in a Rover"."""
+        same = self.of.get(word.head) if word.dep == "appos" else None
+        if same is not None and same.type == "vehicle" and not same.typed and self.words[word.head].span is None:
+            return same
         the = any(self.words[c].norm == "the" for c in word.children)
         vehicle = self.words[word.head] if word.dep == "poss" else None
         told = next((e for e in self.entities if e.person and e.noun == noun and e.count == 1), None)

@@ -65,7 +65,8 @@ class EgoByNoun(Centre):
     def _ego_by(self, noun: str) -> bool:
         """Whether ego was called by that noun ("the DCAS vehicle" makes "the vehicle" ego)."""
         return any(
-            noun and self.words[m.word].norm.split(" ")[-1].split("-")[-1] == noun for m in self.ego.mentions
+            noun and noun in (self.words[m.word].norm, self.words[m.word].norm.split(" ")[-1].split("-")[-1])
+            for m in self.ego.mentions
         ) or (noun == "vehicle" and self.strong_ego and not any(e.type == "vehicle" for e in self.entities))
 
     def _ego_besides(self, noun: str) -> bool:

@@ -204,7 +204,7 @@ class Members(Portions):
                 Entity(
                     "",
                     model.type if of_a_kind else "vehicle",
-                    noun=model.noun,
+                    noun=model.noun if of_a_kind else "",
                     typed=model.typed and of_a_kind,
                     roles=set(model.roles & {"parked", "stationary"}),
                 )

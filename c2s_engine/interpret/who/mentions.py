@@ -17,6 +17,7 @@ from c2s_engine.interpret.entities import (
     fits,
 )
 from c2s_engine.interpret.reading.askers import asked, bystanding, narrator, quoted, riding, told_by_others
+from c2s_engine.interpret.reading.newspaper import has_headline
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.labels import Labels
 
@@ -36,7 +37,8 @@ __all__ = [
 
 
 CARRIED = re.compile(
-    r"\b(?:i|we) (?:was|were|am|are) (?:(?:an?|the|sitting|seated|travell?ing|riding|driving|passengers?|front|back"
+    r"\b(?:i|we|plaintiff|claimant|complainant|insured) (?:was|were|am|are) "
+    r"(?:(?:an?|the|sitting|seated|travell?ing|riding|driving|passengers?|front|back"
     r"|rear|seat|home|to work|from (?:\w+ ){1,2}to \w+) )*(?:in|on|aboard) (?:an?|the|his|her|their"
     r"|my \w+ 's) (?:[\w-]+ ){0,2}$"
 )
@@ -57,6 +59,7 @@ class Cast(Labels):
         self.both: dict[int, list[Entity]] = {}  # whom else a word means that means several
         self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
         self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD") and not _by(words, w)}
+        self.headlined = has_headline(words)
         self.me = self._narrator()
         if self.me is self.ego and not self.asking and riding(" ".join(w.norm for w in words)):
             self.ego.type, self.ego.typed = "motorcycle", True

@@ -76,3 +76,13 @@ def _ego_does(words: list[Word], of: dict[int, Entity], word: Word, near: Entity
         return answers
     sudden = any(w.norm in SUDDENLY for w in words[word.i - 1 : verb.i + 3] if w.sentence == word.sentence)
     return answers and not sudden and "#q" not in nears
+
+
+def still_it(words: list[Word], of: dict[int, Entity], word: Word) -> Entity | None:
+    """Whom "it" meant right before, as the object of the clause on which this hangs: "overtook it as it turned"."""
+    mark = words[word.i - 1].norm if word.i else ""
+    before = next((w for w in reversed(words[: word.i]) if w.norm in ("it", "its") and w.i in of), None)
+    if mark not in ("as", "while", "whilst") or before is None or before.sentence != word.sentence:
+        return None
+    between = [w for w in words[before.i + 1 : word.i] if w.norm == "," or w.dep == "nsubj" or w.i in of]
+    return of[before.i] if before.dep == "dobj" and not between else None

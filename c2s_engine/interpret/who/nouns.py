@@ -215,6 +215,9 @@ class Nouns(Introduced, NotThere, Counted):
                     return entity
         first_told = self._told_again(word, kind, noun, count) if not other and ordinal is None else None
         titled = self._titled(word, kind) if not other and ordinal is None and count == 1 else None
+        new = {"a", "an"} & {previous, *before} and not other and ordinal is None and count == 1
+        if new and titled is None and first_told is None:
+            titled = self._one_of_parties(word, kind, noun)
         if (titled := titled or first_told) is not None:
             return self._retyped(titled, kind, roles, noun)
         if kind != "vehicle" and previous in ("a", "an") or {"a", "an"} & set(before):

@@ -10,6 +10,7 @@ from c2s_engine.interpret.who.ego_by_noun import EgoByNoun
 OWNERS = language.words("owners")
 MOVES = language.word_list("motion") | language.words("strikes") | language.words("manoeuvres")
 MISHAPS = language.words("mishaps")
+AT_REST = frozenset(("parked", "stationary", "stopped", "standing", "stalled", "broken-down"))
 CLAIMS = frozenset(("claimant", "plaintiff", "complainant"))
 AFOOT = frozenset(
     (*language.table("people")["walks"], "run", "cross", "stand", "wait", "load", "unload", "watch", "see")
@@ -27,7 +28,7 @@ class Owned(EgoByNoun):
                 and self.of[child].ego
                 and kind in VEHICLES
                 and word.span is not None
-                and not word.span.data.get("words")
+                and AT_REST.issuperset(word.span.data.get("words") or ())
             ):
                 return self.ego
         owner = next((self.of[c] for c in word.children if self.words[c].dep == "poss" and c in self.of), None)

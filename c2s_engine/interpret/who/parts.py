@@ -66,6 +66,8 @@ class Parts(Strangers):
         if (
             word.lemma in parts
             or word.norm in parts
+            or word.norm in ("left", "right")
+            and self.words[i - 1].norm in ("front", "rear", "back")  # "the front right of V2"
             or word.lemma
             in (
                 "side",

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import cache
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import PERSONS, Entity
+from c2s_engine.interpret.entities import MOTOR, PERSONS, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.parts import DRIVING
 from c2s_engine.interpret.who.salience import Salience
@@ -18,11 +18,15 @@ DRIVERS = frozenset(language.table("people")["drivers"])
 STEERS = language.words("steers")
 MANOEUVRES = language.words("manoeuvres") | {"cut", "pull", "change", "back"}
 STRIKES = language.words("strikes") | {"catch", "knock", "contact"}
+CONTACT = STRIKES | language.words("contact") | {"smash", "slam", "plough", "plow", "shunt", "bump"}
+BODY = language.words("body") | language.words("flanks") | {"boot", "trunk"}
 SAYS = language.words("says")
 PARTIES = language.words("owners")
 REACTS = language.words("reacts")
 AGE = re.compile(r"\b(\d+) ?-? ?year ?-? ?old (?:[\w-]+ ){0,2}$")
-OF_A_CLAIM = re.compile(r"(?:claimant|plaintiff|complainant|insured|policy ?holder)(?: driver)?$")
+OF_A_CLAIM = re.compile(
+    r"(?:(?:my|our) client|claimant|plaintiff|complainant|insured|policy ?holder)(?: driver|'s \w+)?$"
+)
 AFOOT = frozenset((*language.table("people")["walks"], "cross", "run", "cycle", "sit", "see", "watch"))
 OBLIQUE = {"he": "him", "she": "her"}
 AT_THE_WHEEL = frozenset(("driver", "d", "operator", "op", "opr"))
@@ -90,7 +94,9 @@ class Persons(Salience):
         fits = lambda e: alive(e) and not (wanted and e.sex and e.sex != wanted) and not me(e)  # noqa: E731
         told = lambda e: fits(e) and bool(wanted) and e.sex == wanted  # noqa: E731
         sexed = self._salient(word, told) if any(e.person and told(e) for e in self.entities) else None
-        found = self._telling(word, fits) or self._reacting(word, fits) or sexed or self._salient(word, fits)
+        at_wheel = lambda e: fits(e) and not e.person and (e.manned or e.ego)  # noqa: E731
+        owner = self._salient(word, at_wheel) if self._of_a_struck_one(word) else None
+        found = self._telling(word, fits) or self._reacting(word, fits) or owner or sexed or self._salient(word, fits)
         if found is None and mine:
             found = self._salient(word, lambda e: e.mover and not e.ego and e.sex != "i")
         if found is None or not found.manned and found.type not in RIDDEN and self._rests(found):
@@ -104,11 +110,21 @@ class Persons(Salience):
         found = found or self._salient(word, lambda e: e.mover and e.sex != "i" and e.count == 1)
         return found or self._salient(word, lambda e: e.mover and e.sex != "i") or self._unnamed(word)
 
+    def _of_a_struck_one(self, word: Word) -> bool:
+        """Whether it is whose vehicle is hit: of one who drives, not of one on foot ("let a woman cross, when a van hit
+        the rear of her car")."""
+        span = self.words[word.head].span
+        vehicle = span is not None and span.kind == "actor" and span.data["type"] in MOTOR
+        return vehicle and word.dep == "poss" and self._governor(word).lemma in CONTACT
+
     def _striker_of(self, word: Word) -> Entity | None:
         """Who strikes a part of him or her, whom that word therefore does not mean: "the front of the bus caught her
         wheel"."""
-        verb = self._governor(word)
-        if word.dep != "poss" or self.words[word.head].dep != "dobj" or verb.lemma not in STRIKES:
+        verb, part = self._governor(word), self.words[word.head]
+        into = (
+            part.dep == "pobj" and self.words[part.head].norm == "into" and part.lemma in BODY
+        )  # "rode into his door"
+        if word.dep != "poss" or not into and (part.dep != "dobj" or verb.lemma not in STRIKES):
             return None
         subject = next((c for c in verb.children if self.words[c].dep == "nsubj"), None)
         return self.referent(subject) if subject is not None else None

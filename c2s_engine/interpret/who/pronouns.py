@@ -8,10 +8,11 @@ from collections.abc import Callable
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, PERSONS, Entity
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.nearing import comes_near
+from c2s_engine.interpret.who.nearing import comes_near, still_it
 from c2s_engine.interpret.who.taken_up import taken_up
 from c2s_engine.interpret.who.theirs import Theirs
 
+RIDDEN = frozenset(("bicycle", "motorcycle", "rider"))
 SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offside"))
 LOOSE = frozenset(("debris", "box", "obstacle"))
 THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
@@ -148,7 +149,15 @@ class Pronouns(Theirs):
             return animal
         if bumped and word.dep in ("pobj", "dobj") and (lying := self._lies_before(word)) is not None:
             return lying
+        if word.dep == "nsubj" and (same := still_it(self.words, self.of, word)) is not None and fits(same):
+            return same
         apart = self._not_he(word, fits)
+        led = {e for i, e in self.subjects if self.words[i].sentence == word.sentence}
+        vehicle = lambda e: fits(e) and e.count == 1 and not (_rider(e) and e not in led)  # noqa: E731
+        if word.dep != "nsubj" and any(
+            vehicle(e) for i, e in self.of.items() if self.words[i].sentence == word.sentence
+        ):
+            apart = apart or self._salient(word, vehicle)  # "a van was overtaking a cyclist when the car behind it"
         found = apart or self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
         if found is None and bumped:
             found = self._salient(word, lambda e: e.type == "animal")
@@ -322,3 +331,8 @@ class Pronouns(Theirs):
                 return None
             above = self.words[above.head]
         return self.of.get(above.i)
+
+
+def _rider(entity: Entity) -> bool:
+    """Whether one is named as a person, if on two wheels: "it" is rather another."""
+    return language.actor_nouns().get(entity.noun, ("", False, False))[2] and entity.type in RIDDEN

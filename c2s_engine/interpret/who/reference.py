@@ -67,6 +67,7 @@ class Reference(Owned):
             if made and definite and not any(e.noun == noun for e in candidates):
                 return made[-1]  # "a Ford F-150 ... the Ford": a pickup
             candidates = [e for e in candidates if e.noun not in brands or {noun, same} & {e.noun, *e.names}]
+            candidates = [e for e in candidates if count > 1 or not e.noun.endswith("queue")]
         groups = [e for e in candidates if e.count > 1 and e.group is None and "group" not in e.roles]
         if (
             roles
@@ -155,7 +156,9 @@ class Reference(Owned):
             single = [e for e in vehicles if e.count == 1 and "group" not in e.roles]
             itself = self._subject_of(self._governor(word)) if word.dep in ("dobj", "pobj") else None
             single = [e for e in single if e is not itself]  # "the car struck the other car"
-            return None if not single or self._only_one(single) else single[-1]
+            return None if not single or self._only_one(single) or self._explained(word) else single[-1]
+        if ordinal is not None and 0 < len(candidates) <= ordinal and not self.ego_named and count == 1:
+            return None  # "the lead vehicle stopped. The second vehicle ..."
         if ordinal is not None and any(e.ordinal is not None and e.group is None for e in candidates):
             numbered = [e for e in reversed(candidates) if e.ordinal == ordinal and e.group is None]
             unnumbered = [e for e in candidates if e.ordinal is None and ordinal == 0]
@@ -167,16 +170,17 @@ class Reference(Owned):
             return led  # "a van is ahead of ego. The vehicle ahead brakes"
         if definite and count == 1 and not other and (there := self._by_place(word, candidates)) is not None:
             return there
-        if self._distinguished(word) and not any(e.noun == noun or e.type == kind for e in candidates):
+        alike = kind == "rider" or any(e.noun == noun or e.type == kind for e in candidates)
+        if self._distinguished(word) and not alike:
             return None
         if self._distinguished(word) and kind in ("vehicle", "car") and not self._matching_relation(word, candidates):
             return None if candidates or self._relative_to_ego(word) else None
         if count > 1:
             many = [e for e in candidates if e.count > 1 and "group" not in e.roles]
             counted = any(w.norm in language.table("actors")["counts"] for w in self.words[word.i - 2 : word.i])
-            alike = [e for e in many if e.count == count] if counted else many
-            if alike:
-                return alike[-1]
+            many = [e for e in many if e.count == count] if counted else many
+            if many:
+                return many[-1]
             told = {w.norm for w in self.words[max(0, word.i - 2) : word.i]} & ALL_OF_THEM
             every = VEHICLES if noun == "vehicles" else CARS if noun == "cars" else ()
             fitting = [e for e in self.entities if e.type in every] if every else candidates
@@ -238,6 +242,11 @@ class Reference(Owned):
         """Whether there is one only, that was told as one of two ("one vehicle"): the other is still to come."""
         first = those[0].mentions[0].word if those[0].mentions else 0
         return len(those) == 1 and first > 0 and self.words[first - 1].norm == "one" and not self.ego.mentions
+
+    def _explained(self, word: Word) -> bool:
+        """Whether it is told behind a comma for the first time what it is: "the other vehicle, a van, was turning"."""
+        after = [self.words[c] for c in word.children if c > word.i and self.words[c].dep == "appos"]
+        return any({"a", "an"} & {self.words[c].norm for c in w.children} for w in after) and not self.ego_named
 
     def _distinguished(self, word: Word) -> bool:
         """Whether the noun phrase goes on to say which one: "the car in front of it", "the van that ..."."""

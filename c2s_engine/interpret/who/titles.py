@@ -23,6 +23,7 @@ class Titles(Named):
     """The part of Cast that reads titles."""
 
     told: set[int]  # the sentences with a finite verb
+    headlined: bool  # whether the first sentence is a headline
 
     def _titled(self, word: Word, kind: str) -> Entity | None:
         """The driver whom a title named ("Ghost driver at 2 a.m.: ... a wrong-way car comes")."""
@@ -38,6 +39,8 @@ class Titles(Named):
                 return entity
             if entity.type != "vehicle" or not entity.noun.endswith("driver"):
                 continue
+            if not indefinite and any(e.type == kind and kind != "car" for e in self.entities):
+                continue  # "Driver rams patrol car. The cruiser ..."
             between = [w.norm for w in self.words[first.i : word.i]]
             ends = next((w.i for w in self.words[first.i : word.i] if w.norm == ":"), None)
             title = first.sentence == 0 and (self._heading(0) or ends is not None)
@@ -111,8 +114,8 @@ class Titles(Named):
         return placed and any(self.words[c].dep in ("prep", "advmod") and c > word.i for c in word.children)
 
     def _heading(self, sentence: int) -> bool:
-        """Whether a sentence is a title: without a finite verb."""
-        return sentence not in self.told
+        """Whether a sentence is a title: without a finite verb, or the headline of a report."""
+        return sentence not in self.told or sentence == 0 and self.headlined
 
     def _modifiers(self, word: Word) -> list[str]:
         found = []

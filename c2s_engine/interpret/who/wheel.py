@@ -22,7 +22,9 @@ SITS = re.compile(
     r"(?:[\w-]+ ){0,3}$"
 )
 DRIVEN = re.compile(
-    r"@ ?,?(?: ?\(?(?:who )?(?:was|is|were|had been))? (?:(?:operating|driving|riding)(?: (?:an?|his|her|the|their))?"
+    r"@ ?,?(?: ?\(?(?:who )?(?:was|is|were|had been))?(?: at (?:all|the) (?:material|relevant) times?,?)? "
+    r"(?:(?:operating|driving|riding)(?: (?:an?|his|her|the|their))?"
+    r"|the (?:registered )?(?:driver|rider|operator) of (?:an?|the)"
     r"|(?P<how>drove|rode|drives?|rides?|operated|at the wheel of|in charge of|in|on) (?:an?|his|her|the|their|my))"
     r"(?: (?!behind|past|beside|towards?|after|along|around|ahead|before|near|into|with)[\w-]+){0,2} $"
 )
@@ -102,6 +104,13 @@ class AtWheel(Reference):
         verb = self.words[word.head]
         if word.dep == "nsubj" and verb.lemma in CYCLES:
             return self._new(Entity("", "bicycle", typed=True, manned=True, sex=self._sex(word)))
+        after = self.words[word.i + 1] if word.i + 1 < len(self.words) else word
+        if (
+            after.norm == "driving"
+            and after.dep == "acl"
+            and not any(self.words[c].dep == "dobj" for c in after.children)
+        ):
+            return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))  # "a nurse driving home"
         objects = (self.words[c] for c in verb.children if self.words[c].dep == "dobj")
         if (
             word.dep != "nsubj"
@@ -166,7 +175,8 @@ class AtWheel(Reference):
         if drives and told and known is None and (driver := self._who_drove(word)) is not None:
             return driver  # "a van cut us off, and the guy braked"
         steers = verb.lemma in VEHICULAR or MANOEUVRE.match(after) or self._in_a_lane(word) and not WALKS.match(after)
-        if word.dep != "nsubj" or not steers:
+        nearer = any(self.words[c].dep == "nsubj" and word.i < c < verb.i for c in verb.children)
+        if word.dep != "nsubj" or not steers or nearer:  # "a woman to cross, when a van ran into the rear"
             return None
         if known is not None:
             return None if known.person else known
@@ -183,7 +193,7 @@ class AtWheel(Reference):
 
     def _driven_by(self, word: Word) -> Entity | None:
         """Whose vehicle it is in "the defendant, operating a dump truck": the driver and the vehicle are one."""
-        back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
+        back = [w for w in self.words[max(0, word.i - 10) : word.i] if w.sentence == word.sentence]
         text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
         match = DRIVEN.search(text + " ")
         if match is None and (OUR_DRIVER.search(" ".join(w.norm for w in back) + " ") or self._driven_first(word)):
@@ -212,6 +222,10 @@ class AtWheel(Reference):
         """The party who moves in a vehicle: "the suspect fled in a stolen Audi"."""
         by = self.words[word.head]
         verb = self.words[by.head]
+        if by.norm in ("in", "on") and verb.dep == "appos" and verb.head in self.of and word.dep == "pobj":
+            same = self.of[verb.head]  # "the second, a man in a Rover"
+            if same.type == "vehicle" and not same.typed and self.words[verb.head].span is None:
+                return same
         if by.norm not in ("in", "on") or not verb.verb:
             return None
         subjects = [self.of[c] for c in verb.children if self.words[c].dep == "nsubj" and c in self.of]

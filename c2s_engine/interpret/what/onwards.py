@@ -1,0 +1,46 @@
+"""What is told of one by its name or goes on from what it did before: "a left-turning van", "drifted left and mounted
+the kerb"."""
+
+from __future__ import annotations
+
+import re
+
+from c2s_engine.interpret.entities import MOTOR
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.what.towards import side
+from c2s_engine.interpret.who.mentions import Cast
+
+TOWARDS = frozenset(("drift", "swerve", "lane_change", "turn_or_change", "lose_control"))
+TURNING = re.compile(r"\b(?P<side>left|right)[- ]turning\b")
+
+
+def same_side(clauses: Clauses) -> None:
+    """Let who leaves the road after going to one side leave it on that side, where none is told."""
+    for event in clauses.events:
+        if event.act != "leave_road" or not event.done or side(event) is not None:
+            continue
+        here = clauses.words[event.word].sentence
+        before = [e for e in clauses.events if e.agent is event.agent and e.done and e.order < event.order]
+        near = [e for e in before if e.act in TOWARDS and here - clauses.words[e.word].sentence <= 1]
+        if near and near[-1] is max(before, key=lambda e: e.order):
+            event.side = side(near[-1])
+
+
+def turns_by_name(cast: Cast, clauses: Clauses) -> None:
+    """Let one that is only called a turning one, and is in a collision, turn before it."""
+    for entity in cast.entities:
+        told = [e for e in clauses.events if e.done and (entity in (e.agent, e.patient) or e.act == "collide")]
+        blow = next(
+            (e for e in told if e.act == "collide" and (e.patient is None or entity in (e.agent, e.patient))), None
+        )
+        acts = {e.act for e in told if e.agent is entity}
+        if blow is None or entity.type not in MOTOR or not acts <= {"collide", "travel"}:
+            continue
+        for mention in entity.mentions:
+            word = cast.words[mention.word]
+            if match := TURNING.search(word.norm):
+                text = f"turn {match['side']}"
+                at = {"order": blow.order - 0.4, "words": [word.i], "start": word.start, "end": word.end}
+                clauses.events.append(Event("turn", entity, word.i, text, text, side=match["side"], **at))
+                break

@@ -1,0 +1,298 @@
+"""Incident reports of many kinds: headlines before the story, damage, doors, plates, claims, witnesses, chains."""
+
+import pytest
+
+
+def actions(spec) -> list[str]:
+    return [p.action for p in spec.phases]
+
+
+def others(structure) -> list:
+    return [o.spec for o in structure.objects]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The insured was stationary at a zebra crossing, allowing a woman with a pram to cross, when a delivery van "
+        "ran into the rear of her vehicle.",
+        "The insured was stationary at a zebra crossing, letting a man with a stick cross, when a van ran into the "
+        "back of his car.",
+        "The plaintiff was waiting at a crossing to let a woman cross when a van hit the rear of her vehicle.",
+    ],
+)
+def test_the_vehicle_that_is_hit_is_not_that_of_one_on_foot(read, text: str) -> None:
+    s = read(text)
+    walker, van = others(s)
+    assert (walker.type, van.type, s.ego.spec.speed) == ("pedestrian", "van", 0)
+    assert (van.placement.position, van.placement.of) == ("behind", "ego")
+    assert van.phases[-1].action == "collide" and van.phases[-1].target == "ego"
+
+
+def test_a_vehicle_of_one_on_foot_stays_hers(read) -> None:
+    s = read("A woman was hurt when her car left the road and hit a tree.")
+    assert "pedestrian" not in [o.type for o in others(s)]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "other", "last"),
+    [
+        ("Lorry hits cyclist in Leeds. The driver of the lorry turned left without seeing the rider on his nearside.",
+         "truck", "bicycle", ["turn_left", "collide"]),
+        ("Bus hits pedestrian near market. A woman was crossing the road when a bus failed to stop.",
+         "bus", "pedestrian", ["collide"]),
+        ("Van rams patrol car on I-10. The cruiser was parked on the shoulder when a van drifted off the road.",
+         "van", "police_car", ["leave_road", "collide"]),
+    ],
+)  # fmt: skip
+def test_headline_and_story_tell_of_the_same_ones(read, text: str, kind: str, other: str, last: list[str]) -> None:
+    s = read(text)
+    assert (s.ego.spec.type, [o.type for o in others(s)]) == (kind, [other])
+    assert actions(s.ego.spec) == last
+
+
+def test_a_first_sentence_with_articles_is_no_headline(read) -> None:
+    s = read("A bus drives on a road. A car followed the bus. A second car overtook both.")
+    assert len(others(s)) >= 2
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Two cars collided at the junction. A red Honda ran the light and hit a blue Toyota.",
+        "Two cars crash head-on near Tralee. A Renault crossed the centre line and struck an oncoming Hyundai.",
+    ],
+)
+def test_those_who_met_are_told_one_by_one(read, text: str) -> None:
+    s = read(text)
+    assert len(others(s)) == 1 and "collide" in actions(s.ego.spec)
+
+
+def test_somebody_else_is_none_of_those_who_met(read) -> None:
+    s = read("Two cars collided at the junction. A pedestrian stood on the sidewalk.")
+    assert "pedestrian" in [o.type for o in others(s)]
+
+
+@pytest.mark.parametrize(
+    ("text", "striker", "position"),
+    [
+        ("V1 and V2 collided on Elm Road. V1 sustained damage to its front and V2 sustained damage to its rear bumper.",
+         "ego", "ahead"),
+        ("The bus and the lorry collided; the lorry was damaged at the front and the bus at the rear.",
+         "O1", "behind"),
+        ("Contact occurred between both vehicles. The Waymo AV sustained damage to the rear bumper and the other "
+         "vehicle had front damage.", "O1", "behind"),
+        ("They collided in the intersection, causing damage to the front of V1 and the left side of V2.",
+         "ego", "crossing_right"),
+    ],
+)  # fmt: skip
+def test_damage_tells_who_struck_whom(read, text: str, striker: str, position: str) -> None:
+    s = read(text)
+    own = "collide" in actions(s.ego.spec)
+    assert own == (striker == "ego") and ("collide" in actions(others(s)[0])) != own
+    assert others(s)[0].placement.position == position
+
+
+def test_damage_does_not_overrule_what_is_told(read) -> None:
+    s = read("V2 struck V1 in the side. V1 had damage to the front door and V2 to the front bumper.")
+    assert "collide" in actions(others(s)[0])
+
+
+@pytest.mark.parametrize(
+    ("text", "walkers"),
+    [
+        ("A motorist who had pulled in opened his door and a cyclist rode into it.", "bicycle"),
+        (
+            "The driver of a parked Skoda opened the door as the cyclist was passing; the cyclist hit the door.",
+            "bicycle",
+        ),
+        ("Cyclist struck by car door. A motorist opened her door without looking as the rider came past.", "bicycle"),
+    ],
+)
+def test_who_hits_a_door_hits_the_vehicle(read, text: str, walkers: str) -> None:
+    s = read(text)
+    parked = next(o for o in s.objects if o.spec.placement.position == "parked")
+    rider = next(o.spec for o in s.objects if o.spec.type == walkers)
+    assert "collide" in actions(rider)
+    assert next(p.target for p in rider.phases if p.action == "collide") == parked.id
+
+
+def test_a_door_opened_onto_ego(read) -> None:
+    s = read("TP opened his car door onto my client's vehicle as she was driving past at about 20 mph.")
+    assert "collide" in actions(s.ego.spec) and others(s)[0].placement.position == "parked"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A van had pulled over to the side of the road when a truck drifted onto the shoulder and hit it.",
+        "A van had pulled off the road onto the shoulder. A truck drifted onto the shoulder and hit it.",
+        "The driver of the van had pulled in to make a call when a truck left its lane and hit it.",
+    ],
+)
+def test_who_had_pulled_over_stands(read, text: str) -> None:
+    van = next(o for o in others(read(text)) if o.type == "van")
+    assert (van.speed, actions(van)) == (0, ["stationary"])
+
+
+def test_who_pulls_over_does_so(read) -> None:
+    assert actions(read("The van ahead pulled over to the side of the road.").objects[0].spec) != ["stationary"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "My client's vehicle and a taxi registration KX12 ABC collided when the taxi emerged from a side road.",
+        "Our client's car and a taxi, reg. no. SKA 1234, collided when the taxi emerged from a side road.",
+        "My client's car and a taxi bearing licence plate 4-ABC-22 collided when the taxi came out of a side road.",
+    ],
+)
+def test_plates_are_passed_over(read, text: str) -> None:
+    s = read(text)
+    assert [o.placement.position for o in others(s)] == ["crossing_left"] and "collide" in actions(s.ego.spec)
+
+
+def test_who_is_hurt_in_a_collision_is_in_it(read) -> None:
+    s = read("A cyclist was injured in a collision with a bus at a roundabout.")
+    assert (s.ego.spec.type, [o.type for o in others(s)]) == ("bus", ["bicycle"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1 was stopped in traffic. V2 was stopped behind V1. V3 struck V2.",
+        "V1 was stopped. V2 was stopped behind V1. V3 was following V2 and failed to stop, hitting V2.",
+    ],
+)
+def test_the_next_in_a_chain_comes_from_behind(read, text: str) -> None:
+    third = others(read(text))[1]
+    assert (third.placement.position, third.placement.of) == ("behind", "O1")
+
+
+def test_who_did_not_notice_the_queue_strikes(read) -> None:
+    s = read("The driver of the Kia did not notice that the traffic ahead had stopped and rear-ended a Subaru.")
+    assert actions(s.ego.spec) == ["collide"] and [o.name for o in others(s)] == ["subaru"]
+
+
+@pytest.mark.parametrize(
+    ("text", "order"),
+    [
+        ("I hit a parked car because a child ran out in front of me and I had to swerve.", ["swerve", "collide"]),
+        ("The cyclist was struck by the Toyota. The driver said he swerved left but could not avoid the cyclist.",
+         ["swerve", "collide"]),
+        ("The motorcyclist collided with a tractor. The motorcyclist was overtaking the tractor at the time.",
+         ["overtake", "collide"]),
+        ("The driver drifted left, mounted the kerb and hit a lamp post.", ["drift", "leave_road", "collide"]),
+    ],
+)  # fmt: skip
+def test_what_led_to_the_blow_comes_first(read, text: str, order: list[str]) -> None:
+    assert actions(read(text).ego.spec) == order
+
+
+def test_one_side_goes_on(read) -> None:
+    assert read("The driver drifted left, mounted the kerb and hit a lamp post.").ego.spec.phases[1].side == "left"
+
+
+def test_a_turning_one_turns_before_the_blow(read) -> None:
+    s = read("A cyclist going straight on was hit by a right-turning truck.")
+    assert (s.ego.spec.type, actions(s.ego.spec)) == ("truck", ["turn_right", "collide"])
+
+
+def test_potholes_are_nobody(read) -> None:
+    s = read("A motorcycle in front of me suddenly fell after hitting a pothole.")
+    assert actions(others(s)[0]) == ["lose_control"]
+
+
+def test_it_stays_the_same_one(read) -> None:
+    s = read("Our van was waiting to turn right when a motorcycle tried to overtake it on the right as it turned.")
+    assert "turn_left" not in actions(others(s)[0]) and "turn_right" not in actions(others(s)[0])
+
+
+@pytest.mark.parametrize(
+    ("text", "kinds"),
+    [
+        ("P1 (Honda Civic) was northbound. P2 (bicycle) was westbound on the crosswalk. P1 struck P2.", ["bicycle"]),
+        ("P-1 was making a left turn. P-2 was proceeding straight and struck P-1.", ["car"]),
+        ("V-1 was northbound. P-1 was walking across the street. V-1 struck P-1.", ["pedestrian"]),
+    ],
+)
+def test_parties_by_their_letters(read, text: str, kinds: list[str]) -> None:
+    assert [o.type for o in others(read(text))] == kinds
+
+
+def test_witnesses_report(read) -> None:
+    s = read("Witness 2 states that the black Mercedes overtook two cars on a solid line and met the school bus.")
+    assert actions(s.ego.spec) == ["overtake"] and [o.count for o in others(s)] == [2, 1]
+
+
+def test_the_other_vehicle_is_told_of_behind_a_comma(read) -> None:
+    s = read("The Audi was travelling at 91 km/h. The other vehicle, a VW Polo, was turning left across its path.")
+    assert others(s)[0].placement.position == "opposite_approach" and actions(others(s)[0]) == ["turn_left"]
+
+
+def test_who_swerves_hits_who_is_on_that_side(read) -> None:
+    s = read("The claimant swerved to the right to avoid a dog and collided with a car in the adjacent lane.")
+    car = next(o for o in others(s) if o.type == "car")
+    assert car.placement.position == "right_lane"
+
+
+def test_a_participle_shares_the_subject(read) -> None:
+    s = read("The AV was in the left lane when a cyclist travelling in the lane on the right swerved into its lane.")
+    assert actions(s.ego.spec) == [] and actions(others(s)[0])[-1] == "cut_in"
+
+
+def test_contact_of_the_last_two(read) -> None:
+    s = read("An e-scooter rider entered the zebra crossing without stopping; the bus braked but contact was made.")
+    assert (s.ego.spec.type, s.ego.spec.phases[-1].target) == ("bus", "O1")
+
+
+def test_stopped_ahead_in_notes_is_a_state(read) -> None:
+    car = others(read("V1 NB in #2 lane, V2 stopped ahead, V1 struck rear of V2."))[0]
+    assert (car.speed, actions(car)) == (0, ["stationary"])
+
+
+def test_it_was_there_before_it_was_told(read) -> None:
+    s = read("A child was hit as he crossed behind the ice-cream van. The car that hit him was doing 20 mph.")
+    assert s.ego.spec.type == "car" and actions(s.ego.spec) == ["collide"]
+
+
+@pytest.mark.parametrize("name", ["V#", "V #", "Veh #", "U#"])
+def test_numbers_with_a_sign(read, name: str) -> None:
+    s = read(
+        f"{name}1 was northbound. {name}2 was southbound and turned left in front of {name}1. {name}1 hit {name}2."
+    )
+    assert actions(s.ego.spec) == ["collide"] and others(s)[0].placement.position == "opposite_approach"
+
+
+def test_letters_at_the_end_and_corners(read) -> None:
+    s = read("Vehicle A ran a red light. Vehicle B had a green light. The front right of B hit the rear left of A.")
+    assert actions(others(s)[0])[-1] == "collide" and others(s)[0].phases[-1].target == "ego"
+
+
+def test_a_participle_before_by_in_notes(read) -> None:
+    s = read("Bus braked, pedestrian hit by front left corner.")
+    assert (s.ego.spec.type, s.ego.spec.phases[-1].action) == ("bus", "collide")
+
+
+def test_who_told_before_what_others_thought(read) -> None:
+    s = read("Policyholder waiting at give way sign. TP behind thought PH had gone and ran into back of PH.")
+    assert "collide" not in actions(s.ego.spec) and actions(others(s)[0]) == ["collide"]
+
+
+@pytest.mark.parametrize("text", ["V1 follows V2. V2 braked to avoid a dog.", "V2 stopped to avoid a dog. V1 hit V2."])
+def test_who_brakes_to_avoid_does_not_swerve(read, text: str) -> None:
+    car, dog = others(read(text))
+    assert len(car.phases) == 1 and car.phases[0].action in ("brake", "stop")
+    assert (dog.type, dog.placement.of) == ("animal", "O1")
+
+
+def test_who_swerves_to_avoid_swerves(read) -> None:
+    car, cyclist = others(read("V1 follows V2. V2 swerved to avoid a cyclist."))
+    assert actions(car) == ["swerve"] and cyclist.placement.of == "O1"
+
+
+def test_ego_by_what_it_was_said_to_be(read) -> None:
+    s = read(
+        "The subject vehicle, a tow truck, was standing on the shoulder. A semi moved over. An SUV hit the tow truck."
+    )
+    assert others(s)[-1].phases[-1].target == "ego"

@@ -86,16 +86,19 @@ def _at_the_junction(c: Course, p: Phase, other: str, goal: float) -> list[Step]
     spot = [] if c.spotted else meeting_spot(c.actor.plan)
     goal *= 1.2 if "accelerate" in _before(c, p) else 1
     c.set(goal)
-    front = f", 0, {FRONT}" if c.actor.plan.turning and p.target in (None, "ego") else ""
-    timed = c.drive(f"lambda: strike(self, line, {other}, others, spot, {c.speed}{front})")
+    later = ", -0.3" if c.actor.plan.turning and p.target in (None, "ego") else ""  # ego is in the midst of its turn
+    later = f", 0, {FRONT}" if later and c.actor.plan.place.manoeuvre == "left" else later
+    timed = c.drive(f"lambda: strike(self, line, {other}, others, spot, {c.speed}{later})")
     ram = f"do Ram({other}, {scope.number(goal)})"  # where it had to brake it is late
     return [([*spot, timed], "until to_go(line, self, spot) < 1"), ([ram], f"until touch(self, {other})")]
 
 
-def meeting_spot(plan: Plan, amid: bool = True) -> list[str]:
-    """The statements that find where its way meets ego's: as far through the junction as may be where it is `amid`."""
+def meeting_spot(plan: Plan) -> list[str]:
+    """The statements that find where its way meets ego's: as far through ego's turn as may be where that leads across
+    the road."""
     others = f"others = way(egoLane{', egoTurn' if plan.turning else ''})"
-    return [others, f"spot = {'amid(line, others, egoTurn)' if amid and plan.turning else 'meeting(line, others)'}"]
+    across = plan.junction and plan.place.manoeuvre == "left"
+    return [others, f"spot = {'amid(line, others, egoTurn)' if across else 'meeting(line, others)'}"]
 
 
 def sets_out_to_meet(c: Course) -> tuple[list[str], str] | None:

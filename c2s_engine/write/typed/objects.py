@@ -151,7 +151,7 @@ def _driver(
         bends = turn_of(spec.phases) != "STRAIGHT"
         first = scope.reference(structure, cid) if spec.count > 1 else "self"  # the others keep its pace
         statements = [_synchronised(s, prefix, sooner, bends, first) for s in statements]
-        met = meeting_spot(plan, amid=False) if struck else ["spot = meeting(line, way(egoLane, egoTurn))"]
+        met = meeting_spot(plan) if struck else ["spot = meeting(line, way(egoLane, egoTurn))"]
         statements[1:1] = met
     if any(p.action == "run_red" for p in spec.phases):
         statements.insert(1, "take SetTrafficLightAction('red', distance=150)")

@@ -18,7 +18,7 @@ CLOSEST = 0.3
 BEFORE_JUNCTION = 5.0
 """m before a junction where those cross who cross at its crosswalk."""
 HALF_TURN, INTO = 17.0, 20.0
-"""m from the junction's edge to where ego, turning left, is run into by one from the opposite side, for each of them."""
+"""m from the edge of the junction to where ego, turning left, and one from the opposite side meet, for each of them."""
 TURNS_AT = 8.0
 """m/s about at which fast drivers turn."""
 RIGHT_BEHIND = 0.6

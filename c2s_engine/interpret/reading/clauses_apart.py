@@ -21,6 +21,8 @@ SAYS = language.words("says") | language.words("notices") | frozenset(("think", 
 FAULTS = frozenset(("run", "fail", "disregard", "ignore", "neglect", "jump"))
 STANDS = language.words("stands")
 PLACES = frozenset(("behind", "beside", "alongside", "ahead", "before", "opposite"))
+OBJECTS = frozenset(("me", "him", "her", "us", "them"))
+"""What is no subject: "he did not see her and the van struck her"."""
 OWN = frozenset(("its", "his", "her", "their", "my", "our"))
 
 
@@ -191,7 +193,9 @@ def _above(words: list[Word], beside: Word, verb: Word) -> Word | None:
     if subjects and (subjects != [beside.i] or verb.dep != "ccomp"):
         return None
     above = words[verb.head] if subjects else _finite(words, beside)
-    if above is None or above.i >= beside.i or above.i == verb.i or above.lemma in SAYS:
+    if above is None or above.i >= beside.i or above.i == verb.i:
+        return None
+    if above.lemma in SAYS and beside.norm not in OBJECTS:
         return None
     finite = verb.tag in FINITE or any(words[c].dep in ("aux", "auxpass") for c in verb.children)
     return above if finite or verb.tag == "VBN" and not subjects else None

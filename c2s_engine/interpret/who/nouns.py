@@ -103,7 +103,7 @@ class Nouns(Introduced, NotThere, Counted):
             return None
         if self._gone(word, before) or self._only_a_place(word, noun) or self._heads_list(word):
             return None
-        if self._cab_of(word, noun) or data.get("plural") and self._all_of_a_kind(word):
+        if self._cab_of(word, noun) or self._all_of_a_kind(word):
             return None
         if self._writers_own(word, kind):
             return self._retyped(self.ego, kind, roles, noun)
@@ -196,7 +196,7 @@ class Nouns(Introduced, NotThere, Counted):
             named = [e for e in named if not shade or shade & {*e.names, *e.noun.split(" ")}]
             if named:
                 return named[-1]
-        if not other and not ordinal:
+        if not ordinal:
             for entity in self.entities:
                 if (
                     (
@@ -207,11 +207,13 @@ class Nouns(Introduced, NotThere, Counted):
                         and bool(roles & entity.roles)
                     )
                     and len(entity.mentions) == 1
+                    and (not other or self._after_ego(word, entity))
                     and count == entity.count
                     and self._heading(self.words[entity.mentions[0].word].sentence)
                     and self.words[entity.mentions[0].word].sentence < word.sentence
                 ):
                     entity.type = kind
+                    entity.roles |= roles
                     return entity
         first_told = self._told_again(word, kind, noun, count) if not other and ordinal is None else None
         titled = self._titled(word, kind) if not other and ordinal is None and count == 1 else None
@@ -231,7 +233,10 @@ class Nouns(Introduced, NotThere, Counted):
         if kind in PERSONS and self._of_a_person(word, noun):
             return self._new(Entity("", kind, noun=noun, count=count, roles=roles, typed=True))
         if noun in PARTIES and self._other_side(noun):
-            return self._new(Entity("", kind, noun=noun, roles=roles))
+            kind = "pedestrian" if self._party_afoot(word) else kind
+            return self._new(Entity("", kind, noun=noun, roles=roles, typed=kind in PERSONS))
+        if (bare or set(before) <= {"that", ","}) and (party := self._same_party(noun)) is not None:
+            return party
         if definite or bare or (roles and not {"a", "an", "another", "second", "third"} & set(before)):
             found = self._definite(word, kind, noun, roles, other, ordinal, definite, count, bare)
             if found is None and bare and data.get("person") and not roles:
@@ -293,6 +298,8 @@ class Nouns(Introduced, NotThere, Counted):
         """Whether the noun is part of a name ("Van Ness", "Ford")."""
         if not word.text[:1].isupper() or word.text.isupper() or word.i + 1 >= len(self.words) or word.i == 0:
             return False
+        if self._house(word):
+            return True
         before, after = self.words[word.i - 1], self.words[word.i + 1]
         return (
             before.sentence == word.sentence

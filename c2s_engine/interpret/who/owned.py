@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, VEHICLES, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
@@ -11,6 +13,9 @@ OWNERS = language.words("owners")
 MOVES = language.word_list("motion") | language.words("strikes") | language.words("manoeuvres")
 MISHAPS = language.words("mishaps")
 CLAIMS = frozenset(("claimant", "plaintiff", "complainant"))
+ON_FOOT = re.compile(
+    r",? ?(?:[\w-]+ ){0,8}?(?:on foot|walking|(?:on|using) (?:the|an?) (?:[\w-]+ )?(?:crossing|crosswalk))\b"
+)
 AFOOT = frozenset(
     (*language.table("people")["walks"], "run", "cross", "stand", "wait", "load", "unload", "watch", "see")
 )
@@ -33,6 +38,7 @@ class Owned(EgoByNoun):
         owner = next((self.of[c] for c in word.children if self.words[c].dep == "poss" and c in self.of), None)
         if owner is not None and not owner.ego and kind in VEHICLES and owner.noun in OWNERS:
             owner.type, owner.typed = (kind, True) if kind != "vehicle" else (owner.type, owner.typed)
+            owner.count = 1 if not word.span.data.get("plural") else owner.count  # "the defendants' bus"
             return owner  # "the defendant's car"
         if owner is not None and self._own_vehicle(word, owner, kind):
             if owner.type == "vehicle":
@@ -49,6 +55,15 @@ class Owned(EgoByNoun):
         """Whether only the other party of a claim was spoken of: "the claimant was cycling ... the defendant"."""
         known = {e.noun for e in self.entities}
         return noun not in known and bool(known & CLAIMS) != (noun in CLAIMS) and bool(known & OWNERS)
+
+    def _party_afoot(self, word: Word) -> bool:
+        """Whether a party of a claim is told of on foot: "the claimant was crossing the street on foot"."""
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 14] if w.sentence == word.sentence)
+        return ON_FOOT.match(after) is not None
+
+    def _same_party(self, noun: str) -> Entity | None:
+        """Who was called so before, where the word for a party stands like a name: "that respondent, who ..., braked"."""
+        return next((e for e in self.entities if noun in OWNERS and noun in (e.noun, *e.names)), None)
 
     def _of_ego_before(self, word: Word) -> bool:
         """Whether it stands right behind a name of ego that owns it: "the claimant's grey Fiesta"."""

@@ -114,6 +114,10 @@ class Titles(Named):
         """Whether a sentence is a title: without a finite verb."""
         return sentence not in self.told
 
+    def _after_ego(self, word: Word, entity: Entity) -> bool:
+        """Whether ego was told of between a title and "another": "Vehicle leaving a bay. Ego drives. Another car ..."."""
+        return any(entity.mentions[0].word < m.word < word.i for m in self.ego.mentions)
+
     def _modifiers(self, word: Word) -> list[str]:
         found = []
         for i in range(max(0, word.i - 5), word.i):

@@ -157,7 +157,9 @@ def test_over_to_a_side_onto_the_shoulder_is_off_the_road(read, verb: str, where
 
 
 def test_traffic_that_had_backed_up_stands(read) -> None:
-    s = read("The truck was in the right lane at 65 mph. Traffic had backed up. The truck struck the last car in the queue.")
+    s = read(
+        "The truck was in the right lane at 65 mph. Traffic had backed up. The truck struck the last car in the queue."
+    )
     assert "reverse" not in [a for o in s.objects for a in _acts(o)]
     assert "reverse" in _acts(read("The lorry ahead backed up and I braked.").objects[0])
 

@@ -54,10 +54,10 @@ def test_only_questions_with_answers_are_read_so(text: str, said: str) -> None:
     [
         "This is about the grey Astra, I'm calling that car one. Car one was coming up at 30 mph. The van coming the "
         "other way turned left in front of it. The nose of the Astra hit the side of the van.",
-        "The grey Astra, let's call it car one, was coming up at 30 mph. A van coming the other way turned left in front "
-        "of it. Car one hit the side of the van.",
-        "We will call the grey Astra car one. Car one was coming up at 30 mph. The van coming the other way turned left "
-        "in front of it. Car one hit the van.",
+        "The grey Astra, let's call it car one, was coming up at 30 mph. A van coming the other way turned left in "
+        "front of it. Car one hit the side of the van.",
+        "We will call the grey Astra car one. Car one was coming up at 30 mph. The van coming the other way turned "
+        "left in front of it. Car one hit the van.",
     ],
 )
 def test_who_is_called_by_a_number_is_one(read, text: str) -> None:
@@ -71,8 +71,8 @@ def test_who_is_called_by_a_number_is_one(read, text: str) -> None:
     ("text", "kind", "speed"),
     [
         (
-            "The VUT drives at 40 km/h. The adult target (EPTa) stands on the pavement to the right. At TTC 4 s the EPTa "
-            "is propelled at 5 km/h across the road.",
+            "The VUT drives at 40 km/h. The adult target (EPTa) stands on the pavement to the right. At TTC 4 s the "
+            "EPTa is propelled at 5 km/h across the road.",
             "pedestrian",
             1.39,
         ),
@@ -108,7 +108,7 @@ def test_whatever_follows_goes_past(read, text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "deed", ["rolled back two metres into my bonnet", "rolled backwards, a good metre, straight into me"]
+    "deed", ["rolled back two metres into my bonnet", "rolled back, a good metre, straight into me"]
 )
 def test_how_far_one_rolls_back(read, deed: str) -> None:
     s = read(f"I was behind a van at a red light, both of us waiting. Then it {deed}.")
@@ -125,9 +125,7 @@ def test_how_far_one_rolls_back(read, deed: str) -> None:
     ],
 )
 def test_who_leaves_no_way_out_is_only_there(read, why: str) -> None:
-    s = read(
-        f"Ego in the right of two lanes at 90 km/h. A bus in the left lane, level with ego, {why}. A car ahead braked."
-    )
+    s = read(f"Ego in the right of two lanes. A bus in the left lane, level with ego, {why}. A car ahead braked.")
     assert (s.objects[0].spec.placement.position, s.objects[0].spec.placement.along) == ("left_lane", "abreast")
     assert not _acts(s.objects[0])
     assert "lane_change" not in _acts(s.ego)

@@ -5,7 +5,8 @@ import re
 from c2s_engine.interpret.reading.scan import Span
 
 ABBREVIATION = re.compile(
-    r"(?:\b(?:e\.g|i\.e|approx|ca|vs|no|st|ave|rd|dr|mr|mrs|ms|mx|prof|sgt|min|max|fig|sec|incl|etc|resp|veh|est|op|opr)|(?<!\d)(?<!\d )\b[a-z])\.$"
+    r"(?:\b(?:e\.g|i\.e|approx|ca|vs|no|st|ave|rd|dr|mr|mrs|ms|mx|prof|sgt|min|max|fig|sec|incl|etc|resp|veh|est|op|opr)"
+    r"|(?<!\d)(?<!\d )\b[a-z])\.$"
 )
 TITLE = re.compile(r"(?<!\d )\b(?:mr|mrs|ms|mx|prof|sgt)\.$")
 """Before a name: "Mr. Osei"."""

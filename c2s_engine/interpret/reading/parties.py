@@ -19,8 +19,8 @@ BESIDE_EGO = re.compile(
 
 FIRST = re.compile(r"(?<![\w-])(?:i|me|my|we|us|our)(?![\w-])")
 BESIDE_ME = re.compile(
-    r" (?:that was |who was |right |directly |just |immediately )*(?:behind|ahead|in front|beside|alongside|next to|coming"
-    r"|from the (?:left|right|other)|in the (?:next|other|left|right|opposite))\b"
+    r" (?:that was |who was |right |directly |just |immediately )*(?:behind|ahead|in front|beside|alongside|next to"
+    r"|coming|from the (?:left|right|other)|in the (?:next|other|left|right|opposite))\b"
 )
 """What tells that a vehicle of a company is another than the one in which the first person sits."""
 WITHOUT_MOTOR = re.compile(

@@ -6,9 +6,10 @@ from c2s_engine.interpret.reading.rewritten import Replacement
 
 MARK = re.compile(r"(?:(?<=^)|(?<=[.?!\"'’”)\n] )|(?<=\n))(?P<who>Q|A|Question|Answer)[.:]\s+(?=\S)")
 ASKED = re.compile(
-    r"(?P<asks>\b(?:where|how fast|which (?:way|lane)|what (?:way|lane)|what|how|when)?\s*(?:is|was|were|did|had|does)"
-    r"|^and|^what about)\s+(?P<who>(?:the |that |this )?(?:[\w-]+ ){0,2}?(?:(?:car|vehicle|driver|unit) (?:one|two|\d|[ab])"
-    r"|[\w-]+))(?=\s*(?:[,?]|\bdo|\bgo|\bcom|\btravel|\bdriv|\bbrake|\bslow|\bstop|\bturn|\bin\b|\bat\b|\bbefore\b|\bwhen\b|\bthen\b))",
+    r"(?:\b(?:where|how fast|which (?:way|lane)|what (?:way|lane)|what|how|when)?\s*(?:is|was|were|did|had|does)"
+    r"|^and|^what about)\s+(?P<who>(?:the |that |this )?(?:[\w-]+ ){0,2}?"
+    r"(?:(?:car|vehicle|driver|unit) (?:one|two|\d|[ab])|[\w-]+))"
+    r"(?=\s*(?:[,?]|\b(?:do|go|com|travel|driv|brake|slow|stop|turn)|\b(?:in|at|before|when|then)\b))",
     re.IGNORECASE,
 )
 DID = re.compile(r"\bdid (?P<who>[\w -]+?) (?P<verb>brake|slow down|slow|stop|swerve|turn|accelerate|speed up)\b", re.I)
@@ -20,8 +21,9 @@ PAST = {"slow down": "slowed down", "slow": "slowed", "stop": "stopped", "swerve
 GOING = re.compile(r"(?:just )?(?!during|nothing|something|anything|everything)[a-z]{2,}ing\b", re.IGNORECASE)
 PLACED = re.compile(r"(?:in|on|at|behind|ahead|right behind|next to|beside) ", re.IGNORECASE)
 FAST = re.compile(
-    r"(?P<lead>(?:(?!\d)[\w']+[.,] )?)(?P<speed>[^.?!]*\b(?:miles?|mph|km|kilomet\w+|kph|kmh)\b[^.?!]*)[.?!]?", re.I
+    r"(?:(?!\d)[\w']+[.,] )?(?P<speed>[^.?!]*\b(?:miles?|mph|km|kilomet\w+|kph|kmh)\b[^.?!]*)[.?!]?", re.I
 )
+FINITE = re.compile(r"\b(?:was|were|went|doing|going|drove)\b")
 NOBODY = frozenset(("it", "that", "there", "they", "what", "happen", "happened", "he", "she", "this", "anything"))
 
 
@@ -70,11 +72,10 @@ def _answer(said: str, question: str, topic: str) -> list[Replacement]:
         return [(0, yes.end(), f"{name} {past}. ")]
     if did is not None and (no := NO.match(said)):
         return [(0, no.end(), f"{name} did not {did['verb']}. ")]
-    if re.search(r"\bhow fast\b|\bwhat speed\b", question, re.IGNORECASE) and (fast := FAST.match(said)):
-        if not re.search(r"\b(?:was|were|went|doing|going|drove)\b", fast[0]):
-            return [
-                (0, fast.end(), f"{name} was going {fast['speed'].strip()[:1].lower()}{fast['speed'].strip()[1:]}.")
-            ]
+    fast = FAST.match(said) if re.search(r"\bhow fast\b|\bwhat speed\b", question, re.IGNORECASE) else None
+    if fast is not None and not FINITE.search(fast[0]):
+        speed = fast["speed"].strip()
+        return [(0, fast.end(), f"{name} was going {speed[:1].lower()}{speed[1:]}.")]
     if GOING.match(said) or PLACED.match(said):
         return [(0, 1, f"{name} was {said[:1].lower()}")]
     return []

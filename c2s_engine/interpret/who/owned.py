@@ -62,7 +62,7 @@ class Owned(EgoByNoun):
         return ON_FOOT.match(after) is not None
 
     def _same_party(self, noun: str) -> Entity | None:
-        """Who was called so before, where the word for a party stands like a name: "that respondent, who ..., braked"."""
+        """Who was called so before, where the word for a party stands like a name: "that respondent, who ..."."""
         return next((e for e in self.entities if noun in OWNERS and noun in (e.noun, *e.names)), None)
 
     def _of_ego_before(self, word: Word) -> bool:

@@ -115,7 +115,7 @@ class Titles(Named):
         return sentence not in self.told
 
     def _after_ego(self, word: Word, entity: Entity) -> bool:
-        """Whether ego was told of between a title and "another": "Vehicle leaving a bay. Ego drives. Another car ..."."""
+        """Whether ego was told of between a title and "another": "Vehicle pulling out. Ego drives. Another ..."."""
         return any(entity.mentions[0].word < m.word < word.i for m in self.ego.mentions)
 
     def _modifiers(self, word: Word) -> list[str]:

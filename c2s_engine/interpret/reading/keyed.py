@@ -10,6 +10,11 @@ from c2s_engine.interpret.reading.rewritten import Replacement
 CODE = r"(?:0[1-9]|[A-Za-z]{1,4}[-_ ]?[1-9]\d?)"
 NO_CODE = frozenset(language.words("no_codes"))
 """What stands with a number for a step, a case or a lane."""
+NUMBERED = re.compile(
+    r"(?<![\w:./,+-])(?:(?P<noun>participant|party|driver of|driver|road user|vehicle|car|by|of|with|overlooked|hit|struck) )?"
+    r"(?P<code>0[1-9])(?![\w-]|[:./,]\d|\s?(?:m|s|km|km/h|mph|h|am|pm)\b)",
+    re.IGNORECASE,
+)
 MORE = re.compile(rf"\s*(?:,|and|&|/|\+)\s*(?={CODE}\b)")
 COMMENT = re.compile(r"(?P<before>\S?)(?:^|(?<=\s))\s*(?:#|//)[ \t]+(?=(?:the )?[\w][\w -]{0,16}(?:, ?[\w -]{1,8})*: )")
 COMMENTED = re.compile(r"\s*(?:#|//)[ \t]")
@@ -46,7 +51,7 @@ def keyed(text: str) -> list[Replacement]:
     """The labels that codes are read as, with what is told of several codes at once told of each."""
     marked = _comments(text)
     told = [(m, _codes(m["keys"])) for m in _defined().finditer(text)]
-    names = _names(text, [code for _, codes in told for code in codes])
+    names = _names(text, [code for _, codes in told for code in codes] or _numbered(text))
     if not names:
         return marked
     found: list[Replacement] = []
@@ -61,6 +66,13 @@ def keyed(text: str) -> list[Replacement]:
         if not any(s <= start < e for s, e in taken):
             found.append((start, end, new))
     return marked + found
+
+
+def _numbered(text: str) -> list[str]:
+    """The numbers by which a report calls its parties: "participant 01 overlooked 02 ... 02 struck the car"."""
+    found = [m["code"] for m in NUMBERED.finditer(text)]
+    known = sorted({m["code"] for m in NUMBERED.finditer(text) if m["noun"]})
+    return sorted(set(found)) if known and len(set(found)) > 1 and len(found) > 2 else []
 
 
 def _comments(text: str) -> list[Replacement]:
@@ -93,7 +105,8 @@ def _names(text: str, codes: list[str]) -> dict[str, str]:
 def _again(text: str, names: dict[str, str]) -> list[Replacement]:
     codes = "|".join(re.escape(c) for c in sorted(names, key=len, reverse=True))
     pattern = re.compile(
-        rf"(?<![\w:./+-])(?:participant |party )?(?P<code>{codes})(?![\w-]|[:./]\d|\s?(?:m|s|km|km/h|mph|h)\b)", re.I
+        rf"(?<![\w:./+-])(?:participant |party |driver |vehicle |car )?(?P<code>{codes})(?![\w-]|[:./]\d|\s?(?:m|s|km|km/h|mph|h)\b)",
+        re.I,
     )
     return [(m.start(), m.end(), names[m["code"].lower()]) for m in pattern.finditer(text)]
 

@@ -232,7 +232,7 @@ class Nouns(Introduced, NotThere, Counted):
         bare = not {*before} - {","} and previous not in ("a", "an") and not data.get("plural")
         if kind in PERSONS and self._of_a_person(word, noun):
             return self._new(Entity("", kind, noun=noun, count=count, roles=roles, typed=True))
-        if noun in PARTIES and self._other_side(noun):
+        if noun in PARTIES and (self._other_side(noun) or self._drives_another(word)):
             kind = "pedestrian" if self._party_afoot(word) else kind
             return self._new(Entity("", kind, noun=noun, roles=roles, typed=kind in PERSONS))
         if (bare or set(before) <= {"that", ","}) and (party := self._same_party(noun)) is not None:

@@ -13,6 +13,7 @@ OWNERS = language.words("owners")
 MOVES = language.word_list("motion") | language.words("strikes") | language.words("manoeuvres")
 MISHAPS = language.words("mishaps")
 CLAIMS = frozenset(("claimant", "plaintiff", "complainant"))
+STEERS = language.words("steers")
 ON_FOOT = re.compile(
     r",? ?(?:[\w-]+ ){0,8}?(?:on foot|walking|(?:on|using) (?:the|an?) (?:[\w-]+ )?(?:crossing|crosswalk))\b"
 )
@@ -60,6 +61,15 @@ class Owned(EgoByNoun):
         """Whether a party of a claim is told of on foot: "the claimant was crossing the street on foot"."""
         after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 14] if w.sentence == word.sentence)
         return ON_FOOT.match(after) is not None
+
+    def _drives_another(self, word: Word) -> bool:
+        """Whether a party drives something of a type of which nobody was told yet: "a lorry turned. The claimant, riding
+        his bicycle, ..."."""
+        told = [w for w in self.words[word.i + 1 : word.i + 9] if w.sentence == word.sentence]
+        at = next((n for n, w in enumerate(told) if w.norm in STEERS), len(told))
+        spans = (w.span for w in told[at:] if w.span is not None and w.span.kind == "actor")
+        kind = next((s.data["type"] for s in spans), "")
+        return kind in VEHICLES - {"vehicle"} and all(e.type not in (kind, "vehicle") for e in self.entities)
 
     def _same_party(self, noun: str) -> Entity | None:
         """Who was called so before, where the word for a party stands like a name: "that respondent, who ..."."""

@@ -1,4 +1,4 @@
-"""What judges and coroners say, who drives what beside a party, passengers of an automated vehicle, where one steers."""
+"""What judges and coroners say, who drives what beside a party, passengers of automated vehicles, where one steers."""
 
 import pytest
 

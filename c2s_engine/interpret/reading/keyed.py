@@ -11,8 +11,8 @@ CODE = r"(?:0[1-9]|[A-Za-z]{1,4}[-_ ]?[1-9]\d?)"
 NO_CODE = frozenset(language.words("no_codes"))
 """What stands with a number for a step, a case or a lane."""
 NUMBERED = re.compile(
-    r"(?<![\w:./,+-])(?:(?P<noun>participant|party|driver of|driver|road user|vehicle|car|by|of|with|overlooked|hit|struck) )?"
-    r"(?P<code>0[1-9])(?![\w-]|[:./,]\d|\s?(?:m|s|km|km/h|mph|h|am|pm)\b)",
+    r"(?<![\w:./,+-])(?:(?P<noun>participant|party|driver of|driver|road user|vehicle|car|by|of|with|overlooked|hit"
+    r"|struck) )?(?P<code>0[1-9])(?![\w-]|[:./,]\d|\s?(?:m|s|km|km/h|mph|h|am|pm)\b)",
     re.IGNORECASE,
 )
 MORE = re.compile(rf"\s*(?:,|and|&|/|\+)\s*(?={CODE}\b)")
@@ -105,7 +105,8 @@ def _names(text: str, codes: list[str]) -> dict[str, str]:
 def _again(text: str, names: dict[str, str]) -> list[Replacement]:
     codes = "|".join(re.escape(c) for c in sorted(names, key=len, reverse=True))
     pattern = re.compile(
-        rf"(?<![\w:./+-])(?:participant |party |driver |vehicle |car )?(?P<code>{codes})(?![\w-]|[:./]\d|\s?(?:m|s|km|km/h|mph|h)\b)",
+        rf"(?<![\w:./+-])(?:participant |party |driver |vehicle |car )?(?P<code>{codes})"
+        r"(?![\w-]|[:./]\d|\s?(?:m|s|km|km/h|mph|h)\b)",
         re.I,
     )
     return [(m.start(), m.end(), names[m["code"].lower()]) for m in pattern.finditer(text)]

@@ -217,6 +217,7 @@ class Nouns(Introduced, NotThere, Counted):
                     return entity
         first_told = self._told_again(word, kind, noun, count) if not other and ordinal is None else None
         titled = self._titled(word, kind) if not other and ordinal is None and count == 1 else None
+        titled = titled or (self._in_headline(word, kind) if not other and ordinal is None and count == 1 else None)
         if (titled := titled or first_told) is not None:
             return self._retyped(titled, kind, roles, noun)
         if kind != "vehicle" and previous in ("a", "an") or {"a", "an"} & set(before):

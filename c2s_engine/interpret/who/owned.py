@@ -63,8 +63,8 @@ class Owned(EgoByNoun):
         return ON_FOOT.match(after) is not None
 
     def _drives_another(self, word: Word) -> bool:
-        """Whether a party drives something of a type of which nobody was told yet: "a lorry turned. The claimant, riding
-        his bicycle, ..."."""
+        """Whether a party drives something of a type of which nobody was told yet: "a lorry turned. The claimant,
+        riding his bicycle, ..."."""
         told = [w for w in self.words[word.i + 1 : word.i + 9] if w.sentence == word.sentence]
         at = next((n for n, w in enumerate(told) if w.norm in STEERS), len(told))
         spans = (w.span for w in told[at:] if w.span is not None and w.span.kind == "actor")

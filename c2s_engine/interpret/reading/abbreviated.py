@@ -9,6 +9,9 @@ from c2s_engine.interpret.reading.rewritten import Replacement
 from c2s_engine.interpret.reading.scan import names
 
 
+BRACKET = re.compile(r" ?\((?:the )?[\"']?[A-Z][A-Za-z]{0,3}[A-Z][a-z]?[\"']?\)")
+
+
 @cache
 def _explained() -> re.Pattern[str]:
     nouns = language.alternatives([n for n, (kind, _, _) in language.actor_nouns().items() if kind != "vehicle"])
@@ -20,7 +23,7 @@ def _explained() -> re.Pattern[str]:
 
 def abbreviated(text: str) -> list[Replacement]:
     """The noun instead of each later mention; known abbreviations ("the lead car (GVT)") stay."""
-    if text.isupper():
+    if text.isupper() or not BRACKET.search(text):
         return []
     found: list[Replacement] = []
     for match in _explained().finditer(text):

@@ -71,7 +71,7 @@ def keyed(text: str) -> list[Replacement]:
 def _numbered(text: str) -> list[str]:
     """The numbers by which a report calls its parties: "participant 01 overlooked 02 ... 02 struck the car"."""
     found = [m["code"] for m in NUMBERED.finditer(text)]
-    known = sorted({m["code"] for m in NUMBERED.finditer(text) if m["noun"]})
+    known = any((m["noun"] or "by").lower() not in ("by", "of", "with") for m in NUMBERED.finditer(text))
     return sorted(set(found)) if known and len(set(found)) > 1 and len(found) > 2 else []
 
 

@@ -8,7 +8,6 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.rewritten import Replacement
 from c2s_engine.interpret.reading.scan import names
 
-
 BRACKET = re.compile(r" ?\((?:the )?[\"']?[A-Z][A-Za-z]{0,3}[A-Z][a-z]?[\"']?\)")
 
 

@@ -131,6 +131,10 @@ class Titles(Named):
 
     def _after_ego(self, word: Word, entity: Entity) -> bool:
         """Whether ego was told of between a title and "another": "Vehicle pulling out. Ego drives. Another ..."."""
+        first = self.words[entity.mentions[0].word]
+        after = self.words[min(first.i + 1, len(self.words) - 1)]
+        if self._modifiers(first) or first.norm != "vehicle" or after.tag != "VBG":
+            return False
         return any(entity.mentions[0].word < m.word < word.i for m in self.ego.mentions)
 
     def _modifiers(self, word: Word) -> list[str]:

@@ -206,9 +206,9 @@ class NotThere:
             return above.lemma in TEACHES or above.norm in ("for", "to") and not self.words[above.head].verb
         if word.dep != "nsubj" or self.words[word.head].tag != "VBP" or not word.span.data.get("plural"):
             return False
-        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 16] if w.sentence == word.sentence)
+        does = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 16] if w.sentence == word.sentence)
         first = before in (".", ":", ";") or self.words[word.i - 1].sentence != word.sentence
-        if before not in ("many", "most", "some", "all") and not (first and AT_MOST.search(after)):
+        if before not in ("many", "most", "some", "all") and not (first and AT_MOST.search(does)):
             return False
         kind = word.span.data["type"]
         after = [w.span.data for w in self.words[word.i + 1 :] if w.span is not None and w.span.kind == "actor"]
@@ -226,6 +226,6 @@ class NotThere:
         back = [w for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
         capital = [w for w in back if w.text[:1].isupper()]
         named = bool(back) and back[-1 if back[-1] not in capital else 0].norm == "the"
-        assert word.span is not None
         others = (w for w in self.words if w.norm == word.norm and not w.text[:1].isupper())
-        return named and word.span.data["type"] == "animal" and next(others, None) is None
+        animal = word.span is not None and word.span.data["type"] == "animal"
+        return named and animal and next(others, None) is None

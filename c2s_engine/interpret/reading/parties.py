@@ -39,9 +39,9 @@ def other_party(text: str, span: Span) -> bool:
     name, before = text[span.start : span.end], text[: span.start]
     if re.match(r"claimant|plaintiff|complainant", name):
         return "insured" in text or WITHOUT_MOTOR.search(text) is not None
-    if re.match(r"(?:company|fleet|works) ", name):
-        if FIRST.search(text) is not None and BESIDE_ME.match(text, span.end) is not None:
-            return True
+    beside_me = FIRST.search(text) is not None and BESIDE_ME.match(text, span.end) is not None
+    if beside_me and re.match(r"(?:company|fleet|works) ", name):
+        return True
     if (
         re.split(r"[ -]", name)[-1] not in language.actor_nouns()
         or EGO.search(name)

@@ -170,3 +170,19 @@ def test_a_long_apposition_goes_before_the_deed(read) -> None:
     assert _types(s) == ["truck"]
     assert s.objects[0].spec.speed == pytest.approx(22.35, abs=0.1)
     assert _acts(s.objects[0]) == ["collide"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Vehicle 01, a lorry, turned left at the crossing. Its driver overlooked the motorcycle (02) coming the other way."
+        " 02 struck the side of 01.",
+        "Participant 01 drove a lorry and turned left. He overlooked participant 02, a motorcycle coming the other way."
+        " 02 struck the side of 01.",
+    ],
+)
+def test_bare_numbers_of_participants_are_theirs(read, text: str) -> None:
+    s = read(text)
+    assert s.ego.spec.type == "truck"
+    assert _types(s) == ["motorcycle"]
+    assert _acts(s.objects[0])[-1] == "collide"

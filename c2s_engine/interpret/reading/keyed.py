@@ -98,7 +98,7 @@ def _names(text: str, codes: list[str]) -> dict[str, str]:
     own = list(dict.fromkeys(c for c in codes if re.sub(r"[^a-z]", "", c) not in known or c[0] == "0"))
     if len([c for c in own if c[0] == "0"]) < 2:
         own = [c for c in own if c[0] != "0"]
-    other = _ego().search(text) is not None or re.search(r"(?<![\w-])(?:v|unit|vehicle)[ -]?\d", text, re.I)
+    other = _ego().search(text) is not None or re.search(r"(?<![\w-])(?:v|unit|vehicle)[ -]?[1-9]", text, re.I)
     return {code: f"VOI {n}" if other else f"V{n}" for n, code in enumerate(own, 1)}
 
 

@@ -175,7 +175,7 @@ def test_a_long_apposition_goes_before_the_deed(read) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "Vehicle 01, a lorry, turned left at the crossing. Its driver overlooked the motorcycle (02) coming the other way."
+        "Vehicle 01, a lorry, turned left there. Its driver overlooked the motorcycle (02) coming the other way."
         " 02 struck the side of 01.",
         "Participant 01 drove a lorry and turned left. He overlooked participant 02, a motorcycle coming the other way."
         " 02 struck the side of 01.",

@@ -21,6 +21,10 @@ SAYS = language.words("says") | language.words("notices") | frozenset(("think", 
 FAULTS = frozenset(("run", "fail", "disregard", "ignore", "neglect", "jump"))
 STANDS = language.words("stands")
 PLACES = frozenset(("behind", "beside", "alongside", "ahead", "before", "opposite"))
+OBJECTS = frozenset(("me", "him", "her", "us", "them"))
+"""What is no subject: "he did not see her and the van struck her"."""
+PLACE = frozenset(("lane", "road", "street", "side", "direction", "carriageway", "behind", "left", "right"))
+MOVES = language.word_list("motion") | language.words("manoeuvres")
 OWN = frozenset(("its", "his", "her", "their", "my", "our"))
 
 
@@ -124,7 +128,8 @@ def _behind_relative(words: list[Word], verb: Word) -> Word | None:
     above = _upwards(words, noun)
     relative = next((w for w in above[1:] if w.verb), noun)
     who = words[relative.head]
-    direct = noun.dep == "dobj" and who.dep == "ROOT" or verb.tag == "VBD" and who.dep in ("ROOT", "appos")
+    placed = who.dep == "ROOT" and noun.norm in PLACE and verb.lemma in MOVES
+    direct = placed or noun.dep == "dobj" and who.dep == "ROOT" or verb.tag == "VBD" and who.dep in ("ROOT", "appos")
     if relative.dep != "relcl" or not direct or not names_one(who.span, MOVERS):
         return None
     return who if not any(words[c].norm == "by" for c in verb.children) else None
@@ -191,7 +196,9 @@ def _above(words: list[Word], beside: Word, verb: Word) -> Word | None:
     if subjects and (subjects != [beside.i] or verb.dep != "ccomp"):
         return None
     above = words[verb.head] if subjects else _finite(words, beside)
-    if above is None or above.i >= beside.i or above.i == verb.i or above.lemma in SAYS:
+    if above is None or above.i >= beside.i or above.i == verb.i:
+        return None
+    if above.lemma in SAYS and beside.norm not in OBJECTS:
         return None
     finite = verb.tag in FINITE or any(words[c].dep in ("aux", "auxpass") for c in verb.children)
     return above if finite or verb.tag == "VBN" and not subjects else None

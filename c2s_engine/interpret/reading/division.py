@@ -5,7 +5,8 @@ import re
 from c2s_engine.interpret.reading.scan import Span
 
 ABBREVIATION = re.compile(
-    r"(?:\b(?:e\.g|i\.e|approx|ca|vs|no|st|ave|rd|dr|mr|mrs|ms|mx|prof|sgt|min|max|fig|sec|incl|etc|resp|veh)|\b[a-z])\.$"
+    r"(?:\b(?:e\.g|i\.e|approx|ca|vs|no|st|ave|rd|dr|mr|mrs|ms|mx|prof|sgt|min|max|fig|sec|incl|etc|resp|veh|est|op|opr)"
+    r"|(?<!\d)(?<!\d )\b[a-z])\.$"
 )
 TITLE = re.compile(r"(?<!\d )\b(?:mr|mrs|ms|mx|prof|sgt)\.$")
 """Before a name: "Mr. Osei"."""
@@ -26,7 +27,7 @@ def sentences(text: str) -> list[tuple[int, int]]:
             if (
                 TITLE.search(before.lower())
                 or not re.match(r"[A-Z]", rest)
-                or re.search(r"\b(?:e\.g|i\.e|approx|vs|no|veh)\.$", before.lower())
+                or re.search(r"\b(?:e\.g|i\.e|approx|vs|no|veh|est|op|opr)\.$", before.lower())
             ):
                 continue
         if match[0].startswith("\n") and "\n\n" not in text[match.start() : match.end() + 1]:

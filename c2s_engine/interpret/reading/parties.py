@@ -18,10 +18,18 @@ BESIDE_EGO = re.compile(
 )
 
 
+FIRST = re.compile(r"(?<![\w-])(?:i|me|my|we|us|our)(?![\w-])")
+BESIDE_ME = re.compile(
+    r" (?:that was |who was |right |directly |just |immediately )*(?:behind|ahead|in front|beside|alongside|next to"
+    r"|coming|from the (?:left|right|other)|in the (?:next|other|left|right|opposite))\b"
+)
+"""What tells that a vehicle of a company is another than the one in which the first person sits."""
 WITHOUT_MOTOR = re.compile(
     r"\b(?:claimant|plaintiff|complainant)(?:,? (?!s\b)[\w-]+){0,6}?,? "
     r"(?:(?:riding|rode|on) (?:his|her|an?) (?:[\w-]+ )?"
-    r"(?:bicycle|bike|push ?bike|cycle|e-bike)|cycl(?:ing|ed)|pedestrian|cyclist|walk(?:ing|ed)|on foot|stepped)\b"
+    r"(?:bicycle|bike|push ?bike|cycle|e-bike)|cycl(?:ing|ed)|pedestrian(?! crossing)|cyclist|walk(?:ing|ed)|on foot"
+    r"|stepped|crossing (?:the|a) (?:[\w-]+ ){1,6}?on foot|(?:was|were)(?: [\w-]+){0,2} (?:on|using) (?:the|an?)"
+    r" (?:[\w-]+ )?(?:crossing|crosswalk))\b"
 )
 """A party of a claim that is on a bicycle or on foot."""
 
@@ -32,6 +40,9 @@ def other_party(text: str, span: Span) -> bool:
     name, before = text[span.start : span.end], text[: span.start]
     if re.match(r"claimant|plaintiff|complainant", name):
         return "insured" in text or WITHOUT_MOTOR.search(text) is not None
+    beside_me = FIRST.search(text) is not None and BESIDE_ME.match(text, span.end) is not None
+    if beside_me and re.match(r"(?:company|fleet|works) ", name):
+        return True
     if (
         re.split(r"[ -]", name)[-1] not in language.actor_nouns()
         or EGO.search(name)

@@ -51,7 +51,8 @@ def _label() -> re.Pattern[str]:
 @cache
 def _letter() -> re.Pattern[str]:
     return re.compile(
-        r"(?<![\w-])(?:the )?(?P<word>lv|pov|fv|tv|gvt|vt|bv|ov|nv|sov|evt|pv|ltv|civ|cov)(?P<id>[1-9]?)(?![\w-])"
+        r"(?<![\w-])(?:the )?(?P<word>lv|pov|fv|tv|gvt|vt|bv|ov|nv|sov|evt(?! ?#?\d\d)|pv|ltv|civ|cov)"
+        r"(?P<id>[1-9]?)(?![\w-])"
     )
 
 

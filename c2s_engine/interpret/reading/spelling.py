@@ -5,9 +5,11 @@ from functools import cache
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading import (
+    abbreviated,
     each_apart,
     grids,
     inverted,
+    keyed,
     notation,
     only_one,
     pairs,
@@ -15,6 +17,7 @@ from c2s_engine.interpret.reading import (
     respectively,
     structured,
     telegraphic,
+    testimony,
 )
 from c2s_engine.interpret.reading.motions import irregular
 from c2s_engine.interpret.reading.rewritten import Replacement, Rewritten
@@ -35,6 +38,9 @@ class Mended:
             only_one.only_one,
             pairs.pairs,
             grids.grids,
+            testimony.testimony,
+            keyed.keyed,
+            abbreviated.abbreviated,
             notation.fields,
             *unneeded,
             notation.signs,

@@ -19,7 +19,10 @@ CHANGE = re.compile(
 )
 JOINED = re.compile(r"\s*(?:and|&|\+|/)\s*$")
 SKIPS = re.compile(r"[\s,:=-]*(?:(?:and|then)\s+)?")
-LINKS = re.compile(r"(?:with|without|towards?|near|behind|in|on|at|by|past|after|before|between|under|off|facing)\b")
+LINKS = re.compile(
+    r"(?:with|without|ahead of|beside|alongside|next to|towards?|near|behind|in|on|at|by|past|after|before|between"
+    r"|under|off|facing)\b"
+)
 PARTICIPLE = re.compile(r"(?!going\b|coming\b|during\b|following\b|leading\b|oncoming\b|nothing\b)[a-z]{3,}ing\b")
 
 

@@ -19,6 +19,14 @@ OF_THE_WAY = re.compile(
 """What stands before a "clear" that is no weather: "let the bus clear", "the road was clear"."""
 
 
+EXCLUDED = re.compile(
+    r"(?:[- ]?time)?(?: (?:driving|operations?|runs?|tests?|use))? (?:is|are|was|were) "
+    r"(?:not(?= ?[,.;:]| (?:permitted|allowed|covered|supported|part|included|within|in scope))"
+    r"|excluded|forbidden|ruled out|prohibited|outside|out of scope)"
+)
+"""What says that a time of day is none of the scene: "darkness is not (permitted)"."""
+
+
 @dataclass(frozen=True)
 class Found:
     """A value of a setting, how sure it is (0..1), and where the text says so."""
@@ -45,7 +53,13 @@ def _hits(section: str, plain: str, sentences: list[tuple[int, int]]) -> list[Fo
                 continue
             for match in pattern.finditer(sentence):
                 before = sentence[max(0, match.start() - 30) : match.start()]
-                if NEGATED.search(before) or match[0].strip(" ,.;") == "clear" and OF_THE_WAY.search(before):
+                excluded = section == "time" and EXCLUDED.match(sentence, match.end())
+                if (
+                    excluded
+                    or NEGATED.search(before)
+                    or match[0].strip(" ,.;") == "clear"
+                    and OF_THE_WAY.search(before)
+                ):
                     continue
                 found.append(Found(value, 0.9, (start + match.start(), start + match.end())))
                 break

@@ -15,6 +15,7 @@ HITS = CONTACT | language.words("strikes")
 BODY = language.words("body")
 ON_FOOT = language.words("on_foot")
 STANDS_STILL = language.words("stands_still")
+STEERS = language.words("steers")
 
 
 class Subjectless(Meanings):
@@ -144,8 +145,10 @@ class Subjectless(Meanings):
         clause tells of somebody who cannot do it ("while reversing, a child was struck"): ego does it."""
         if agent.ego or any(self.words[c].dep in ("nsubj", "nsubjpass", "expl") for c in word.children):
             return False
-        if self._qualified(word) is agent:
-            return False
+        before = [w.i for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]
+        told = word.norm in STEERS and any(self.cast.of.get(i) is agent for i in before)
+        if told or self._qualified(word) is agent:
+            return False  # "a man, driving his van at 40 mph, came from the left"
         if self._fronted_drive(word, agent):
             return True
         return any(self.words[c].dep == "dobj" and self.cast.of.get(c) is agent for c in word.children)

@@ -86,6 +86,8 @@ class Named(AtWheel):
                 return self._new(Entity("", "bicycle", typed=True))
             if (
                 verb.lemma in WALKS
+                or verb.lemma in ("leave", "set", "go", "return", "head")
+                and AFOOT.search(clause)
                 or verb.lemma in ("cross", "run", "come", "strike", "hit")
                 and (AFOOT.search(clause) or verb.tag != "VBN" and ACROSS.search(clause))
             ):

@@ -40,6 +40,9 @@ PLACED_BY = frozenset(("between", "at", "by", "near", "beside", "past", "outside
 HEADS = frozenset(("actors", "objects", "vehicles", "participants", "users", "agents", "npcs", "obstacles", "others"))
 GROWS = frozenset(("trees", "bushes", "hedges", "shrubs", "shrubbery"))
 FACES = frozenset(("facing", "face", "faces", "against"))
+TEACHES = SAYS | {"teach", "remind", "warn", "preach", "show"}
+AT_MOST = re.compile(r"\b(?:no (?:faster|slower|more|less|quicker) than|at (?:most|least)|never exceed)\b")
+"""What a kind is assumed to do."""
 STILL_THERE = re.compile(r"(?:(?:driving|travelling|traveling|going|just|right|directly) )*(?:ahead|in front)\b")
 
 
@@ -194,10 +197,18 @@ class NotThere:
         return any(e.noun.endswith(("cab", "taxi")) for e in self.of.values())
 
     def _all_of_a_kind(self, word: Word) -> bool:
-        """Whether all of a kind are spoken of, not who is there: "many tractors turn off without a warning"."""
+        """Whether all of a kind are spoken of, not who is there: "many tractors turn off without a warning", "I tell
+        every learner", "assumption: children run no faster than 3 m/s"."""
         assert word.span is not None
-        kinds = self.words[word.i - 1].norm in ("many", "most", "some", "all") and word.dep == "nsubj"
-        if not kinds or self.words[word.head].tag != "VBP":
+        before = self.words[word.i - 1].norm
+        if before in ("every", "each", "any") and word.dep in ("dobj", "dative", "pobj", "iobj"):
+            above = self.words[word.head]
+            return above.lemma in TEACHES or above.norm in ("for", "to") and not self.words[above.head].verb
+        if word.dep != "nsubj" or self.words[word.head].tag != "VBP" or not word.span.data.get("plural"):
+            return False
+        does = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 16] if w.sentence == word.sentence)
+        first = before in (".", ":", ";") or self.words[word.i - 1].sentence != word.sentence
+        if before not in ("many", "most", "some", "all") and not (first and AT_MOST.search(does)):
             return False
         kind = word.span.data["type"]
         after = [w.span.data for w in self.words[word.i + 1 :] if w.span is not None and w.span.kind == "actor"]
@@ -209,3 +220,12 @@ class NotThere:
         by = self.words[word.head]
         hides = by.norm == "by" and irregular().get(self.words[by.head].norm, self.words[by.head].lemma) in HIDES
         return noun in FIXED and word.dep == "pobj" and by.norm in PLACED_BY and not hides
+
+    def _house(self, word: Word) -> bool:
+        """Whether an animal is the name of a house: "she left the Fox on foot", "outside the Red Lion"."""
+        back = [w for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
+        capital = [w for w in back if w.text[:1].isupper()]
+        named = bool(back) and back[-1 if back[-1] not in capital else 0].norm == "the"
+        others = (w for w in self.words if w.norm == word.norm and not w.text[:1].isupper())
+        animal = word.span is not None and word.span.data["type"] == "animal"
+        return named and animal and next(others, None) is None

@@ -103,7 +103,7 @@ class Nouns(Introduced, NotThere, Counted):
             return None
         if self._gone(word, before) or self._only_a_place(word, noun) or self._heads_list(word):
             return None
-        if self._cab_of(word, noun) or data.get("plural") and self._all_of_a_kind(word):
+        if self._cab_of(word, noun) or self._all_of_a_kind(word):
             return None
         if self._writers_own(word, kind):
             return self._retyped(self.ego, kind, roles, noun)
@@ -196,7 +196,7 @@ class Nouns(Introduced, NotThere, Counted):
             named = [e for e in named if not shade or shade & {*e.names, *e.noun.split(" ")}]
             if named:
                 return named[-1]
-        if not other and not ordinal:
+        if not ordinal:
             for entity in self.entities:
                 if (
                     (
@@ -207,14 +207,17 @@ class Nouns(Introduced, NotThere, Counted):
                         and bool(roles & entity.roles)
                     )
                     and len(entity.mentions) == 1
+                    and (not other or self._after_ego(word, entity))
                     and count == entity.count
                     and self._heading(self.words[entity.mentions[0].word].sentence)
                     and self.words[entity.mentions[0].word].sentence < word.sentence
                 ):
                     entity.type = kind
+                    entity.roles |= roles
                     return entity
         first_told = self._told_again(word, kind, noun, count) if not other and ordinal is None else None
         titled = self._titled(word, kind) if not other and ordinal is None and count == 1 else None
+        titled = titled or (self._in_headline(word, kind) if not other and ordinal is None and count == 1 else None)
         new = {"a", "an"} & {previous, *before} and not other and ordinal is None and count == 1
         if new and titled is None and first_told is None:
             titled = self._one_of_parties(word, kind, noun)
@@ -233,8 +236,11 @@ class Nouns(Introduced, NotThere, Counted):
         bare = not {*before} - {","} and previous not in ("a", "an") and not data.get("plural")
         if kind in PERSONS and self._of_a_person(word, noun):
             return self._new(Entity("", kind, noun=noun, count=count, roles=roles, typed=True))
-        if noun in PARTIES and self._other_side(noun):
-            return self._new(Entity("", kind, noun=noun, roles=roles))
+        if noun in PARTIES and (self._other_side(noun) or self._drives_another(word)):
+            kind = "pedestrian" if self._party_afoot(word) else kind
+            return self._new(Entity("", kind, noun=noun, roles=roles, typed=kind in PERSONS))
+        if (bare or set(before) <= {"that", ","}) and (party := self._same_party(noun)) is not None:
+            return party
         if definite or bare or (roles and not {"a", "an", "another", "second", "third"} & set(before)):
             found = self._definite(word, kind, noun, roles, other, ordinal, definite, count, bare)
             if found is None and bare and data.get("person") and not roles:
@@ -296,6 +302,8 @@ class Nouns(Introduced, NotThere, Counted):
         """Whether the noun is part of a name ("Van Ness", "Ford")."""
         if not word.text[:1].isupper() or word.text.isupper() or word.i + 1 >= len(self.words) or word.i == 0:
             return False
+        if self._house(word):
+            return True
         before, after = self.words[word.i - 1], self.words[word.i + 1]
         return (
             before.sentence == word.sentence

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, VEHICLES, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
@@ -12,6 +14,10 @@ MOVES = language.word_list("motion") | language.words("strikes") | language.word
 MISHAPS = language.words("mishaps")
 AT_REST = frozenset(("parked", "stationary", "stopped", "standing", "stalled", "broken-down"))
 CLAIMS = frozenset(("claimant", "plaintiff", "complainant"))
+STEERS = language.words("steers")
+ON_FOOT = re.compile(
+    r",? ?(?:[\w-]+ ){0,8}?(?:on foot|walking|(?:on|using) (?:the|an?) (?:[\w-]+ )?(?:crossing|crosswalk))\b"
+)
 AFOOT = frozenset(
     (*language.table("people")["walks"], "run", "cross", "stand", "wait", "load", "unload", "watch", "see")
 )
@@ -34,6 +40,7 @@ class Owned(EgoByNoun):
         owner = next((self.of[c] for c in word.children if self.words[c].dep == "poss" and c in self.of), None)
         if owner is not None and not owner.ego and kind in VEHICLES and owner.noun in OWNERS:
             owner.type, owner.typed = (kind, True) if kind != "vehicle" else (owner.type, owner.typed)
+            owner.count = 1 if not word.span.data.get("plural") else owner.count  # "the defendants' bus"
             return owner  # "the defendant's car"
         if owner is not None and self._own_vehicle(word, owner, kind):
             if owner.type == "vehicle":
@@ -50,6 +57,24 @@ class Owned(EgoByNoun):
         """Whether only the other party of a claim was spoken of: "the claimant was cycling ... the defendant"."""
         known = {e.noun for e in self.entities}
         return noun not in known and bool(known & CLAIMS) != (noun in CLAIMS) and bool(known & OWNERS)
+
+    def _party_afoot(self, word: Word) -> bool:
+        """Whether a party of a claim is told of on foot: "the claimant was crossing the street on foot"."""
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 14] if w.sentence == word.sentence)
+        return ON_FOOT.match(after) is not None
+
+    def _drives_another(self, word: Word) -> bool:
+        """Whether a party drives something of a type of which nobody was told yet: "a lorry turned. The claimant,
+        riding his bicycle, ..."."""
+        told = [w for w in self.words[word.i + 1 : word.i + 9] if w.sentence == word.sentence]
+        at = next((n for n, w in enumerate(told) if w.norm in STEERS), len(told))
+        spans = (w.span for w in told[at:] if w.span is not None and w.span.kind == "actor")
+        kind = next((s.data["type"] for s in spans), "")
+        return kind in VEHICLES - {"vehicle"} and all(e.type not in (kind, "vehicle") for e in self.entities)
+
+    def _same_party(self, noun: str) -> Entity | None:
+        """Who was called so before, where the word for a party stands like a name: "that respondent, who ..."."""
+        return next((e for e in self.entities if noun in OWNERS and noun in (e.noun, *e.names)), None)
 
     def _of_ego_before(self, word: Word) -> bool:
         """Whether it stands right behind a name of ego that owns it: "the claimant's grey Fiesta"."""

@@ -57,7 +57,7 @@ class Pronouns(Theirs):
         if norm in ("who", "which", "that", "whose", "whom") and (word.tag in ("WDT", "WP", "WP$") or taken):
             return self._somebody(word, self._antecedent(word))
         if norm in ("it", "its", "itself"):
-            if word.dep == "expl" or self._weather_it(word):
+            if word.dep == "expl" or self._weather_it(word) or self._after_a_toy(word):
                 return None
             if (
                 word.dep == "dobj"

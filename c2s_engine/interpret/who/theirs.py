@@ -9,6 +9,7 @@ from c2s_engine.interpret.who.persons import Persons
 
 STRIKES = language.words("strikes")
 TOGETHER = frozenset(("couple", "family", "friends", "group", "pair", "crew"))
+TOYS = language.words("toys")
 HALTS = frozenset(("stop", "slow", "brake", "halt", "wait", "pull"))
 
 
@@ -24,6 +25,13 @@ class Theirs(Persons):
         own = word.dep == "poss" and span is not None and span.kind == "actor" and span.data["type"] in MOTOR
         told = [e for e in (self.ego, *self.entities) if e.manned and e.names & TOGETHER and not e.person]
         return told[-1] if own and told else None
+
+    def _after_a_toy(self, word: Word) -> bool:
+        """Whether "it" is a ball or the like that somebody runs after: no road user."""
+        before = [w for w in self.words[: word.i] if w.sentence >= word.sentence - 1]
+        chases = before and (before[-1].norm == "after" or before[-1].lemma == "chase")
+        toys = [w for w in before if w.noun and w.norm.split(" ")[-1] in TOYS]
+        return bool(chases and toys) and toys[-1].i not in self.of
 
     def _of_the_other(self, word: Word) -> Entity | None:
         """Whose part is struck, of those who did something right before: "the van pulled out in front of the bus and

@@ -49,6 +49,21 @@ class Titles(Named):
                 return entity
         return None
 
+    def _in_headline(self, word: Word, kind: str) -> Entity | None:
+        """The one on foot or the animal of a headline, which is told of as a new one then: "Boy runs out: a driver
+        stopped when a seven-year-old ran out", "Dog escapes: ... a terrier"."""
+        before = {*self._modifiers(word), *(w.norm for w in self.words[max(0, word.i - 1) : word.i])}
+        if kind not in PERSONS or not before & {"a", "an"}:
+            return None
+        colon = next((w.i for w in self.words[:16] if w.norm == ":" and w.sentence == 0), None)
+        if colon is None or word.i < colon or any(w.norm in ("a", "an") for w in self.words[:colon]):
+            return None
+        told = [e for e in self.entities if e.mentions and e.mentions[0].word < colon and e.type in PERSONS]
+        if len(told) != 1 or told[0].count != 1 or any(m.word > colon for m in told[0].mentions):
+            return None
+        same = told[0].type == kind or {told[0].type, kind} == {"pedestrian", "child"}
+        return told[0] if same else None
+
     def _told_again(self, word: Word, kind: str, noun: str, count: int) -> Entity | None:
         """Who was told of in short before: "a car hit a woman. According to the police, a grey estate car was ...";
         a bare plural that was counted before ("two donkeys stood there. ... Donkeys unbothered")."""
@@ -116,6 +131,14 @@ class Titles(Named):
     def _heading(self, sentence: int) -> bool:
         """Whether a sentence is a title: without a finite verb, or the headline of a report."""
         return sentence not in self.told or sentence == 0 and self.headlined
+
+    def _after_ego(self, word: Word, entity: Entity) -> bool:
+        """Whether ego was told of between a title and "another": "Vehicle pulling out. Ego drives. Another ..."."""
+        first = self.words[entity.mentions[0].word]
+        after = self.words[min(first.i + 1, len(self.words) - 1)]
+        if self._modifiers(first) or first.norm != "vehicle" or after.tag != "VBG":
+            return False
+        return any(entity.mentions[0].word < m.word < word.i for m in self.ego.mentions)
 
     def _modifiers(self, word: Word) -> list[str]:
         found = []

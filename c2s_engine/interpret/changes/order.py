@@ -12,12 +12,14 @@ from c2s_engine.interpret.changes.roadsides import roadside
 from c2s_engine.interpret.changes.scene import ending, length, own_lane, road, setting
 from c2s_engine.interpret.changes.signs import sign
 from c2s_engine.interpret.changes.speed import kept, speed, speed_difference, still, walked
+from c2s_engine.interpret.changes.steps import step
 from c2s_engine.interpret.changes.swap import swapped
 from c2s_engine.interpret.changes.timing import at_once, cancelled, shifted
 from c2s_engine.interpret.changes.told import acting, standing
 
 FORMS: tuple[Form, ...] = (
     ending,
+    step,
     length,
     blueprint,
     uncovered,

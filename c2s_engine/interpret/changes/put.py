@@ -15,6 +15,7 @@ from c2s_engine.interpret.changes.counted import numbered
 from c2s_engine.interpret.changes.meant import called_by, described
 from c2s_engine.interpret.changes.members import others
 from c2s_engine.interpret.changes.old_values import in_place_of_old
+from c2s_engine.interpret.changes.pointed import pointed
 from c2s_engine.interpret.changes.refer import actions_of, objects_of, refer, spec_of
 from c2s_engine.interpret.changes.resumed import resumed
 from c2s_engine.interpret.changes.sided import sided
@@ -34,7 +35,7 @@ def _table() -> dict[str, Any]:
 
 def plainly(plain: str, structure: Structure) -> str:
     """A turn with each of its sentences put plainly."""
-    plain = _coming(_labelled(plain, structure), structure)
+    plain = _coming(_labelled(pointed(plain, structure), structure), structure)
     for find, new in _table()["before"]:
         plain = re.sub(find, new, plain)
     plain = re.sub(_table()["pair"], lambda m: _pair(structure) or m[0], plain)

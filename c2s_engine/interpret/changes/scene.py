@@ -127,7 +127,7 @@ def road(clause: str, structure: Structure) -> Found | None:
         update["arms"] = found.arms
     if found.control and (kind or old.kind) == "intersection":
         update["control"] = found.control
-    lanes = re.search(r"\b(one|two|three|four|[1-4]) lanes?\b", clause)
+    lanes = re.search(r"\b(one|two|three|four|[1-4]) lanes?\b(?![ -]chang)", clause)
     if found.lanes or lanes:
         words = {"one": 1, "two": 2, "three": 3, "four": 4}
         update["lanes"] = (words.get(lanes[1]) or int(lanes[1])) if lanes else found.lanes

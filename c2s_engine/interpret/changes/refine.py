@@ -5,6 +5,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import limits, notes, order
+from c2s_engine.interpret.changes.all_of_them import each_of_all
 from c2s_engine.interpret.changes.demands import demands, only_one, topic_of, whole
 from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.interpret.changes.speed import walked
@@ -25,7 +26,7 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     current = structure
     told, text = text, notes.text_of(text, structure)
     before, topic = "", topic_of(text, structure) or topic_of(told, structure) or only_one(text, structure)
-    parts = limits.in_order(demands(text))
+    parts = [d for part in limits.in_order(demands(text)) for d in each_of_all(part, structure)]
     if len(parts) > 1 and not order.retype(parts[0], structure):
         of_new = _of_the_new(parts, structure)
         if len(of_new) > 1 and (new := introduced(of_new, structure)):

@@ -230,6 +230,7 @@ def length(clause: str, structure: Structure) -> Found | None:
         quantity is None
         or not re.search(r"\b(run|last|simulat\w+|duration|end|terminate|stop|length|scenario)\b|^[\d.]+ ?\w+$", clause)
         or scan.names(clause)
+        or re.search(r"\bo\d\b", clause)
     ):
         return None
     value = min(120.0, max(1.0, quantity["high"]))

@@ -6,14 +6,14 @@ from typing import Literal
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import asked, notes, put, refine, retold
-from c2s_engine.interpret.changes.corrected import Last, corrected, differences
+from c2s_engine.interpret.changes.corrected import Last, after, corrected, differences
 from c2s_engine.interpret.changes.pointed import missing
 from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.interpret.entities import MOVERS
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.reading.spelling import Mended
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import Edit, apply
+from c2s_engine.structure.edits import Edit
 
 TurnKind = Literal["question", "edit", "scenario", "undo", "redo"]
 
@@ -54,10 +54,7 @@ def _again(text: str, structure: Structure, last: Last) -> Turn | None:
     turn = _route(meant.text, meant.upon)
     if turn.kind != "edit" or not turn.edits:
         return None
-    wanted = meant.upon
-    for edit in turn.edits:
-        wanted = apply(wanted, edit)
-    return Turn("edit", differences(structure, wanted), turn.reply, whole, corrects=True)
+    return Turn("edit", differences(structure, after(meant.upon, turn.edits)), turn.reply, whole, corrects=True)
 
 
 def _route(text: str, structure: Structure | None) -> Turn:
@@ -94,6 +91,8 @@ def _route(text: str, structure: Structure | None) -> Turn:
     ):
         return Turn("scenario", span=whole)
     edits, said = refine.edits_of(demanded, structure)
+    if edits and not differences(structure, after(structure, edits)):
+        return Turn("edit", reply=_not_understood(text, f"that is so already ({'; '.join(said)})"), span=whole)
     if edits:
         return Turn("edit", edits, "; ".join(said), whole)
     if said:

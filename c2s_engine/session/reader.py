@@ -95,9 +95,7 @@ async def read(text: str, tools: Any) -> Structure:
     return await _asked(tools, "interpret", text)
 
 
-async def route(
-    text: str, structure: Structure | None, tools: Any, last: tuple[str, Structure] | None = None
-) -> Asked:
+async def route(text: str, structure: Structure | None, tools: Any, last: tuple[str, Structure] | None = None) -> Asked:
     """What a turn asks for, given the S at hand, and what was typed last upon which S."""
     return await _asked(tools, "route", text, structure, last)
 

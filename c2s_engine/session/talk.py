@@ -38,8 +38,8 @@ async def say(
     """The events of the turn; the last is Finished. Undo and redo belong to a session: what is asked
     for stands in the details as `turn`.
 
-    `passages`: those of the last answer, from which "use 2" picks; `last`: what was typed last, and S before it. Where the method uses a model, the model reads the
-    turn and answers questions.
+    `passages`: those of the last answer, from which "use 2" picks; `last`: what was typed last, and S before it.
+    Where the method uses a model, the model reads the turn and answers questions.
     """
     current = structure or Structure()
     name = method or engine.settings.method

@@ -80,3 +80,36 @@ def test_a_lane_change_is_no_lane(read) -> None:
     s = changed(read(TRUCK), "two lanes")
     assert s["R"].spec.lanes == 2
     assert phases(s) == [FIRST, SECOND]
+
+
+BACK = "Ego drives at 80 km/h on a motorway. A truck in the right lane beside ego drifts into ego's lane."
+
+
+@pytest.mark.parametrize(
+    ("text", "steps"),
+    [
+        ("the truck comes back to its lane afterwards", ["lane_change right"]),
+        ("the truck goes back again after 8 s", ["lane_change right at 8"]),
+        ("truck returns to the right lane 3 s later", ["keep_lane 3 s", "lane_change right"]),
+        ("the truck moves back into its own lane", ["lane_change right"]),
+    ],
+)
+def test_back_to_its_lane(read, text: str, steps: list[str]) -> None:
+    s = read(BACK)
+    assert phases(changed(s, text)) == [*phases(s), *steps]
+
+
+def test_who_is_hidden_by_a_new_one_that_stands_on_his_side(read) -> None:
+    s = read("Ego drives at 25 km/h. A man steps out from behind a bus on the left.")
+    now = changed(s, "a van parked in front of him so he can't be seen")
+    assert now["O2"].spec.placement.hidden_by == "O3"
+    assert now["O3"].spec.placement.side == "left"
+
+
+def test_who_comes_out_on_the_other_side_is_hidden_by_those_there(read) -> None:
+    s = read(
+        "On a one-way street with parked cars on both sides, ego drives at 25 km/h. "
+        "A man steps out between two parked cars on the left."
+    )
+    place = changed(s, "he steps out on the right")["O3"].spec.placement
+    assert (place.side, place.hidden_by) == ("right", "O2")

@@ -14,6 +14,8 @@ from c2s_engine.structure.components import Component, Structure
 def each_of_all(demand: str, structure: Structure) -> list[str]:
     """The demands for each of those of whom all are told; the demand itself where it is about somebody else."""
     table: dict[str, Any] = language.table("turns")["all"]
+    if groups := _of_rows(demand, structure):
+        return groups
     two = re.match(table["two"], demand)
     match = two or re.match(table["said"], demand)
     if match is None or re.search(table["not_each"], demand):
@@ -24,6 +26,18 @@ def each_of_all(demand: str, structure: Structure) -> list[str]:
         return [demand]
     becomes = bool(re.match(table["becomes"], (match["verb"] or "") + match["rest"].strip()))
     return [_for(c, match, becomes) for c in found]
+
+
+def _of_rows(demand: str, structure: Structure) -> list[str]:
+    """A demand for all rows of one sort as one for each: "the parked cars further apart", "three on each side"."""
+    table: dict[str, Any] = language.table("turns")["rows"]
+    match = next((m for form in table["said"] if (m := re.match(form, demand))), None)
+    found = [c for c in _of(match["noun"], structure) if spec_of(c).count > 1] if match else []
+    if match is None or len(found) < 2:
+        return []
+    if match.groupdict().get("number"):
+        return [f"make {c.id.lower()} {match['number']}" for c in found]
+    return [f"{match['verb'] or ''}{c.id.lower()}{match['rest']}" for c in found]
 
 
 def _of(noun: str, structure: Structure) -> list[Component]:

@@ -4,7 +4,7 @@ What was typed last is said again of whom, or with the value, side or type, that
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -15,7 +15,7 @@ from c2s_engine.interpret.changes.meant import called
 from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.edits import AddObject, Edit, MoveObject, RemoveObject, SetSpec
+from c2s_engine.structure.edits import AddObject, Edit, MoveObject, RemoveObject, SetSpec, apply
 
 
 @dataclass(frozen=True)
@@ -97,9 +97,7 @@ def _others(noun: str, structure: Structure, last: Last) -> list[Component]:
     return found or ([last.before.ego] if "E" not in gone and touched else [])
 
 
-def _of_another(
-    before: str, found: list[Component], structure: Structure, last: Last, upon: Structure
-) -> Again | None:
+def _of_another(before: str, found: list[Component], structure: Structure, last: Last, upon: Structure) -> Again | None:
     """The last text with another in the place of whom it changed."""
     touched = {c.id for c in _touched(structure, last)}
     if not touched or not found or len(found) == 1 and found[0].id in touched:
@@ -108,7 +106,9 @@ def _of_another(
         return Again(why=f"which one is meant? There are {', '.join(c.id for c in found)}")
     name = "ego" if found[0].id == "E" else found[0].id.lower()
     plain = called(put.plainly(before, last.before), last.before)
-    said = _renamed(plain, name, lambda words: (r := refer(words, last.before, alone=False)) is not None and r.id in touched)
+    said = _renamed(
+        plain, name, lambda words: (r := refer(words, last.before, alone=False)) is not None and r.id in touched
+    )
     if said == plain:
         said = re.sub(_table()["pronoun"], name, plain, count=1)
     return Again(said if said != plain else f"{name} {plain}", upon)
@@ -166,6 +166,13 @@ def _typed(match: re.Match[str], before: str) -> str:
         if span.kind == "actor" and article:
             return f"{before[: article.start()]}{match['type']}{before[span.end :]}"
     return ""
+
+
+def after(structure: Structure, edits: Sequence[Edit]) -> Structure:
+    """S after the edits."""
+    for edit in edits:
+        structure = apply(structure, edit)
+    return structure
 
 
 def differences(now: Structure, wanted: Structure) -> list[Edit]:

@@ -1,4 +1,4 @@
-"""Changes of one step of what somebody does: "2 s more before the second lane change", "it brakes before it cuts in"."""
+"""Changes of one step of what somebody does: "2 s more before the second lane change", "it brakes, then cuts in"."""
 
 import re
 from functools import cache
@@ -45,7 +45,7 @@ def _forms() -> list[tuple[str, list[re.Pattern[str]]]]:
     table = _table()
     acts = "|".join(said for said, _ in table["acts"])
     words = {**table["words"], "acts": f"(?:{acts})"}
-    sorts = ("later", "shifted", "at", "left_out", "once", "harder", "sided", "inserted")
+    sorts = ("returned", "later", "shifted", "at", "left_out", "once", "harder", "sided", "inserted")
     between = [re.compile(table["in_between"])]
     return [
         *((sort, [re.compile(language.filled(form, words)) for form in table[sort]]) for sort in sorts),
@@ -55,7 +55,7 @@ def _forms() -> list[tuple[str, list[re.Pattern[str]]]]:
 
 def _doer(sort: str, match: re.Match[str], structure: Structure) -> tuple[Component, int] | None:
     """Whose step is meant, and the how manieth of his; None where it is not clear."""
-    said = match.groupdict()
+    said = match.groupdict() | {"whole": match.string}
     who = said.get("who") or said.get("of") or said.get("rest")
     meant = refer(who, structure, alone=False) if who else None
     if meant is None and (said.get("who") or said.get("of")) and not re.fullmatch(r"it|he|she|they", who or ""):
@@ -84,6 +84,9 @@ def _alone(component: Component, structure: Structure) -> Structure:
 
 def _number(sort: str, said: dict[str, Any], phases: Steps) -> int | None:
     """Which of the phases the words mean."""
+    if sort == "returned":
+        sideways = [i for i, p in enumerate(phases) if p.action in _table()["sideways"] and p.side]
+        return sideways[0] if len(sideways) == 1 and re.search(_table()["back"], said["whole"]) else None
     if "act" not in said:
         return 1 if len(phases) == 2 else None
     table = _table()
@@ -105,6 +108,8 @@ def _number(sort: str, said: dict[str, Any], phases: Steps) -> int | None:
 def _changed(sort: str, match: re.Match[str], component: Component, number: int, structure: Structure) -> Steps | None:
     """The phases as the match asks for them; None where it asks for something else."""
     phases, said = _phases(component), match.groupdict()
+    if sort == "returned":
+        return _returned(phases, number, said)
     clear = bool(said.get("nth")) or len(phases) > 1
     seconds = float(said["t"]) if said.get("t") else None
     if sort == "later" and (said.get("nth") or said.get("more") or not match.string.startswith(("let", "the", "o"))):
@@ -159,6 +164,15 @@ def _with_another(match: re.Match[str], component: Component, number: int, struc
         return None
     at = number + 1 if match.groupdict().get("rel") == "after" else number
     return (*phases[:at], *found[0].value, *phases[at:])
+
+
+def _returned(phases: Steps, number: int, said: dict[str, Any]) -> Steps:
+    """The phases, and that he then goes back to the lane that he left in one of them."""
+    side = "left" if phases[number].side == "right" else "right"
+    trigger = _after(float(said["at"])) if said.get("at") else None
+    back = Phase(action="lane_change", side=side, trigger=trigger)
+    pause = (Phase(action="keep_lane", duration=float(said["t"])),) if said.get("t") else ()
+    return (*phases, *pause, back)
 
 
 def _with(phases: Steps, number: int, phase: Phase) -> Steps:

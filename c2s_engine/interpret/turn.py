@@ -91,8 +91,6 @@ def _route(text: str, structure: Structure | None) -> Turn:
     ):
         return Turn("scenario", span=whole)
     edits, said = refine.edits_of(demanded, structure)
-    if edits and not differences(structure, after(structure, edits)):
-        return Turn("edit", reply=_not_understood(text, f"that is so already ({'; '.join(said)})"), span=whole)
     if edits:
         return Turn("edit", edits, "; ".join(said), whole)
     if said:

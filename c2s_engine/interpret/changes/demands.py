@@ -197,6 +197,9 @@ def _folded(parts: list[str]) -> list[str]:
             and not part.startswith("then")
             and re.search(table["does"], found[-1])
         ):
+            if re.fullmatch(table["fast"], part) and re.search(table["far"], found[-1]):
+                found.append(f"it {part if part.startswith('at') else f'at {part}'}")
+                continue
             moment = re.match(table["moments"], part)
             found[-1] = f"{found[-1]} {part}" if moment else f"{found[-1]}, {part}"
         else:

@@ -7,7 +7,7 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.chosen import PLAIN
 from c2s_engine.interpret.changes.meant import called_by
-from c2s_engine.interpret.changes.refer import objects_of, spec_of
+from c2s_engine.interpret.changes.refer import actions_of, doing, objects_of, refer, spec_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, Structure
 
@@ -20,6 +20,8 @@ def pointed(plain: str, structure: Structure) -> str:
     """The text in which those are called by their nouns or ids whom a number or a look points at."""
     plain = re.sub(_table("numbered")["of_all"], lambda m: _object(m, structure), plain)
     plain = re.sub(_table("numbered")["of_type"], lambda m: _of_type(m, structure), plain)
+    plain = _with_articles(plain, structure)
+    plain = _doing(plain, structure)
     looks = _looks(structure)
     if not looks or not any(word in plain for word in looks):
         return plain
@@ -29,6 +31,29 @@ def pointed(plain: str, structure: Structure) -> str:
     for one in reversed(list(re.finditer(_table("looks")["ones"], plain))):
         there = {c.id for c in structure.objects}
         plain = _called(plain, one.start(), one.end(), there, looks, structure)
+    return plain
+
+
+def _with_articles(plain: str, structure: Structure) -> str:
+    """The text with the articles that it leaves out before those who are there, within a sentence: "when car brakes"."""
+    before = _table("articles")
+    for span in reversed([s for s in scan.names(plain) if s.kind == "actor" and not s.data.get("plural")]):
+        if re.search(before, plain[: span.start]) and refer(
+            f"the {plain[span.start : span.end]}", structure, alone=False
+        ):
+            plain = f"{plain[: span.start]}the {plain[span.start :]}"
+    return plain
+
+
+def _doing(plain: str, structure: Structure) -> str:
+    """The text with a name for the only one of several of a type who does what stands before the noun."""
+    for span in reversed([s for s in scan.names(plain) if s.kind == "actor" and not s.data.get("plural")]):
+        head = re.search(r"\bthe (?P<does>(?:[a-z]+ing )?)$", plain[: span.start])
+        words = (head["does"] if head else "") + " ".join(span.data["words"])
+        there = objects_of(structure, span.data["type"]) if head and words else []
+        does = [c for c in there if doing(words, actions_of(c))]
+        if head and len(there) > 1 and len(does) == 1:
+            plain = f"{plain[: head.start()]}{called_by(does[0], structure)}{plain[span.end :]}"
     return plain
 
 

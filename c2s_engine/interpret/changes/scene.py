@@ -103,7 +103,8 @@ def road(clause: str, structure: Structure) -> Found | None:
 
     if re.search(r"\bo\d\b", clause):
         return None
-    if len(scan.names(clause)) > 0 and not re.search(r"^(on|at|in|put it|move it|make it|let it|it )", clause):
+    named = [s for s in scan.names(clause) if not re.match(r" (?:lights?|signals?)\b", clause[s.end :])]
+    if named and not re.search(r"^(on|at|in|put it|move it|make it|let it|it )", clause):
         return None
     clause = _instead(clause)
     numbers = amounts.quantities(clause) or amounts.bare_speeds(clause)

@@ -25,7 +25,8 @@ def shifted(clause: str, structure: Structure) -> Found | None:
     told = [i for i, p in enumerate(phases) if doing(clause, (p.action,))]
     acts = [i for i, p in enumerate(phases) if p.action not in table["lasting"]]
     named = [i for i in told if i in waits] or (told if len(told) < len(phases) else [])
-    number = next(iter(named or waits or told or acts), None)
+    comes = [0] if phases and spec_of(component).placement.position in table["coming"] else []
+    number = next(iter(named or waits or told or acts or comes), None)
     seconds, metres = quantity_of(clause, "time"), quantity_of(clause, "distance")
     moved = None if number is None else another_moment(phases[number], seconds, metres, later)
     if number is None:

@@ -59,6 +59,8 @@ def _again(text: str, structure: Structure, last: Last) -> Turn | None:
 
 def _route(text: str, structure: Structure | None) -> Turn:
     table = language.table("refine")
+    for find, new in language.table("turns")["hurried"]:
+        text = re.sub(find, new, text, flags=re.IGNORECASE)
     text = re.sub(table["both_ways"], r"swap \1 and \2", text)
     text = Mended(re.sub(table["arrows"], " becomes ", text), scene=False).text
     text = re.sub(table["lines"], ". ", text.strip())

@@ -230,5 +230,5 @@ def _bare(part: str) -> str:
     if asked != part:
         asked = re.sub(table["wants"], r"\g<who> will ", asked)
     part = asked
-    part = re.sub(table["same_but"], r"\g<what> instead", part)
+    part = re.sub(table["same_but"], r"\g<what> instead\g<of>", part)
     return re.sub(table["closers"], "", part).strip(" .,;")

@@ -20,8 +20,10 @@ def pointed(plain: str, structure: Structure) -> str:
     """The text in which those are called by their nouns or ids whom a number or a look points at."""
     plain = re.sub(_table("numbered")["of_all"], lambda m: _object(m, structure), plain)
     plain = re.sub(_table("numbered")["of_type"], lambda m: _of_type(m, structure), plain)
-    plain = _with_articles(plain, structure)
-    plain = _doing(plain, structure)
+    if re.search(_table("articles").replace("$", r"(?!the\b|an?\b)"), plain):
+        plain = _with_articles(plain, structure)
+    if len(structure.objects) > 1 and "ing " in plain:
+        plain = _doing(plain, structure)
     looks = _looks(structure)
     if not looks or not any(word in plain for word in looks):
         return plain
@@ -35,7 +37,7 @@ def pointed(plain: str, structure: Structure) -> str:
 
 
 def _with_articles(plain: str, structure: Structure) -> str:
-    """The text with the articles that it leaves out before those who are there, within a sentence: "when car brakes"."""
+    """The text with the articles that it leaves out before those who are there, amid a sentence: "when car brakes"."""
     before = _table("articles")
     for span in reversed([s for s in scan.names(plain) if s.kind == "actor" and not s.data.get("plural")]):
         if re.search(before, plain[: span.start]) and refer(

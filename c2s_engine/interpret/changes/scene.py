@@ -178,7 +178,7 @@ def ending(clause: str, structure: Structure) -> Found | None:
     if match is None:
         return None
     found = _ended(match["when"], structure)
-    if found is None and quantity_of(match["when"], "time"):
+    if found is None and re.match(r"(?:about |around )?\d+", match["when"]) and quantity_of(match["when"], "time"):
         return None  # how long it lasts
     if found is None:
         return [], "the run can end after a time, when somebody stands, acts as he does or is so near, or collides"

@@ -54,7 +54,8 @@ def _again(text: str, structure: Structure, last: Last) -> Turn | None:
     turn = _route(meant.text, meant.upon)
     if turn.kind != "edit" or not turn.edits:
         return None
-    return Turn("edit", differences(structure, after(meant.upon, turn.edits)), turn.reply, whole, corrects=True)
+    edits = differences(structure, after(meant.upon, turn.edits))
+    return Turn("edit", edits, turn.reply, whole, corrects=True) if edits else None
 
 
 def _route(text: str, structure: Structure | None) -> Turn:

@@ -41,6 +41,8 @@ def once(before: Structure, text: str) -> Structure:
         ("the white car brakes after 3 s", "i meant 5 s", "the white car brakes after 5 s"),
         ("the white car changes to the left lane", "no, right", "the white car changes to the right lane"),
         ("make the cyclist slower", "no, faster", "make the cyclist faster"),
+        ("make the white car slower", "i meant 5 kph slower", "make the white car 5 kph slower"),
+        ("remove the cyclist", "not the cyclist, the white car", "remove the white car"),
         ("add a truck behind ego", "no, i meant a bus", "add a bus behind ego"),
         ("add a truck behind ego", "no, in front", "add a truck in front of ego"),
     ],

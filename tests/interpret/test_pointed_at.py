@@ -42,5 +42,11 @@ def test_a_new_one_with_a_look_is_new(read) -> None:
     assert s["O4"].spec.placement.position == "behind"
 
 
+@pytest.mark.parametrize(("text", "speed"), [("the car 5 kph slower", 55), ("car 5 km/h slower", 55)])
+def test_a_number_with_a_unit_is_nobodys(read, text: str, speed: float) -> None:
+    s = changed(read("Ego drives at 60 km/h behind a car."), text)
+    assert s["O1"].spec.speed * 3.6 == pytest.approx(speed, abs=0.1)
+
+
 def test_a_number_that_nobody_has(read) -> None:
     assert not route("make NPC 7 slower", read(SCENE)).edits

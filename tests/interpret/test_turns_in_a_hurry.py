@@ -13,7 +13,10 @@ JUNCTION = (
     "Ego drives straight through an intersection without traffic lights at 40 km/h. A van comes from the right. "
     "A scooter follows ego at 10 metres."
 )
-TRUCKS = "On a motorway ego follows a truck at 80 km/h with a gap of 40 m. Another truck overtakes ego on the left at 90 km/h."
+TRUCKS = (
+    "On a motorway ego follows a truck at 80 km/h with a gap of 40 m. "
+    "Another truck overtakes ego on the left at 90 km/h."
+)
 CHILD = (
     "A school bus stands at the roadside with kids around it. Ego approaches at 50 km/h. "
     "One child runs across the road 30 m ahead of ego."

@@ -151,11 +151,12 @@ def _opposite() -> str:
 
 def _turned(match: re.Match[str], before: str) -> str:
     """The last text with the opposite of a word in it: the other side, "faster" for "slower"."""
-    for pair in _table()["opposites"]:
-        for word, other in (pair, reversed(pair)):
-            if word == match["word"] and re.search(rf"\b{other}\b", before):
-                return re.sub(rf"\b{other}\b", word, before)
-    return ""
+    pairs = _table()["opposites"]
+    others = [two for pair in pairs for word, two in (pair, reversed(pair)) if word == match["word"]]
+    said = next((w for w in ([match["word"]] if match["how"] else others) if re.search(rf"\b{w}\b", before)), None)
+    if said is None:
+        said = next((w for w in others if re.search(rf"\b{w}\b", before)), None)
+    return re.sub(rf"\b{said}\b", f"{match['how']}{match['word']}", before, count=1) if said else ""
 
 
 def _typed(match: re.Match[str], before: str) -> str:

@@ -58,6 +58,8 @@ def plainly(plain: str, structure: Structure) -> str:
 def _labelled(plain: str, structure: Structure) -> str:
     """The text with the nouns of those who are there for their labels: "v2"."""
     for span in reversed([s for s in scan.names(plain) if s.kind == "label"]):
+        if re.match(_table()["measured"], plain[span.end :]):
+            continue  # no label, but how much
         meant = refer(plain[span.start : span.end], structure, alone=False)
         if meant is not None:
             name = "ego" if meant.id == "E" else called_by(meant, structure)

@@ -76,6 +76,12 @@ def test_the_harder_one_is_the_last(read) -> None:
     assert rates[-1] > 3.0
 
 
+def test_a_wait_before_the_only_turn_is_a_wait(read) -> None:
+    s = read("Ego approaches an intersection at 40 km/h and turns right. A bus comes from the left.")
+    steps = changed(s, "ego should wait for 3 seconds before turning")["E"].spec.phases
+    assert "wait" in [p.action for p in steps]
+
+
 def test_a_lane_change_is_no_lane(read) -> None:
     s = changed(read(TRUCK), "two lanes")
     assert s["R"].spec.lanes == 2

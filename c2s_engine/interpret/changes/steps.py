@@ -45,7 +45,7 @@ def _forms() -> list[tuple[str, list[re.Pattern[str]]]]:
     table = _table()
     acts = "|".join(said for said, _ in table["acts"])
     words = {**table["words"], "acts": f"(?:{acts})"}
-    sorts = ("returned", "later", "shifted", "at", "left_out", "once", "harder", "sided", "inserted")
+    sorts = ("returned", "later", "delayed", "shifted", "at", "left_out", "once", "harder", "sided", "inserted")
     between = [re.compile(table["in_between"])]
     return [
         *((sort, [re.compile(language.filled(form, words)) for form in table[sort]]) for sort in sorts),
@@ -112,7 +112,7 @@ def _changed(sort: str, match: re.Match[str], component: Component, number: int,
         return _returned(phases, number, said)
     clear = bool(said.get("nth")) or len(phases) > 1
     seconds = float(said["t"]) if said.get("t") else None
-    if sort == "later" and (said.get("nth") or said.get("more") or not match.string.startswith(("let", "the", "o"))):
+    if sort == "delayed" or sort == "later" and (said.get("nth") or said.get("more")):
         return _moved(component, number, seconds, True)
     if sort == "shifted":
         return _moved(component, number, seconds, said["way"] == "later")

@@ -6,6 +6,8 @@ from typing import Literal
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import asked, notes, put, refine, retold
+from c2s_engine.interpret.changes.corrected import Last, after, corrected, differences
+from c2s_engine.interpret.changes.pointed import missing
 from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.interpret.entities import MOVERS
 from c2s_engine.interpret.reading import scan
@@ -24,12 +26,15 @@ class Turn:
     edits: list[Edit] = field(default_factory=list)
     reply: str = ""
     span: tuple[int, int] | None = None
+    corrects: bool = False
+    """Whether it does what the turn before did otherwise."""
 
 
-def route(text: str, structure: Structure | None) -> Turn:
-    """Decide what the text asks for, given the S at hand (None: there is none yet)."""
+def route(text: str, structure: Structure | None, last: Last | None = None) -> Turn:
+    """Decide what the text asks for, given the S at hand (None: there is none yet) and what was typed last."""
     try:
-        return _route(text, structure)
+        again = _again(text, structure, last) if structure is not None and last is not None else None
+        return again or _route(text, structure)
     except Exception as error:  # any text gives a turn, never a traceback
         reply = (
             f"This text defeats the embedded interpreter ({type(error).__name__}): say it in shorter, plainer words."
@@ -37,8 +42,26 @@ def route(text: str, structure: Structure | None) -> Turn:
         return Turn("edit", reply=reply, span=(0, len(text)))
 
 
+def _again(text: str, structure: Structure, last: Last) -> Turn | None:
+    """The turn where the text corrects the last one: that is taken back, and done as it was meant."""
+    plain = " ".join(scan.normalised(text).rstrip("?!. ").split())
+    meant = corrected(plain, structure, last) if len(plain.split()) < 16 else None
+    if meant is None:
+        return None
+    whole = (0, len(text))
+    if meant.upon is None:
+        return Turn("edit", reply=_not_understood(text, meant.why), span=whole)
+    turn = _route(meant.text, meant.upon)
+    if turn.kind != "edit" or not turn.edits:
+        return None
+    edits = differences(structure, after(meant.upon, turn.edits))
+    return Turn("edit", edits, turn.reply, whole, corrects=True) if edits else None
+
+
 def _route(text: str, structure: Structure | None) -> Turn:
     table = language.table("refine")
+    for find, new in language.table("turns")["hurried"]:
+        text = re.sub(find, new, text, flags=re.IGNORECASE)
     text = re.sub(table["both_ways"], r"swap \1 and \2", text)
     text = Mended(re.sub(table["arrows"], " becomes ", text), scene=False).text
     text = re.sub(table["lines"], ". ", text.strip())
@@ -50,6 +73,9 @@ def _route(text: str, structure: Structure | None) -> Turn:
         return Turn(back, span=whole)
     if _anew(plain):
         return Turn("scenario", span=whole)
+    if structure is not None and structure.objects and (nobody := missing(plain, structure)):
+        there = ", ".join(c.id for c in structure.objects)
+        return Turn("edit", reply=_not_understood(text, f"there is no {nobody}; there are {there}"), span=whole)
     plain = put.plainly(plain, structure) if structure is not None else plain
     if structure is not None and (edits_said := _wished(plain, structure)):
         return Turn("edit", *edits_said, whole)

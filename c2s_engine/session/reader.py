@@ -28,6 +28,7 @@ class Asked:
     kind: str
     edits: tuple[Edit, ...] = ()
     reply: str = ""
+    corrects: bool = False
 
 
 class Reader:
@@ -51,7 +52,7 @@ class Reader:
                 self._listening = asyncio.create_task(self._listen(self._process))
 
     async def ask(self, *call: Any) -> Any:
-        """An answer to ("interpret", text) or ("route", text, structure); raises Unreadable."""
+        """An answer to ("interpret", text) or ("route", text, structure, last); raises Unreadable."""
         await self.start()
         assert self._process is not None and self._process.stdin is not None
         self._number += 1
@@ -94,9 +95,9 @@ async def read(text: str, tools: Any) -> Structure:
     return await _asked(tools, "interpret", text)
 
 
-async def route(text: str, structure: Structure | None, tools: Any) -> Asked:
-    """What a turn asks for, given the S at hand."""
-    return await _asked(tools, "route", text, structure)
+async def route(text: str, structure: Structure | None, tools: Any, last: tuple[str, Structure] | None = None) -> Asked:
+    """What a turn asks for, given the S at hand, and what was typed last upon which S."""
+    return await _asked(tools, "route", text, structure, last)
 
 
 async def _asked(tools: Any, name: str, *arguments: Any) -> Any:
@@ -117,8 +118,9 @@ def _answer(name: str, arguments: tuple[Any, ...]) -> Any:
             return EmbeddedInterpreter().interpret(*arguments).structure
         except InterpretError as error:
             raise Unreadable(str(error)) from None
-    asked = turn.route(*arguments)
-    return Asked(asked.kind, tuple(asked.edits), asked.reply)
+    text, structure, last = arguments
+    asked = turn.route(text, structure, turn.Last(*last) if last else None)
+    return Asked(asked.kind, tuple(asked.edits), asked.reply, asked.corrects)
 
 
 def serve(requests: BinaryIO, answers: BinaryIO) -> None:

@@ -29,6 +29,10 @@ GLANCE = "head.json"
 """The state where a session stands, beside the database, so that it can be shown before LangGraph is imported."""
 
 
+CORRECTING = 15
+"""Words that a turn has at most which corrects the one before."""
+
+
 @dataclass(frozen=True)
 class Turn:
     """One step of a session's history, as the chat shows it."""
@@ -174,7 +178,11 @@ class Session:
             turn = begin()
             if self._head is None:
                 self._head = await asyncio.to_thread(self._root)
-            values = {"request": turn.model_dump(mode="json"), "state": self._state.model_dump(mode="json")}
+            values = {
+                "request": turn.model_dump(mode="json"),
+                "last": self._last(turn),
+                "state": self._state.model_dump(mode="json"),
+            }
             stream = self._graph.astream(values, self._config(self._head), stream_mode="custom", durability="exit")
             async with aclosing(stream) as events:  # type: ignore[type-var]
                 async for event in events:
@@ -235,6 +243,15 @@ class Session:
             path.append(turns[at])
             at = turns[at].parent or ""
         return path[::-1]
+
+    def _last(self, turn: Pending) -> tuple[str, dict[str, Any]] | None:
+        """What was typed in the turn before and S before that, where a turn is short enough to correct it."""
+        if turn.kind != "say" or len(turn.text.split()) > CORRECTING:
+            return None
+        path = self._path()
+        if len(path) < 2 or path[-1].kind != "say":
+            return None
+        return path[-1].text, self._load(path[-2].checkpoint).structure.model_dump(mode="json")
 
     def _load(self, checkpoint: str) -> State:
         found = self._saver.get_tuple(self._config(checkpoint))

@@ -32,19 +32,20 @@ async def say(
     *,
     method: str | None = None,
     passages: Sequence[Any] = (),
+    last: tuple[str, Structure] | None = None,
     **options: Any,
 ) -> AsyncGenerator[Progress, None]:
     """The events of the turn; the last is Finished. Undo and redo belong to a session: what is asked
     for stands in the details as `turn`.
 
-    `passages`: those of the last answer, from which "use 2" picks. Where the method uses a model, the model reads the
-    turn and answers questions.
+    `passages`: those of the last answer, from which "use 2" picks; `last`: what was typed last, and S before it.
+    Where the method uses a model, the model reads the turn and answers questions.
     """
     current = structure or Structure()
     name = method or engine.settings.method
     tokens = 0
     turn: Any = None
-    async with aclosing(_events(engine, current if structure else None, text, name, passages)) as events:
+    async with aclosing(_events(engine, current if structure else None, text, name, passages, last)) as events:
         async for event in events:
             if isinstance(event, _Next):
                 turn = event
@@ -100,7 +101,12 @@ def _kept(structure: Structure, edits: Sequence[Any]) -> Structure:
 
 
 async def _events(
-    engine: Any, structure: Structure | None, text: str, method: str, passages: Sequence[Any]
+    engine: Any,
+    structure: Structure | None,
+    text: str,
+    method: str,
+    passages: Sequence[Any],
+    last: tuple[str, Structure] | None,
 ) -> AsyncGenerator[Any, None]:
     """What is said while the turn is read (and answered, where it is a question); last, what it leads to."""
     if number := wanted(text):
@@ -109,7 +115,7 @@ async def _events(
                 yield event
         return
     turn: Any = None
-    async with aclosing(streamed(lambda emit: _routed(engine, text, structure, method, emit))) as routing:
+    async with aclosing(streamed(lambda emit: _routed(engine, text, structure, method, last, emit))) as routing:
         async for event in routing:
             if isinstance(event, Result):
                 turn = event.value
@@ -140,10 +146,17 @@ async def _events(
         yield _Next(turn.kind)
 
 
-async def _routed(engine: Any, text: str, structure: Structure | None, method: str, emit: Emit) -> Any:
+async def _routed(
+    engine: Any,
+    text: str,
+    structure: Structure | None,
+    method: str,
+    last: tuple[str, Structure] | None,
+    emit: Emit,
+) -> Any:
     """How the turn is taken: by the model where the method has one, else by the embedded routing."""
-    plain = await route(text, structure, engine.tools)
-    if structure is None or not uses_model(engine, method):
+    plain = await route(text, structure, engine.tools, last)
+    if structure is None or plain.corrects or not uses_model(engine, method):
         return plain
     from c2s_engine.interpret import EmbeddedInterpreter
     from c2s_engine.interpret.llm.turn import route as route_with_model

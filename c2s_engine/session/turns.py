@@ -31,6 +31,7 @@ class TurnState(TypedDict, total=False):
     """What a checkpoint holds."""
 
     request: dict[str, Any]
+    last: tuple[str, dict[str, Any]] | None
     state: dict[str, Any]
 
 
@@ -42,12 +43,12 @@ def build_turns(engine: Engine, checkpointer: BaseCheckpointSaver) -> CompiledSt
         before = State.model_validate(values["state"])
         request = Pending.model_validate(values["request"])
         after = before
-        async with aclosing(_events(engine, before, request)) as events:  # type: ignore[type-var]
+        async with aclosing(_events(engine, before, request, values.get("last"))) as events:  # type: ignore[type-var]
             async for event in events:
                 if isinstance(event, Finished):
                     after = before.after(event)
                 write(event)
-        return {"request": {}, "state": after.model_dump(mode="json")}
+        return {"request": {}, "last": None, "state": after.model_dump(mode="json")}
 
     graph = StateGraph(TurnState)
     graph.add_node("turn", turn)  # type: ignore[arg-type]
@@ -56,11 +57,14 @@ def build_turns(engine: Engine, checkpointer: BaseCheckpointSaver) -> CompiledSt
     return graph.compile(checkpointer=checkpointer)
 
 
-def _events(engine: Engine, before: State, request: Pending) -> AsyncIterator[Any]:
+def _events(
+    engine: Engine, before: State, request: Pending, last: tuple[str, dict[str, Any]] | None
+) -> AsyncIterator[Any]:
     structure = before.structure
     if request.kind == "say":
         passages = before.details.get("passages", ())
-        return engine.say(structure, request.text, passages=passages, **request.options)
+        typed = (last[0], Structure.model_validate(last[1])) if last else None
+        return engine.say(structure, request.text, passages=passages, last=typed, **request.options)
     if request.kind == "regenerate":
         structure = cleared(structure, request.components)
     return engine.apply(structure, list(request.edits), **request.options)

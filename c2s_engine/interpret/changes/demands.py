@@ -197,6 +197,9 @@ def _folded(parts: list[str]) -> list[str]:
             and not part.startswith("then")
             and re.search(table["does"], found[-1])
         ):
+            if re.fullmatch(table["fast"], part) and re.search(table["far"], found[-1]):
+                found.append(f"it {part if part.startswith('at') else f'at {part}'}")
+                continue
             moment = re.match(table["moments"], part)
             found[-1] = f"{found[-1]} {part}" if moment else f"{found[-1]}, {part}"
         else:
@@ -227,5 +230,5 @@ def _bare(part: str) -> str:
     if asked != part:
         asked = re.sub(table["wants"], r"\g<who> will ", asked)
     part = asked
-    part = re.sub(table["same_but"], r"\g<what> instead", part)
+    part = re.sub(table["same_but"], r"\g<what> instead\g<of>", part)
     return re.sub(table["closers"], "", part).strip(" .,;")

@@ -111,6 +111,9 @@ def _agent(match: re.Match[str], structure: Structure) -> str:
 def _actor(match: re.Match[str], structure: Structure) -> str:
     """One whose act begins: "start the overtaking", "the overtaking"."""
     who = _agent(match, structure)
+    doer = refer(who, structure, alone=False) if who != match[0] else None
+    if doer is not None and doer.id != "E" and not doing(match[0], actions_of(doer)[:1]):
+        return match[0]  # one of several steps
     return f"{who} should start" if who != match[0] and (match["begin"] or match["starts"]) else who
 
 

@@ -44,9 +44,9 @@ def distance(clause: str, structure: Structure) -> Found | None:
         return None
     spec = spec_of(component)
     between = re.search(r"\bbetween (?:the |each |them\b|one )|\bapart\b|\bin between\b", clause)
-    if between and spec.count > 1 and quantity is None and wider:
+    if between and spec.count > 1 and quantity is None and (wide := wider or relative):
         usual = middle(spec.spacing) if spec.spacing is not None else 3.0
-        apart = round(usual * wider, 1)
+        apart = round(usual * wide, 1)
         edit = SetField(component=component.id, path="spacing", value=apart)
         return [edit], f"{name_of(component)}: {apart:g} m between them"
     if between and spec.count > 1 and quantity is not None:
@@ -193,12 +193,23 @@ def sides(clause: str, structure: Structure) -> Found | None:
             if spec.type in VEHICLES
             else {"position": "roadside", "side": side}
         )
+    update |= _hidden_there(spec, side, structure)
     turned = side != now
     phases = tuple(p.model_copy(update={"side": OPPOSITE[p.side]}) if p.side and turned else p for p in spec.phases)
     changed = spec.model_copy(
         update={"placement": Placement.model_validate(place.model_dump() | update), "phases": phases}
     )
     return [SetSpec(component=component.id, spec=changed)], f"{name_of(component)} on the {side}"
+
+
+def _hidden_there(spec: ObjectSpec, side: str, structure: Structure) -> dict[str, Any]:
+    """Who hides him on that side who was hidden on the other: the one there like him who hid him."""
+    hides = spec.placement.hidden_by
+    if hides is None or hides not in structure or spec_of(structure[hides]).placement.side in (None, side):
+        return {}
+    like = spec_of(structure[hides])
+    there = (c for c in structure.objects if spec_of(c).placement.side == side and spec_of(c).type == like.type)
+    return {"hidden_by": next((c.id for c in there), None)}
 
 
 def reaction(clause: str, structure: Structure) -> Found | None:

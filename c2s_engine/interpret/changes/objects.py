@@ -6,6 +6,8 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.chosen import ORDINALS
 from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of
+from c2s_engine.interpret.changes.gone import gone, release
+from c2s_engine.interpret.changes.how_many import count_of
 from c2s_engine.interpret.changes.meant import is_there
 from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
 from c2s_engine.interpret.reading import scan
@@ -39,14 +41,14 @@ def remove(clause: str, structure: Structure) -> Found | None:
         return [SetField(component="G", path="weather", value=[])], "clear weather"
     coming = [c for c in structure.objects if spec_of(c).placement.position in ("oncoming_lane", "opposite_approach")]
     if coming and re.match(r"oncoming (?:traffic|vehicles|cars)$", rest):
-        return _gone(coming, structure), "no oncoming traffic"
+        return gone(coming, structure), "no oncoming traffic"
     names = [n for n in re.split(r",? and |, | or ", rest) if n]
     found = [refer(name, structure, alone=len(names) == 1) for name in names]
     several = [c for c in found if c is not None and c.id != "E"]
     if len(names) > 1 and len({c.id for c in several}) == len(names):
-        return _gone(several, structure), f"{', '.join(name_of(c) for c in several)} removed"
+        return gone(several, structure), f"{', '.join(name_of(c) for c in several)} removed"
     if len(every := _every(rest, structure)) > 1:
-        return _gone(every, structure), f"{', '.join(name_of(c) for c in every)} removed"
+        return gone(every, structure), f"{', '.join(name_of(c) for c in every)} removed"
     component = refer(rest, structure, alone=len(structure.objects) == 1)
     groups = [c for c in structure.objects if spec_of(c).count > 1]
     one = re.match(table["one_of_them"], rest)
@@ -60,7 +62,7 @@ def remove(clause: str, structure: Structure) -> Found | None:
         return None
     if re.search(r"\bother (traffic|vehicles|cars|road users)\b", rest):
         return None
-    return _gone([component], structure), f"{name_of(component)} removed"
+    return gone([component], structure), f"{name_of(component)} removed"
 
 
 def _every(rest: str, structure: Structure) -> list[Component]:
@@ -80,25 +82,14 @@ def _every(rest: str, structure: Structure) -> list[Component]:
     return [] if any(spec_of(c).count > 1 for c in found) else found
 
 
-def _gone(components: list[Component], structure: Structure) -> list[Edit]:
-    """Edits after which these are there no longer, and nobody refers to them."""
-    edits: list[Edit] = []
-    for component in components:
-        gone = [*_release(structure[component.id], structure), RemoveObject(component=component.id)]
-        for edit in gone:
-            structure = apply(structure, edit)
-        edits += gone
-    return edits
-
-
 def _without_crossing(rest: str, structure: Structure) -> Found | None:
     """The place without the crosswalk that it has."""
     place = structure.place.spec
     assert isinstance(place, PlaceSpec)
     if not re.match(r"(?:zebra(?: crossing)?|crosswalk|pedestrian crossing)$", rest):
         return None
-    gone: list[Edit] = [SetField(component="R", path="kind", value="road")] if place.kind == "crosswalk" else []
-    return [*gone, SetField(component="R", path="crosswalk", value=None)], "no crosswalk"
+    road: list[Edit] = [SetField(component="R", path="kind", value="road")] if place.kind == "crosswalk" else []
+    return [*road, SetField(component="R", path="crosswalk", value=None)], "no crosswalk"
 
 
 def _all_but(clause: str, structure: Structure) -> Found | None:
@@ -108,7 +99,7 @@ def _all_but(clause: str, structure: Structure) -> Found | None:
     if not kept or None in kept:
         return None
     stay = {c.id for c in kept if c is not None}
-    edits = _gone([c for c in structure.objects if c.id not in stay], structure)
+    edits = gone([c for c in structure.objects if c.id not in stay], structure)
     said = ", ".join(name_of(c) for c in kept if c is not None and c.id != "E")
     return (edits, f"only {said} stays" if said else "only ego stays") if edits else None
 
@@ -117,47 +108,12 @@ def _without_weather(values: list[str], structure: Structure) -> Found:
     now = structure.settings.spec.weather  # type: ignore[union-attr]
     rains = {"rain", "heavy_rain"}
     wet = {*rains, "wet"} if rains & set(now) else rains  # a road that is wet without rain stays so
-    gone = set().union(*(wet if v in rains else {v} for v in values))
-    left = [w for w in now if w not in gone]
+    away = set().union(*(wet if v in rains else {v} for v in values))
+    left = [w for w in now if w not in away]
     edits: list[Edit] = [SetField(component="G", path="weather", value=left)]
     if structure.settings.spec.preset:  # type: ignore[union-attr]
         edits.append(SetField(component="G", path="preset", value=None))
     return edits, f"no {' or '.join(v.replace('_', ' ') for v in values)}"
-
-
-def _release(component: Component, structure: Structure) -> list[Edit]:
-    """Edits that make the others refer to ego instead of a component that goes."""
-    edits: list[Edit] = []
-    for other in structure.components:
-        if other.id == component.id or not isinstance(other.spec, ObjectSpec | EgoSpec):
-            continue
-        spec = other.spec
-        phases = tuple(
-            p.model_copy(
-                update={
-                    "target": None if p.target == component.id else p.target,
-                    "trigger": None if p.trigger and p.trigger.of == component.id else p.trigger,
-                }
-            )
-            for p in spec.phases
-            if not (p.target == component.id and p.action in ("follow", "overtake", "collide", "yield"))
-        )
-        update: dict[str, Any] = {"phases": phases}
-        if isinstance(spec, EgoSpec):
-            if spec.react_to == component.id:
-                update |= {"react_to": None}
-        else:
-            place = spec.placement
-            update["placement"] = place.model_copy(
-                update={
-                    "of": "ego" if place.of == component.id else place.of,
-                    "hidden_by": None if place.hidden_by == component.id else place.hidden_by,
-                }
-            )
-        changed = spec.model_copy(update=update)
-        if changed != spec:
-            edits.append(SetSpec(component=other.id, spec=changed))
-    return edits
 
 
 def retype(clause: str, structure: Structure) -> Found | None:
@@ -199,7 +155,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
             more, said = _rest(match.groupdict().get("rest"), "ego", typed, structure)
             return [*typed, *more], "; ".join([f"ego is a {kind.replace('_', ' ')}", *said])
         edits: list[Edit] = [SetSpec(component=component.id, spec=_typed(spec_of(component), kind))]
-        count = _count_of(match["what"], spec_of(component).count) if plural else 1
+        count = count_of(match["what"], spec_of(component).count) if plural else 1
         if count != spec_of(component).count:
             edits.append(SetField(component=component.id, path="count", value=count))
         noun = kind.replace("_", " ")
@@ -211,7 +167,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
             now = structure
             for one in edits:
                 now = apply(now, one)
-            edits += [*_release(other, now), RemoveObject(component=other.id)]
+            edits += [*release(other, now), RemoveObject(component=other.id)]
         if re.search(table["at_rest"], match["what"]):
             edits += [
                 SetField(component=component.id, path="speed", value=0.0),
@@ -247,24 +203,6 @@ def _rest(rest: str | None, who: str, edits: list[Edit], structure: Structure) -
     rest = re.sub(table["with_it"], "", rest.strip(" ,"))
     verb = "is " if re.match(r"\w+ing\b", rest) else "comes " if rest.startswith("from") else ""
     return edits_of(f"{who} {verb}{re.sub(r'^(?:that|which|who) ', '', rest)}", structure) if rest else ([], [])
-
-
-def count(clause: str, structure: Structure) -> Found | None:
-    """ "Make the dog two": how many there are of somebody."""
-    match = re.match(language.table("refine")["count"], clause)
-    component = refer(match["who"], structure, alone=False) if match else None
-    if match is None or component is None or component.id == "E":
-        return None
-    value = _count_of(match["number"], 1)
-    return [SetField(component=component.id, path="count", value=value)], f"{name_of(component)}: {value}"
-
-
-def _count_of(what: str, now: int) -> int:
-    """How many a noun phrase in the plural asks for; as many as now where it gives no number."""
-    if not re.match(r"\d|an?\b|one|two|three|four|five|six", what):
-        return now
-    first = what.split()[0]
-    return min(8, int(first) if first.isdigit() else int(language.table("actors")["counts"].get(first, 2)))
 
 
 def _akin(kind: str, structure: Structure) -> Component | None:

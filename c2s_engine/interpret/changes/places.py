@@ -3,10 +3,12 @@
 import re
 from typing import Any
 
+from c2s_engine.interpret.changes.phases import mapped
 from c2s_engine.interpret.changes.refer import spec_of
 from c2s_engine.interpret.changes.retold import located_in, table
 from c2s_engine.interpret.reading import scan
-from c2s_engine.structure.components import Component
+from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.edits import AddObject, Edit, SetField
 
 SIDED = frozenset(("parked", "roadside", "sidewalk", "partly_in_lane"))
 """Places at a side of the road or lane."""
@@ -58,3 +60,31 @@ def only_by_ego(told: str) -> bool:
     """Whether a sentence names ego only as the one by whom somebody is or to whom he does something."""
     spans = [s for s in scan.names(told) if s.kind == "ego"]
     return bool(spans) and all(re.search(table()["by_ego"], told[: s.start]) for s in spans)
+
+
+def on_his_side(edits: list[Edit], clause: str, structure: Structure) -> list[Edit]:
+    """The edits, and that one who is new and parked stands on the side of whom he hides, where no side is told."""
+    hidden = {e.value: e.component for e in edits if isinstance(e, SetField) and e.path == "placement.hidden_by"}
+    found: list[Edit] = []
+    for edit in edits:
+        whom = hidden.get(edit.component or "") if isinstance(edit, AddObject) else None
+        if isinstance(edit, AddObject) and whom and whom in structure and not re.search(r"\b(?:left|right)\b", clause):
+            side, place = spec_of(structure[whom]).placement.side, edit.spec.placement
+            if side and place.side and place.of == "ego":
+                there = place.model_copy(update={"side": side})
+                edit = edit.model_copy(update={"spec": edit.spec.model_copy(update={"placement": there})})
+        found.append(edit)
+    return found
+
+
+def added_as(component: Component, cid: ComponentId, ids: dict[str, str], structure: Structure) -> AddObject:
+    """One who is new, under his id here; as fast as the one before or behind whom he is put, where no speed is told."""
+    spec = spec_of(component)
+    place = spec.placement
+    of = ids.get(place.of, place.of)
+    placement = place.model_copy(update={"of": of, "hidden_by": ids.get(place.hidden_by or "", place.hidden_by)})
+    update: dict[str, Any] = {"placement": placement, "phases": tuple(mapped(p, ids) for p in spec.phases)}
+    untold = any(a.field == "speed" for a in component.assumed) and spec.speed
+    if untold and of in structure and of != "ego" and place.position in ("ahead", "behind"):
+        update["speed"] = spec_of(structure[of]).speed
+    return AddObject(spec=spec.model_copy(update=update), description=component.description, component=cid)

@@ -12,9 +12,11 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import notes, paced
 from c2s_engine.interpret.changes.chosen import in_role
 from c2s_engine.interpret.changes.counted import numbered
+from c2s_engine.interpret.changes.forms import VEHICLES
 from c2s_engine.interpret.changes.meant import called_by, described
 from c2s_engine.interpret.changes.members import others
 from c2s_engine.interpret.changes.old_values import in_place_of_old
+from c2s_engine.interpret.changes.pointed import pointed
 from c2s_engine.interpret.changes.refer import actions_of, objects_of, refer, spec_of
 from c2s_engine.interpret.changes.resumed import resumed
 from c2s_engine.interpret.changes.sided import sided
@@ -34,7 +36,8 @@ def _table() -> dict[str, Any]:
 
 def plainly(plain: str, structure: Structure) -> str:
     """A turn with each of its sentences put plainly."""
-    plain = _coming(_labelled(plain, structure), structure)
+    plain = _coming(_labelled(pointed(plain, structure), structure), structure)
+    plain = re.sub(_table()["both_others"], lambda m: _both_others(m, structure), plain)
     for find, new in _table()["before"]:
         plain = re.sub(find, new, plain)
     plain = re.sub(_table()["pair"], lambda m: _pair(structure) or m[0], plain)
@@ -55,6 +58,8 @@ def plainly(plain: str, structure: Structure) -> str:
 def _labelled(plain: str, structure: Structure) -> str:
     """The text with the nouns of those who are there for their labels: "v2"."""
     for span in reversed([s for s in scan.names(plain) if s.kind == "label"]):
+        if re.match(_table()["measured"], plain[span.end :]):
+            continue  # no label, but how much
         meant = refer(plain[span.start : span.end], structure, alone=False)
         if meant is not None:
             name = "ego" if meant.id == "E" else called_by(meant, structure)
@@ -87,6 +92,18 @@ def _pair(structure: Structure) -> str | None:
     """Both who are there by their nouns, where two are there."""
     two = structure.objects if len(structure.objects) == 2 else ()
     return " and ".join(called_by(c, structure) for c in two) or None
+
+
+def _both_others(match: re.Match[str], structure: Structure) -> str:
+    """The only two besides whom a demand is about, ego among them: whom he overtakes who "overtakes both"."""
+    subject = refer(match.string[: match.start("both")], structure, alone=False)
+    left = [c for c in (structure.ego, *structure.objects) if subject is not None and c.id != subject.id]
+    if len(left) > 2:
+        left = [c for c in left if c.id == "E" or spec_of(c).type in VEHICLES and spec_of(c).type not in RIDDEN]
+    if subject is None or len(left) != 2:
+        return match[0]
+    names = " and ".join("ego" if c.id == "E" else called_by(c, structure) for c in left)
+    return f"{match['does']}{names}{', then' if match['on'] else ''}"
 
 
 def _member(match: re.Match[str], structure: Structure) -> str:

@@ -65,6 +65,8 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
         found = objects_of(structure, span.data["type"])
         if span.data.get("noun") in language.words("adults"):
             found = [c for c in found if spec_of(c).type != "child"]
+        alike = [c for c in found if (spec_of(c).count > 1) == bool(span.data.get("plural"))]
+        found = alike or found
         if "lead" in span.data["roles"] and len(found) != 1:
             ahead = [c for c in structure.objects if spec_of(c).placement.position == "ahead"]
             return ahead[0] if ahead else None

@@ -5,6 +5,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import limits, notes, order
+from c2s_engine.interpret.changes.all_of_them import each_of_all
 from c2s_engine.interpret.changes.demands import demands, only_one, topic_of, whole
 from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.interpret.changes.speed import walked
@@ -25,7 +26,7 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     current = structure
     told, text = text, notes.text_of(text, structure)
     before, topic = "", topic_of(text, structure) or topic_of(told, structure) or only_one(text, structure)
-    parts = limits.in_order(demands(text))
+    parts = [d for part in limits.in_order(demands(text)) for d in each_of_all(part, structure)]
     if len(parts) > 1 and not order.retype(parts[0], structure):
         of_new = _of_the_new(parts, structure)
         if len(of_new) > 1 and (new := introduced(of_new, structure)):
@@ -41,6 +42,8 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
         before, topic = demand, topic_of(demand, current) or topic
         hidden = unshown(demand)
         found = (order.retype(demand, current) or hidden) if hidden else _found(demand, current)
+        if found is None and (named := _with_article(demand, current)):
+            found = _found(named, current)
         if found is None:
             continue
         try:
@@ -105,9 +108,21 @@ def _found(demand: str, structure: Structure) -> Found | None:
         denied = re.search(table["denies"], demand)
         if form is order.acting and not denied and all(_already(e, structure) for e in found[0]):
             waits = re.search(table["meanwhile"], demand)
+            sided = re.fullmatch(r".*\b(?:on|from) the (?:left|right)(?: side)?", demand)
+            if sided and (found_side := order.sides(demand, structure)):
+                return found_side
             return None if waits else walked(demand, structure) or ([], f"that is so already ({found[1]})")
         return found
     return None
+
+
+def _with_article(demand: str, structure: Structure) -> str:
+    """A demand with the article that it leaves out before one who is there: "car aborts its turn"; else nothing."""
+    first = next(iter(scan.names(demand)), None)
+    bare = first is not None and first.start == 0 and first.kind == "actor" and not first.data.get("plural")
+    if first is None or not bare or refer(f"the {demand[: first.end]}", structure, alone=False) is None:
+        return ""
+    return f"the {demand}"
 
 
 def _already(edit: Edit, structure: Structure) -> bool:

@@ -103,7 +103,8 @@ def road(clause: str, structure: Structure) -> Found | None:
 
     if re.search(r"\bo\d\b", clause):
         return None
-    if len(scan.names(clause)) > 0 and not re.search(r"^(on|at|in|put it|move it|make it|let it|it )", clause):
+    named = [s for s in scan.names(clause) if not re.match(r" (?:lights?|signals?)\b", clause[s.end :])]
+    if named and not re.search(r"^(on|at|in|put it|move it|make it|let it|it )", clause):
         return None
     clause = _instead(clause)
     numbers = amounts.quantities(clause) or amounts.bare_speeds(clause)
@@ -127,7 +128,7 @@ def road(clause: str, structure: Structure) -> Found | None:
         update["arms"] = found.arms
     if found.control and (kind or old.kind) == "intersection":
         update["control"] = found.control
-    lanes = re.search(r"\b(one|two|three|four|[1-4]) lanes?\b", clause)
+    lanes = re.search(r"\b(one|two|three|four|[1-4]) lanes?\b(?![ -]chang)", clause)
     if found.lanes or lanes:
         words = {"one": 1, "two": 2, "three": 3, "four": 4}
         update["lanes"] = (words.get(lanes[1]) or int(lanes[1])) if lanes else found.lanes
@@ -177,7 +178,7 @@ def ending(clause: str, structure: Structure) -> Found | None:
     if match is None:
         return None
     found = _ended(match["when"], structure)
-    if found is None and quantity_of(match["when"], "time"):
+    if found is None and re.match(r"(?:about |around )?\d+", match["when"]) and quantity_of(match["when"], "time"):
         return None  # how long it lasts
     if found is None:
         return [], "the run can end after a time, when somebody stands, acts as he does or is so near, or collides"
@@ -230,6 +231,7 @@ def length(clause: str, structure: Structure) -> Found | None:
         quantity is None
         or not re.search(r"\b(run|last|simulat\w+|duration|end|terminate|stop|length|scenario)\b|^[\d.]+ ?\w+$", clause)
         or scan.names(clause)
+        or re.search(r"\bo\d\b", clause)
     ):
         return None
     value = min(120.0, max(1.0, quantity["high"]))

@@ -24,8 +24,11 @@ def shifted(clause: str, structure: Structure) -> Found | None:
     waits = [i for i, p in enumerate(phases) if p.trigger]
     told = [i for i, p in enumerate(phases) if doing(clause, (p.action,))]
     acts = [i for i, p in enumerate(phases) if p.action not in table["lasting"]]
-    number = next(iter(waits or told or acts), None)
-    moved = None if number is None else _moved(phases[number], clause, later)
+    named = [i for i in told if i in waits] or (told if len(told) < len(phases) else [])
+    comes = [0] if phases and spec_of(component).placement.position in table["coming"] else []
+    number = next(iter(named or waits or told or acts or comes), None)
+    seconds, metres = quantity_of(clause, "time"), quantity_of(clause, "distance")
+    moved = None if number is None else another_moment(phases[number], seconds, metres, later)
     if number is None:
         return None
     if moved is None:
@@ -77,9 +80,10 @@ def _whose(clause: str, who: str | None, structure: Structure) -> Component | No
     return found if found is not None and found.id != "E" else None
 
 
-def _moved(phase: Phase, clause: str, later: bool) -> Phase | None:
+def another_moment(
+    phase: Phase, seconds: dict[str, Any] | None, metres: dict[str, Any] | None, later: bool
+) -> Phase | None:
     """The phase with another moment; None where it cannot begin any earlier, or waits for another's act."""
-    seconds, metres = quantity_of(clause, "time"), quantity_of(clause, "distance")
     old = phase.trigger
     if old is None:
         trigger = Trigger(kind="time", value=seconds["low"] if seconds else 2.0) if later and not metres else None

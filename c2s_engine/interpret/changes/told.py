@@ -23,11 +23,20 @@ from c2s_engine.interpret.changes.phases import (
     settled,
     without_awaited,
 )
-from c2s_engine.interpret.changes.places import beyond, cuts_in, keeps_level, on_a_side, only_by_ego, placed_before
+from c2s_engine.interpret.changes.places import (
+    added_as,
+    beyond,
+    cuts_in,
+    keeps_level,
+    on_a_side,
+    on_his_side,
+    only_by_ego,
+    placed_before,
+)
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
 from c2s_engine.interpret.reading import scan
-from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec, SettingsSpec, Trigger
@@ -121,7 +130,7 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
         if component.id.startswith("O") and component.id not in ids:
             continue  # a sign, or one like it is there
         if component.id in added:
-            edits.append(_added(component, cid, ids))
+            edits.append(added_as(component, cid, ids, structure))
             paths.append("+")
         elif cid == "R" or _names(main, structure[cid], structure):
             old = before.get(component.id) or was[component.id]
@@ -141,6 +150,7 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
             paths += [path for path, _ in changed]
     if not any(wanted(path) for path in paths):
         return None
+    edits = on_his_side(edits, clause, structure)
     edits += [*_light(clause, now, structure), *afterwards(clause, edits, structure)]
     edits = settled(_one_way(edits, structure), structure)
     return [*sorted(edits, key=lambda e: not isinstance(e, AddObject)), *_moves(now, ids, structure)]
@@ -307,13 +317,3 @@ def _changes(
 def _near(a: Any, b: Any) -> bool:
     """Whether speeds are the same but for their being told in whole km/h."""
     return a is not None and b is not None and abs(low(a) - low(b)) < 0.15 and abs(high(a) - high(b)) < 0.15
-
-
-def _added(component: Component, cid: ComponentId, ids: dict[str, str]) -> AddObject:
-    spec = spec_of(component)
-    place = spec.placement
-    placement = place.model_copy(
-        update={"of": ids.get(place.of, place.of), "hidden_by": ids.get(place.hidden_by or "", place.hidden_by)}
-    )
-    update = {"placement": placement, "phases": tuple(mapped(p, ids) for p in spec.phases)}
-    return AddObject(spec=spec.model_copy(update=update), description=component.description, component=cid)

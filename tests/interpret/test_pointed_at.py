@@ -1,0 +1,52 @@
+"""Who is pointed at in a turn: by his number in the program, or by a look that the text tells."""
+
+import pytest
+
+from c2s_engine.interpret.turn import route
+from tests.interpret.demanded import changed, specs
+
+SCENE = (
+    "Ego drives at 50 km/h on a road behind a white car. A red car overtakes ego and cuts in. "
+    "A cyclist rides on the right ahead."
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "cid"),
+    [
+        ("make the red car a van", "O2"),
+        ("the white one brakes hard", "O1"),
+        ("red car 60", "O2"),
+        ("npc 1 slower", "O1"),
+        ("NPC3 at 10 km/h", "O3"),
+        ("car 2 at 30 km/h", "O2"),
+        ("replace the red car with a white truck", "O2"),
+        ("the red one should be slower", "O2"),
+        ("actor #3 slower", "O3"),
+    ],
+)
+def test_he_alone_changes(read, text: str, cid: str) -> None:
+    s = read(SCENE)
+    before, after = specs(s), specs(changed(s, text))
+    assert [i for i in before if before[i] != after.get(i)] == [cid]
+
+
+def test_two_looks(read) -> None:
+    s = changed(read(SCENE), "red one faster, white one slower")
+    assert s["O2"].spec.speed > 19.5
+    assert s["O1"].spec.speed < 13.8
+
+
+def test_a_new_one_with_a_look_is_new(read) -> None:
+    s = changed(read(SCENE), "add a red car behind ego")
+    assert s["O4"].spec.placement.position == "behind"
+
+
+@pytest.mark.parametrize(("text", "speed"), [("the car 5 kph slower", 55), ("car 5 km/h slower", 55)])
+def test_a_number_with_a_unit_is_nobodys(read, text: str, speed: float) -> None:
+    s = changed(read("Ego drives at 60 km/h behind a car."), text)
+    assert s["O1"].spec.speed * 3.6 == pytest.approx(speed, abs=0.1)
+
+
+def test_a_number_that_nobody_has(read) -> None:
+    assert not route("make NPC 7 slower", read(SCENE)).edits

@@ -1,0 +1,71 @@
+"""Turns as they are typed in a hurry: letters and articles left out, two changes in one, quantities by another's."""
+
+import pytest
+
+from c2s_engine.interpret.turn import route
+from tests.interpret.demanded import assert_same, changed
+
+MOTORWAY = (
+    "Ego drives at 100 km/h in the middle lane of a three-lane motorway in light rain. A motorcycle overtakes on the "
+    "left at 130 km/h. A truck ahead at 80 km/h, 60 m away, changes to the left lane."
+)
+JUNCTION = (
+    "Ego drives straight through an intersection without traffic lights at 40 km/h. A van comes from the right. "
+    "A scooter follows ego at 10 metres."
+)
+TRUCKS = (
+    "On a motorway ego follows a truck at 80 km/h with a gap of 40 m. "
+    "Another truck overtakes ego on the left at 90 km/h."
+)
+CHILD = (
+    "A school bus stands at the roadside with kids around it. Ego approaches at 50 km/h. "
+    "One child runs across the road 30 m ahead of ego."
+)
+
+
+@pytest.mark.parametrize(
+    ("scene", "plain", "wordings"),
+    [
+        (MOTORWAY, "the truck is slower", "truck shud be slowr | mak the truck slower | Truck: slower"),
+        (MOTORWAY, "remove the motorcycle", "delet the motorcycle | plz delet motorcyle"),
+        (MOTORWAY, "remove the rain", "Rain: no | rain: off"),
+        (MOTORWAY, "replace the truck by a bus", "same but with a bus instead of the truck | truck a bus"),
+        (
+            MOTORWAY,
+            "the truck closer. the truck faster",
+            "too easy, make the truck closer and faster | the truck should be closer and faster",
+        ),
+        (MOTORWAY, "the truck further away, the truck slower", "too hard for ego -> truck further away and slower"),
+        (MOTORWAY, "reduce the truck's speed by a quarter", "cut the truck's speed by a quarter"),
+        (MOTORWAY, "the motorcycle at 50 km/h", "motorbike half the speed of ego"),
+        (JUNCTION, "the junction has traffic lights", "add traffic lights | put traffic lights there"),
+        (JUNCTION, "ego starts 50 m before the junction", "start 50 m before the junction"),
+        (JUNCTION, "the gap to the scooter is 3 m. the scooter at 45 km/h", "scooter closer, like 3 m, and 45 km/h"),
+        (JUNCTION, "the scooter brakes when the van comes", "scooter brakes when van comes"),
+        (TRUCKS, "o2 at 85 km/h", "the overtaking truck slower, 85"),
+        (CHILD, "o3 starts when ego is 20 m away", "the child later: 20 m | child later, at 20 m"),
+        (CHILD, "ego brakes only when o3 is 10 m away", "ego brakes only when child is 10 m away"),
+    ],
+)
+def test_as_the_plain_one(read, scene: str, plain: str, wordings: str) -> None:
+    assert_same(read(scene), plain, wordings)
+
+
+def test_then_back(read) -> None:
+    phases = changed(read(MOTORWAY), "truck changes to the left lane, then back after 4 s")["O2"].spec.phases
+    assert [(p.action, p.side) for p in phases] == [
+        ("cut_out", "left"), ("keep_lane", None), ("lane_change", "right"),
+    ]  # fmt: skip
+
+
+def test_an_end_that_cannot_be_is_no_act(read) -> None:
+    assert not route("end the scenario when ego has passed the truck or after 30 s", read(MOTORWAY)).edits
+
+
+def test_never_mind_takes_back(read) -> None:
+    assert route("never mind, keep it as it was", read(MOTORWAY)).kind == "undo"
+
+
+def test_who_comes_behind_another_is_as_fast(read) -> None:
+    s = read("Ego is driving on a country road at 80 km/h. A tractor drives ahead at 25 km/h.")
+    assert changed(s, "add another tractor behind the first one")["O2"].spec.speed == s["O1"].spec.speed

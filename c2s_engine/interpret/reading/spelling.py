@@ -5,6 +5,7 @@ from functools import cache
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading import (
+    cast_as_ego,
     each_apart,
     grids,
     inverted,
@@ -15,6 +16,7 @@ from c2s_engine.interpret.reading import (
     respectively,
     structured,
     telegraphic,
+    titled_deeds,
 )
 from c2s_engine.interpret.reading.motions import irregular
 from c2s_engine.interpret.reading.rewritten import Replacement, Rewritten
@@ -36,6 +38,7 @@ class Mended:
             pairs.pairs,
             grids.grids,
             notation.fields,
+            cast_as_ego.cast_as_ego,
             *unneeded,
             notation.signs,
             _repairs,
@@ -43,6 +46,7 @@ class Mended:
             inverted.inverted,
             rephrased.rephrased,
             each_apart.each_apart,
+            titled_deeds.titled_deeds,
             telegraphic.spelt_out,
         ):
             self._passes.append(Rewritten(text, replacements(text)))

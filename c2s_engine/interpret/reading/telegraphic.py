@@ -142,7 +142,8 @@ def _headed(text: str, plain: str, first: int, stop: int, names: list[Span]) -> 
         return None
     words = "|".join(language.table("telegraphic")["before"])
     name = inside[0]
-    if not re.fullmatch(rf"(?:(?:\d{{1,2}}|{words})\s+){{0,2}}", plain[first : name.start]):
+    article = r"(?:an?\s+)?" if re.match(r"\s+\d{2,3}\b", plain[name.end : stop]) else ""  # "a van 90 km/h"
+    if not re.fullmatch(rf"{article}(?:(?:\d{{1,2}}|{words})\s+){{0,2}}", plain[first : name.start]):
         return None
     heads = [_subject(text, plain, first, name)]
     at = _bracket(plain, name.end)

@@ -41,7 +41,7 @@ def _bare() -> re.Pattern[str]:
     return re.compile(
         rf"(?:(?:\(ego\)|\b)(?:{nouns}|(?:{'|'.join(language.table('ego')['strong'])})|v[12]"
         rf"|car ?[1-9]|straight|left|right|lane|ahead|behind|doing|going|brakes? to"
-        rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerates? to"
+        rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerat\w*(?: back| up| again)* to"
         rf"|(?:speeds?|sped|picks?|picked) up to)"
         rf"(?:,? at|,? doing| (?:drives|does|did|goes|went|is doing|was doing|runs)|:| speed)?"
         rf" (?:about |around |roughly |maybe |a steady |only |at least "
@@ -59,7 +59,9 @@ def _bare() -> re.Pattern[str]:
         rf"|years?|people|cars|vehicles|trucks|km|ft|feet|degrees|percent|to|of|lanes?|am"
         rf"|pm)\b)[a-z])"
         rf"|\b(?:(?:north|south|east|west)bound|driv\w+|travel\w*|going|cruis\w+|moving|sit\w*"
-        rf"|approach\w*|arriv\w+|rid\w+|coming|runs?)(?: [a-z][\w'-]*| (?<=interstate )\d+){{0,3}} at (?:about |around "
+        rf"|approach\w*|arriv\w+|rid\w+|com(?:es?|ing)|came|runs?|clos(?:es?|ed|ing)"
+        rf"|catch\w*|caught|pass(?:es|ed|ing)"
+        rf"|overtak\w+|overtook|lead(?:s|ing)?|follow\w*|merg\w+|enter\w*|head\w+|join\w*)(?: [a-z][\w'-]*| (?<=interstate )\d+){{0,3}} at (?:about |around "
         rf"|roughly |a steady )?(?P<at>[1-9]\d?[05]|(?:{number}))(?=\s*(?:[,.;)]|$|and\b|when\b"
         rf"|in\b(?! the (?:morning|evening|afternoon))|on\b|because\b|as\b|while\b|with\b|behind\b|towards?\b))"
         rf"|\b(?:{nouns}|ego|lead|v[12]) \((?P<bracket>\d{{2,3}})(?=[,)])"
@@ -202,14 +204,15 @@ def _measured(text: str) -> list[Span]:
         )
         high = value_of(match["high"]) * factor if match["high"] else low
         before = text[max(0, match.start() - 30) : match.start()]
-        each = None
+        each, first_at = None, match.start()
         if joined and joined[1] == "and" and "between" not in before:
-            listed = [value_of(n) for n in re.findall(r"\d+(?:\.\d+)?", (EARLIER.search(before) or [""])[0])]
+            earlier = (EARLIER.search(before) or [""])[0]
+            listed, first_at = [value_of(n) for n in re.findall(r"\d+(?:\.\d+)?", earlier)], first_at - len(earlier)
             each = (*(v * factor for v in listed), low, high)
             low = high
         if high < low:
             low, high = high, low
-        found.append(Span("quantity", match.start(), match.end(), {"dimension": dimension, "low": low, "high": high}))
+        found.append(Span("quantity", first_at, match.end(), {"dimension": dimension, "low": low, "high": high}))
         if each is not None:
             found[-1].data["each"] = each
         if joined and joined[1] == "to" and re.search(r"from\s*$", before):

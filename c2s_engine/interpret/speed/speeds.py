@@ -14,6 +14,8 @@ from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import VEHICLES, Entity
 
 SIDEWAYS = re.compile(r"\b(?:lateral|sideways|sideward|wind|yaw)\s+(?:\w+\s+){0,6}$")
+TOLERATED = re.compile(r"(?:\b(?:within|(?:tolerance|accuracy|error) of|deviat\w+ (?:of|by|less than))|±|\+/-) ?$")
+"""What stands before how much a speed may be off."""
 AT_LIMIT = re.compile(
     r"\bat (?:the |a |its )?(?:posted|legal|permitted|signed|speed limit|limit)( speed)?( limit)?( of)?\s*$"
 )
@@ -56,11 +58,13 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         if changes or is_difference(scene.plain, span) or told_by_limit(scene, span):
             continue
         word = by_span.get(id(span))
-        if word is None:
+        if word is None or TOLERATED.search(scene.plain[max(0, span.start - 20) : span.start]):
             continue
         unit = word
         owner = _before(scene, span) or _beside(scene, span) or _speed_owner(scene, unit.i)
-        value = (span.data["low"], span.data["high"], span.start, span.end)
+        runs = span.data.get("each", ())
+        row = runs if len(runs) > 2 else (span.data["low"], span.data["high"])  # of one: a series of runs
+        value = (min(row), max(row), span.start, span.end)
         if owner is not None and owner.roles & {"stationary", "parked"} and value[0] > 0:
             owner = _who_meets(scene, owner, word.sentence) or owner  # "approaches a stationary POV at 72 km/h"
         if owner is not None and owner.noun in language.table("actors")["queues"]:

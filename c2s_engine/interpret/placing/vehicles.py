@@ -44,7 +44,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         return {"position": "crossing_right", "said": True}
     junction = place.kind == "intersection"
     lane, rel, edge = where.lane, where.rel, where.side
-    if lane == "crossing" and edge and place.kind in ("motorway", "off_ramp", "on_ramp"):
+    cuts_in = "cut_in" in acts and not junction
+    if lane == "crossing" and edge and (cuts_in or place.kind in ("motorway", "off_ramp", "on_ramp")):
         lane = edge  # from one side to the other, over the lanes
     if lane == "crossing" and "enter_road" in acts and not junction:
         lane = None

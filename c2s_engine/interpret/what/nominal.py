@@ -218,7 +218,8 @@ class Nominal(Timing):
             before = " ".join(w.norm for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence)
             if re.search(
                 (
-                    r"(suppress\w*|prevent\w*|abort\w*|refrain\w*|inhibit\w*|prohibit\w*|instead) (of "
+                    r"(suppress\w*|prevent\w*|block\w*|hinder\w*|den(?:y|ies|ied)|forbid\w*"
+                    r"|abort\w*|refrain\w*|inhibit\w*|prohibit\w*|instead) (of "
                     r"|from )?(\w+ |[\w-]+ ){0,3}$"
                 ),
                 before + " ",

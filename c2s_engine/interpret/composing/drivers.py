@@ -240,10 +240,17 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     model = None
     if scene.settings.ego_model is not None and scene.settings.ego_model.confidence >= 0.6:
         model = scene.settings.ego_model.value
+    phases = [p.model_copy(update={"target": None}) if _for_one_behind(scene, p, ids) else p for p in phases]
     spec = EgoSpec(
         type=kind, model=model, speed=speed, phases=tuple(phases[:8]), reaction=reaction, react_to=react_to, hard=hard
     )  # type: ignore[arg-type]
     return spec, assumed
+
+
+def _for_one_behind(scene: Scene, phase: Phase, ids: dict[Entity, str]) -> bool:
+    """Whether ego brakes "with a truck behind it": not for that one."""
+    behind = {ids.get(a) for a in scene.actors if scene.where(a).rel == "behind"}
+    return phase.action in ("brake", "stop") and phase.target is not None and phase.target in behind
 
 
 ONWARDS = re.compile(

@@ -9,6 +9,7 @@ from c2s_engine.interpret.placing.implied_starts import implied_start
 from c2s_engine.interpret.placing.lengthwise import (
     CIRCULATES,
     along_of,
+    catches_ego,
     gains,
     passes_ego,
     told_along,
@@ -55,6 +56,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         rel = "behind"
     if rel is not None and passes_ego(scene, entity):
         rel = "behind"  # where it comes to be is said with the same words
+    if rel is None and lane in (None, "same") and not junction and catches_ego(scene, entity):
+        rel = "behind"
     if rel == "beside" and where.of is None and _met(scene, entity) == "ahead":
         rel, lane = "ahead", "same"  # beside another, but ego comes up behind it
     if lane == "oncoming" and rel == "behind" and "oncoming" not in entity.roles:

@@ -62,7 +62,7 @@ def _bare() -> re.Pattern[str]:
         rf"|approach\w*|arriv\w+|rid\w+|com(?:es?|ing)|came|runs?|clos(?:es?|ed|ing)"
         rf"|catch\w*|caught|pass(?:es|ed|ing)"
         rf"|overtak\w+|overtook|lead(?:s|ing)?|follow\w*|merg\w+|enter\w*|head\w+|join\w*)"
-        rf"(?: [a-z][\w'-]*| (?<=interstate )\d+){{0,3}} at (?:about |around "
+        rf"(?: [a-z][\w'-]*| (?<=interstate )\d+){{0,3}} (?:at|with) (?:about |around "
         rf"|roughly |a steady )?(?P<at>[1-9]\d?[05]|(?:{number}))(?=\s*(?:[,.;)]|$|and\b|when\b"
         rf"|in\b(?! the (?:morning|evening|afternoon))|on\b|because\b|as\b|while\b|with\b|behind\b|towards?\b))"
         rf"|\b(?:{nouns}|ego|lead|v[12]) \((?P<bracket>\d{{2,3}})(?=[,)])"

@@ -41,14 +41,29 @@ def _patterns() -> dict[str, re.Pattern[str]]:
     return {name: re.compile(pattern, re.IGNORECASE) for name, pattern in found.items()}
 
 
+LESSON = re.compile(
+    r"\b(?:driving (?:instructors?|lessons?|schools?|tests?|examiners?)|instructors?|examiner|learner drivers?"
+    r"|your (?:pupil|student|candidate|learner|trainee))\b",
+    re.IGNORECASE,
+)
+"""What tells that a text is about learning to drive."""
+PUPIL = re.compile(
+    r"\b(?:the|your) (?:pupil|student|candidate|learner|trainee)(?: driver)?(?:[’']s (?:car|vehicle)\b)?(?![’'\w-])",
+    re.IGNORECASE,
+)
+
+
 def cast_as_ego(text: str) -> list[Replacement]:
-    """The name of ego before the vehicle that is cast so, and nothing instead of what casts it."""
+    """The name of ego before the vehicle that is cast so, and nothing instead of what casts it; the name of ego for
+    who learns to drive."""
+    if LESSON.search(text):
+        return [(m.start(), m.end(), "the ego vehicle") for m in PUPIL.finditer(text)]
     if not re.search(r"\bego\b", text, re.IGNORECASE):
         return []
     found: list[Replacement] = []
     for match in _patterns()["beside"].finditer(text):
-        if re.search(r"\bego[- ]?\Z", text[: match.start()], re.IGNORECASE):
-            continue
+        if re.search(r"\b(?:ego[- ]?|same (?:[\w-]+ ){0,2})\Z", text[: match.start()], re.IGNORECASE):
+            continue  # "the same car as ego"
         found += [(match.start("noun"), match.start("noun"), "ego "), (match.start("tag"), match.end("tag"), "")]
     if found:
         return found

@@ -33,6 +33,7 @@ HEADED = re.compile(
 """Whose heading is told before a speed: "turned across the path of V1, northbound at 40 mph"."""
 ON_FOOT = frozenset(("walking", "running", "crossing"))
 COMPARED_WITH = re.compile(r"\b(?:than|as) (?:the |an? )?$")
+FASTEST_ON_FOOT = 12.0
 AT_REST = frozenset(("stationary", "stop", "brake", "brake_stop", "held_up", "yield"))
 REACHED = re.compile(
     r"(?:to|down to)\s*(?:(?:a |the |its )?(?:(?:final|new|constant|lower|reduced|target|residual|steady) )?"
@@ -65,6 +66,8 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         runs = span.data.get("each", ())
         row = runs if len(runs) > 2 else (span.data["low"], span.data["high"])  # of one: a series of runs
         value = (min(row), max(row), span.start, span.end)
+        if owner is not None and owner.person and value[0] > FASTEST_ON_FOOT:
+            owner = next((e for e in reversed(_named_before(scene, span)) if not e.person), None)
         if owner is not None and owner.roles & {"stationary", "parked"} and value[0] > 0:
             owner = _who_meets(scene, owner, word.sentence) or owner  # "approaches a stationary POV at 72 km/h"
         if owner is not None and owner.noun in language.table("actors")["queues"]:
@@ -173,6 +176,11 @@ def _had_by_then(scene: Scene, event: Event) -> bool:
     perfect = word.tag in ("VBN", "VBD") and {"had", "has", "have"} & {scene.words[c].norm for c in word.children}
     earlier = (e for e in scene.events(event.agent) if e.word < event.word)
     return bool(perfect) and not any(e.act in ("brake", "brake_stop", "accelerate") for e in earlier)
+
+
+def _named_before(scene: Scene, span: scan.Span) -> list[Entity]:
+    """Those who are named before a speed, in their order."""
+    return [scene.cast.of[i] for i in sorted(scene.cast.of) if scene.words[i].start < span.start]
 
 
 def _who_meets(scene: Scene, other: Entity, sentence: int) -> Entity | None:

@@ -218,7 +218,7 @@ class Nominal(Timing):
             before = " ".join(w.norm for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence)
             if re.search(
                 (
-                    r"(suppress\w*|prevent\w*|block\w*|hinder\w*|den(?:y|ies|ied)|forbid\w*"
+                    r"(suppress\w*|prevent\w*|block(?:s|ing)?|hinder(?:s|ing)?|den(?:y|ies|ied)|forbid\w*"
                     r"|abort\w*|refrain\w*|inhibit\w*|prohibit\w*|instead) (of "
                     r"|from )?(\w+ |[\w-]+ ){0,3}$"
                 ),

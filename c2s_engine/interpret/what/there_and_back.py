@@ -19,7 +19,7 @@ COMES_BACK = re.compile(
 def there_and_back(clauses: Clauses) -> None:
     """A change back goes to the other side: "drifts to the left ... moves back into its lane"."""
     for event in clauses.events:
-        if event.act == "travel" and event.done and COMES_BACK.match(event.text):
+        if event.act == "travel" and event.done and not event.agent.ego and COMES_BACK.match(event.text):
             out = _before(clauses, event)
             event.act = "lane_change" if out is not None and out.act == "oncoming" else event.act
     for event in clauses.events:

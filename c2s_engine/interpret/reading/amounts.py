@@ -68,6 +68,9 @@ def _bare() -> re.Pattern[str]:
         rf"|\b(?:{nouns}|ego|lead|v[12]) \((?P<bracket>\d{{2,3}})(?=[,)])"
         rf"|(?:speed|doing|going|at) (?:of )?(?P<spelt>(?:{DIGITS}) (?:{DIGITS})(?: "
         rf"(?:{DIGITS}))?)(?=\s*(?:[,.;)]|$|and\b|in\b|on\b))"
+        rf"|(?:\A|[.,;:(] |\band )(?:all|both)(?: of them)?(?: (?:at|do|drive|go|with|doing|driving))?"
+        rf" (?P<all>\d{{2,3}})"
+        rf"(?=\s*(?:[.,;)]|$))"
         rf"|\bthe speed (?P<plain>\d{{2,3}})\b(?! ?(?:km|mph|k|m/))"
         rf"|(?:autobahn|motorway|freeway|highway|interstate|road|lane|street|carriageway)"
         rf"(?:,| at) (?P<tail>\d{{2,3}})(?=\s*(?:[.;,]|$))"
@@ -91,6 +94,17 @@ FROM_TO = re.compile(
 """A change of speed in bare numbers: "slowed from 65 to about 45"."""
 
 
+@cache
+def _bare_ranges() -> re.Pattern[str]:
+    """Two numbers after a road user: "VUT 50-80"."""
+    nouns = language.alternatives([n for n, (_, several, _) in language.actor_nouns().items() if not several])
+    names = rf"(?:{nouns}|{'|'.join(language.table('ego')['strong'])})"
+    return re.compile(
+        rf"(?<![\w-])(?:{names})(?: at| speed|:)? (?P<low>[1-9]\d{{1,2}}) ?(?:-|to) ?(?P<high>[1-9]\d{{1,2}})"
+        rf"(?=\s*(?:[.,;)/|]|$|and\b|in the\b|on the\b))"
+    )
+
+
 def bare_speeds(text: str) -> list[Span]:
     """Numbers without a unit after a road user or its lane, in the shorthand of tests ("ego 60, lead 40"): mph where
     the text has mph anywhere or is American, else km/h."""
@@ -102,6 +116,11 @@ def bare_speeds(text: str) -> list[Span]:
         if 10 <= value <= 200:
             data = {"dimension": "speed", "low": value * factor, "high": value * factor, "bare": True}
             found.append(Span("quantity", match.start(group), match.end(group), data))
+    for match in _bare_ranges().finditer(text):
+        low, high = (value_of(match[g]) * factor for g in ("low", "high"))
+        if low < high and not any(s.start < match.end() and match.start("low") < s.end for s in found):
+            data = {"dimension": "speed", "low": low, "high": high, "bare": True}
+            found.append(Span("quantity", match.start("low"), match.end("high"), data))
     for match in FROM_TO.finditer(text):
         first, second = (value_of(match[g]) * factor for g in ("first", "second"))
         if not any(s.start < match.end() and match.start("first") < s.end for s in found):

@@ -5,6 +5,7 @@ from functools import cache
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading import (
+    bare_sides,
     cast_as_ego,
     each_apart,
     grids,
@@ -46,6 +47,7 @@ class Mended:
             inverted.inverted,
             rephrased.rephrased,
             each_apart.each_apart,
+            bare_sides.bare_sides,
             titled_deeds.titled_deeds,
             telegraphic.spelt_out,
         ):

@@ -73,6 +73,7 @@ def _gapped(i: int, cast: Cast, clauses: Clauses) -> None:
     if told or entity.ego or not entity.mover or not before or before[-1].agent.person != entity.person:
         return
     last = max(before, key=lambda e: e.word)
+    entity.roles |= last.agent.roles & {"oncoming"}  # "two oncoming cars go by, then a bus"
     patient = last.patient if last.patient is not entity else None
     clauses.events.append(Event.echo(last, agent=entity, patient=patient, side=last.side, **_at(who.i, cast)))
 

@@ -179,6 +179,8 @@ class Timing(Afterwards):
                             "of": self._to_whom(event, inside),
                             "at": quantity["start"],
                         }
+                        if marks in ("until", "till", "before") and event.mode == "negated":
+                            event.mode = "fact"  # "does not brake until the TTC is 1.5 s"
                     elif (
                         quantity["dimension"] == "distance"
                         and self.words[i].dep in ("advcl", "advmod", "relcl")

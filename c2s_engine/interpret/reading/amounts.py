@@ -43,7 +43,7 @@ def _bare() -> re.Pattern[str]:
         rf"|car ?[1-9]|straight|left|right|lane|ahead|behind|doing|going|brakes? to"
         rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerat\w*(?: back| up| again)* to"
         rf"|(?:speeds?|sped|picks?|picked) up to)"
-        rf"(?:,? at|,? doing| (?:drives|does|did|goes|went|is doing|was doing|runs)|:| speed)?"
+        rf"(?:,? at|,? with|,? doing| (?:drives|does|did|goes|went|is doing|was doing|runs)|:| speed)?"
         rf" (?:about |around |roughly |maybe |a steady |only |at least "
         rf"|easily |over |nearly |almost )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)"
         rf"(?=\s*(?:[,.;)]|$|straight\b|and\b"
@@ -180,8 +180,12 @@ def _exactly(dimension: str, value: float) -> dict[str, Any]:
 
 def quantities(text: str) -> list[Span]:
     """Numbers with a unit, in SI, without those that only say the one before again: "72 km/h (45 mph)"."""
-    found = _measured(text)
+    found = [q for q in _measured(text) if q.data["dimension"] != "distance" or not SIZE.search(text[: q.start])]
     return found[:1] + [q for before, q in zip(found, found[1:], strict=False) if not _again(text, before, q)]
+
+
+SIZE = re.compile(r"\b(?:stature|height|width|body length|diameter|tall|wingspan)(?: of| is| =|:)? ?$")
+"""What stands before how big somebody or something is."""
 
 
 def _again(text: str, first: Span, second: Span) -> bool:

@@ -20,7 +20,8 @@ def _noted() -> re.Pattern[str]:
     nouns = [n for n, (kind, several, rider) in language.actor_nouns().items() if kind in MOTOR and not several]
     names = language.alternatives([*nouns, "ego", "vut", "sv", "av"])
     return re.compile(
-        rf"(?:(?<=\A)|(?<=[,;:.+&] )|(?<=[,;:.(\n\"])|(?<=\band )|(?<=\bwith ))(?:an? |the |one )?(?:{names}) "
+        rf"(?:(?<=\A)|(?<=[,;:.+&] )|(?<=[,;:.(\n\"])"
+        rf"|(?<=\band )|(?<=\bwith )|(?<=\bspawn )|(?<=\bplace )|(?<=\badd ))(?:an? |the |one )?(?:{names}) "
         r"(?P<side>left|right)(?=\s*(?:[,;.)+&]|$|\band\b|\d))",
         re.IGNORECASE,
     )

@@ -39,6 +39,7 @@ class Mended:
             pairs.pairs,
             grids.grids,
             notation.fields,
+            titled_deeds.quoted_title,
             cast_as_ego.cast_as_ego,
             *unneeded,
             notation.signs,

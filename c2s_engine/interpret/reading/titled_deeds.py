@@ -1,5 +1,5 @@
-"""Notes that open with what happens, and only then name who is there: "cut-in from left to right at 15 m, ego 100 km/h,
-target 80 km/h": the one other vehicle does it."""
+"""Titles: a name in quotes that says nothing more, and notes that open with what happens and only then name who is
+there ("cut-in from left to right at 15 m, ego 100 km/h, target 80 km/h"): the one other vehicle does it."""
 
 import re
 
@@ -22,6 +22,24 @@ TOLD = re.compile(r"\bcut(?:s|ting)?[- ]?(?:in|out|back)\b|\b(?:merg|chang|swerv
 AFTERWARDS = frozenset(("brakes", "slows", "stops", "decelerates", "accelerates"))
 """What one may do that has cut in."""
 SAID = {"cut in": "cuts in", "cut out": "cuts out"}
+
+
+QUOTED = re.compile(
+    r"\A\s*(?:[\w.#/-]+[ ,:–-]+){0,7}?[\"“](?P<title>(?:[\w'’/-]+,? ?){1,8})[\"”]\s*[:.,–-]+\s*(?=(?:\S+\s+){9})"
+)
+
+
+def quoted_title(text: str) -> list[Replacement]:
+    """Nothing instead of a title in quotes that names nobody whom the text does not tell of."""
+    match = QUOTED.match(text)
+    if match is None:
+        return []
+    names = scan.names(scan.normalised(text))
+    before = [s for s in names if s.start < match.end()]
+    after = {s.data.get("type") for s in names if s.start >= match.end()}
+    after |= {"vehicle"} if after & VEHICLES else set()
+    told = all(s.kind == "actor" and s.data["type"] in after for s in before)
+    return [(match.start(), match.end(), "")] if told else []
 
 
 def titled_deeds(text: str) -> list[Replacement]:

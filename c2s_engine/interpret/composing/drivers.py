@@ -50,7 +50,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         trigger = trigger_of(event)
         if act == "yield":
             reaction, said_reaction, waits_at = "yield", True, len(phases)
-            react_to = react_to or who or yielded(scene, event, ids)
+            stands = event.patient is not None and bool(event.patient.roles & {"parked"})  # "gives way behind" those
+            react_to = react_to or (None if stands else who) or yielded(scene, event, ids)
         elif act in RESPONSES:
             stop = act != "brake"
             if (

@@ -33,23 +33,23 @@ class Mended:
         self.original = text
         self._passes: list[Rewritten] = []
         unneeded = (notation.left_out,) if scene else ()
+        cast = (titled_deeds.quoted_title, cast_as_ego.cast_as_ego) if scene else ()
+        notes = (bare_sides.bare_sides, titled_deeds.titled_deeds) if scene else ()
         for replacements in (
             structured.structured,
             only_one.only_one,
             pairs.pairs,
             grids.grids,
             notation.fields,
-            titled_deeds.quoted_title,
-            cast_as_ego.cast_as_ego,
             *unneeded,
             notation.signs,
+            *cast,
             _repairs,
             respectively.respectively,
             inverted.inverted,
             rephrased.rephrased,
             each_apart.each_apart,
-            bare_sides.bare_sides,
-            titled_deeds.titled_deeds,
+            *notes,
             telegraphic.spelt_out,
         ):
             self._passes.append(Rewritten(text, replacements(text)))

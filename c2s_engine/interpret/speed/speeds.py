@@ -29,7 +29,7 @@ HEADED = re.compile(
 )
 """Whose heading is told before a speed: "turned across the path of V1, northbound at 40 mph"."""
 COMPARED_WITH = re.compile(r"\b(?:than|as) (?:the |an? )?$")
-FASTEST_ON_FOOT = 12.0
+FASTEST_ON_FOOT = 8.5
 ALL_AT = re.compile(
     r"\bspeeds(?: (?:of|are|were|at|around|about|is|being|each))*[: ]*$|(?:^|[.,;:(#] ?|\band )"
     r"(?:all|both|everybody|everyone)(?: (?:of them|are|at|do|doing|drive|driving|go|going|with|cars|vehicles))* $"

@@ -12,6 +12,7 @@ def speeds(s) -> list:
     [
         ("Ego approaches a stationary car at 30/40/50 km/h.", 30, 50),
         ("Ego at 30, 40 or 50 km/h approaches a stationary car.", 30, 50),
+        ("Ego 30/50 km/h behind a van.", 30, 50),
         ("The VUT drives at 20, 25, 30 and 35 km/h towards a stationary car.", 20, 35),
         ("Ego speed 10 - 60 km/h in increments of 5 km/h, target stationary.", 10, 60),
         ("Ego speeds from 10 km/h to 60 km/h in steps of 10 km/h. A stationary car is ahead.", 10, 60),

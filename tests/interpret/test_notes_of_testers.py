@@ -76,6 +76,8 @@ def test_a_pupil_on_foot_is_a_child(read) -> None:
 def test_how_a_child_moves_is_no_step_of_its_own(read) -> None:
     s = read("Child (running, 5 km/h) comes out from behind two parked cars on the nearside. VUT 20 to 60 km/h.")
     assert acts(s["O2"]) == ["cross_road"]
+    s = read("Pedestrian at a zebra. Ego 30 km/h. The pedestrian starts walking when ego is 25 m away and crosses.")
+    assert any(p.trigger is not None and p.trigger.value == 25 for p in s["O1"].spec.phases)
     s = read("A boy is running along the pavement and then crosses the road.")
     assert acts(s["O1"]) == ["move_along", "cross_road"]
 

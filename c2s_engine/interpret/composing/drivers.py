@@ -250,7 +250,12 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
 
 def _for_one_behind(scene: Scene, phase: Phase, ids: dict[Entity, str]) -> bool:
     """Whether ego brakes "with a truck behind it": not for that one."""
-    behind = {ids.get(a) for a in scene.actors if scene.where(a).rel == "behind"}
+    rest = ("travel", "follow", "approach")
+    behind = {
+        ids.get(a)
+        for a in scene.actors
+        if scene.where(a).rel == "behind" and all(e.act in rest for e in scene.events(a))
+    }
     return phase.action in ("brake", "stop") and phase.target is not None and phase.target in behind
 
 

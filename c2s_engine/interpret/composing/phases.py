@@ -127,10 +127,8 @@ def phases_of(
 def _only_how(scene: Scene, events: list[Event]) -> bool:
     """Whether its first event only tells how it moves: "a child (running, 5 km/h) comes out from behind a van"."""
     first = events[0]
-    return (
-        scene.words[first.word].tag == "VBG"
-        and re.fullmatch(r"\w+[ ,.;)(]*(?:(?:at )?#speed[ ,.;)]*)?", first.text) is not None
-    )
+    how = scene.words[first.word].tag == "VBG" and ONLY_HOW.fullmatch(first.text) is not None
+    return how and first.trigger is None
 
 
 def _comes_out(events: list[Event]) -> Event | None:

@@ -24,6 +24,7 @@ from c2s_engine.interpret.what.passing import came_up_behind
 from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.pulled_out import pulled_out
 from c2s_engine.interpret.what.pulled_over import had_pulled_over
+from c2s_engine.interpret.what.run_ends import run_ends
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.stays_put import stays_put
 from c2s_engine.interpret.what.struck_both import struck_both
@@ -65,6 +66,7 @@ def understand(text: str) -> Scene:
     foretold(cast)
     clauses = Clauses(words, cast)
     by_who_did_not_notice(cast, clauses)
+    endings = run_ends(plain, sentences, clauses)
     unnamed_doers(cast, clauses)
     story_first(cast, clauses)
     had_pulled_over(clauses)
@@ -103,7 +105,8 @@ def understand(text: str) -> Scene:
     headline(cast, clauses, places.of, road)
     settings = SettingsDetector().detect(plain, sentences)
     light = environment.light(plain, sentences)
-    scene = Scene(text, plain, sentences, words, cast, clauses, places, road, settings, light, spans=spans)
+    scene = Scene(text, plain, sentences, words, cast, clauses, places, road, settings, light)
+    scene.spans, scene.endings = spans, endings
     scene.actors = actors(scene)
     speeds(scene, quantities)
     return scene

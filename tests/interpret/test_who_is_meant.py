@@ -12,7 +12,8 @@ def test_the_former_and_the_latter(read) -> None:
         "The ego vehicle is driving on a two-lane road. A car is ahead of it and a motorcycle behind. "
         "The former brakes, and the latter overtakes both."
     )
-    assert (acts(s["O1"]), acts(s["O2"]), acts(s["E"])) == (["brake"], ["overtake"], [])
+    assert (acts(s["O1"]), acts(s["O2"]), acts(s["E"])) == (["brake"], ["overtake", "overtake"], [])
+    assert [p.target for p in s["O2"].spec.phases] == ["ego", "O1"]
     s = read(
         "A pedestrian stands on the left pavement, another on the right. The former stays where he is. "
         "The latter steps out."

@@ -8,6 +8,7 @@ from c2s_engine.interpret.composing.drivers import compose_ego
 from c2s_engine.interpret.composing.headways import by_headway
 from c2s_engine.interpret.composing.objects import Draft
 from c2s_engine.interpret.composing.roads import compose_place
+from c2s_engine.interpret.composing.run_limits import restrictions
 from c2s_engine.interpret.composing.settling import settle
 from c2s_engine.interpret.composing.three_arms import by_the_side_road
 from c2s_engine.interpret.scene import Scene
@@ -15,7 +16,7 @@ from c2s_engine.interpret.surroundings.environment import PRESET_TIME, PRESET_WE
 from c2s_engine.interpret.surroundings.settings import ACCEPTED, DEFAULTS, Settings
 from c2s_engine.interpret.who.mentions import ZONES, Entity
 from c2s_engine.structure.components import Assumption, Component, Link, Structure
-from c2s_engine.structure.specs import EgoSpec, RestrictionsSpec, SettingsSpec
+from c2s_engine.structure.specs import EgoSpec, SettingsSpec
 
 
 def compose(scene: Scene) -> Structure:
@@ -59,6 +60,8 @@ def compose(scene: Scene) -> Structure:
         for n, d in enumerate(drafts, 1)
     ]
     settings, settings_assumed = compose_settings(scene.settings, scene)
+    limits = restrictions(scene, ids, ego)
+    called = {f"O{n}": d.spec.name for n, d in enumerate(drafts, 1)}
     structure = Structure(
         text=scene.text,
         settings=Component(
@@ -81,9 +84,7 @@ def compose(scene: Scene) -> Structure:
             id="E", spec=ego, assumed=tuple(ego_assumed), links=_links(scene, scene.cast.ego), unmet=left["E"]
         ),
         objects=tuple(components),
-        restrictions=Component(
-            id="T", spec=RestrictionsSpec(), description="No restriction beyond the scene itself.", unmet=left["T"]
-        ),
+        restrictions=Component(id="T", spec=limits, description=describe.restrictions(limits, called), unmet=left["T"]),
     )
     names = {c.id: c.spec.name for c in structure.objects}  # type: ignore[union-attr]
     described = [c.model_copy(update={"description": describe.obj(c.spec, names)}) for c in structure.objects]  # type: ignore[arg-type]

@@ -4,7 +4,7 @@ import re
 
 from c2s_engine.interpret.language import plurals, table
 from c2s_engine.structure.quantity import high, low
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, SettingsSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, RestrictionsSpec, SettingsSpec
 
 
 def km_h(speed) -> str:  # noqa: ANN001
@@ -128,3 +128,15 @@ def settings(spec: SettingsSpec) -> str:
     text += f", map {spec.map}" if spec.map else ""
     text += f", ego's light {spec.light}" if spec.light else ""
     return text + "."
+
+
+def restrictions(spec: RestrictionsSpec, names: dict[str, str] | None = None) -> str:
+    """The sentence on the run's end."""
+    words, known = table("sentences")["ends"], _names(names)
+    ends = []
+    for c in spec.terminate_when:
+        other = _named(c.other, known) if c.other else "the other"
+        ends.append(words[c.kind].format(subject=_named(c.subject, known), other=other, minimum=f"{c.minimum or 0:g}"))
+    if spec.duration:
+        ends.append(words["time"].format(minimum=f"{spec.duration:g}"))
+    return f"The run ends {' or '.join(ends)}." if ends else "No restriction beyond the scene itself."

@@ -50,7 +50,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         trigger = trigger_of(event)
         if act == "yield":
             reaction, said_reaction, waits_at = "yield", True, len(phases)
-            react_to = react_to or who or yielded(scene, event, ids)
+            stands = event.patient is not None and bool(event.patient.roles & {"parked"})  # "gives way behind" those
+            react_to = react_to or (None if stands else who) or yielded(scene, event, ids)
         elif act in RESPONSES:
             stop = act != "brake"
             if (
@@ -240,10 +241,22 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     model = None
     if scene.settings.ego_model is not None and scene.settings.ego_model.confidence >= 0.6:
         model = scene.settings.ego_model.value
+    phases = [p.model_copy(update={"target": None}) if _for_one_behind(scene, p, ids) else p for p in phases]
     spec = EgoSpec(
         type=kind, model=model, speed=speed, phases=tuple(phases[:8]), reaction=reaction, react_to=react_to, hard=hard
     )  # type: ignore[arg-type]
     return spec, assumed
+
+
+def _for_one_behind(scene: Scene, phase: Phase, ids: dict[Entity, str]) -> bool:
+    """Whether ego brakes "with a truck behind it": not for that one."""
+    rest = ("travel", "follow", "approach")
+    behind = {
+        ids.get(a)
+        for a in scene.actors
+        if scene.where(a).rel == "behind" and all(e.act in rest for e in scene.events(a))
+    }
+    return phase.action in ("brake", "stop") and phase.target is not None and phase.target in behind
 
 
 ONWARDS = re.compile(

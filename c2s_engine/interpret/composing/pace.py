@@ -152,7 +152,7 @@ def pace_of(
 
 FAST = re.compile(
     r"\b((at|with) (a )?(very )?(high|great|excessive) speed|(too )?fast|speeding|at speed|rapidly|quickly|tailgat\w+"
-    r"|clos(es|ing) (in|up)|catch(es|ing) up|rac(es|ing)|blue lights|sirens?)\b"
+    r"|clos(e|es|ing) (in|up)|catch(es|ing)? (up|@ego)|rac(es|ing)|blue lights|sirens?)\b"
 )
 
 

@@ -10,6 +10,7 @@ from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import Phase, Placement, PlaceSpec, Trigger
 
 PULLS_OVER = re.compile(r"(?:pull|draw) (?:\w+ )?(?:over|in|to|into)\b")
+ONLY_HOW = re.compile(r"\w+[ ,.;)(]*(?:(?:at )?#speed[ ,.;)]*)?")
 OUT = re.compile(r"(?:come|move|drive|roll|edge|creep|inch|nose|pull|go|poke) (?:\w+ )?(?:out|forward)\b")
 
 
@@ -55,6 +56,8 @@ def phases_of(
         found.insert(0, Phase(action="go_straight", trigger=trigger_of(out)))
     if "stationary" in entity.roles and not any(p.action not in ("stationary", "wait") for p in found):
         found = [Phase(action="stationary")]
+    if entity.person and [p.action for p in found[:2]] == ["move_along", "cross_road"] and _only_how(scene, events):
+        found = found[1:]
     if entity.person and not found and not entity.roles and placement.position in ("sidewalk", "roadside"):
         near = " ".join(w.norm for w in scene.words[entity.mentions[0].word : entity.mentions[0].word + 7])
         on_it = place.crosswalk and re.search(r"cross|zebra", near) is not None
@@ -119,6 +122,13 @@ def phases_of(
     if any(p.action in ("turn_left", "turn_right", "u_turn") for p in found) and place.kind == "intersection":
         found = [p for p in found if p.action != "go_straight"]
     return found[:8]
+
+
+def _only_how(scene: Scene, events: list[Event]) -> bool:
+    """Whether its first event only tells how it moves: "a child (running, 5 km/h) comes out from behind a van"."""
+    first = events[0]
+    how = scene.words[first.word].tag == "VBG" and ONLY_HOW.fullmatch(first.text) is not None
+    return how and first.trigger is None
 
 
 def _comes_out(events: list[Event]) -> Event | None:

@@ -36,6 +36,7 @@ def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
         if phase.action == "stationary" and found:
             continue
         found.append(phase)
+    found = _starts_first(found)
     sets_off = ("enter_road", "start", "turn_left", "turn_right", "go_straight", "reverse")
     if len(found) > 1 and found[0].action == "stationary" and found[1].action in sets_off:
         stood = found[0].duration
@@ -46,3 +47,12 @@ def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
     if turns and place.kind == "intersection":
         found = [p for p in found if p.action != "go_straight"]
     return [p for p in found if p.action != "keep_lane" or len(found) == 1]
+
+
+def _starts_first(phases: list[Phase]) -> list[Phase]:
+    """With the start before the way that it begins, where it was told after that: "turns left. It starts from rest"."""
+    at = next((n for n, p in enumerate(phases) if p.action == "start"), 0)
+    before = {p.action for p in phases[:at]}
+    if not before or not before <= {"turn_left", "turn_right", "go_straight"} or phases[at].trigger is not None:
+        return phases
+    return [phases[at], *phases[:at], *phases[at + 1 :]]

@@ -85,6 +85,15 @@ COMES_UP = re.compile(
 )
 
 
+CATCHES = re.compile(r"(?:catch|gain|close)\b")
+
+
+def catches_ego(scene: Scene, entity: Entity) -> bool:
+    """Whether one is told to catch up with ego: it comes from behind."""
+    ups = (e for e in scene.events(entity) if e.act == "approach" and e.patient is scene.cast.ego)
+    return any(CATCHES.match(e.text) for e in ups) and scene.does(entity, "oncoming") is None
+
+
 def gains(scene: Scene, entity: Entity) -> bool:
     """Whether one is told to come up from behind."""
     if any(COMES_UP.search(e.text) for e in scene.events(entity) if e.act in ("approach", "travel")):

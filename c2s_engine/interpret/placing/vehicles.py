@@ -9,6 +9,7 @@ from c2s_engine.interpret.placing.implied_starts import implied_start
 from c2s_engine.interpret.placing.lengthwise import (
     CIRCULATES,
     along_of,
+    catches_ego,
     gains,
     passes_ego,
     told_along,
@@ -44,7 +45,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         return {"position": "crossing_right", "said": True}
     junction = place.kind == "intersection"
     lane, rel, edge = where.lane, where.rel, where.side
-    if lane == "crossing" and edge and place.kind in ("motorway", "off_ramp", "on_ramp"):
+    cuts_in = "cut_in" in acts and not junction
+    if lane == "crossing" and edge and (cuts_in or place.kind in ("motorway", "off_ramp", "on_ramp")):
         lane = edge  # from one side to the other, over the lanes
     if lane == "crossing" and "enter_road" in acts and not junction:
         lane = None
@@ -54,6 +56,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         rel = "behind"
     if rel is not None and passes_ego(scene, entity):
         rel = "behind"  # where it comes to be is said with the same words
+    if rel is None and lane in (None, "same") and not junction and catches_ego(scene, entity):
+        rel = "behind"
     if rel == "beside" and where.of is None and _met(scene, entity) == "ahead":
         rel, lane = "ahead", "same"  # beside another, but ego comes up behind it
     if lane == "oncoming" and rel == "behind" and "oncoming" not in entity.roles:

@@ -41,9 +41,9 @@ def _bare() -> re.Pattern[str]:
     return re.compile(
         rf"(?:(?:\(ego\)|\b)(?:{nouns}|(?:{'|'.join(language.table('ego')['strong'])})|v[12]"
         rf"|car ?[1-9]|straight|left|right|lane|ahead|behind|doing|going|brakes? to"
-        rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerates? to"
+        rf"|(?:slow|reduc|drop|brak|decelerat)\w* (?:speed |down )?to|accelerat\w*(?: back| up| again)* to"
         rf"|(?:speeds?|sped|picks?|picked) up to)"
-        rf"(?:,? at|,? doing| (?:drives|does|did|goes|went|is doing|was doing|runs)|:| speed)?"
+        rf"(?:,? at|,? with|,? doing| (?:drives|does|did|goes|went|is doing|was doing|runs)|:| speed)?"
         rf" (?:about |around |roughly |maybe |a steady |only |at least "
         rf"|easily |over |nearly |almost )?)(?<!lane )(?P<low>\d{{2,3}}|(?:{number})\b)"
         rf"(?=\s*(?:[,.;)]|$|straight\b|and\b"
@@ -59,12 +59,18 @@ def _bare() -> re.Pattern[str]:
         rf"|years?|people|cars|vehicles|trucks|km|ft|feet|degrees|percent|to|of|lanes?|am"
         rf"|pm)\b)[a-z])"
         rf"|\b(?:(?:north|south|east|west)bound|driv\w+|travel\w*|going|cruis\w+|moving|sit\w*"
-        rf"|approach\w*|arriv\w+|rid\w+|coming|runs?)(?: [a-z][\w'-]*| (?<=interstate )\d+){{0,3}} at (?:about |around "
+        rf"|approach\w*|arriv\w+|rid\w+|com(?:es?|ing)|came|runs?|clos(?:es?|ed|ing)"
+        rf"|catch\w*|caught|pass(?:es|ed|ing)"
+        rf"|overtak\w+|overtook|lead(?:s|ing)?|follow\w*|merg\w+|enter\w*|head\w+|join\w*)"
+        rf"(?: [a-z][\w'-]*| (?<=interstate )\d+){{0,3}} (?:at|with) (?:about |around "
         rf"|roughly |a steady )?(?P<at>[1-9]\d?[05]|(?:{number}))(?=\s*(?:[,.;)]|$|and\b|when\b"
         rf"|in\b(?! the (?:morning|evening|afternoon))|on\b|because\b|as\b|while\b|with\b|behind\b|towards?\b))"
         rf"|\b(?:{nouns}|ego|lead|v[12]) \((?P<bracket>\d{{2,3}})(?=[,)])"
         rf"|(?:speed|doing|going|at) (?:of )?(?P<spelt>(?:{DIGITS}) (?:{DIGITS})(?: "
         rf"(?:{DIGITS}))?)(?=\s*(?:[,.;)]|$|and\b|in\b|on\b))"
+        rf"|(?:\A|[.,;:(] |\band )(?:all|both)(?: of them)?(?: (?:at|do|drive|go|with|doing|driving))?"
+        rf" (?P<all>\d{{2,3}})"
+        rf"(?=\s*(?:[.,;)]|$))"
         rf"|\bthe speed (?P<plain>\d{{2,3}})\b(?! ?(?:km|mph|k|m/))"
         rf"|(?:autobahn|motorway|freeway|highway|interstate|road|lane|street|carriageway)"
         rf"(?:,| at) (?P<tail>\d{{2,3}})(?=\s*(?:[.;,]|$))"
@@ -88,6 +94,17 @@ FROM_TO = re.compile(
 """A change of speed in bare numbers: "slowed from 65 to about 45"."""
 
 
+@cache
+def _bare_ranges() -> re.Pattern[str]:
+    """Two numbers after a road user: "VUT 50-80"."""
+    nouns = language.alternatives([n for n, (_, several, _) in language.actor_nouns().items() if not several])
+    names = rf"(?:{nouns}|{'|'.join(language.table('ego')['strong'])})"
+    return re.compile(
+        rf"(?<![\w-])(?:{names})(?: at| speed|:)? (?P<low>[1-9]\d{{1,2}}) ?(?:-|to) ?(?P<high>[1-9]\d{{1,2}})"
+        rf"(?=\s*(?:[.,;)/|]|$|and\b|in the\b|on the\b))"
+    )
+
+
 def bare_speeds(text: str) -> list[Span]:
     """Numbers without a unit after a road user or its lane, in the shorthand of tests ("ego 60, lead 40"): mph where
     the text has mph anywhere or is American, else km/h."""
@@ -99,6 +116,11 @@ def bare_speeds(text: str) -> list[Span]:
         if 10 <= value <= 200:
             data = {"dimension": "speed", "low": value * factor, "high": value * factor, "bare": True}
             found.append(Span("quantity", match.start(group), match.end(group), data))
+    for match in _bare_ranges().finditer(text):
+        low, high = (value_of(match[g]) * factor for g in ("low", "high"))
+        if low < high and not any(s.start < match.end() and match.start("low") < s.end for s in found):
+            data = {"dimension": "speed", "low": low, "high": high, "bare": True}
+            found.append(Span("quantity", match.start("low"), match.end("high"), data))
     for match in FROM_TO.finditer(text):
         first, second = (value_of(match[g]) * factor for g in ("first", "second"))
         if not any(s.start < match.end() and match.start("first") < s.end for s in found):
@@ -158,8 +180,12 @@ def _exactly(dimension: str, value: float) -> dict[str, Any]:
 
 def quantities(text: str) -> list[Span]:
     """Numbers with a unit, in SI, without those that only say the one before again: "72 km/h (45 mph)"."""
-    found = _measured(text)
+    found = [q for q in _measured(text) if q.data["dimension"] != "distance" or not SIZE.search(text[: q.start])]
     return found[:1] + [q for before, q in zip(found, found[1:], strict=False) if not _again(text, before, q)]
+
+
+SIZE = re.compile(r"\b(?:stature|height|width|body length|diameter|tall|wingspan)(?: of| is| =|:)? ?$")
+"""What stands before how big somebody or something is."""
 
 
 def _again(text: str, first: Span, second: Span) -> bool:
@@ -202,14 +228,15 @@ def _measured(text: str) -> list[Span]:
         )
         high = value_of(match["high"]) * factor if match["high"] else low
         before = text[max(0, match.start() - 30) : match.start()]
-        each = None
+        each, first_at = None, match.start()
         if joined and joined[1] == "and" and "between" not in before:
-            listed = [value_of(n) for n in re.findall(r"\d+(?:\.\d+)?", (EARLIER.search(before) or [""])[0])]
+            earlier = (EARLIER.search(before) or [""])[0]
+            listed, first_at = [value_of(n) for n in re.findall(r"\d+(?:\.\d+)?", earlier)], first_at - len(earlier)
             each = (*(v * factor for v in listed), low, high)
             low = high
         if high < low:
             low, high = high, low
-        found.append(Span("quantity", match.start(), match.end(), {"dimension": dimension, "low": low, "high": high}))
+        found.append(Span("quantity", first_at, match.end(), {"dimension": dimension, "low": low, "high": high}))
         if each is not None:
             found[-1].data["each"] = each
         if joined and joined[1] == "to" and re.search(r"from\s*$", before):

@@ -36,8 +36,49 @@ def bring_home(words: list[Word], word: Word) -> None:
         hang(words, place, word)
     if (user := _what_for(words, word)) is not None:
         hang(words, word, user, "advcl")  # "uses ego's lane to pass a queue"
+    if word.dep == "appos" and _listed(words, word):
+        word.dep = "conj"  # "ego, a van and a truck are driving": no other name of ego
+    if (verb := _clause_of_bracket(words, word)) is not None:
+        hang(words, word, verb, "advcl")  # "enters ego's lane (overtaking a tractor)"
+    if (verb := _verb_of_between(words, word)) is not None:
+        hang(words, word, verb)  # "cuts in between ego and the lorry from the left"
     if (lane := _lane_before(words, word)) is not None:
         hang(words, word, lane)  # "approaches a queue in the lane to its right"
+
+
+def _listed(words: list[Word], word: Word) -> bool:
+    """Whether what is set off behind a road user is the next of a list: "ego, a van and a truck"."""
+    further = [words[c] for c in word.children if words[c].dep == "conj"]
+    new = all(any(words[c].norm in ("a", "an", "another") for c in w.children) for w in (word, *further))
+    head = words[word.head]
+    both = road_user(word) and road_user(head) and words[head.i + 1].norm == ","
+    listed = both and bool(further) and all(map(road_user, further))
+    return listed and new and any(words[c].norm == "and" for c in word.children)
+
+
+def _clause_of_bracket(words: list[Word], word: Word) -> Word | None:
+    """The verb of the clause that a participle in brackets tells more of, where it stands behind a place."""
+    noun = words[word.head]
+    bracketed = word.i > 0 and words[word.i - 1].norm == "("
+    if word.dep != "acl" or word.tag != "VBG" or not bracketed or road_user(noun):
+        return None
+    above = noun
+    while above.head != above.i and not above.verb:
+        above = words[above.head]
+    return above if above.verb and above.i < word.i else None
+
+
+def _verb_of_between(words: list[Word], word: Word) -> Word | None:
+    """The verb that tells who comes from a side between two, where the tree has the side with the second of them."""
+    if word.norm != "from" or word.dep != "prep" or not any(words[c].norm in ("left", "right") for c in word.children):
+        return None
+    above = words[word.head]
+    while above.dep == "conj" and words[above.head].noun:
+        above = words[above.head]
+    between = words[above.head]
+    if above.dep != "pobj" or between.norm != "between":
+        return None
+    return words[between.head] if words[between.head].verb else None
 
 
 def _begun_before(words: list[Word], word: Word) -> Word | None:

@@ -6,6 +6,8 @@ from functools import cache
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading import (
     abbreviated,
+    bare_sides,
+    cast_as_ego,
     each_apart,
     grids,
     inverted,
@@ -18,6 +20,7 @@ from c2s_engine.interpret.reading import (
     structured,
     telegraphic,
     testimony,
+    titled_deeds,
 )
 from c2s_engine.interpret.reading.motions import irregular
 from c2s_engine.interpret.reading.rewritten import Replacement, Rewritten
@@ -33,6 +36,8 @@ class Mended:
         self.original = text
         self._passes: list[Rewritten] = []
         unneeded = (notation.left_out,) if scene else ()
+        cast = (titled_deeds.quoted_title, cast_as_ego.cast_as_ego) if scene else ()
+        notes = (bare_sides.bare_sides, titled_deeds.titled_deeds) if scene else ()
         for replacements in (
             structured.structured,
             only_one.only_one,
@@ -44,11 +49,13 @@ class Mended:
             notation.fields,
             *unneeded,
             notation.signs,
+            *cast,
             _repairs,
             respectively.respectively,
             inverted.inverted,
             rephrased.rephrased,
             each_apart.each_apart,
+            *notes,
             telegraphic.spelt_out,
         ):
             self._passes.append(Rewritten(text, replacements(text)))

@@ -26,6 +26,9 @@ LINKS = re.compile(
 PARTICIPLE = re.compile(r"(?!going\b|coming\b|during\b|following\b|leading\b|oncoming\b|nothing\b)[a-z]{3,}ing\b")
 
 
+SPEED = re.compile(r"\s+\d{2,3}\b(?! ?(?:m|metres?|meters?|s|secs?|seconds?|ft|feet|years?|cars|%))")
+
+
 @dataclass
 class Note:
     """What the pieces after a road user say."""
@@ -145,7 +148,8 @@ def _headed(text: str, plain: str, first: int, stop: int, names: list[Span]) -> 
         return None
     words = "|".join(language.table("telegraphic")["before"])
     name = inside[0]
-    if not re.fullmatch(rf"(?:(?:\d{{1,2}}|{words})\s+){{0,2}}", plain[first : name.start]):
+    article = r"(?:an?\s+)?" if SPEED.match(plain[name.end : stop]) else ""  # "a van 90 km/h"
+    if not re.fullmatch(rf"{article}(?:(?:\d{{1,2}}|{words})\s+){{0,2}}", plain[first : name.start]):
         return None
     heads = [_subject(text, plain, first, name)]
     at = _bracket(plain, name.end)

@@ -8,29 +8,33 @@ from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.speed.by_limit import by_limit, told_by_limit
 from c2s_engine.interpret.speed.changes_by import changes_by
 from c2s_engine.interpret.speed.comparisons import compared_speeds, is_difference
+from c2s_engine.interpret.speed.owners import named_before, who_meets, whose_own
 from c2s_engine.interpret.speed.ratios import speeds_by_ratio
 from c2s_engine.interpret.speed.shared_out import joined_with, shared_out
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import VEHICLES, Entity
 
 SIDEWAYS = re.compile(r"\b(?:lateral|sideways|sideward|wind|yaw)\s+(?:\w+\s+){0,6}$")
+TOLERATED = re.compile(r"(?:\b(?:within|(?:tolerance|accuracy|error) of|deviat\w+ (?:of|by|less than))|±|\+/-) ?$")
+"""What stands before how much a speed may be off."""
 AT_LIMIT = re.compile(
     r"\bat (?:the |a |its )?(?:posted|legal|permitted|signed|speed limit|limit)( speed)?( limit)?( of)?\s*$"
 )
 NAMED = re.compile(
     r"\bv_?(?:(?P<ego>e|ego|vut|sv|host|e0|0)|(?P<other>o|obj|o0|t|tv|target|lead|lv|1|gvt))\s*(?:=|:|in|of)\s*$"
 )
-OWN_SPEED = re.compile(
-    r"\b(?P<whose>\w+)(?: 's)? (?:speed|velocity|pace)(?: (?:is|was|of|at|about|around|constant))*\s*[:=,]?\s*$"
-)
-"""Whose speed is named right before it: "pedestrian speed 5 km/h", "walking speed: 5 km/h"."""
 HEADED = re.compile(
     r"\s*,?\s*(?:(?:which|who) was )?(?:(?:travell?ing|driving|heading|going) )?(?:(?:due )?(?:north|south|east|west)"
     r"(?:bound)?|[nsew]/?b) at (?:(?:about|around|roughly|approximately|an? (?:estimated|speed of)|some) )?"
 )
 """Whose heading is told before a speed: "turned across the path of V1, northbound at 40 mph"."""
-ON_FOOT = frozenset(("walking", "running", "crossing"))
 COMPARED_WITH = re.compile(r"\b(?:than|as) (?:the |an? )?$")
+FASTEST_ON_FOOT = 8.5
+ALL_AT = re.compile(
+    r"\bspeeds(?: (?:of|are|were|at|around|about|is|being|each))*[: ]*$|(?:^|[.,;:(#] ?|\band )"
+    r"(?:all|both|everybody|everyone)(?: (?:of them|are|at|do|doing|drive|driving|go|going|with|cars|vehicles))* $"
+)
+"""What stands before the speed of all who drive."""
 AT_REST = frozenset(("stationary", "stop", "brake", "brake_stop", "held_up", "yield"))
 REACHED = re.compile(
     r"(?:to|down to)\s*(?:(?:a |the |its )?(?:(?:final|new|constant|lower|reduced|target|residual|steady) )?"
@@ -56,13 +60,17 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         if changes or is_difference(scene.plain, span) or told_by_limit(scene, span):
             continue
         word = by_span.get(id(span))
-        if word is None:
+        if word is None or TOLERATED.search(scene.plain[max(0, span.start - 20) : span.start]):
             continue
         unit = word
         owner = _before(scene, span) or _beside(scene, span) or _speed_owner(scene, unit.i)
-        value = (span.data["low"], span.data["high"], span.start, span.end)
+        runs = span.data.get("each", ())
+        row = runs if len(runs) > 2 else (span.data["low"], span.data["high"])  # of one: a series of runs
+        value = (min(row), max(row), span.start, span.end)
+        if owner is not None and owner.person and value[0] > FASTEST_ON_FOOT:
+            owner = next((e for e in reversed(named_before(scene, span)) if not e.person), None)
         if owner is not None and owner.roles & {"stationary", "parked"} and value[0] > 0:
-            owner = _who_meets(scene, owner, word.sentence) or owner  # "approaches a stationary POV at 72 km/h"
+            owner = who_meets(scene, owner, word.sentence) or owner  # "approaches a stationary POV at 72 km/h"
         if owner is not None and owner.noun in language.table("actors")["queues"]:
             owner = None
         near = scene.plain[max(0, span.start - 60) : span.start]
@@ -70,8 +78,10 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         both = bool(re.search(r"\bboth\b[^.;]*$", near) and not FILLS.search(near)) or bool(
             re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20])
         )
-        if re.search(r"\bspeeds(?: (?:of|are|were|at|around|about|is|being|each))*[: ]*$", near):
-            for other in (cast.ego, *(e for e in scene.actors if e.type in VEHICLES and e.type != "bicycle")):
+        if (everybody := ALL_AT.search(near)) is not None:
+            drive = [e for e in scene.actors if e.type in VEHICLES and e.type != "bicycle"]
+            drive = drive if everybody[0].startswith("speeds") else [e for e in drive if e in named_before(scene, span)]
+            for other in (cast.ego, *drive):
                 scene.speeds.setdefault(other, value)
             continue
         like = re.search(r"like (it|the \w+|ego)[^.;,]*$", near)
@@ -171,27 +181,10 @@ def _had_by_then(scene: Scene, event: Event) -> bool:
     return bool(perfect) and not any(e.act in ("brake", "brake_stop", "accelerate") for e in earlier)
 
 
-def _who_meets(scene: Scene, other: Entity, sentence: int) -> Entity | None:
-    """Who approaches one that stands, in that sentence."""
-    meets = (e for e in scene.clauses.events if e.patient is other and scene.words[e.word].sentence == sentence)
-    return next((e.agent for e in meets if e.act in ("approach", "travel", "collide", "overtake")), None)
-
-
-def _named(scene: Scene, near: str) -> Entity | None:
-    """Whose speed the words right before it name, as a noun of somebody's or as that of a walk."""
-    said = OWN_SPEED.search(near)
-    if said is None:
-        return None
-    if said["whose"] in ON_FOOT:
-        return next((e for e in reversed(scene.actors) if e.person), None)
-    named = [e for e in scene.actors if e.noun == said["whose"]]
-    return named[-1] if len(named) == 1 else None
-
-
 def _before(scene: Scene, span: scan.Span) -> Entity | None:
     """The owner that stands before a speed in the same stretch between commas, where the verb's subject comes later."""
     near = scene.plain[max(0, span.start - 60) : span.start]
-    if (whose := _named(scene, near)) is not None:
+    if (whose := whose_own(scene, near)) is not None:
         return whose
     named = NAMED.search(near)
     if named is not None:

@@ -153,6 +153,8 @@ class Clauses(Deverbal):
             and word.head < word.i
         ):
             agent = self.by_word[word.head].agent
+        if agent is None and word.tag == "VBG" and word.dep == "advcl" and self.words[word.head].noun:
+            agent = self.cast.of.get(self._named_by(self.words[word.head], ("of", "by")) or -1)
         if agent is None and word.tag == "VBG" and word.dep == "pcomp":
             agent = self._beside_preposition(word)
         if agent is None:

@@ -36,8 +36,10 @@ def echoes(cast: Cast, clauses: Clauses) -> None:
                 last = max(earlier, key=lambda e: e.word)
                 clauses.events.append(Event.echo(last, agent=target, hard=last.hard, **_at(i, cast)))
         told = i + 1 >= len(words) or words[i + 1].span is None or not words[i + 1].span.data.get("words")
+        ends = i > 0 and words[i - 1].norm in ("before", "until", "till")  # "comes back before they meet"
         if (
             told
+            and not ends
             and re.match(
                 (
                     r"(the |they |)(two|both|they|vehicles|cars)( vehicles| cars| of them)? (then )?"
@@ -71,6 +73,7 @@ def _gapped(i: int, cast: Cast, clauses: Clauses) -> None:
     if told or entity.ego or not entity.mover or not before or before[-1].agent.person != entity.person:
         return
     last = max(before, key=lambda e: e.word)
+    entity.roles |= last.agent.roles & {"oncoming"}  # "two oncoming cars go by, then a bus"
     patient = last.patient if last.patient is not entity else None
     clauses.events.append(Event.echo(last, agent=entity, patient=patient, side=last.side, **_at(who.i, cast)))
 

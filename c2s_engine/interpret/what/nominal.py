@@ -145,6 +145,14 @@ class Nominal(Timing):
             return None
         return (other, one) if other.type in MOTOR and one.type not in MOTOR else (one, other)
 
+    def _before_all(self, word: Word) -> bool:
+        """Whether a crash is only why those stand that are told of: "three stationary vehicles after a crash"."""
+        after = self.words[word.head]
+        if word.dep != "pobj" or after.norm not in ("after", "from", "following", "of") or after.i > word.i:
+            return False
+        noun = self.cast.of.get(after.head)
+        return noun is not None and not noun.ego and bool(noun.roles & {"stationary", "parked"})
+
     def _noun(self, word: Word) -> None:
         if word.i in self.by_word or word.span is not None:
             return
@@ -175,6 +183,8 @@ class Nominal(Timing):
             if rule["act"] == "overtake" and agent is not None and not agent.ego and verb is not None:
                 subject = self._subject(verb)[0]
                 agent, patient = (subject, agent) if subject is not None else (agent, patient)  # "its pass of a truck"
+            if rule["act"] == "collide" and self._before_all(word):
+                return
             if rule["act"] == "collide" and (parties := self._struck_each_other(word, verb)) is not None:
                 agent, patient = parties
             elif rule["act"] == "collide" and agent is None and (met := self._met_in(word, verb, patient)) is not None:
@@ -218,7 +228,8 @@ class Nominal(Timing):
             before = " ".join(w.norm for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence)
             if re.search(
                 (
-                    r"(suppress\w*|prevent\w*|abort\w*|refrain\w*|inhibit\w*|prohibit\w*|instead) (of "
+                    r"(suppress\w*|prevent\w*|block(?:s|ing)?|hinder(?:s|ing)?|den(?:y|ies|ied)|forbid\w*"
+                    r"|abort\w*|refrain\w*|inhibit\w*|prohibit\w*|instead) (of "
                     r"|from )?(\w+ |[\w-]+ ){0,3}$"
                 ),
                 before + " ",

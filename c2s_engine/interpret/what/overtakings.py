@@ -38,15 +38,22 @@ def _each_of_several(clauses: Clauses) -> None:
         behind = [clauses.words[c] for c in verb.children if c > verb.i]
         inner = [clauses.words[c] for w in behind if w.dep == "prep" and w.norm in ("past", "by") for c in w.children]
         told = [w for w in (*behind, *inner) if w.dep in ("dobj", "pobj") and w.i in clauses.cast.of]
-        if len(told) != 1 or told[0].i - verb.i > 4 or told[0].norm == "both" and not event.agent.ego:
+        if len(told) != 1 or told[0].i - verb.i > 4:
             continue
         those = [clauses.cast.of[told[0].i], *clauses.cast.both.get(told[0].i, []), *_joined(clauses, told[0].i)]
         those = sorted(dict.fromkeys(e for e in those if e is not event.agent), key=lambda e: not e.ego)
+        if told[0].norm == "both" and not event.agent.ego and not _acts_before(clauses, event):
+            continue  # of two others, ego between them
         if len(those) > 1 and event.patient in those:
             event.patient = those[0]
             later = [Event.echo(event, patient=e, order=event.order + n / 100) for n, e in enumerate(those[1:], 1)]
             at = clauses.events.index(event) + 1
             clauses.events[at:at] = later
+
+
+def _acts_before(clauses: Clauses, event: Event) -> bool:
+    """Whether ego was told to do something before: then it is one of both."""
+    return any(e.ego and i < event.word for i, e in clauses.cast.subjects)
 
 
 def _joined(clauses: Clauses, at: int) -> list[Entity]:

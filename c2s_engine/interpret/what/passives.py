@@ -14,7 +14,7 @@ BY_A_PART = re.compile(
     r"\bby (?:the |its )?(?:(?:front|rear|left|right|near|off|near-?side|off-?side|passenger|driver|wing|door) ?)*"
     r"(?:corner|bumper|wing|mirror|bonnet|hood|front|wheel|fender|side)\b(?! (?:of|and)\b)(?! @)"
 )
-SUFFERED = frozenset(("collide", "overtake", "cut_in"))
+SUFFERED = frozenset(("collide", "overtake", "cut_in", "approach"))
 
 
 def unnamed_doers(cast: Cast, clauses: Clauses) -> None:
@@ -27,6 +27,8 @@ def unnamed_doers(cast: Cast, clauses: Clauses) -> None:
         if event.act not in SUFFERED or not event.passive or not part and BY.search(event.whole) or event.also:
             continue
         suffers = event.agent
+        if event.act == "approach" and (suffers.ego or not suffers.mover):
+            continue
         doer = _last(cast, clauses, event) if suffers.ego else cast.ego
         if part and not cast.ego.mentions:  # "a bus braked, a pedestrian was hit by the front left corner"
             motors = [cast.of[i] for i in sorted(cast.of) if i < event.word and cast.of[i].type in MOTOR]

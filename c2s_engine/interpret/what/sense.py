@@ -117,6 +117,8 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             verb = clauses._lemma(cast.words[event.word])
             turns = road.kind in ("intersection", "roundabout") and (verb not in JERKS or INTO.search(event.text))
             event.act = "turn" if turns else "swerve" if verb in JERKS else "lane_change"
+        if event.act == "turn" and event.agent.ego and _over_from_lane(cast, event, road):
+            event.act = "lane_change"
         steers = event.act == "turn" and clauses._lemma(cast.words[event.word]) == "steer"
         braked = any(
             e.agent is event.agent and e.act == "brake" and 0 < event.word - e.word < 6 for e in clauses.events
@@ -243,6 +245,21 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             event.mode = "hypothetical"
     out_to_pass(clauses)
     clauses.events.sort(key=lambda e: e.order)
+
+
+GOES_OVER = re.compile(
+    r"(?:go|move|get|swing|pull) (?:over )?(?:to the )?(?P<side>left|right)\b(?! (?:at|into|onto|in)\b)"
+)
+
+
+def _over_from_lane(cast: Cast, event: Event, road: Road) -> bool:
+    """Whether one "goes right" out of the left lane, where no junction is told of."""
+    goes = GOES_OVER.match(event.text)
+    if goes is None or road.kind in ("intersection", "roundabout"):
+        return False
+    other = "left" if goes["side"] == "right" else "right"
+    before = " ".join(w.norm for w in cast.words[: event.word])
+    return re.search(rf"\b{other}(?:most| -? ?hand)? lane\b", before) is not None
 
 
 def _meant_and_done(clauses: Clauses) -> None:

@@ -1,20 +1,34 @@
 """Who leaves his lane and comes back: the way back leads to the other side."""
 
+import re
+
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.overtakings import HOME, PART
 from c2s_engine.interpret.what.towards import OPPOSITE, side
 
 SIDEWAYS = frozenset(("lane_change", "cut_in", "cut_out", "drift", "oncoming"))
+COMES_BACK = re.compile(
+    r"(?:come|get|go|move|steer|swing|pull|slip|drive|cut|find (?:its|his|her) way) (?:\w+ly |just |right )?back\b"
+    r"(?! (?:and forth|to|in|into|onto|over) (?!(?:its|his|her|their|the) (?:own |correct |proper |right )*"
+    r"(?:lane|side|half)\b)\w)"
+)
+"""How one comes back over the line, where nothing is said of the lane."""
 
 
 def there_and_back(clauses: Clauses) -> None:
     """A change back goes to the other side: "drifts to the left ... moves back into its lane"."""
     for event in clauses.events:
+        if event.act == "travel" and event.done and not event.agent.ego and COMES_BACK.match(event.text):
+            out = _before(clauses, event)
+            event.act = "lane_change" if out is not None and out.act == "oncoming" else event.act
+    for event in clauses.events:
         if event.act not in ("lane_change", "cut_in") or not event.done or not HOME.search(event.text):
             continue
         out = _before(clauses, event)
         towards = side(out) if out is not None else None
+        if out is not None and out.act == "oncoming":
+            towards = towards or "left"
         if towards is not None and side(event) is None:
             event.side = OPPOSITE[towards]
 

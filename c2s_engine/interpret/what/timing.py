@@ -115,7 +115,8 @@ class Timing(Afterwards):
         blow = mark in ("when", "as") and event.act == "collide" and event.agent is main.agent
         if blow and event.word > main.word:
             return  # "was turning left when it struck V2"
-        if mark in ("after", "once", "when", "as", "having", "because") and event.word > main.word:
+        stood = mark in ("while", "whilst") and word.tag == "VBG" and event.act in ("stationary", "wait")
+        if (stood or mark in ("after", "once", "when", "as", "having", "because")) and event.word > main.word:
             event.order = main.order - 0.4
         elif mark == "before" and event.word < main.word:
             event.order = main.order + 0.4
@@ -178,6 +179,8 @@ class Timing(Afterwards):
                             "of": self._to_whom(event, inside),
                             "at": quantity["start"],
                         }
+                        if marks in ("until", "till", "before") and event.mode == "negated":
+                            event.mode = "fact"  # "does not brake until the TTC is 1.5 s"
                     elif (
                         quantity["dimension"] == "distance"
                         and self.words[i].dep in ("advcl", "advmod", "relcl")

@@ -38,9 +38,10 @@ AGAINST = re.compile(r"wrong[- ](way|direction)|(against|contrary to) (the )?(tr
 
 FILLED = re.compile(
     r"((?:oncoming|opposite|opposing|left|right|adjacent|neighbou?ring|other|next)(?:-hand)? lane"
-    r"|lane (?:to|on) (?:the|its|@ego 's) (?:left|right)|other (?:two|three|lanes|two lanes)) (?:be|is|was|are|were) "
-    r"(?:\w+ )?(?:full of|fill(?:ed)? with|occup(?:y|ied) by|pack(?:ed)? with|block(?:ed)? (?:by|with)|taken? by)"
-    r"(?: the| an?)?(?: \w+)?$"
+    r"|lane (?:to|on) (?:the|its|@ego 's) (?:left|right)|other (?:two|three|lanes|two lanes)) "
+    r"(?:(?:be|is|was|are|were) )?(?:\w+ )?(?:full of|fill(?:ed)? with"
+    r"|occup(?:y|ied) by|pack(?:ed)? with|block(?:ed)? (?:by|with)|taken? by)"
+    r"(?: the| an?)?(?: (?:convoy|row|line|column|queue|string|platoon) of)?(?: \w+)?$"
 )
 
 PART_FILLED = re.compile(

@@ -216,7 +216,7 @@ class Labels(Nouns):
         if word.dep == "pobj" and head.norm == "as" and (verb := self.words[head.head]).lemma in STANDS_STILL:
             subjects = (c for c in verb.children if self.words[c].dep in ("nsubj", "nsubjpass") and c < word.i)
             return next((self.of[c] for c in subjects if c in self.of), None)  # "stopped as the last car"
-        if word.dep == "attr" and head.lemma == "be" and not self._beside_another(word, head):
+        if word.dep == "attr" and head.lemma == "be" and near[-1:] != ["as"] and not self._beside_another(word, head):
             for child in head.children:
                 if (
                     self.words[child].dep == "nsubj"

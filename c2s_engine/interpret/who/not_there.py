@@ -35,6 +35,11 @@ BUSY = re.compile(
     rf"{_LANE} (?:(?:is|was|are|remains?|keeps?|goes|continues|stays?) )(?:on |to )?(?:\w+ly |very |quite )?"
     r"(?:heavy|dense|busy|slow|steady|fast|constant|continuous|mov|flow|crawl|creep|roll|drive|driving|go)"
 )
+ADJECTIVES = re.compile(
+    r"(?:^|[,;:.] )(?:(?:very|rather|quite) )?"
+    r"(?:(?:dense|continuous|heavy|steady|slow|fast|flowing|moving|constant|light|normal) )+$"
+)
+"""What stands before traffic of which only the lane is told."""
 FIXED = frozenset(language.table("actors")["fixed"])
 PLACED_BY = frozenset(("between", "at", "by", "near", "beside", "past", "outside", "opposite"))
 HEADS = frozenset(("actors", "objects", "vehicles", "participants", "users", "agents", "npcs", "obstacles", "others"))
@@ -162,6 +167,9 @@ class NotThere:
         own = [w for w in self.words if w.sentence == word.sentence]
         before = " ".join(w.norm for w in own if w.i < word.i)
         after = " ".join(w.norm for w in own if w.i > word.i)
+        verbless = word.dep in ("ROOT", "conj", "appos", "dep", "npadvmod") and ADJECTIVES.search(before + " ")
+        if verbless and IN_LANE.match(after):
+            return True  # "continuous traffic in the right lane at 100 km/h"
         there = re.search(r"\bthere (?:is|was) (?:[\w-]+ ){0,3}$", before + " ")
         if there is not None and IN_LANE.match(after):
             return True

@@ -77,6 +77,8 @@ class Pronouns(Theirs):
         if norm in ("theirs", "hers") and word.dep in ("nsubj", "nsubjpass", "dobj", "pobj", "conj"):
             others = [e for e in self.entities if e.type in MOTOR]
             return others[-1] if others else self._new(Entity("", "vehicle", noun="vehicle"))
+        if norm == "them" and self.words[word.i + 1 : word.i + 2] and self.words[word.i + 1].norm == "both":
+            return self._together(word)
         if norm in ("they", "them", "their", "themselves"):
             if (drives := self._theirs(word)) is not None:
                 return drives

@@ -1,0 +1,66 @@
+"""T: when the run is over, where the text tells."""
+
+import re
+from functools import cache
+
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.structure.specs import Condition, EgoSpec, RestrictionsSpec
+
+LONGEST = 120.0
+AFTER = re.compile(r"\b(?:after|for|at|lasts?)(?: about| around| t ?=)? $")
+
+
+@cache
+def _said() -> dict[str, re.Pattern[str]]:
+    data = language.table("endings")
+    named = {name: re.compile(data[name]) for name in ("collision", "denied", "stopped", "travelled")}
+    lasts = "|".join(language.filled(find, data["words"]) for find in data["lasts"])
+    return {**named, "lasts": re.compile(lasts)}
+
+
+def restrictions(scene: Scene, ids: dict[Entity, str], ego: EgoSpec) -> RestrictionsSpec:
+    """The conditions that end the run, and how long it lasts."""
+    found: list[Condition] = []
+    for start, end in scene.endings:
+        text = scene.plain[start:end]
+        events = [e for e in scene.clauses.events if start <= scene.words[e.word].start < end]
+        hit = _said()["collision"].search(text)
+        if hit is not None and _said()["denied"].search(text[: hit.start()]) is None:
+            found += _collision(scene, ids, events, start, end)
+        halt = _said()["stopped"].search(text)
+        if halt is not None and ego.speed != 0:
+            stops = next((e.agent for e in events if e.act in ("stop", "brake_stop", "stationary")), scene.cast.ego)
+            found.append(Condition(kind="stopped", subject=ids.get(stops, "ego")))
+        for span in (s for s in scene.spans if s.kind == "quantity" and start <= s.start < end):
+            before = scene.plain[start : span.start]
+            if span.data["dimension"] == "distance" and _said()["travelled"].search(before):
+                found.append(Condition(kind="travelled", minimum=round(span.data["low"], 2)))
+    return RestrictionsSpec(terminate_when=tuple(found), duration=_lasts(scene))  # type: ignore[arg-type]
+
+
+def _collision(scene: Scene, ids: dict[Entity, str], events: list[Event], start: int, end: int) -> list[Condition]:
+    """Ego's collision with whom the condition names, else with the first who is there; none where nobody is."""
+    told = [e for v in events if v.act == "collide" for e in (v.agent, v.patient) if e is not None and not e.ego]
+    told += [scene.cast.of[i] for i in sorted(scene.cast.of) if start <= scene.words[i].start < end]
+    others = [ids[e] for e in told if e in ids and not e.ego]
+    there = [name for name in ids.values() if name != "ego"]
+    return [Condition(kind="collision", other=other) for other in [*others, *there][:1]]
+
+
+def _lasts(scene: Scene) -> float | None:
+    """How long the run takes, in s."""
+    for span in scene.spans:
+        if span.kind != "quantity" or span.data["dimension"] != "time":
+            continue
+        number = next((s for s, e in scene.sentences if s <= span.start < e), 0)
+        before = scene.plain[number : span.start]
+        within = next((s for s, e in scene.endings if s <= span.start < e), None)
+        ends = within is not None and AFTER.search(scene.plain[within - 6 : span.start]) is not None
+        rest = scene.plain[span.end : span.end + 20]
+        later = re.match(r" (?:after|from|of) (?!(?:the )?(?:start|beginning))", rest) is not None
+        if not later and (ends or _said()["lasts"].search(before)):
+            return round(min(LONGEST, max(1.0, span.data["high"])), 1)
+    return None

@@ -1,0 +1,79 @@
+"""Who comes back over the line, waits before it acts, or is come up to; who is only listed beside ego."""
+
+import pytest
+
+
+def acts(component) -> list[str]:
+    return [p.action for p in component.spec.phases]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "An oncoming pickup drifts across the centre line and comes back before they meet.",
+            ["oncoming", "lane_change"],
+        ),
+        (
+            "An oncoming car crosses the centre line and then comes back to hit ego.",
+            ["oncoming", "lane_change", "collide"],
+        ),
+        ("An oncoming car enters ego's lane (overtaking a tractor).", ["oncoming", "overtake"]),
+    ],
+)
+def test_who_comes_over_the_line(read, text: str, expected: list[str]) -> None:
+    s = read(text)
+    assert acts(s["O1"]) == expected and "overtake" not in acts(s.ego)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The target vehicle, travelling at 20 km/h in the same lane, is approached from behind.",
+        "A cyclist in ego's lane is caught up from behind.",
+        "A slow tractor is approached from behind by ego at 70 km/h.",
+    ],
+)
+def test_who_is_approached_is_ahead(read, text: str) -> None:
+    assert read(text)["O1"].spec.placement.position == "ahead"
+
+
+def test_who_comes_up_to_ego_is_behind(read) -> None:
+    s = read("Ego is approached from behind by a fast car at 150 km/h.")
+    assert s["O1"].spec.placement.position == "behind"
+
+
+def test_it_waits_before_it_acts(read) -> None:
+    s = read("Unintended acceleration of ego while waiting behind a car at the lights.")
+    assert acts(s.ego) == ["stationary", "accelerate"] and s["O1"].spec.type == "car"
+    assert acts(read("Ego turns left. It starts from standstill at the green light.").ego) == ["start", "turn_left"]
+    assert acts(read("Ego stops, then turns right and starts again.").ego) == ["stop", "turn_right", "start"]
+
+
+@pytest.mark.parametrize(
+    ("text", "types"),
+    [
+        ("Ego, a van and a truck are driving at 60 km/h in the same lane.", ["van", "truck"]),
+        ("Ego, a van, is driving behind a bus.", ["bus"]),
+        (
+            "There are two vehicles ahead of ego: a van directly ahead and a truck in front of the van.",
+            ["van", "truck"],
+        ),
+    ],
+)
+def test_who_is_listed_beside_ego(read, text: str, types: list[str]) -> None:
+    assert [o.spec.type for o in read(text).objects] == types
+
+
+def test_what_is_blocked_is_not_done(read) -> None:
+    s = read("Ego in the right lane at 100 km/h, another car left of ego blocks the lane change.")
+    assert acts(s.ego) == [] and acts(s["O1"]) == []
+    s = read("A truck blocks the lane. Ego changes lanes.")
+    assert acts(s.ego) == ["lane_change"] and acts(s["O1"]) == ["stationary"]
+
+
+@pytest.mark.parametrize("verb", ["filters in", "squeezes in", "moves in", "slips in"])
+def test_who_comes_in_between_from_a_side(read, verb: str) -> None:
+    s = read(f"A motorcyclist {verb} between ego and the lorry from the left and brakes gently.")
+    assert acts(s["O1"]) == ["cut_in", "brake"]
+    assert (s["O1"].spec.placement.position, s["O2"].spec.placement.position) == ("left_lane", "ahead")

@@ -5,9 +5,8 @@ from dataclasses import dataclass, field
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
-from c2s_engine.write.typed import scope
+from c2s_engine.write.typed import pockets, scope
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.pockets import pocket_name
 from c2s_engine.write.typed.stations import outwards
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, is_static
 from c2s_engine.write.typed.usual import rides_beside, speed_of
@@ -188,8 +187,8 @@ def _aside(actor: Actor) -> str:
     spec = actor.spec
     if not isinstance(spec, ObjectSpec):
         return ""
-    if actor.cid in actor.plan.pocketed.values():
-        return f"-{pocket_name(spec.placement.position)}[1]"
+    if squeezes := pockets.aside(actor.structure, actor.plan, actor.cid):
+        return squeezes
     if rides_beside(spec) and min(actor.plan.offsets) >= 0:
         return scope.number(-(HALF_LANE + outwards(spec)))
     if spec.placement.position != "partly_in_lane" or spec.type not in ("bicycle", "motorcycle"):

@@ -2,7 +2,7 @@
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec
-from c2s_engine.write.typed import scope, stations
+from c2s_engine.write.typed import pockets, scope, stations
 from c2s_engine.write.typed.beside import behind_junction, beside_road
 from c2s_engine.write.typed.hiding import aside, hidden
 from c2s_engine.write.typed.place import approach_name
@@ -53,13 +53,14 @@ def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) 
         op = "+" if behind else "-"
         turn = turn_of(parent.spec.phases)
         lane = "rampLane" if place == "on_ramp" else approach_name(plan, place, turn)
+        lane = f"{pocket_name(place)}[0]" if parent.id in plan.pocketed else lane
         own = turn_of(spec.phases, turn)
         way = f"way({lane})" if place == "on_ramp" else _way_over(plan, lane, own)
         line = f"{name} = {base}{_TO_END[place]} {op} {gap} {op} {half}  # m"
         at = f"-({member(spec, name)})" if behind else f"-({member(spec, f'max(1, {name})')})"
         return Spot(
             (line,),
-            (f"at {lane}.centerline.pointAlongBy({at})", *loose),
+            (*_there(structure, cid, plan, f"{lane}.centerline.pointAlongBy({at})"), *loose),
             way,
             approach=None if place == "on_ramp" else lane,
         )
@@ -124,24 +125,26 @@ def turn_given(spec: ObjectSpec) -> bool:
 
 
 def _approaching(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
-    turn, waits = turn_of(spec.phases), cid in plan.pocketed
-    lane = pocket_name(spec.placement.position) if waits else approach_name(plan, spec.placement.position, turn)
+    turn = turn_of(spec.phases)
+    lane = approach_name(plan, spec.placement.position, turn)
+    lane = f"{pocket_name(spec.placement.position)}[0]" if cid in plan.pocketed else lane
     name = f"{scope.constant(structure, cid)}_TO_JUNCTION"
     value = scope.quantity(stations.to_junction(cid, spec, plan))
     at = f"-({member(spec, name)})" if spec.count > 1 else f"-{name}"
     constants = [f"{name} = {value}  # m"]
     loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
-    if waits:
-        point = f"{lane}[0].centerline.pointAlongBy({at})"
-        aside = f"at (new OrientedPoint at {point}, facing roadDirection) offset by -{lane}[1] @ 0"
-        there = (aside, "with regionContainedIn everywhere", f"facing (roadDirection at {point})")
-        return Spot(tuple(constants), there, _way_over(plan, f"{lane}[0]", turn), approach=f"{lane}[0]")
-    return Spot(
-        tuple(constants),
-        (f"at {lane}.centerline.pointAlongBy({at})", *loose),
-        _way_over(plan, lane, turn),
-        approach=lane,
-    )
+    there = _there(structure, cid, plan, f"{lane}.centerline.pointAlongBy({at})")
+    return Spot(tuple(constants), (*there, *loose), _way_over(plan, lane, turn), approach=lane)
+
+
+def _there(structure: Structure, cid: str, plan: Plan, point: str) -> tuple[str, ...]:
+    """At a point of an approach, or beside it where some wait there and others drive past."""
+    left = pockets.aside(structure, plan, cid)
+    if not left:
+        return (f"at {point}",)
+    right = left[1:] if left.startswith("-") else f"-{left}"
+    at = f"at (new OrientedPoint at {point}, facing roadDirection) offset by {right} @ 0"
+    return at, "with regionContainedIn everywhere", f"facing (roadDirection at {point})"
 
 
 def _way_over(plan: Plan, lane: str, turn: str) -> str:

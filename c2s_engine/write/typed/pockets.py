@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, is_static, is_vehicle
 
 WAITS = {"stop", "wait", "stationary"}
@@ -51,6 +52,19 @@ def own_ways(structure: Structure) -> Structure:
 def pocket_name(position: str) -> str:
     """The variable of the lane where one waits that others pass, with how far (m) to its left it stands there."""
     return APPROACH_NAME[position].replace("Approach", "Pocket")
+
+
+def aside(structure: Structure, plan: Plan, cid: str) -> str:
+    """How far (m, as Scenic) to the left of its lane's middle one is on an approach where somebody waits and others
+    drive past, those in line with them as they are; "": in the middle."""
+    while cid not in (*plan.pocketed, *plan.pocketed.values()):
+        spec = structure[cid].spec
+        if not isinstance(spec, ObjectSpec) or spec.placement.position != "behind" or spec.placement.of == "ego":
+            return ""
+        cid = spec.placement.of
+    first = structure[cid].spec
+    assert isinstance(first, ObjectSpec)
+    return f"{'' if cid in plan.pocketed else '-'}{pocket_name(first.placement.position)}[1]"
 
 
 def _waits(spec: ObjectSpec) -> bool:

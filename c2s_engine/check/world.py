@@ -16,7 +16,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from c2s_engine import paths
+from c2s_engine import driving, paths
 from c2s_engine.check import caching, library
 
 
@@ -39,13 +39,25 @@ class World:
     actions: frozenset[str]
     params: frozenset[str]
 
+    def with_names_of(self, other: "World") -> "World":
+        """This world, and what a module imported into it gives."""
+        return World(
+            self.names | other.names, {**self.behaviors, **other.behaviors}, self.actions | other.actions,
+            self.params | other.params,
+        )  # fmt: skip
+
 
 @functools.cache
 def world(model: str) -> World | None:
     """The world of a model module; None where it is not an installed Scenic module."""
-    names: set[str] = set()
-    behaviors: dict[str, tuple[tuple[str, ...], bool]] = {}
-    todo, seen = [model], set()
+    path = source_of(model)
+    return None if path is None else world_of(_module(path))
+
+
+def world_of(module: Module) -> World:
+    """The world that a module gives, with all that it takes over from others."""
+    names, behaviors = set(module.names), dict(module.behaviors)
+    todo, seen = list(module.stars), set()
     while todo:
         name = todo.pop()
         if name in seen:
@@ -53,8 +65,6 @@ def world(model: str) -> World | None:
         seen.add(name)
         path = source_of(name)
         if path is None:
-            if name == model:
-                return None
             names |= _python_names(name)
             continue
         module = _module(path)
@@ -80,6 +90,8 @@ def language() -> frozenset[str]:
 
 def source_of(name: str) -> Path | None:
     """The .scenic file of a library module, without importing it."""
+    if name == driving.MODULE:
+        return driving.path()
     parent, _, last = name.rpartition(".")
     if not parent.startswith("scenic"):
         return None
@@ -156,6 +168,8 @@ def read_module(tree: Any) -> Module:
             behaviors[node.name] = signature(node.args)
         elif isinstance(node, ast.ClassDef | ast.FunctionDef | s.MonitorDef | s.ScenarioDef):
             names.add(node.name)
+        elif isinstance(node, s.Model):
+            stars.append(node.name)
         elif isinstance(node, s.Param):
             names |= {f"param {p.identifier}" for p in node.elts}
         elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):

@@ -72,6 +72,16 @@ def _kind(signal: ET.Element) -> ControlKind | None:
     return kind or ("stop" if named else None)
 
 
+def _for_lanes(signal: ET.Element) -> bool:
+    """Whether a signal is valid for any lane: one that is for lane 0 alone only stands there."""
+    pairs = _validity(signal)
+    return not pairs or any(pair != (0, 0) for pair in pairs)
+
+
+def _validity(signal: ET.Element) -> list[tuple[float, float]]:
+    return [(number(v, "fromLane"), number(v, "toLane")) for v in signal.findall("validity")]
+
+
 class _Reader:
     """Finds the approaches that a signal faces."""
 
@@ -84,12 +94,14 @@ class _Reader:
         """On a way through a junction: the road that leads into it; otherwise the road itself, as it is oriented."""
         link = self.link_of.get(rid)
         if link is not None:
-            if link.source in self.geometry:
+            if link.source in self.geometry and _for_lanes(signal):
                 s = self.geometry[link.source].length if link.at_end else 0.0
                 yield from self._facing(signal, kind, x, y, link.source, s, link.at_end)
             return
         for facing, at_end in (("+", True), ("-", False)):
-            if signal.get("orientation", "+") in (facing, "none"):
+            valid = [v for pair in _validity(signal) for v in pair]
+            meant = any(v < 0 if at_end else v > 0 for v in valid)  # CARLA's orientations say the opposite of the lanes
+            if meant if valid else signal.get("orientation", "+") in (facing, "none"):
                 yield from self._facing(signal, kind, x, y, rid, number(signal, "s"), at_end)
 
     def _facing(

@@ -21,8 +21,8 @@ LIGHT = "1000001"
 """The type of signal that stock Scenic takes for a traffic light."""
 UNITS = {"m/s": 1.0, "km/h": 1 / 3.6, "mph": 0.44704}
 MOTORWAY_LIMIT = 24.0
-"""m/s: a one-way road of two lanes or more without a sidewalk and with at least this limit counts as a motorway where
-types say nothing (CARLA's towns post 55 mph on city streets too)."""
+"""m/s: a one-way or divided road of two lanes or more without a sidewalk and with at least this limit counts as a
+motorway where types say nothing (CARLA's towns post 55 mph on city streets too)."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,8 @@ class Crosswalk:
 
 @dataclass(frozen=True)
 class RoadInfo:
-    """A road outside junctions (`junction` None) or a way through one; `left`, `right`: driving lanes each way."""
+    """A road outside junctions (`junction` None) or a way through one; `left`, `right`: driving lanes each way;
+    `divided`: something lies between those."""
 
     id: int
     name: str
@@ -52,11 +53,12 @@ class RoadInfo:
     left: int
     right: int
     sidewalk: bool
+    divided: bool = False
 
     @property
     def motorway(self) -> bool:
-        one_way = 0 in (self.left, self.right) and not self.sidewalk
-        fast = self.type == "motorway" or (one_way and (self.limit or 0.0) >= MOTORWAY_LIMIT)
+        apart = (self.divided or 0 in (self.left, self.right)) and not self.sidewalk
+        fast = self.type == "motorway" or (apart and (self.limit or 0.0) >= MOTORWAY_LIMIT)
         return fast and max(self.left, self.right) >= 2
 
 
@@ -139,8 +141,14 @@ def _road_info(element: ET.Element, road: opendrive.Road) -> RoadInfo:
     return RoadInfo(
         road.id, element.get("name") or "", road.length, junction if junction >= 0 else None,
         kinds[0].get("type", "") if kinds else "", limit, len(section.driving(1)), len(section.driving(-1)),
-        any(lane.type == "sidewalk" for lane in section.lanes),
+        any(lane.type == "sidewalk" for lane in section.lanes), _divided(section),
     )  # fmt: skip
+
+
+def _divided(section: opendrive.Section) -> bool:
+    """Whether something lies between the lanes of the two directions."""
+    left, right = section.driving(1), section.driving(-1)
+    return bool(left and right) and left[0].id - right[0].id > 2
 
 
 def _signs_on_ways(elements: list[ET.Element]) -> bool:

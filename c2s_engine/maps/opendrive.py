@@ -8,6 +8,11 @@ from pathlib import Path
 from xml.parsers import expat
 
 MAX_BYTES = 200_000_000
+MAX_ELEMENTS = 1_000_000
+"""Thirty times as many as Town04 has."""
+MAX_DEPTH = 40
+MAX_LENGTH = 100_000.0
+"""m of a road."""
 DRIVABLE = frozenset({"driving", "entry", "exit", "offRamp", "onRamp", "connectingRamp"})
 """The lane types that Scenic drives on."""
 
@@ -20,9 +25,22 @@ def parse(path: Path) -> ET.Element:
     """The root element of an OpenDRIVE file; refuses document types and entities. Raises BrokenMap."""
     builder = ET.TreeBuilder()
     parser = expat.ParserCreate()
-    parser.buffer_text = True
-    parser.StartElementHandler = lambda tag, attributes: builder.start(tag.rpartition("}")[2], attributes)
-    parser.EndElementHandler = builder.end
+    elements = depth = 0
+
+    def start(tag: str, attributes: dict[str, str]) -> None:
+        nonlocal elements, depth
+        elements, depth = elements + 1, depth + 1
+        if elements > MAX_ELEMENTS or depth > MAX_DEPTH:
+            raise BrokenMap(f"{path.name} has more elements, or deeper ones, than any map needs: it is not read.")
+        builder.start(tag.rpartition("}")[2], attributes)
+
+    def end(tag: str) -> None:
+        nonlocal depth
+        depth -= 1
+        builder.end(tag.rpartition("}")[2])
+
+    parser.StartElementHandler = start
+    parser.EndElementHandler = end
 
     def refuse(*_: object) -> None:
         raise BrokenMap(
@@ -55,7 +73,7 @@ def number(element: ET.Element, name: str, default: float | None = None) -> floa
     except ValueError:
         value = None
     if value is None or not math.isfinite(value):
-        raise BrokenMap(f"<{element.tag} {name}={text!r}> in the map should be a number.")
+        raise BrokenMap(f"<{element.tag} {name}={(text or '')[:40]!r}> in the map should be a number.")
     return value
 
 
@@ -216,5 +234,8 @@ def read_road(element: ET.Element) -> Road:
     rid = int(number(element, "id"))
     if not pieces or not sections:
         raise BrokenMap(f"Road {rid} of the map has no {'geometry' if not pieces else 'lanes'}.")
+    length = number(element, "length")
+    if not 0 <= length <= MAX_LENGTH or any(not 0 <= piece.length <= MAX_LENGTH for piece in pieces):
+        raise BrokenMap(f"Road {rid} of the map has a length that no road has.")
     offsets = tuple(_terms(offset, "s", "a", "b", "c", "d") for offset in element.findall("lanes/laneOffset"))
-    return Road(rid, number(element, "length"), pieces, offsets, sections)
+    return Road(rid, length, pieces, offsets, sections)

@@ -56,14 +56,33 @@ def _info(
     outgoing = tuple(dict.fromkeys(link.target for link in links if link.target is not None))
     if ring:
         return JunctionInfo(jid, name, "roundabout", incoming, outgoing)
-    one_way = not set(incoming) & set(outgoing)
-    if not one_way or any(abs(turn(geometry[link.way])) > GENTLE for link in links):
+    if any(abs(turn(geometry[link.way])) > GENTLE for link in links):
         return JunctionInfo(jid, name, "intersection", incoming, outgoing)
-    if len(incoming) > 1 and len(outgoing) == 1:
-        return JunctionInfo(jid, name, "on_ramp", incoming, outgoing, min(incoming, key=lambda r: sum(lanes[r])))
-    if len(incoming) == 1 and len(outgoing) > 1:
-        return JunctionInfo(jid, name, "off_ramp", incoming, outgoing, min(outgoing, key=lambda r: sum(lanes[r])))
-    return JunctionInfo(jid, name, "transition" if len(incoming) == 1 else "intersection", incoming, outgoing)
+    streams = _streams(links)
+
+    def ramp(roads: set[int]) -> int | None:
+        return min((r for r in roads if r in lanes and 0 in lanes[r]), key=lambda r: sum(lanes[r]), default=None)
+
+    for into, out in streams:
+        if len(into) > 1 and len(out) == 1 and (found := ramp(into)) is not None:
+            return JunctionInfo(jid, name, "on_ramp", incoming, outgoing, found)
+        if len(into) == 1 and len(out) > 1 and (found := ramp(out)) is not None:
+            return JunctionInfo(jid, name, "off_ramp", incoming, outgoing, found)
+    through = all(len(into) == len(out) == 1 for into, out in streams)
+    return JunctionInfo(jid, name, "transition" if through else "intersection", incoming, outgoing)
+
+
+def _streams(links: list[Link]) -> list[tuple[set[int], set[int]]]:
+    """The ways of a junction by what they have in common, each stream of traffic with the roads that it comes from and
+    goes to: the two directions of a road are streams of their own."""
+    streams: list[tuple[set[tuple[int, bool]], set[tuple[int | None, bool]]]] = []
+    for link in links:
+        into, out = {(link.source, link.at_end)}, {(link.target, link.target_start)}
+        for other in [s for s in streams if s[0] & into or s[1] & out]:
+            streams.remove(other)
+            into, out = into | other[0], out | other[1]
+        streams.append((into, out))
+    return [({r for r, _ in into}, {r for r, _ in out if r is not None}) for into, out in streams]
 
 
 def turn(road: Road) -> float:
@@ -84,7 +103,7 @@ def _rings(ways: dict[int, list[Link]], lanes: dict[int, tuple[int, int]], geome
             if after is not None and after != junction and math.radians(8) < bend < math.radians(200):
                 following[junction].add(after)
     found_rings: set[int] = set()
-    for start in following:
+    for start in tuple(following):
         path = [start]
         while len(path) <= 10 and len(following[path[-1]]) == 1:
             (step,) = following[path[-1]]

@@ -82,12 +82,14 @@ def followed(structure: Structure, before: Structure, cid: ComponentId, whole: b
 
 def carried(structure: Structure, before: Structure) -> Structure:
     """A text read anew, with the code by hand of before in it: what was read is what it is said to be now."""
+    if any(c.code for c in _own(before)):
+        structure = structure.model_copy(update={"arrangement": before.arrangement})
     for own in (c for c in _own(before) if c.code):
         if own.id not in structure:
             structure = structure.model_copy(update={"objects": (*structure.objects, own)})
             continue
         read = structure[own.id]
-        kept = {name: getattr(own, name) for name in ("code", "origin", "key", "conflict", "layout")}
+        kept = {name: getattr(own, name) for name in ("code", "origin", "key", "conflict")}
         if not read.description:
             kept |= {"description": own.description, "spec": own.spec}
         structure = structure.with_component(read.model_copy(update=kept))

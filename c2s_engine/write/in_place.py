@@ -12,7 +12,7 @@ from pathlib import PurePath
 from typing import Any
 
 from c2s_engine.check.describe import table
-from c2s_engine.structure import layout, names
+from c2s_engine.structure import names
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.specs import SettingsSpec
 from c2s_engine.write.by_hand import OWN
@@ -75,6 +75,30 @@ def together(found: list[Change]) -> list[list[Change]]:
     kind = [c for c in found if c.name in KIND]
     groups = [[c] for c in found if c not in kind]
     return [sorted(kind, key=lambda c: c.name != "type"), *groups] if kind else groups
+
+
+def data(component: Component) -> Any:
+    return component.spec.model_dump(mode="json")
+
+
+def at(data: Any, path: tuple[str | int, ...]) -> Any:
+    for key in path:
+        try:
+            data = data[key]
+        except (KeyError, IndexError, TypeError):
+            return None
+    return data
+
+
+def put(data: Any, path: tuple[str | int, ...], value: Any) -> Any:
+    """A copy with another value at a path."""
+    if not path:
+        return value
+    if isinstance(data, dict):
+        return {k: put(v, path[1:], value) if k == path[0] else v for k, v in data.items()}
+    if isinstance(data, list):
+        return [put(v, path[1:], value) if i == path[0] else v for i, v in enumerate(data)]
+    return data
 
 
 def ends(value: Any) -> tuple[float, float] | None:
@@ -149,21 +173,10 @@ def _texts(found: Iterator[tuple[ComponentId, Site]], text: str) -> Iterator[Swa
 
 
 def swapped(structure: Structure, swap: Swap) -> Structure:
-    """The structure with that code; where the component stood scattered, the part in question alone is another."""
+    """The structure with that code."""
     component, site = structure[swap.component], swap.site
     code = component.code[: site.start] + swap.text + component.code[site.end :]
-    update: dict[str, Any] = {"code": code}
-    if component.layout:
-        begin, parts = 0, []
-        for (place, _), text in zip(component.layout, layout.parts(component), strict=True):
-            if begin <= site.start < begin + len(text):
-                at = site.start - begin
-                parts.append((place, text[:at] + swap.text + text[at + site.end - site.start :]))
-            else:
-                parts.append((place, text))
-            begin += len(text)
-        update["layout"] = tuple(parts)
-    return structure.with_component(component.model_copy(update=update))
+    return structure.with_component(component.model_copy(update={"code": code}))
 
 
 def told(structure: Structure, swap: Swap) -> str:

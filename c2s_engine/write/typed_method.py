@@ -79,7 +79,7 @@ class TypedMethod:
     async def write(self, structure: Structure, on_event: OnEvent | None = None) -> Structure:
         """Render what is out of date, beside code by hand offer what would be rendered; raises ResolveError."""
         assert self.writer is not None, "a method that renders specs needs its writer"
-        return by_hand.with_offers(await self._sampling(structure, on_event), self.writer)
+        return self.writer.decided(by_hand.with_offers(await self._sampling(structure, on_event), self.writer))
 
     async def _sampling(self, structure: Structure, on_event: OnEvent | None) -> Structure:
         assert self.writer is not None

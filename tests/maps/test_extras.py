@@ -1,5 +1,6 @@
 """What is read from the map's own file, and what is refused."""
 
+import gzip
 import math
 import re
 
@@ -122,7 +123,11 @@ def test_a_roundabout_without_a_mark_is_found_by_its_ring(tmp_path, extras):
         ('<?xml version="1.0" encoding="UTF-16"?><!DOCTYPE a []><OpenDRIVE/>'.encode("utf-16"), "document type"),
         (b'<OpenDRIVE><road id="x" length="1"/></OpenDRIVE>', "should be a number"),
         (b'<OpenDRIVE><road id="1" length="nan" junction="-1"/></OpenDRIVE>', "no geometry"),
+        (gzip.compress(b"0" * 5_000_000, mtime=0), "no well-formed XML"),
+        (b"<OpenDRIVE>" + b"<a>" * 1000 + b"</a>" * 1000 + b"</OpenDRIVE>", "more elements, or deeper"),
+        (f"<OpenDRIVE>{ROAD}</OpenDRIVE>".replace("{length}", "1e12").encode(), "a length that no road has"),
     ],
+    ids=range(12),
 )
 def test_broken_maps_are_refused_in_one_sentence(tmp_path, content, said):
     path = tmp_path / "bad.xodr"
@@ -131,6 +136,12 @@ def test_broken_maps_are_refused_in_one_sentence(tmp_path, content, said):
         read_extras(path)
     assert said in str(refusal.value)
     assert "\n" not in str(refusal.value)
+
+
+def test_too_many_elements_are_refused_before_all_are_read(tmp_path, monkeypatch):
+    monkeypatch.setattr("c2s_engine.maps.opendrive.MAX_ELEMENTS", 50)
+    with pytest.raises(BrokenMap, match="more elements"):
+        read_extras(write(tmp_path, "".join(road() for _ in range(20))))
 
 
 def test_a_missing_file_is_refused(tmp_path):

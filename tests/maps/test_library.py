@@ -49,6 +49,49 @@ def test_any_path_of_the_users(tmp_path):
     assert (found.name, found.carla_map, found.path) == ("village", None, path)
 
 
+def test_through_links_relative_and_without_the_ending(tmp_path, monkeypatch):
+    path = put(tmp_path / "real/village.xodr")
+    (tmp_path / "linked").symlink_to(tmp_path / "real")
+    (tmp_path / "real/back").symlink_to(tmp_path / "real")  # a circle
+    monkeypatch.chdir(tmp_path)
+    library = MapLibrary(folders=["linked"])
+    assert library.names() == ("town", "village")
+    for name in ("VILLAGE", "linked/village.xodr", "linked/village", str(path), "./real/village.xodr"):
+        found = library.find(name)
+        assert (found.name, found.digest) == ("village", library.find(str(path)).digest), name
+    with pytest.raises(MapNotFound, match="is a folder.*village.xodr"):
+        library.find("./real")
+
+
+def test_a_town_with_a_folder_of_its_own_and_a_root_that_holds_only_maps(tmp_path):
+    put(tmp_path / "carla/Unreal/CarlaUE4/Content/Carla/Maps/Town11/OpenDrive/Town11.xodr")
+    put(tmp_path / "maps/Town07.xodr")
+    assert MapLibrary(carla_root=tmp_path / "carla").names() == ("town", "Town11")
+    assert MapLibrary(carla_root=tmp_path / "maps").names() == ("town", "Town07")
+
+
+def test_a_map_given_by_its_path_is_known_again_by_the_program(tmp_path):
+    library = MapLibrary()
+    given = library.find(str(put(tmp_path / "mine/village.xodr")))
+    program = "param map = localPath('village.xodr')"
+    assert library.named_in(program) == given
+    library.working_copy(given)
+    assert MapLibrary().named_in(program).digest == given.digest
+    assert MapLibrary().named_in("model scenic.simulators.carla.model") is None
+
+
+def test_one_map_that_cannot_be_read_does_not_hide_the_others(tmp_path, monkeypatch):
+    put(tmp_path / "good.xodr")
+    (tmp_path / "dangling.xodr").symlink_to(tmp_path / "nothing")
+    (tmp_path / "huge.xodr").write_text("x" * 2_000_000)
+    monkeypatch.setattr("c2s_engine.maps.library.MAX_BYTES", 1_500_000)
+    library = MapLibrary(folders=[tmp_path])
+    assert [m.name for m in library.list()] == ["town", "good"]
+    for name, why in (("dangling", "cannot be read"), ("huge", "larger than")):
+        with pytest.raises(MapNotFound, match=why):
+            library.find(name)
+
+
 @pytest.mark.parametrize("name", ["Town05", "nowhere", "nowhere.xodr", "/no/such/file.xodr"])
 def test_an_unknown_map_names_those_that_there_are(name):
     with pytest.raises(MapNotFound) as refusal:
@@ -77,8 +120,7 @@ def test_the_working_copy_follows_the_file(tmp_path):
 def test_the_front_can_use_it_without_scenic():
     code = (
         "import sys; from c2s_engine.maps import library, extras, expressions; "
-        "from c2s_engine.structure.specs import PlaceSpec; town = library.MapLibrary().find('town'); "
-        "expressions.survey(extras.read_extras(town.path)); "
+        "extras.read_extras(library.MapLibrary().find('town').path); expressions.survey(); "
         "sys.exit(any(m in sys.modules for m in ('scenic', 'numpy')))"
     )
     assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0

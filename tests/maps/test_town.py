@@ -7,8 +7,9 @@ import sys
 import pytest
 
 from c2s_engine import paths
-from c2s_engine.maps.expressions import place_code, survey
+from c2s_engine.maps.expressions import place_call, survey
 from c2s_engine.structure.specs import PlaceSpec
+from tests.maps.conftest import places
 
 TOWN = paths.shipped("maps", "town.xodr")
 
@@ -25,8 +26,8 @@ def test_it_is_small_and_parses_without_warnings(names):
     assert [str(w.message) for w in names["warnings"]] == []
 
 
-def test_every_place_of_the_survey_is_there(names, extras):
-    counts = {name: len(eval(text, dict(names))) for name, text in survey(extras).items()}
+def test_every_place_of_the_survey_is_there(names):
+    counts = {name: len(eval(text, names)) for name, text in survey().items()}
     assert [name for name, count in counts.items() if not count] == []
 
 
@@ -58,25 +59,21 @@ def test_every_place_of_the_survey_is_there(names, extras):
         ({"kind": "off_ramp"}, 500, 1),
     ],
 )
-def test_long_enough_for_twenty_seconds(names, extras, fields, room, least):
-    code = place_code(PlaceSpec(**fields), extras, room=room)
-    assert len(eval(code.expression, dict(names))) >= least, code
+def test_long_enough_for_twenty_seconds(names, fields, room, least):
+    assert len(places(names, approach=room, length=room, **fields)) >= least
 
 
 @pytest.mark.parametrize("manoeuvre", ["left", "right", "straight"])
 @pytest.mark.parametrize(("control", "lanes"), [("signal", 1), ("signal", 2), ("stop", 1), ("yield", 1), ("none", 1)])
-def test_four_way_intersections_have_every_manoeuvre_with_room(names, extras, manoeuvre, control, lanes):
+def test_four_way_intersections_have_every_manoeuvre_with_room(names, manoeuvre, control, lanes):
     spec = PlaceSpec(kind="intersection", arms=4, control=control, manoeuvre=manoeuvre, lanes=lanes)
-    code = place_code(spec, extras, room=250 if lanes == 2 else 200, exit_room=120)
-    ways = eval(code.expression, dict(names))
-    assert ways
-    assert any(way.conflictingManeuvers for way in ways)
+    found = eval(str(place_call(spec, approach=250 if lanes == 2 else 200, exit_room=120)), names)
+    assert found and any(place.turn.conflictingManeuvers for place in found)
 
 
 @pytest.mark.parametrize("control", ["signal", "stop", "yield", "none"])
-def test_tees_have_every_control(names, extras, control):
-    spec = PlaceSpec(kind="intersection", arms=3, control=control, manoeuvre="left")
-    assert eval(place_code(spec, extras, room=200).expression, dict(names))
+def test_tees_have_every_control(names, control):
+    assert places(names, approach=200, kind="intersection", arms=3, control=control, manoeuvre="left")
 
 
 def test_ways_join_their_lanes(names):
@@ -143,12 +140,12 @@ def test_ways_that_turn_round_are_wide_enough_for_cars(names):
                 assert a.distance(b) * b.distance(c) * c.distance(a) / (4 * area) > 4.9
 
 
-def test_bends_begin_soon_after_their_lanes(names, extras):
+def test_bends_begin_soon_after_their_lanes(names):
     """A car that starts with the lane is in the bend within 200 m, and has a road before and behind it."""
-    found = eval(place_code(PlaceSpec(kind="curve", oncoming=True), extras).expression, dict(names))
+    found = places(names, kind="curve", oncoming=True)
     assert len(found) >= 10
-    for lane in found:
-        line = lane.centerline
+    for place in found:
+        line = place.lane.centerline
         early = line.pointAlongBy(200.5) - line.pointAlongBy(199.5)
         late = line.pointAlongBy(330.5) - line.pointAlongBy(329.5)
         assert abs((line[1] - line[0]).angleWith(late)) > 0.35 or abs(early.angleWith(line[-1] - line[-2])) > 0.2

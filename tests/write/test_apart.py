@@ -80,7 +80,7 @@ def test_rows_take_as_much_lane_as_they_need():
     plan = make_plan(made(row, place={"kind": "roundabout"}))
     assert plan.distance is not None and plan.distance > plan.reach > 75
     crossing = {"type": "truck", "count": 4, "placement": {"position": "crossing_left", "gap": 20}}
-    assert make_plan(made(crossing, place={"kind": "intersection"})).lengths["leftApproach"] > 50
+    assert make_plan(made(crossing, place={"kind": "intersection"})).lengths["place.from_left"] > 50
 
 
 async def test_what_is_refused_is_a_diagnostic(engine):

@@ -14,7 +14,6 @@ from c2s_engine.paths import shipped
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
-from c2s_engine.write.typed import kernel
 
 GOLDEN = Path(__file__).parent / "golden"
 CASES = yaml.safe_load((GOLDEN / "cases.yaml").read_text(encoding="utf-8"))
@@ -32,12 +31,8 @@ def structure(case: dict[str, Any]) -> Structure:
 
 
 def written(writer, case: dict[str, Any]) -> str:
-    """The program without the kernel, whose parts are files of their own."""
     found = structure(case)
-    text = "\n".join(writer.write(found, c.id).code for c in found.components)
-    for name in kernel.ORDER:
-        text = text.replace(kernel.source(name).rstrip("\n") + "\n\n", "")
-    return text
+    return "\n".join(writer.write(found, c.id).code for c in found.components)
 
 
 def compare(writer, name: str, case: dict[str, Any]) -> None:

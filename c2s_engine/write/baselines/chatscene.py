@@ -78,7 +78,8 @@ class ChatScene:
         given = by_hand.with_marks(structure)
         header = (
             f"param map = localPath('{self.ground.map_file}')\nparam carla_map = {self.ground.carla_map!r}\n"
-            "param timestep = 0.1\nparam weather = 'ClearNoon'\nmodel scenic.simulators.carla.model"
+            "param use2DMap = True\nparam timestep = 0.1\nparam weather = 'ClearNoon'\n"
+            "model scenic.simulators.carla.model"
         )
         structure = structure.with_component(with_code(structure.settings, header))
         queries = [("R", structure.place.description or "A straight lane."), ("E", EGO)]

@@ -1,11 +1,11 @@
 """Phases to a Scenic behaviour: each becomes one `do`, ended by the next phase's trigger or its own completion."""
 
-from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
+from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.overtakings import nearest
-from c2s_engine.write.typed.steps import Step, steps
+from c2s_engine.write.typed.steps import AT_LINE, Step, steps
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, TURN
 from c2s_engine.write.typed.towards import its_turn
 from c2s_engine.write.typed.triggers import implicit, stated
@@ -31,7 +31,6 @@ AT_SIGN = {"run_stop", "stop", "yield", "wait", "stationary"}
 """What says itself what ego does at its stop sign."""
 QUEUED = 3.0
 """s for which one stands before the junction, so that those behind come to a stand, too."""
-AT_EDGE = Trigger(kind="place", place="intersection", value=0)
 
 
 def body(actor: Actor) -> list[str]:
@@ -48,14 +47,8 @@ def body(actor: Actor) -> list[str]:
         if last or (not final.startswith("do Drive") and not until):
             out.append(final)
         else:
-            out.append(f"{final} {until or _usual(done[i + 1])}")
+            out.append(f"{final} {until or 'for 3 seconds'}")
     return out
-
-
-def _usual(then: Step) -> str:
-    """How long a step lasts that nothing ends: one before a collision at a spot is short, so that there is time to
-    arrive there with the other."""
-    return "for 0.5 seconds" if "strike(" in then[0][-1] else "for 3 seconds"
 
 
 def _up_to_contact(phases: list[Phase]) -> list[Phase]:
@@ -80,7 +73,7 @@ def _steps(course: Course) -> list[Step]:
             done[-1] = (before, condition)
         course.behind = _overtaken_later(course, phases[i:])
         done.extend(steps(course, phase))
-        if _at_edge(course.actor, phase, i) and (turn := its_turn(course.actor)):
+        if _at_line(course.actor, phase, i) and (turn := its_turn(course.actor)):
             done.append(([course.drive("0", 4)], f"until {turn}"))
     return done
 
@@ -93,9 +86,9 @@ def _overtaken_later(course: Course, phases: list[Phase]) -> str:
     return nearest(course, later)
 
 
-def _at_edge(actor: Actor, phase: Phase, i: int) -> bool:
-    """Whether somebody stands at the junction's edge after its i-th phase."""
-    return phase.trigger == AT_EDGE or i == 0 and actor.is_ego and actor.value <= 0 and phase.action in STANDS
+def _at_line(actor: Actor, phase: Phase, i: int) -> bool:
+    """Whether somebody stands at the stop line after its i-th phase."""
+    return phase.trigger == AT_LINE or i == 0 and actor.is_ego and actor.value <= 0 and phase.action in STANDS
 
 
 def _just_waits(phase: Phase) -> bool:
@@ -125,11 +118,19 @@ def _in_egos_lane(actor: Actor) -> bool:
     return isinstance(spec, ObjectSpec) and spec.placement.position == "ahead" and spec.placement.facing != "against"
 
 
-def _at_the_line(phases: list[Phase]) -> list[Phase]:
-    """The phases of one who stops before the junction and then goes over it: where that stop is."""
+def _red(actor: Actor) -> bool:
+    """Whether the light before the junction is red."""
+    light = getattr(actor.structure.settings.spec, "light", None)
+    return actor.plan.place.control == "signal" and light == "red"
+
+
+def _at_the_line(phases: list[Phase], red: bool) -> list[Phase]:
+    """The phases of one who stops before the junction for its light, or and then goes over it: where that stop is."""
+    if red and len(phases) == 1 and phases[0].action == "stop" and phases[0].trigger is None:
+        return [phases[0].model_copy(update={"trigger": AT_LINE})]
     if len(phases) < 2 or phases[0].action != "stop" or phases[0].trigger is not None or phases[1].action not in TURN:
         return phases
-    stop = phases[0].model_copy(update={"trigger": AT_EDGE, "duration": phases[0].duration or QUEUED})
+    stop = phases[0].model_copy(update={"trigger": AT_LINE, "duration": phases[0].duration or QUEUED})
     return [stop, *phases[1:]]
 
 
@@ -142,7 +143,7 @@ def _phases(actor: Actor) -> list[Phase]:
         after = [*(p.action for p in phases[1:]), ""]
         phases = [p for i, p in enumerate(phases) if (p.action, after[i]) != ("oncoming", "overtake")]
     if not actor.plan.junction or not (actor.is_ego or actor.approach):
-        return _at_the_line(phases) if actor.plan.junction and _in_egos_lane(actor) else phases
+        return _at_the_line(phases, _red(actor)) if actor.plan.junction and _in_egos_lane(actor) else phases
     phases = _gives_way_first(phases)
     for i, phase in enumerate(phases):
         then = phases[i + 1] if i + 1 < len(phases) else None
@@ -152,18 +153,17 @@ def _phases(actor: Actor) -> list[Phase]:
         stands = phase.action == "stop" or i == 0 and actor.sets_out
         onward = then is not None and then.action in ONWARD
         if stands and phase.trigger is None and (onward or _before_junction(actor, phases[: i + 1])):
-            phases[i] = phase.model_copy(update={"action": "stop", "trigger": AT_EDGE, "duration": None})
+            phases[i] = phase.model_copy(update={"action": "stop", "trigger": AT_LINE, "duration": None})
             if then and _just_waits(then) and its_turn(actor):
                 return [*phases[: i + 1], *phases[i + 2 :]]
     if not actor.is_ego:
         return phases
     actions = {p.action for p in phases}
-    light = getattr(actor.structure.settings.spec, "light", None)
     control = actor.plan.place.control
-    if control == "signal" and light == "red" and not actions & {"run_red", "stop", "stationary"}:
-        return [*phases, Phase(action="stop", trigger=AT_EDGE)]
+    if _red(actor) and not actions & {"run_red", "stop", "stationary"}:
+        return [*phases, Phase(action="stop", trigger=AT_LINE)]
     gives_way = actions & AT_SIGN or getattr(actor.spec, "reaction", "") == "yield" or actor.value <= 0
     if control == "stop" and not gives_way:
-        stop = Phase(action="stop", trigger=AT_EDGE)
+        stop = Phase(action="stop", trigger=AT_LINE)
         return [stop, Phase(action="wait", duration=1.0), Phase(action="start"), *phases]
     return phases

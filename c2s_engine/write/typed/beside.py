@@ -14,9 +14,9 @@ def behind_junction(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan
     at = position_constant(structure, cid)
     line = f"{at} = {scope.quantity(stations.exit_gap(spec, plan))}  # m behind the junction"
     if stations.near_exit(spec):
-        point = f"exitLane.centerline.pointAlongBy({member(spec, at)})"
-        return _edge(spec, line, point, "exitLane", plan)
-    return Spot((line,), (f"at exitLane.centerline.pointAlongBy({member(spec, at)})",), "way(exitLane)")
+        point = f"place.exit_lane.centerline.pointAlongBy({member(spec, at)})"
+        return _edge(spec, line, point, "place.exit_lane", plan)
+    return Spot((line,), (f"at place.exit_lane.centerline.pointAlongBy({member(spec, at)})",), "way(place.exit_lane)")
 
 
 def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
@@ -32,15 +32,15 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
         line = f"{at} = {position_constant(structure, stations.base(structure, of, plan))}"
     else:
         line = measured(structure, cid, spec, plan, sign)
-    point = f"egoLane.centerline.pointAlongBy({member(spec, at, sign or 1)})"
-    return _edge(spec, line, point, "egoLane", plan)
+    point = f"place.lane.centerline.pointAlongBy({member(spec, at, sign or 1)})"
+    return _edge(spec, line, point, "place.lane", plan)
 
 
 def _edge(spec: ObjectSpec, constant: str, point: str, lane: str, plan: Plan) -> Spot:
     """Beside the road: outwards from the edge of the lanes nearest to a point of the lane."""
     left = spec.placement.side == "left"
     two_way = stations.two_way(plan)
-    outermost = lane == "egoLane" and plan.place.ego_lane == "rightmost"
+    outermost = lane == "place.lane" and plan.place.ego_lane == "rightmost"
     right = f"{lane}.rightEdge" if outermost else f"{lane}.group.rightEdge"
     edge = right if not left else f"{lane}.group.opposite.rightEdge" if two_way else f"{lane}.group.leftEdge"
     out = stations.outwards(spec)
@@ -53,9 +53,7 @@ def _edge(spec: ObjectSpec, constant: str, point: str, lane: str, plan: Plan) ->
         f"facing {facing}({heading})",
         "with regionContainedIn everywhere",
     )
-    return Spot(
-        (constant,), specifiers, "way(egoLane)" if lane == "egoLane" else f"way({lane})", off_road=True, heading=heading
-    )
+    return Spot((constant,), specifiers, f"way({lane})", off_road=True, heading=heading)
 
 
 def _facing(spec: ObjectSpec, left: bool) -> str:

@@ -4,19 +4,20 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
-from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, is_static, is_walker
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static, is_walker
 from c2s_engine.write.typed.threats import slowed
-from c2s_engine.write.typed.usual import reach
+from c2s_engine.write.typed.usual import SETS_OUT, reach
 
 LANE_WIDTH = 3.5
 """m, of most maps' lanes."""
 LATE = "simulation().currentTime * simulation().timestep > 12"
 """When whoever is to hit another no longer waits for that one to slow down."""
-FRONT = 5.5
-"""m from the middle of a car to where it meets one that crosses its way at a sharp angle."""
-SETS_OFF = 8.0
-"""m/s that who stood and moved off is at when it runs into another."""
+CLOSE = 0.6
+"""s behind ego: too little for who then does not stop."""
+SLOWER = 1.0
+"""m/s by which one who is slower than ego falls behind it."""
+STOPS_AT = 6
+"""m/s2 at which those brake who have hit another."""
 SIDEWAYS = frozenset(
     ("overtake", "lane_change", "cut_in", "cut_out", "swerve", "drift", "lose_control", "oncoming", "leave_road")
 )
@@ -34,7 +35,7 @@ Step = tuple[list[str], str]
 def collides(c: Course, p: Phase) -> list[Step]:
     """The steps up to the contact."""
     sets_off = not c.value and "start" in _before(c, p)
-    other, goal = c.actor.ref(p.target), c.wanted(p, SETS_OFF if sets_off else c.value)
+    other, goal = c.actor.ref(p.target), c.wanted(p, SETS_OUT if sets_off else c.value)
     c.set(goal)
     beside = _beside_the_lane(c, p) if c.actor.is_ego else ""
     if "u_turn" in _before(c, p):
@@ -44,11 +45,14 @@ def collides(c: Course, p: Phase) -> list[Step]:
     if beside:
         return straight_for(c, p, p.target or "")
     if c.actor.is_ego:
+        spec = c.other(p.target)
+        if spec is not None and spec.placement.position in APPROACH_ANGLE:
+            return _at_the_junction(c, p, other, goal)
         if not _before(c, p) & (SIDEWAYS | {"brake"}) and (_on_foot(c, p) or _stays_ahead(c, p)):
             return [([c.drive()], f"until touch(self, {other})")]
         level = c.target_lane(p) is not None and c.target_speed(p) > 0
         return _at_last(other, _level(c, other) if level else c.drive(), goal)
-    if c.lane is None:
+    if c.actor.approach:
         return _at_the_junction(c, p, other, goal)
     if not c.same_lane(p) and _leaves_the_lane(c.actor.structure):  # it waits for ego to come over
         if until := slowed(c.actor, p.target):
@@ -62,11 +66,13 @@ def collides(c: Course, p: Phase) -> list[Step]:
         line = [c.onto(side)] if (c.lane or 0) + side in c.actor.plan.offsets else []
         first, *rest = _at_last(other, c.drive(c.set(faster)), faster)
         return [([*line, *first[0]], first[1]), *rest]
-    strike = _at_last(other, c.drive(scope.number(faster) if faster > goal else None), faster)
-    if until := slowed(c.actor, p.target):  # behind it until then
-        behind = c.drive(f"lambda: pace(self, {other}, {scope.number(faster)})", 4)
-        return [([behind], f"until {until} or {LATE}"), *strike]
-    return strike
+    until = slowed(c.actor, p.target)
+    if not until:  # nothing else brings it to the other than that it is faster
+        c.set(faster)
+    elif goal < c.actor.plan.ego_speed - SLOWER:  # so slow it is only as it rolls into ego, which has stopped before it
+        behind = c.drive(f"lambda: pace(self, {other}, EGO_SPEED, {CLOSE})", 4)
+        return [([behind], f"until {until} or {LATE}"), *_drives_on(c, other)]
+    return _drives_on(c, other)
 
 
 def _before(c: Course, p: Phase) -> set[str]:
@@ -82,32 +88,22 @@ def _at_last(other: str, on_the_way: str, speed: float) -> list[Step]:
 
 
 def _at_the_junction(c: Course, p: Phase, other: str, goal: float) -> list[Step]:
-    """By another road to where it meets the other, with that one."""
-    spot = [] if c.spotted else meeting_spot(c.actor.plan)
-    goal *= 1.2 if "accelerate" in _before(c, p) else 1
+    """By another road to where it meets the other: it started so that both are there together, and drives on."""
     c.set(goal)
-    later = ", -0.3" if c.actor.plan.turning and p.target in (None, "ego") else ""  # ego is in the midst of its turn
-    later = f", 0, {FRONT}" if later and c.actor.plan.place.manoeuvre == "left" else later
-    timed = c.drive(f"lambda: strike(self, line, {other}, others, spot, {c.speed}{later})")
-    ram = f"do Ram({other}, {scope.number(goal)})"  # where it had to brake it is late
-    return [([*spot, timed], "until to_go(line, self, spot) < 1"), ([ram], f"until touch(self, {other})")]
+    return _drives_on(c, other)
 
 
-def meeting_spot(plan: Plan) -> list[str]:
-    """The statements that find where its way meets ego's: as far through ego's turn as may be where that leads across
-    the road."""
-    others = f"others = way(egoLane{', egoTurn' if plan.turning else ''})"
-    across = plan.junction and plan.place.manoeuvre == "left"
-    return [others, f"spot = {'amid(line, others, egoTurn)' if across else 'meeting(line, others)'}"]
+def _drives_on(c: Course, other: str) -> list[Step]:
+    """As before until both touch: it does not look, or nobody gives way."""
+    return [([c.drive()], f"until touch(self, {other})"), ([c.drive("0", STOPS_AT)], "")]
 
 
-def sets_out_to_meet(c: Course) -> tuple[list[str], str] | None:
-    """For one who stands before the junction and sets out into a collision with ego: how it finds where they meet, and
-    until when it waits."""
+def sets_out_to_meet(c: Course) -> str:
+    """Until when one waits who stands before the junction and sets out into a collision with ego; "": it does not."""
     if not c.actor.sets_out:
-        return None
-    speed, c.spotted = c.speed if c.value > 0 else "8", True
-    return meeting_spot(c.actor.plan), f"until due(self, line, ego, others, spot, {speed}) or {LATE}"
+        return ""
+    metres = f"{scope.constant(c.actor.structure, c.actor.cid)}_SETS_OUT"
+    return f"until (distance from ego to place.lane.centerline[-1]) < {metres} or {LATE}"
 
 
 def hit_next(c: Course, p: Phase) -> Phase | None:

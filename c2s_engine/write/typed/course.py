@@ -46,7 +46,7 @@ class Actor:
     @property
     def to_junction(self) -> str | None:
         """The lane by which it reaches the junction, if it does."""
-        return self.approach or ("egoLane" if self.plan.junction else None)
+        return self.approach or ("place.lane" if self.plan.junction else None)
 
     def ref(self, cid: str | None) -> str:
         """The code for another party: the one named, or ego (for ego: the first object)."""
@@ -66,7 +66,6 @@ class Course:
         self.speed = actor.speed  # the speed expression now in force
         self.value = actor.value  # m/s
         self.backwards = False
-        self.spotted = False  # the spot where its way meets ego's is known
         self.behind = ""  # whom it overtakes later, where that one is ahead in its lane
         self.aside = _aside(actor)  # m to the left of its lane's middle that it keeps to; "": it keeps to the middle
 
@@ -121,7 +120,7 @@ class Course:
             if self.lane + step not in plan.offsets and self.lane - step in plan.offsets:
                 step = -step
             self.lane += step
-        leaving = ", egoTurn" if plan.place.kind == "off_ramp" and self.lane == -1 and self.actor.is_ego else ""
+        leaving = ", place.turn" if plan.place.kind == "off_ramp" and self.lane == -1 and self.actor.is_ego else ""
         return f"line = way({LANE_NAME[self.lane]}{leaving})"
 
     # How it stands to others.

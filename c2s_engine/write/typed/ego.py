@@ -3,11 +3,13 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec
-from c2s_engine.write.typed import behaviour, reactions, scope
+from c2s_engine.write.typed import behaviour, meetings, reactions, scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.lanes import pulls_out
+from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS
+from c2s_engine.write.typed.settings import lights
+from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS, TURN
 from c2s_engine.write.typed.threats import threatening
 from c2s_engine.write.typed.usual import speed_of
 
@@ -16,10 +18,10 @@ DEFAULT_MODEL = "vehicle.lincoln.mkz_2017"
 
 def _start(spec: EgoSpec, said: EgoSpec) -> list[str]:
     """Where ego starts: in its lane, or at the kerb where it pulls out from there."""
-    point = "egoLane.centerline.pointAlongBy(EGO_AT)"
+    point = "place.lane.centerline.pointAlongBy(EGO_AT)"
     if not pulls_out(said):
         return [f"ego = new {CLASS[spec.type]} at {point},"]
-    kerb = f"(new OrientedPoint at egoLane.rightEdge.project({point}), facing roadDirection at {point})"
+    kerb = f"(new OrientedPoint at place.lane.rightEdge.project({point}), facing roadDirection at {point})"
     return [
         f"ego = new {CLASS[spec.type]} at {kerb} offset by 1.4 @ 0,",
         f"    facing (roadDirection at {point}),",
@@ -27,15 +29,27 @@ def _start(spec: EgoSpec, said: EgoSpec) -> list[str]:
     ]
 
 
-BEARING = {"left": "90 deg", "right": "-90 deg", "u_turn": "180 deg"}
-"""Where ego leaves a roundabout, to the left of where it came from."""
+TURNS_GREEN = """
+monitor TurnsGreen():
+    wait
+    while ego.speed > 0.3:
+        wait
+    while True:
+        setClosestTrafficLightStatus(ego, 'green')
+        wait
+require monitor TurnsGreen()"""
 
 
-def _way(plan: Plan) -> str:
-    if not plan.turning:
-        return "way(egoLane)"
-    bearing = BEARING.get(plan.place.manoeuvre or "") if plan.place.kind == "roundabout" else None
-    return f"way(egoLane, egoTurn, {bearing})" if bearing else "way(egoLane, egoTurn)"
+def _lights(structure: Structure, plan: Plan, spec: EgoSpec) -> list[str]:
+    """The light that ego comes to, where S leaves it open; a red one turns green where ego stops at it and goes on."""
+    light, actions = getattr(structure.settings.spec, "light", None), [p.action for p in spec.phases]
+    if plan.place.control != "signal" or "run_red" in actions:
+        return []
+    if light is None:
+        return lights("green")
+    stop = next((i for i, a in enumerate(actions) if a in STANDS), len(actions))
+    goes_on = any(a in TURN or a in ("start", "accelerate") for a in actions[stop:])
+    return TURNS_GREEN.split("\n") if light == "red" and goes_on else []
 
 
 def write_ego(structure: Structure, plan: Plan) -> str:
@@ -49,7 +63,7 @@ def write_ego(structure: Structure, plan: Plan) -> str:
         spec=spec,
         structure=structure,
         plan=plan,
-        line=_way(plan),
+        line=meetings.way_of_ego(plan),
         lane=0,
         speed="EGO_SPEED",
         value=middle(speed),
@@ -68,5 +82,6 @@ def write_ego(structure: Structure, plan: Plan) -> str:
         f"    with blueprint '{model}',",
         *(["    with regionContainedIn everywhere,"] if spec.type == "bus" and not pulls_out(said) else []),
         "    with behavior EgoBehavior()",
+        *_lights(structure, plan, spec),
     ]
     return "\n".join(lines)

@@ -12,14 +12,12 @@ from c2s_engine.write.typed.usual import crosses, default_gap, right_behind, spe
 
 OUT = 0.15
 """m beside a lane of one who is just out of it."""
-STOPS_BEHIND = 10.0
-"""m behind what stands in its lane where ego begins to brake hard for it, or stands."""
 FACES_EGO = {"oncoming_lane", "opposite_approach"}
 
 
 def hidden(structure: Structure, spec: ObjectSpec) -> Spot:
     """Right behind what hides it, as ego sees it: at its front, or at the tail of what faces ego; one who crosses
-    before what stands in ego's lane is just out of that lane."""
+    before what stands in a lane is just out of that lane."""
     by = spec.placement.hidden_by or "ego"
     hider = scope.reference(structure, by).replace("[0]", "[-1]")  # of a row the last
     left, front = spec.placement.side == "left", not faces_ego(structure, by)
@@ -27,7 +25,8 @@ def hidden(structure: Structure, spec: ObjectSpec) -> Spot:
     where = f"{'ahead of' if front else 'behind'} {hider} by {member(spec, gap)}"
     if crosses(spec) and (off := _out_of_lane(structure, by)):
         beyond = member(spec, f"{hider}.length / 2 + {scope.number(RIGHT_BEHIND + LENGTH[spec.type] / 2)}")
-        where = f"at {hider} offset by {scope.number(-off if left else off)} @ ({beyond})"
+        sideways = scope.number(-off if left == front else off)
+        where = f"at {hider} offset by {sideways} @ {'' if front else '-'}({beyond})"
     angle = "-90 deg" if left == front else "90 deg"
     specifiers = (where, f"facing {angle} relative to {hider}", "with regionContainedIn everywhere")
     return Spot((), specifiers, "straight_on(self)", off_road=True)
@@ -52,21 +51,11 @@ def aside(structure: Structure, cid: str) -> float:
 
 
 def _out_of_lane(structure: Structure, cid: str) -> float:
-    """How far (m) beside something that stands in ego's lane one is who is just out of it; 0: it is not there."""
+    """How far (m) beside something that stands in a lane one is who is just out of it; 0: it is not there."""
     spec = structure[cid].spec
-    if not isinstance(spec, ObjectSpec) or spec.placement.position not in ("ahead", "partly_in_lane"):
+    if not isinstance(spec, ObjectSpec) or spec.placement.position not in ("ahead", "partly_in_lane", "oncoming_lane"):
         return 0.0
     return round(HALF_LANE + OUT - abs(aside(structure, cid)), 2)
-
-
-def behind_what_ego_stops_for(structure: Structure, spec: ObjectSpec) -> float:
-    """How much further off (m) than who is in its way ego is that has to stop for what hides one in its lane; 0: it
-    hides nobody there."""
-    by = spec.placement.hidden_by or "ego"
-    hider = structure[by].spec if by in structure else None
-    if not isinstance(hider, ObjectSpec) or not _out_of_lane(structure, by):
-        return 0.0
-    return LENGTH[hider.type] + STOPS_BEHIND
 
 
 def _hides(structure: Structure, cid: str) -> ObjectSpec | None:

@@ -120,7 +120,7 @@ def _start(
         return _Start(approach_name(plan, position, turn_of(passes.phases)), -to, beside, to, onward=-1)
     if position == "on_ramp":
         to = stations.to_merge(spec, plan)
-        return _Start("rampLane", -to, 0.0, to, onward=-1)
+        return _Start("place.ramp", -to, 0.0, to, onward=-1)
     if position == "intersection_exit":
         at = draw(cid, stations.exit_gap(spec, plan))
         y = LANE / 2 + stations.outwards(spec) if stations.near_exit(spec) else 0.0

@@ -2,7 +2,7 @@
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec
-from c2s_engine.write.typed import pockets, scope, stations
+from c2s_engine.write.typed import meetings, pockets, scope, stations
 from c2s_engine.write.typed.beside import behind_junction, beside_road
 from c2s_engine.write.typed.hiding import aside, hidden
 from c2s_engine.write.typed.place import approach_name
@@ -52,8 +52,8 @@ def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) 
         name = f"{scope.constant(structure, cid)}{_TO_END[place]}"
         op = "+" if behind else "-"
         turn = turn_of(parent.spec.phases)
-        lane = "rampLane" if place == "on_ramp" else approach_name(plan, place, turn)
-        lane = f"{pocket_name(place)}[0]" if parent.id in plan.pocketed else lane
+        lane = "place.ramp" if place == "on_ramp" else approach_name(plan, place, turn)
+        lane = pocket_name(place) if parent.id in plan.pocketed else lane
         own = turn_of(spec.phases, turn)
         way = f"way({lane})" if place == "on_ramp" else _way_over(plan, lane, own)
         line = f"{name} = {base}{_TO_END[place]} {op} {gap} {op} {half}  # m"
@@ -69,7 +69,7 @@ def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) 
         forward = behind if place == "oncoming_lane" else not behind
         op = "+" if forward else "-"
         line = f"{name} = {base}_AT {op} {gap} {op} {half}  # m along the lane"
-        lane, sign = ("oncomingLane", "-") if place == "oncoming_lane" else ("exitLane", "")
+        lane, sign = ("place.oncoming_lane", "-") if place == "oncoming_lane" else ("place.exit_lane", "")
         at = f"{sign}({member(spec, name)})" if sign else f"max(1, {member(spec, name)})"
         return Spot((line,), (f"at {lane}.centerline.pointAlongBy({at})", *loose), f"way({lane})")
     where = "behind" if behind else "ahead of"
@@ -79,7 +79,7 @@ def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) 
     return Spot(
         (),
         (f"{where} {next_to} by {member(spec, gap)}", "with regionContainedIn everywhere"),
-        "way(egoLane)",
+        "way(place.lane)",
         off_road=True,
     )
 
@@ -100,7 +100,7 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
         line = measured(structure, cid, spec, plan, sign)
     reached = member(spec, at, sign or 1)
     if plan.place.kind == "on_ramp" and k > 0:  # the lanes meet at their ends
-        reached = f"min(-1, {reached} - egoLane.centerline.length)"
+        reached = f"min(-1, {reached} - place.lane.centerline.length)"
     point = f"{lane}.centerline.pointAlongBy({reached})"
     specifiers: tuple[str, ...] = (f"at {point}",)
     if side := aside(structure, cid):
@@ -111,9 +111,9 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
         )
     if is_walker(spec.type):
         specifiers += ("with regionContainedIn everywhere",)
-    way = f"way({lane}, egoTurn)" if plan.junction and k == 0 and not turn_given(spec) else f"way({lane})"
+    way = f"way({lane}, place.turn)" if plan.junction and k == 0 and not turn_given(spec) else f"way({lane})"
     if turn_given(spec):
-        way = f"way({lane}, ManeuverType.{turn_of(spec.phases)})"
+        way = f"way({lane}, {turn_of(spec.phases)})"
     if spec.placement.facing == "against":
         specifiers += ("facing 180 deg relative to roadDirection",)
         way = f"way({lane})[::-1]"
@@ -127,14 +127,17 @@ def turn_given(spec: ObjectSpec) -> bool:
 def _approaching(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
     turn = turn_of(spec.phases)
     lane = approach_name(plan, spec.placement.position, turn)
-    lane = f"{pocket_name(spec.placement.position)}[0]" if cid in plan.pocketed else lane
+    lane = pocket_name(spec.placement.position) if cid in plan.pocketed else lane
     name = f"{scope.constant(structure, cid)}_TO_JUNCTION"
     value = scope.quantity(stations.to_junction(cid, spec, plan))
     at = f"-({member(spec, name)})" if spec.count > 1 else f"-{name}"
-    constants = [f"{name} = {value}  # m"]
+    line = _way_over(plan, lane, turn)
+    constants = meetings.start(structure, cid, plan, lane, line) or [f"{name} = {value}  # m"]
+    if cid in plan.set_out:
+        constants += meetings.sets_out(structure, cid, plan, lane, line)
     loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
     there = _there(structure, cid, plan, f"{lane}.centerline.pointAlongBy({at})")
-    return Spot(tuple(constants), (*there, *loose), _way_over(plan, lane, turn), approach=lane)
+    return Spot(tuple(constants), (*there, *loose), line, approach=lane)
 
 
 def _there(structure: Structure, cid: str, plan: Plan, point: str) -> tuple[str, ...]:
@@ -150,9 +153,9 @@ def _there(structure: Structure, cid: str, plan: Plan, point: str) -> tuple[str,
 def _way_over(plan: Plan, lane: str, turn: str) -> str:
     """The way from an approach over the junction; into a roundabout one turns right, and leaves it by its bearing."""
     if plan.place.kind != "roundabout":
-        return f"way({lane}, ManeuverType.{turn})"
+        return f"way({lane})" if turn == "STRAIGHT" else f"way({lane}, {turn})"
     bearing = {"LEFT_TURN": ", 90 deg", "RIGHT_TURN": ", -90 deg"}.get(turn, "")
-    return f"way({lane}, ManeuverType.RIGHT_TURN{bearing})"
+    return f"way({lane}, RIGHT_TURN{bearing})"
 
 
 def _oncoming(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
@@ -161,8 +164,8 @@ def _oncoming(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> S
     loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
     return Spot(
         (line,),
-        (f"at oncomingLane.centerline.pointAlongBy(-({member(spec, at)}))", *loose),
-        "way(oncomingLane)",
+        (f"at place.oncoming_lane.centerline.pointAlongBy(-({member(spec, at)}))", *loose),
+        "way(place.oncoming_lane)",
     )
 
 
@@ -172,6 +175,6 @@ def _on_ramp(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
     at = f"-({member(spec, name)})" if spec.count > 1 else f"-{name}"
     return Spot(
         (f"{name} = {scope.number(stations.to_merge(spec, plan))}  # m",),
-        (f"at rampLane.centerline.pointAlongBy({at})", *loose),
-        "way(rampLane)",
+        (f"at place.ramp.centerline.pointAlongBy({at})", *loose),
+        "way(place.ramp)",
     )

@@ -29,14 +29,18 @@ class Plan:
     reach: float = 0.0  # m that objects take of ego's road ahead of its start
     lengths: dict[str, float] = field(default_factory=dict)  # m that rows take of lanes that end where they meet ego's
     lane_of: dict[str, int | None] = field(default_factory=dict)  # object id -> lane offset at the start
-    met: frozenset[str] = frozenset()  # who come by another road and are in a collision with ego
-    early: dict[str, float] = field(default_factory=dict)  # who turns in front of ego -> s by which it starts nearer
     set_out: frozenset[str] = frozenset()  # who stand before the junction and set out into a collision with ego
+    across: bool = False  # whether ego may start on the other side of another junction, where roads are short
     leads: dict[str, tuple[str, ...]] = field(default_factory=dict)  # object id -> who is ahead of it in its lane
 
     @property
+    def ways_of_others(self) -> tuple[tuple[str, str], ...]:
+        """(position, turn type) of all ways by which others reach the junction."""
+        return tuple(dict.fromkeys((*self.approaches, *self.pockets)))
+
+    @property
     def turning(self) -> bool:
-        """Whether ego's way takes a manoeuvre that the place names (`egoTurn`)."""
+        """Whether ego's way takes a manoeuvre that the place names (`place.turn`)."""
         return self.junction or self.ramp or self.place.kind in RAMP
 
     @property

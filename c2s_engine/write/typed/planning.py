@@ -14,12 +14,10 @@ from c2s_engine.write.typed import room as rooms
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.pockets import pocketed
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP, TURN
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP
 from c2s_engine.write.typed.threats import hits_ego, is_hit
 from c2s_engine.write.typed.usual import speed_of, turn_of, uses_crosswalk
 
-WAITS = {"stop", "wait", "yield", "stationary", "start", "brake"}
-"""What one does before the junction that takes time of its own."""
 FAST = 11.5
 """m/s at which nobody comes up to a stop sign of their own."""
 
@@ -53,7 +51,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     if oncoming:
         place = place.model_copy(update={"oncoming": True})
     crossing = {cid: o for cid, o in objects.items() if o.placement.position in APPROACH_ANGLE}
-    passed = {} if place.kind == "roundabout" else pocketed(objects)
+    passed = pocketed(objects, place)
     ways = {cid: (o.placement.position, turn_of(o.phases)) for cid, o in crossing.items()}
     speed, top = middle(speed_of(ego, place)), high(speed_of(ego, place))
     duration = getattr(restrictions, "duration", None) or 20.0
@@ -79,10 +77,9 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         ramp=ramp,
         exit_room=rooms.behind_junction(objects, speed, place),
         lane_of=lane_of,
-        met=met,
-        early={cid: _early(ego, o, place) for cid, o in crossing.items() if cid not in met},
         set_out=set_out,
         leads=lanes.leads(ego, objects, lane_of, speed, place),
+        across=room < rooms.SHORTEST,
     )
     return _with_room(structure, plan)
 
@@ -137,18 +134,6 @@ def _on_the_left(o: ObjectSpec) -> ObjectSpec:
 
 def _runs_stop(o: ObjectSpec) -> bool:
     return any(p.action == "run_stop" for p in o.phases)
-
-
-def _early(ego: EgoSpec, o: ObjectSpec, place: PlaceSpec) -> float:
-    """The time (s) that a bend costs one who turns in front of ego, the more where ego does nothing about it."""
-    turn = turn_of(o.phases)
-    actions = [p.action for p in o.phases]
-    first = set(actions[: next((i for i, a in enumerate(actions) if a in TURN), 0)])
-    if turn == "STRAIGHT" or place.kind != "intersection" or place.manoeuvre != "straight" or first & WAITS:
-        return 0.0
-    reacts = ego.reaction != "none" or {"yield", "brake", "stop"} & {p.action for p in ego.phases}
-    towards = o.placement.position == "crossing_right" and turn == "LEFT_TURN"  # for long on ego's side
-    return (1.5 if towards else 0.8) if reacts else 3.0 if towards else 2.0
 
 
 def _sets_out(o: ObjectSpec) -> bool:

@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.specs import ObjectSpec, PlaceSpec
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, is_static, is_vehicle
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, SIDE, is_static, is_vehicle
 
 WAITS = {"stop", "wait", "stationary"}
 """What one does that stays before the junction."""
@@ -13,11 +13,12 @@ STAYS_BEHIND = {*WAITS, "follow", "brake", "yield"}
 """What one does, first of all, that comes up behind others."""
 
 
-def pocketed(objects: Mapping[str, ObjectSpec]) -> dict[str, str]:
-    """The ids of those who wait on an approach, each with who drives past it on that approach."""
-    found = {}
+def pocketed(objects: Mapping[str, ObjectSpec], place: PlaceSpec) -> dict[str, str]:
+    """The ids of those who wait on an approach, each with who drives past it on that approach; into a roundabout
+    nobody drives past another."""
+    found: dict[str, str] = {}
     for cid, spec in objects.items():
-        if not _waits(spec):
+        if place.kind == "roundabout" or not _waits(spec):
             continue
         past = (c for c, o in objects.items() if c != cid and _goes_by(o, spec, cid))
         if by := next(past, None):
@@ -29,17 +30,14 @@ def own_ways(structure: Structure) -> Structure:
     """S where those who come from behind one that waits on an approach, and go past it, come by that approach
     themselves."""
     objects = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+    if getattr(structure.place.spec, "kind", "") == "roundabout":
+        return structure
     for component in structure.objects:
-        spec = component.spec
-        first = objects.get(spec.placement.of) if isinstance(spec, ObjectSpec) else None
-        if (
-            not isinstance(spec, ObjectSpec)
-            or first is None
-            or not _waits(first)
-            or spec.placement.position != "behind"
-        ):
+        spec = objects.get(component.id)
+        first = objects.get(spec.placement.of) if spec else None
+        if spec is None or first is None or spec.placement.position != "behind":
             continue
-        if not _passes(spec, spec.placement.of):
+        if not _waits(first) or not _passes(spec):
             continue
         changes = {"position": first.placement.position, "of": "ego", "gap": None, "along": None}
         phases = tuple(p for p in spec.phases if p.action not in ("overtake", "follow"))
@@ -50,8 +48,8 @@ def own_ways(structure: Structure) -> Structure:
 
 
 def pocket_name(position: str) -> str:
-    """The variable of the lane where one waits that others pass, with how far (m) to its left it stands there."""
-    return APPROACH_NAME[position].replace("Approach", "Pocket")
+    """The lane where one waits that others pass, in the program."""
+    return f"place.{SIDE[position]}_pocket"
 
 
 def aside(structure: Structure, plan: Plan, cid: str) -> str:
@@ -64,7 +62,7 @@ def aside(structure: Structure, plan: Plan, cid: str) -> str:
         cid = spec.placement.of
     first = structure[cid].spec
     assert isinstance(first, ObjectSpec)
-    return f"{'' if cid in plan.pocketed else '-'}{pocket_name(first.placement.position)}[1]"
+    return f"{'' if cid in plan.pocketed else '-'}{pocket_name(first.placement.position)}_offset"
 
 
 def _waits(spec: ObjectSpec) -> bool:
@@ -82,9 +80,12 @@ def _goes_by(spec: ObjectSpec, waiting: ObjectSpec, cid: str) -> bool:
     return first not in STAYS_BEHIND and not any(p.action == "collide" and p.target == cid for p in spec.phases)
 
 
-def _passes(spec: ObjectSpec, cid: str) -> bool:
+def _passes(spec: ObjectSpec) -> bool:
     """Whether somebody that comes up behind another goes past it: it overtakes that one, or runs into ego."""
-    if any(p.action == "collide" and p.target == cid for p in spec.phases) or is_static(spec):
-        return False
-    hits = any(p.action == "collide" and p.target in (None, "ego") for p in spec.phases)
-    return hits or any(p.action == "overtake" and p.target == cid for p in spec.phases)
+    does = {(p.action, p.target or "ego") for p in spec.phases}
+    first = spec.placement.of
+    return (
+        not is_static(spec)
+        and ("collide", first) not in does
+        and bool(does & {("overtake", first), ("collide", "ego")})
+    )

@@ -7,7 +7,16 @@ from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, is_static
-from c2s_engine.write.typed.threats import every, every_passed, hits_ego, is_hit, is_stopped, once_seen, threatening
+from c2s_engine.write.typed.threats import (
+    every,
+    every_passed,
+    hits_ego,
+    in_sight,
+    is_hit,
+    is_stopped,
+    once_seen,
+    threatening,
+)
 from c2s_engine.write.typed.threats import on_foot as threats_on_foot
 from c2s_engine.write.typed.usual import rides_beside, turn_of
 
@@ -16,10 +25,8 @@ HARD = "lambda: max(4.5, min(9, 1.1 * {force}))"
 """m/s2: how hard drivers brake for who forces them to: a little more than it takes."""
 STOOD = "self.speed < 0.2 and {force} <= {limit}"
 """What ends the braking of one that is to come to a stand: the need of it must be over, too."""
-LATE = 3
+STILL = 3
 """m/s at which ego still is when it reaches whom it brakes for too late."""
-FIRM, FULL = 4.0, 4.5
-"""m/s2: at least so hard, so that ego stands before somebody on foot has gone by."""
 
 
 def reaction(actor: Actor, statements: list[str]) -> list[str]:
@@ -56,7 +63,7 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     before_them = stands and not stops_for.isdisjoint({None, *on_foot})
     return [
         *_around(statements, others, limit, rate, stands=stands),
-        *_stop_for(actor.structure, on_foot, spec.hard, before_them),
+        *_stop_for(actor, on_foot, spec.hard, before_them),
     ]
 
 
@@ -80,9 +87,9 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     movers = [c for c in met if not (_beside(s, c) and _stands(s, c))]
     for c in movers:
         one = scope.reference(s, c)
-        aside = f"Drive(line, {LATE}, rate={rate}) until need(self, {one}) <= 0"  # who comes from beside the road
+        aside = f"Drive(line, {STILL}, rate={rate}) until need(self, {one}) <= 0"  # who comes from beside the road
         lines += [
-            f"interrupt when need(self, {one}) > 6:",
+            f"interrupt when need(self, {one}) > {9 if _beside(s, c) else 6}:",
             f"    do {aside if _beside(s, c) else f'Ram({one}, 0, {rate})'}",
         ]
     return lines if others or movers else statements
@@ -107,16 +114,19 @@ def _force(threats: list[str]) -> str:
     return f"need(self, {threats[0]})"
 
 
-def _stop_for(structure: Structure, on_foot: list[str], hard: bool, stands: bool) -> list[str]:
+def _stop_for(actor: Actor, on_foot: list[str], hard: bool, stands: bool) -> list[str]:
     """The interruption of ego's way by a stop for those on foot: it goes on when they have gone by, and has first come
     to a stand where it `stands`."""
-    force, limit = _force([every(structure, c) for c in on_foot]), 4 if hard else 2
+    s = actor.structure
+    limit, rate = (5.0, 7.0) if hard else (3.0, 3.5)
+    force = _force([in_sight(s, c) for c in on_foot])
     stood = ["self.speed < 0.2"] if stands else []
-    gone = " and ".join([*stood, f"{force} <= 0", *(every_passed(structure, c) for c in on_foot)])
-    brake = f"Drive(line, 0, rate=lambda: max({FULL if hard else FIRM}, min(9, 1.1 * {force})))"
+    gone = " and ".join([*stood, f"{force} <= 0", *(every_passed(s, c) for c in on_foot)])
+    they = ", ".join(every(s, c) for c in on_foot)
+    slower = f"short_of(self, line, [{they}], {actor.speed}, {scope.number(rate)})"
     return [
-        f"interrupt when {force} > {limit}:",
-        f"    do {brake} until {gone}",
+        f"interrupt when {force} > {scope.number(limit)}:",
+        f"    do Drive(line, lambda: {slower}, rate=9) until {gone}",
         *(["    do Drive(line, 0) for 1 seconds"] if stands else []),
     ]
 

@@ -2,7 +2,7 @@
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import Condition, RestrictionsSpec
-from c2s_engine.write.typed import scope
+from c2s_engine.write.typed import over, scope
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.triggers import observed
 
@@ -21,6 +21,8 @@ def write_restrictions(structure: Structure, plan: Plan) -> str:
     for c in spec.terminate_when:
         guard = "" if c.kind == "time" else f"{CLOCK} > 1 and "  # a run does not end as it begins
         lines.append(f"terminate when {guard}{_condition(structure, c)}")
+    if not spec.terminate_when and spec.duration is None and (seen := over.conditions(structure, plan)):
+        lines += ["require monitor OnceSeen([", *(f"    lambda: {one}," for one in seen), "])"]
     lines.append(f"terminate after {scope.number(plan.duration)} seconds")
     return "\n".join(lines)
 
@@ -37,7 +39,7 @@ def _condition(structure: Structure, c: Condition) -> str:
     if c.kind == "collision":
         return f"({subject} intersects {other})"
     if c.kind == "travelled":
-        start = "egoLane.centerline.pointAlongBy(EGO_AT)"
+        start = "place.lane.centerline.pointAlongBy(EGO_AT)"
         return f"((distance from ego to {start}) >= {scope.number(c.minimum or 0)})"
     if c.kind == "action":
         return f"({observed(structure, subject, c.subject, c.action)})"

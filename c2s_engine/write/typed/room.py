@@ -12,8 +12,10 @@ from c2s_engine.write.typed.usual import default_gap, speed_of
 
 LONGEST_APPROACH = 200.0
 """m of lane before a junction that maps can be expected to have."""
-AT_THE_EDGE = 8.0
-"""m from ego's middle to the junction before which it stands."""
+AT_THE_EDGE = 10.5
+"""m from ego's middle to the junction before which it stands: with room for a crosswalk."""
+SHORTEST = 0.4
+"""The least share of the wanted way to a junction; a map that has not even that may have it across another one."""
 PAST = 25.0
 """m from behind another to where the one that overtook it is well past."""
 _BESIDE = {"partly_in_lane", "parked", "roadside", "sidewalk"}
@@ -110,14 +112,14 @@ def distance(
     if speed == 0 and place.kind in JUNCTION:  # ego stands at the junction's edge
         return round(max(AT_THE_EDGE, far + 4), 1)
     base = max(
-        min((7.0 if met else 4.0) * speed, 110),
+        min((9.5 if met else 4.0) * speed, 120),
         min(35.0, 6.0 * speed),
         12.0,
         *(_to_pass(o, speed, place) for o in objects.values()),
         *(_to_overtake(cid, o, ego, speed, place) for cid, o in objects.items()),
     )
     base = max(base, 60.0) if place.kind in RAMP else base
-    return round(max(base * max(room, 0.4), far + 4), 1)
+    return round(max(base * max(room, SHORTEST), far + 4), 1)
 
 
 def _to_pass(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:

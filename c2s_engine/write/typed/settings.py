@@ -1,5 +1,6 @@
 """G: map, weather, world model (the paper's HeaderGenerator, without a model)."""
 
+from c2s_engine import driving
 from c2s_engine.structure.components import Component
 from c2s_engine.structure.specs import SettingsSpec
 from c2s_engine.write.typed.scope import number
@@ -31,6 +32,19 @@ def weather_value(spec: SettingsSpec) -> str:
     return "{" + ",\n    ".join(rows) + "}"
 
 
+def lights(state: str) -> list[str]:
+    """What keeps the light that ego comes to in a state, and those of the other approaches in theirs."""
+    return [
+        "",
+        "monitor TrafficLight():",
+        "    freezeTrafficLights()",
+        "    while True:",
+        f"        setClosestTrafficLightStatus(ego, '{state}')",
+        "        wait",
+        "require monitor TrafficLight()",
+    ]
+
+
 def write_settings(component: Component, map_file: str, carla_map: str | None) -> str:
     """The header of the program."""
     spec = component.spec
@@ -38,18 +52,12 @@ def write_settings(component: Component, map_file: str, carla_map: str | None) -
     lines = [
         f"param map = localPath('{map_file}')",
         f"param carla_map = {carla_map!r}",
+        "param use2DMap = True",
         "param timestep = 0.1",
         f"param weather = {weather_value(spec)}",
         "model scenic.simulators.carla.model",
+        driving.IMPORT,
     ]
     if spec.light:
-        lines += [
-            "",
-            "monitor TrafficLight():",
-            "    freezeTrafficLights()",
-            "    while True:",
-            f"        setClosestTrafficLightStatus(ego, '{spec.light}')",
-            "        wait",
-            "require monitor TrafficLight()",
-        ]
+        lines += lights(spec.light)
     return "\n".join(lines)

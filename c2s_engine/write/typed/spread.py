@@ -5,6 +5,7 @@ from functools import lru_cache
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec, RestrictionsSpec
+from c2s_engine.write.typed import rear_ends
 from c2s_engine.write.typed.apart import apart
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.forms import normal
@@ -53,7 +54,7 @@ def _spread(
         objects=tuple(Component(id=cid, spec=spec) for cid, spec in objects),
         restrictions=Component(id="T", spec=restrictions),
     )
-    found = apart(_rows(normal(found)))
+    found = apart(_rows(rear_ends.solved(normal(found))))
     return (found.place.spec, found.ego.spec, *(c.spec for c in found.objects))  # type: ignore[return-value, arg-type]
 
 
@@ -107,12 +108,13 @@ def _comes_later(spec: ObjectSpec) -> bool:
 def _queued(structure: Structure) -> Structure:
     """Of several on the on-ramp or on an approach the first is timed to ego; each other comes behind the one before."""
     before: dict[str, str] = {}
-    waiting = pocketed({c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)})
+    objects = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+    passed = pocketed(objects, structure.place.spec)  # type: ignore[arg-type]
     for component in structure.objects:
         spec = component.spec
         if not isinstance(spec, ObjectSpec) or spec.placement.position not in (*APPROACH_ANGLE, "on_ramp"):
             continue
-        if component.id in waiting:  # the others go past it
+        if component.id in passed:
             continue
         position = spec.placement.position
         if position in before and (position == "on_ramp" or spec.placement.gap is None):

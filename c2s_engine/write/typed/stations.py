@@ -7,7 +7,7 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, MOVES_OFF_ROAD, WIDTH, WORKS, is_vehicle, is_walker
-from c2s_engine.write.typed.usual import crosses_there, default_gap, right_behind, speed_of
+from c2s_engine.write.typed.usual import crosses, crosses_there, default_gap, pace_of, right_behind, speed_of
 
 OWN_PLACE = {*APPROACH_ANGLE, "oncoming_lane", "on_ramp", "intersection_exit", *MOVES_OFF_ROAD}
 """Positions that name where somebody is, whomever they are seen from."""
@@ -17,10 +17,10 @@ CLOSEST = 0.3
 """m between the members of a row at least."""
 BEFORE_JUNCTION = 5.0
 """m before a junction where those cross who cross at its crosswalk."""
-HALF_TURN, INTO = 17.0, 20.0
-"""m from the edge of the junction to where ego, turning left, and one from the opposite side meet, for each of them."""
-TURNS_AT = 8.0
-"""m/s about at which fast drivers turn."""
+LONGEST_APPROACH = 130.0
+"""m before a junction from which somebody comes who meets ego there."""
+SEEN_RUNNING = 1.8
+"""s before it is in ego's way for which an animal is seen that comes running."""
 RIGHT_BEHIND = 0.6
 """m from what hides somebody to who stands by it."""
 
@@ -115,21 +115,15 @@ def bodies(spec: ObjectSpec, parent: ObjectSpec, behind: bool) -> float:
 
 
 def to_junction(cid: str, spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
-    """How far before the junction one on another approach starts: as stated, or so that it is there when ego is."""
+    """How far before the junction one on another approach starts: as stated, or about where it is solved to start."""
     if spec.placement.gap is not None:
         return spec.placement.gap
     if cid in plan.set_out:
-        return 10.0
+        return 18.0
     own = middle(speed_of(spec, plan.place))
     far = middle(plan.distance or 40)
     seconds = far / max(plan.ego_speed, 4) if plan.ego_speed > 0 else math.sqrt(far + 5)
-    lead = 6.0 if spec.placement.position == "opposite_approach" else 3
-    if cid in plan.met and plan.place.manoeuvre == "left" and spec.placement.position == "opposite_approach":
-        lead = own * HALF_TURN / min(max(plan.ego_speed, 4), TURNS_AT) - INTO
-    lead -= 15 if plan.place.kind == "roundabout" and cid in plan.met else 0  # it has a piece of the ring to go
-    early = plan.early.get(cid, 0.0)
-    least = 22.0 if early else 8.0  # it has to be seen driving up
-    return max(least, min(own * (seconds - early) + lead, 130.0)) if own > 0 else 8.0
+    return max(8.0, min(own * seconds + 6.0, LONGEST_APPROACH)) if own > 0 else 8.0
 
 
 def to_merge(spec: ObjectSpec, plan: Plan) -> float:
@@ -156,6 +150,8 @@ def near_exit(spec: ObjectSpec) -> bool:
 def outwards(spec: ObjectSpec) -> float:
     """From the road's edge to the middle of what is beside it."""
     out = {"parked": 1.4, "sidewalk": 3.0}.get(spec.placement.position, 1.5)
+    if spec.type == "animal" and crosses(spec):  # it comes running
+        return max(out, round(SEEN_RUNNING * middle(pace_of(spec)) - 1.75, 1))
     if is_walker(spec.type):
         return out
     if not is_vehicle(spec.type):  # signs and props may be wide

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import ObjectSpec, Phase
+from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.collisions import (
     LANE_WIDTH,
@@ -18,8 +18,10 @@ from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.tables import LANE_NAME, MOVES_OFF_ROAD, RAMP
 from c2s_engine.write.typed.towards import ending, yields
-from c2s_engine.write.typed.usual import reach
+from c2s_engine.write.typed.usual import SETS_OUT, reach
 
+AT_LINE = Trigger(kind="place", place="intersection", value=0)
+"""When somebody stops at the stop line of its approach."""
 BEYOND_EDGE = 4
 """m beyond the road's edge to where who leaves it heads."""
 HITS_SOON = "for 1 seconds"
@@ -91,11 +93,13 @@ def _brake(c: Course, p: Phase) -> list[Step]:
 
 
 def _stop(c: Course, p: Phase) -> list[Step]:
-    drive = c.drive("0", middle(p.rate) if p.rate else (7 if _hard(c) else 3.5))
-    if p.duration is None and (met := sets_out_to_meet(c)):
-        spot, until = met
-        return [([drive], "until self.speed < 0.2"), ([*spot, drive], until)]
-    return [([drive], "until self.speed < 0.2"), ([drive], ending(p, "for 1 seconds"))]
+    rate = middle(p.rate) if p.rate else (7 if _hard(c) else 3.5)
+    first = drive = c.drive("0", rate)
+    if p.trigger == AT_LINE and (lane := c.actor.to_junction):
+        first = c.drive(f"lambda: up_to(to_line(self, {lane}), {c.speed}, {scope.number(rate - 0.5)})", rate + 2)
+    if p.duration is None and (until := sets_out_to_meet(c)):
+        return [([first], "until self.speed < 0.2"), ([drive], until)]
+    return [([first], "until self.speed < 0.2"), ([drive], ending(p, "for 1 seconds"))]
 
 
 def _wait(c: Course, p: Phase) -> list[Step]:
@@ -103,7 +107,7 @@ def _wait(c: Course, p: Phase) -> list[Step]:
 
 
 def _start(c: Course, p: Phase) -> list[Step]:
-    goal = c.wanted(p, c.actor.value or 8)
+    goal = c.wanted(p, c.actor.value or SETS_OUT)
     c.set(goal)
     drive = c.drive(scope.number(goal) if not c.actor.value else None, 2)
     return [([drive], ending(p, f"until self.speed > {scope.number(goal - 0.5)}"))]
@@ -119,7 +123,7 @@ def _u_turn(c: Course, p: Phase) -> list[Step]:
     back = c.drive(scope.number(c.wanted(p, 8)))
     if hit := hit_next(c, p):
         return [(["do TurnRound()"], f"until near(self, {c.actor.ref(hit.target)})")]
-    return [(["do TurnRound()"], ""), (["line = way(oncomingLane)", back], "")]
+    return [(["do TurnRound()"], ""), (["line = way(place.oncoming_lane)", back], "")]
 
 
 def _reverse(c: Course, p: Phase) -> list[Step]:
@@ -139,7 +143,7 @@ def _reverse(c: Course, p: Phase) -> list[Step]:
 
 def _moving(c: Course) -> float:
     """Its speed, or that at which somebody who stood moves off, m/s."""
-    return c.value or 8.0
+    return c.value or SETS_OUT
 
 
 def _lane_change(c: Course, p: Phase) -> list[Step]:
@@ -168,7 +172,7 @@ def _enter_road(c: Course, p: Phase) -> list[Step]:
     goal = c.wanted(p, c.actor.value or 7)
     c.value, c.speed = goal, scope.number(goal)
     drive = c.drive(scope.number(goal), middle(p.rate) if p.rate else 3)
-    return [(["line = way(egoLane)", drive], ending(p, "for 5 seconds"))]
+    return [(["line = way(place.lane)", drive], ending(p, "for 5 seconds"))]
 
 
 # Out of the lane.
@@ -217,7 +221,7 @@ def _leave_road(c: Course, p: Phase) -> list[Step]:
 
 def _off_the_road(c: Course, side: str) -> str:
     """How far to the left (m) it must get to be off all lanes, however many there are on that side."""
-    own = "oncomingLane" if c.oncoming else "egoLane"
+    own = "place.oncoming_lane" if c.oncoming else "place.lane"
     if c.lane is None and not (c.oncoming and c.actor.plan.oncoming):  # a road of which nothing is known
         return scope.number(LANE_WIDTH + 5 if side == "left" else -5)
     if side == "right":

@@ -4,6 +4,7 @@ from typing import Any
 
 import yaml
 
+from c2s_engine import driving
 from c2s_engine.paths import shipped
 from c2s_engine.structure.quantity import high
 from c2s_engine.structure.specs import ObjectSpec
@@ -19,18 +20,19 @@ ROLE: dict[str, str] = {k: v["role"] for k, v in _TABLES["types"].items() if v.g
 DEFAULT_SPEED: dict[str, dict[str, float]] = _TABLES["speeds"]
 WEATHER: dict[str, dict[str, float]] = _TABLES["weather"]
 SUN: dict[str, float] = _TABLES["sun"]
-RESERVED: frozenset[str] = frozenset(_TABLES["reserved"])
+RESERVED: frozenset[str] = frozenset(_TABLES["reserved"]) | driving.names()
 WORKS = {"construction_zone", "lane_closure"}
 MOVES_OFF_ROAD = {"roadside", "sidewalk", "parked"}
 JUNCTION = {"intersection", "roundabout"}
 RAMP = {"on_ramp", "off_ramp"}
+HALF_LANE = 1.7
+"""m from the middle of a lane within which one is in it."""
 APPROACH_ANGLE = {"crossing_left": -90, "crossing_right": 90, "opposite_approach": 180}
-APPROACH_NAME = {
-    "crossing_left": "leftApproach",
-    "crossing_right": "rightApproach",
-    "opposite_approach": "oppositeApproach",
-}
-LANE_NAME = {-2: "farRightLane", -1: "rightLane", 0: "egoLane", 1: "leftLane", 2: "farLeftLane"}
+SIDE = {"crossing_left": "left", "crossing_right": "right", "opposite_approach": "opposite"}
+APPROACH_NAME = {position: f"place.from_{side}" for position, side in SIDE.items()}
+LANE_NAME = {
+    -2: "place.far_right_lane", -1: "place.right_lane", 0: "place.lane", 1: "place.left_lane", 2: "place.far_left_lane",
+}  # fmt: skip
 TURN = {"turn_left": "LEFT_TURN", "turn_right": "RIGHT_TURN", "go_straight": "STRAIGHT", "u_turn": "U_TURN"}
 
 _VEHICLES = {"car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle"}

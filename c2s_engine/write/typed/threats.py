@@ -5,7 +5,7 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor
-from c2s_engine.write.typed.tables import is_static, is_walker
+from c2s_engine.write.typed.tables import HALF_LANE, is_static, is_walker
 
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
 CALM = {"follow", "keep_lane", "go_straight", "turn_left", "turn_right", "move_along", "brake"}
@@ -53,7 +53,8 @@ def members(structure: Structure, cid: str) -> list[str]:
 
 def every_passed(structure: Structure, cid: str) -> str:
     """The condition under which an object, or the first and the last of its members, has gone by before the car."""
-    return " and ".join(f"passed({one}, self)" for one in members(structure, cid))
+    margin = ", margin=2.5" if is_walker(getattr(structure[cid].spec, "type", "")) else ""
+    return " and ".join(f"passed({one}, self{margin})" for one in members(structure, cid))
 
 
 def shown(structure: Structure, cid: str) -> str:
@@ -64,7 +65,17 @@ def shown(structure: Structure, cid: str) -> str:
     before = structure[spec.placement.hidden_by].spec if spec.placement.hidden_by in structure else None
     if not isinstance(before, ObjectSpec) or is_static(before) or before.placement.position != "ahead":
         return ""
-    return f"{scope.reference(structure, spec.placement.hidden_by)}._lane is not egoLane"
+    hiding = scope.reference(structure, spec.placement.hidden_by)
+    return f"place.lane.centerline.distanceTo({hiding}.position) > {HALF_LANE}"
+
+
+def in_sight(structure: Structure, cid: str) -> str:
+    """The reference to an object, or to all of its members (starred), only while what hides it does not."""
+    spec, name = structure[cid].spec, every(structure, cid)
+    by = spec.placement.hidden_by if isinstance(spec, ObjectSpec) else None
+    if by is None or by not in structure or spec.placement.position == "ahead":  # type: ignore[union-attr]
+        return name
+    return f"*in_view(self, [{name}], [{every(structure, by)}])"
 
 
 def once_seen(structure: Structure, cids: list[str]) -> list[str]:
@@ -72,7 +83,7 @@ def once_seen(structure: Structure, cids: list[str]) -> list[str]:
     found = []
     for cid in cids:
         name, condition = every(structure, cid), shown(structure, cid)
-        found.append(f"*([{name}] if {condition} else [])" if condition else name)
+        found.append(f"*([{name}] if {condition} else [])" if condition else in_sight(structure, cid))
     return found
 
 

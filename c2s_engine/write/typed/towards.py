@@ -6,8 +6,11 @@ from c2s_engine.write.typed.collisions import LANE_WIDTH, Step
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.order import goes_after, turns_left
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, WORKS, is_static, is_walker
-from c2s_engine.write.typed.threats import every_passed, standing
-from c2s_engine.write.typed.usual import SIREN, walks_first
+from c2s_engine.write.typed.threats import every, every_passed, standing
+from c2s_engine.write.typed.usual import SETS_OUT, SIREN, walks_first
+
+ROOM = 4
+"""m before somebody on foot where one stands to let them pass."""
 
 
 def ending(phase: Phase, natural: str) -> str:
@@ -27,11 +30,12 @@ def yields(c: Course, p: Phase) -> list[Step]:
         behind = f"do Drive(line, lambda: pace(self, {other}, {c.speed}), rate=4)"
         clear = f"(distance from {other} to {end}) > 14 and (distance from self to {end}) < 14"
         return [([behind], f"until {clear}"), (go[0], "")]
-    near = f"until (distance from self to {end}) < 4 + self.speed ** 2 / 6"
+    near = f"until to_line(self, {lane}) < 0.5 + self.speed ** 2 / 6"
+    stop = c.drive(f"lambda: up_to(to_line(self, {lane}), {c.speed})", 5)
     first = its_turn(c.actor, p.target)
     gone = f"passed({other}, self)" + (f" and {first}" if first else "")
     up = [] if _waits_there(c, p) else [([c.drive()], near)]
-    return [*up, ([c.drive("0", 3)], f"until {gone}"), go]
+    return [*up, ([stop], f"until {gone}"), go]
 
 
 def _waits_there(c: Course, p: Phase) -> bool:
@@ -103,10 +107,10 @@ def _until_forced(c: Course, p: Phase, other: str) -> list[Step]:
         return _waits_for_oncoming(c, other)
     if p.target and (is_walker(spec.type) or spec.type == "bicycle"):
         waits = f"until {every_passed(a.structure, p.target)}"
-        sets_out = "" if is_static(spec) else f"{other}.speed > 0.3 and "
-        near = f"{sets_out}(distance from self to {other}) < 10 + self.speed ** 2 / 6"
-        near = "" if walks_first(spec) or spec.type == "bicycle" else f" or {near}"
-        return [([c.drive()], f"until need(self, {other}) > 2{near}"), ([c.drive("0", 3.5)], waits)]
+        they = every(a.structure, p.target)
+        before = f"lambda: short_of(self, line, [{they}], {c.speed}, 2.5, {ROOM})"
+        sets_out = "" if is_static(spec) or walks_first(spec) else f" or {other}.speed > 0.3"
+        return [([c.drive()], f"until need(self, {other}) > 2{sets_out}"), ([c.drive(before, 5)], waits)]
     if spec.placement.position == "on_ramp":  # it comes in ahead: no more room than that takes
         near = f"(distance from self to {other}) < 40 and lead_on(self, {other}) > -40"
         pace = f"lambda: max({scope.number(0.7 * a.value)}, pace(self, {other}, {scope.number(0.9 * a.value)}, 0.5))"
@@ -164,4 +168,4 @@ def _lets_ego_by(c: Course, p: Phase, ego: str, cid: str) -> list[Step]:
 
 def _moving_on(c: Course, p: Phase) -> float:
     """The speed at which somebody drives on that has let another pass, m/s."""
-    return c.wanted(p, c.actor.value or 8)
+    return c.wanted(p, c.actor.value or SETS_OUT)

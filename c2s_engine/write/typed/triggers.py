@@ -7,7 +7,7 @@ from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.collisions import hit_beside, hit_next
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.overtakings import nearest
-from c2s_engine.write.typed.tables import LENGTH, WORKS, is_static
+from c2s_engine.write.typed.tables import HALF_LANE, LENGTH, WORKS, is_static
 from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, standing, threatening
 from c2s_engine.write.typed.towards import before_standing, opposite_standing
 from c2s_engine.write.typed.usual import speed_of
@@ -49,7 +49,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     if phase.trigger is not None:
         return ""
     if phase.action in ("lane_change", "cut_in") and course.on_ramp:
-        return "until self._lane is accelerationLane"
+        return "until self._lane is place.acceleration_lane"
     if a.is_ego and phase.action in FORCED and not _stood(a, phase) and _confronted(course, phase):
         cid = phase.target or getattr(a.spec, "react_to", None) or standing(a.structure, a.plan.lane_of)
         hard = getattr(a.spec, "hard", False) or (phase.rate is not None and middle(phase.rate) >= 4)
@@ -122,9 +122,9 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
     if action in ("turn_left", "turn_right", "go_straight", "run_red", "run_stop"):
         return f"{other}._intersection is not None"
     if action == "cut_in":
-        return f"{other}._lane is egoLane"
+        return f"place.lane.centerline.distanceTo({other}.position) < {HALF_LANE}"
     if action in ("lane_change", "cut_out"):
-        return f"{other}._lane is not egoLane"
+        return f"place.lane.centerline.distanceTo({other}.position) > {HALF_LANE}"
     return f"(distance from ego to {other}) < 20"
 
 
@@ -136,8 +136,7 @@ def _before_junction(course: Course, value: float, phase: Phase) -> str:
     if phase.action in ("stop", "yield", "wait", "brake") and value < 12:
         hard = phase.action == "stop" and getattr(course.actor.spec, "hard", False)
         rate = middle(phase.rate) if phase.rate else 6 if hard else 3
-        braking = f"self.speed ** 2 / {scope.number(2 * rate)}"
-        return f"until (distance from self to {lane}.centerline[-1]) < {scope.number(room)} + {braking}"
+        return f"until to_line(self, {lane}) < {scope.number(value + 0.5)} + self.speed ** 2 / {scope.number(2 * rate)}"
     return f"until (distance from self to {lane}.centerline[-1]) < {scope.number(room)}"
 
 

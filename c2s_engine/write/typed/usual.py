@@ -14,6 +14,8 @@ from c2s_engine.write.typed.tables import (
     is_walker,
 )
 
+SETS_OUT = 8.0
+"""m/s at which somebody drives on that stood."""
 ROOM_BEHIND = 4.0
 """m that drivers keep behind who stands."""
 TO_PULL_OUT = 3.0
@@ -34,7 +36,10 @@ def turn_of(phases: tuple[Phase, ...], default: str = "STRAIGHT") -> str:
 
 
 def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[float, float]:
-    """The initial speed of a road user, m/s: its own, that of its first phase, or the usual one of its kind there."""
+    """The initial speed of a road user, m/s: its own, that of its first phase, or the usual one of its kind there; of
+    who is on foot or crosses, that at which it goes."""
+    if isinstance(spec, ObjectSpec) and (crosses(spec) or is_walker(spec.type)):
+        return pace_of(spec)
     if spec.speed is not None:
         return spec.speed
     if spec.phases:
@@ -52,6 +57,12 @@ def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[floa
     kind = spec.type if spec.type in DEFAULT_SPEED else "car"
     usual = DEFAULT_SPEED[kind]
     return usual[place.kind if place.kind in usual else "road"]
+
+
+def pace_of(o: ObjectSpec) -> float | tuple[float, float]:
+    """How fast somebody on foot, or who rides over the road, goes when it goes, m/s."""
+    stated = [s for s in (o.speed, *(p.speed for p in o.phases)) if s is not None and high(s) > 0]
+    return stated[0] if stated else DEFAULT_SPEED[o.type]["road"] if o.phases or o.speed is None else 0.0
 
 
 IN_QUEUE = 3.0
@@ -133,20 +144,15 @@ def _to_catch(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
 
 
 def reach(o: ObjectSpec, place: PlaceSpec) -> float:
-    """From where somebody stands beside the road to the middle of ego's lane, m (over lanes of the other direction
-    about, as many as there may be)."""
+    """From where somebody stands beside the road to the middle of ego's lane, m (over one or two lanes of the other
+    direction)."""
     own = 3.2 if o.placement.hidden_by else 4.75 if o.placement.position == "sidewalk" else 3.25
-    return own + (3.5 * max(place.lanes or 3, 3) if far_side(o, place) else 0)
+    return own + (5.25 if far_side(o, place) else 0)
 
 
 def far_side(o: ObjectSpec, place: PlaceSpec) -> bool:
     """Whether lanes of the other direction lie between somebody beside the road and ego's: the map says how many."""
     return o.placement.side == "left" and place.kind not in {"motorway", *RAMP} and not o.placement.hidden_by
-
-
-def from_lane(o: ObjectSpec, place: PlaceSpec) -> bool:
-    """Whether how far somebody is from ego's lane is seen in the scene only."""
-    return far_side(o, place) or o.placement.position == "intersection_exit" or o.placement.hidden_by is not None
 
 
 def uses_crosswalk(o: ObjectSpec) -> bool:
@@ -194,10 +200,14 @@ def crosses(o: ObjectSpec) -> bool:
     return does and (is_walker(o.type) or o.type == "bicycle")
 
 
+TO_BEGIN = 2.0
+"""s from the start until somebody sets out across the road."""
+
+
 def while_crossing(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float:
-    """How far (m) ego drives while somebody comes from beside the road into its lane: they must be that far ahead."""
+    """How far (m) ego drives until it is where somebody comes from beside the road into its lane: they must be that far
+    ahead."""
     if place is None or not crosses(o):
         return 0.0
-    pace = max(middle(speed_of(o, place)), 0.8)
-    seconds = reach(o, place) / pace + (4 if walks_first(o) else 0)
-    return min(seconds * ego_speed + 8, 150.0)
+    seconds = TO_BEGIN + reach(o, place) / max(low(pace_of(o)), 0.8) + 0.5
+    return min(seconds * ego_speed, 150.0)

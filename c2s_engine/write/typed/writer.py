@@ -1,17 +1,16 @@
 """The typed writer: renders each component's spec, and says when a fragment is no longer what it would render."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from c2s_engine.maps.expressions import PlaceCode, place_code
+from c2s_engine import driving
 from c2s_engine.maps.extras import MapExtras
 from c2s_engine.structure.components import Component, ComponentId, Structure
-from c2s_engine.structure.quantity import high
-from c2s_engine.write.typed import kernel
+from c2s_engine.write.typed.decided import with_decisions
 from c2s_engine.write.typed.ego import write_ego
 from c2s_engine.write.typed.objects import write_object
-from c2s_engine.write.typed.place import EGO_VARIES, candidates, write_place
+from c2s_engine.write.typed.place import call, write_place
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.restrictions import write_restrictions
@@ -40,7 +39,7 @@ class TypedWriter:
         self.room = room
 
     def config(self) -> dict[str, Any]:
-        return {"writer": self.name, "version": 1, "map": self.map.digest, "room": self.room}
+        return {"writer": self.name, "library": driving.digest(), "map": self.map.digest, "room": self.room}
 
     def reads(self, structure: Structure, cid: ComponentId) -> frozenset[ComponentId]:
         """No fragment is looked at: what is rendered rests on specs alone, and those are in `inputs`."""
@@ -70,42 +69,15 @@ class TypedWriter:
             return write_restrictions(structure, plan)
         if cid.startswith("O"):
             return write_object(structure, cid, plan)
-        code = self.place(plan)
-        return write_place(plan, code, self._kernel(structure, plan), self._stop_signs)
+        return write_place(plan)
 
-    def place(self, plan: Plan) -> PlaceCode:
-        """The code that selects the place on the map, one with the limit where there is one (the program posts it)."""
-        room = high(plan.distance) + plan.before if plan.distance is not None else self._room(plan)
-        spec = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place
-        short = plan.place.kind != "roundabout" and plan.exit_room < 25  # every junction has that much behind it
-        exit_room = 0 if short else plan.exit_room
-        found = place_code(spec, self.map.extras, room=room, exit_room=exit_room)
-        if spec.speed_limit is None:
-            return found
-        anywhere = spec.model_copy(update={"speed_limit": None})
-        other = place_code(anywhere, self.map.extras, room=room, exit_room=exit_room)
-        if found.missing:
-            return other
-        return replace(found, expression=f"({found.expression} or {other.expression})", comment=found.comment)
-
-    def _room(self, plan: Plan) -> float:
-        """How long ego's lane must be where nothing ends it, m: no shorter than what stands on it ahead of ego."""
-        least = plan.before + EGO_VARIES + plan.reach if plan.reach > 0 else 0.0
-        return max((plan.before + plan.after) * self.room, least)
+    def decided(self, structure: Structure) -> Structure:
+        """S with what the writer chose for it or changed in it among what is assumed."""
+        return with_decisions(structure, self.room)
 
     def candidates(self, structure: Structure) -> str:
         """The list from which the program draws its place; how long it is says how many places there are."""
-        plan = make_plan(spread(structure), self.room)
-        return candidates(plan, self.place(plan), self._stop_signs)
-
-    @property
-    def _stop_signs(self) -> frozenset[tuple[int, int]]:
-        controls = self.map.extras.controls
-        return frozenset((c.junction, c.road) for c in controls if c.kind == "stop" and c.junction is not None)
-
-    def _kernel(self, structure: Structure, plan: Plan) -> frozenset[str]:
-        others = write_ego(structure, plan) + "".join(write_object(structure, c.id, plan) for c in structure.objects)
-        return kernel.needed(others)
+        return str(call(make_plan(spread(structure), self.room)))
 
 
 def _one_line(text: str) -> str:

@@ -1,30 +1,28 @@
 ## G
 param map = localPath('town.xodr')
 param carla_map = None
+param use2DMap = True
 param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
+from c2s_driving import *
 
 ## R
-import math
-
-egoLane = Uniform(*[lane
-    for road in network.roads for lane in road.lanes
-    if lane.group._opposite is not None and lane.centerline.length > 325])
+place = Uniform(*stretches(length=325, least=82))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
 EGO_SPEED = 14  # m/s
 
 behavior EgoBehavior():
-    line = way(egoLane)
+    line = way(place.lane)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
     interrupt when need(self, lead) > 3:
         do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, lead)))) until need(self, lead) <= 0
 
-ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 
@@ -33,14 +31,17 @@ LEAD_SPEED = 14  # m/s
 LEAD_AT = EGO_AT + 30 + 5  # m along the lane
 
 behavior LeadBehavior():
-    line = way(egoLane)
+    line = way(place.lane)
     take SetSpeedAction(LEAD_SPEED)
     do Drive(line, LEAD_SPEED) for 3 seconds
     do Drive(line, 5, rate=5)
 
-lead = new Car at egoLane.centerline.pointAlongBy(LEAD_AT),
+lead = new Car at place.lane.centerline.pointAlongBy(LEAD_AT),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
     with behavior LeadBehavior()
 
 ## T
+require monitor OnceSeen([
+    lambda: lead.speed < 5.7,
+])
 terminate after 20 seconds

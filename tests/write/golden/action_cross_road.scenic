@@ -1,47 +1,49 @@
 ## G
 param map = localPath('town.xodr')
 param carla_map = None
+param use2DMap = True
 param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
+from c2s_driving import *
 
 ## R
-import math
-
-egoLane = Uniform(*[lane
-    for road in network.roads for lane in road.lanes
-    if lane.group._opposite is not None and lane.sections[0]._slowerLane is None and lane.centerline.length > 375])
+place = Uniform(*stretches(length=375, least=130, ego_lane='rightmost'))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
 EGO_SPEED = 13.9  # m/s
 
 behavior EgoBehavior():
-    line = way(egoLane)
+    line = way(place.lane)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when need(self, walker) > 2:
-        do Drive(line, 0, rate=lambda: max(4.0, min(9, 1.1 * need(self, walker)))) until need(self, walker) <= 0 and passed(walker, self)
+    interrupt when need(self, walker) > 3:
+        do Drive(line, lambda: short_of(self, line, [walker], EGO_SPEED, 3.5), rate=9) until need(self, walker) <= 0 and passed(walker, self, margin=2.5)
 
-ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 
 ## O1
 WALKER_SPEED = 1.4  # m/s
-WALKER_AT = EGO_AT + 55.6 + 2.85  # m along the lane
+WALKER_AT = EGO_AT + 81.91 + 2.85  # m along the lane
+WALKER_AHEAD = Range(0, 0.5)  # s in the middle of ego's way before ego is there
 
 behavior WalkerBehavior():
-    while not ((distance from self to ego) < 3.39 * ego.speed + 4):
-        wait
-    do Walk(self.heading, WALKER_SPEED)
+    line = way(place.lane)
+    do Stand() until sets_out(self, ego, line, WALKER_SPEED, WALKER_AHEAD)
+    do Walk(self.heading, WALKER_SPEED, to_far_side(self, line, self.heading))
 
-walker = new Pedestrian at (new OrientedPoint at egoLane.rightEdge.project(egoLane.centerline.pointAlongBy(WALKER_AT)), facing roadDirection at egoLane.centerline.pointAlongBy(WALKER_AT)) offset by 3 @ 0,
-    facing 90 deg relative to (roadDirection at egoLane.centerline.pointAlongBy(WALKER_AT)),
+walker = new Pedestrian at (new OrientedPoint at place.lane.rightEdge.project(place.lane.centerline.pointAlongBy(WALKER_AT)), facing roadDirection at place.lane.centerline.pointAlongBy(WALKER_AT)) offset by 3 @ 0,
+    facing 90 deg relative to (roadDirection at place.lane.centerline.pointAlongBy(WALKER_AT)),
     with regionContainedIn everywhere,
     with blueprint Uniform('walker.pedestrian.0001', 'walker.pedestrian.0002', 'walker.pedestrian.0003', 'walker.pedestrian.0005', 'walker.pedestrian.0006'),
     with behavior WalkerBehavior()
 
 ## T
+require monitor OnceSeen([
+    lambda: lead_on(walker, ego) < -3 or ego.speed < 0.3 and walker.speed < 0.3,
+])
 terminate after 20 seconds

@@ -1,27 +1,25 @@
 ## G
 param map = localPath('town.xodr')
 param carla_map = None
+param use2DMap = True
 param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
+from c2s_driving import *
 
 ## R
-import math
-
-egoLane = Uniform(*[lane
-    for road in network.roads for lane in road.lanes
-    if lane.group._opposite is not None and lane.centerline.length > 330])
+place = Uniform(*stretches(length=330, least=82))
 EGO_AT = Range(30, 50)  # m along its lane
 
 ## E
 EGO_SPEED = 12  # m/s
 
 behavior EgoBehavior():
-    line = way(egoLane)
+    line = way(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, lambda: pace(self, lead, EGO_SPEED))
 
-ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 
@@ -30,11 +28,11 @@ LEAD_SPEED = 12  # m/s
 LEAD_AT = EGO_AT + 25 + 5  # m along the lane
 
 behavior LeadBehavior():
-    line = way(egoLane)
+    line = way(place.lane)
     take SetSpeedAction(LEAD_SPEED)
     do Drive(line, LEAD_SPEED)
 
-lead = new Car at egoLane.centerline.pointAlongBy(LEAD_AT),
+lead = new Car at place.lane.centerline.pointAlongBy(LEAD_AT),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
     with behavior LeadBehavior()
 
@@ -43,14 +41,14 @@ FOLLOWER_SPEED = 12  # m/s
 FOLLOWER_AT = EGO_AT - 15 - 5  # m along the lane
 
 behavior FollowerBehavior():
-    line = way(egoLane)
+    line = way(place.lane)
     try:
         take SetSpeedAction(FOLLOWER_SPEED)
         do Drive(line, lambda: pace(self, ego, FOLLOWER_SPEED), rate=4)
     interrupt when most_need(self, [ego, lead]) > 3:
         do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * most_need(self, [ego, lead])))) until most_need(self, [ego, lead]) <= 0
 
-follower = new Car at egoLane.centerline.pointAlongBy(FOLLOWER_AT),
+follower = new Car at place.lane.centerline.pointAlongBy(FOLLOWER_AT),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
     with behavior FollowerBehavior()
 

@@ -1,52 +1,52 @@
 ## G
 param map = localPath('town.xodr')
 param carla_map = None
+param use2DMap = True
 param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
+from c2s_driving import *
 
 ## R
-import math
-
-# From the map's file: intersections without lights and signs.
-junction = Uniform(*[j
-    for j in [(m, approach(m, 90, ManeuverType.STRAIGHT)) for m in [m for i in network.intersections for m in i.maneuvers
-    if i.id in {109, 110, 113} and m.type is ManeuverType.STRAIGHT and m.startLane.centerline.length > 69]] if all(j)])
-egoTurn = junction[0]
-egoLane = egoTurn.startLane
-rightApproach = junction[1]
+place = Uniform(*junctions(STRAIGHT, control='none', approach=69, others=[From('right')]))
 EGO_TO_JUNCTION = 44  # m
-EGO_AT = egoLane.centerline.length - EGO_TO_JUNCTION
+EGO_AT = place.length - EGO_TO_JUNCTION
 
 ## E
 EGO_SPEED = 11  # m/s
 
 behavior EgoBehavior():
-    line = way(egoLane, egoTurn)
+    line = way(place.lane, place.turn)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
     interrupt when need(self, crosser) > 3:
         do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, crosser)))) until need(self, crosser) <= 0
 
-ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 
 ## O1
 CROSSER_SPEED = 11  # m/s
-CROSSER_TO_JUNCTION = 47  # m
+CROSSER_AHEAD = Range(-0.3, 0.3)  # s before ego where their ways cross, if neither reacts
+CROSSER_TO_JUNCTION = start_to_meet(
+    place.from_right, way(place.from_right), CROSSER_SPEED,
+    way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=CROSSER_AHEAD)  # m
 
 behavior CrosserBehavior():
-    line = way(rightApproach, ManeuverType.STRAIGHT)
-    spot = meeting(line, way(egoLane, egoTurn))
+    line = way(place.from_right)
     take SetSpeedAction(CROSSER_SPEED)
-    do Drive(line, lambda: meet(self, ego, spot, CROSSER_SPEED)) until self._intersection
-    do Drive(line, lambda: meet(self, ego, spot, CROSSER_SPEED))
+    do Drive(line, CROSSER_SPEED) until self._intersection
+    do Drive(line, CROSSER_SPEED)
 
-crosser = new Car at rightApproach.centerline.pointAlongBy(-CROSSER_TO_JUNCTION),
+crosser = new Car at place.from_right.centerline.pointAlongBy(-CROSSER_TO_JUNCTION),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
     with behavior CrosserBehavior()
 
 ## T
+require monitor OnceSeen([
+    lambda: ego._lane is place.exit_lane,
+    lambda: crosser._intersection is not None,
+])
 terminate after 20 seconds

@@ -1,27 +1,25 @@
 ## G
 param map = localPath('town.xodr')
 param carla_map = None
+param use2DMap = True
 param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
+from c2s_driving import *
 
 ## R
-import math
-
-egoLane = Uniform(*[lane
-    for road in network.roads for lane in road.lanes
-    if lane.group._opposite is not None and lane.sections[0]._slowerLane is None and lane.centerline.length > 325])
+place = Uniform(*stretches(length=325, least=82, ego_lane='rightmost'))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
 EGO_SPEED = 14  # m/s
 
 behavior EgoBehavior():
-    line = way(egoLane)
+    line = way(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
-ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 
@@ -30,12 +28,12 @@ LOSER_SPEED = 14  # m/s
 LOSER_AT = EGO_AT + 30 + 5  # m along the lane
 
 behavior LoserBehavior():
-    line = way(egoLane)
+    line = way(place.lane)
     take SetSpeedAction(LOSER_SPEED)
     do Drive(line, LOSER_SPEED) for 3 seconds
-    do Drive(line, LOSER_SPEED, offset=-egoLane.group.rightEdge.distanceTo(self.position) - 4, shift=2)
+    do Drive(line, LOSER_SPEED, offset=-place.lane.group.rightEdge.distanceTo(self.position) - 4, shift=2)
 
-loser = new Car at egoLane.centerline.pointAlongBy(LOSER_AT),
+loser = new Car at place.lane.centerline.pointAlongBy(LOSER_AT),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
     with behavior LoserBehavior()
 

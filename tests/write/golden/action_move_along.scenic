@@ -1,27 +1,25 @@
 ## G
 param map = localPath('town.xodr')
 param carla_map = None
+param use2DMap = True
 param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
+from c2s_driving import *
 
 ## R
-import math
-
-egoLane = Uniform(*[lane
-    for road in network.roads for lane in road.lanes
-    if lane.group._opposite is not None and lane.sections[0]._slowerLane is None and lane.centerline.length > 375])
+place = Uniform(*stretches(length=375, least=104, ego_lane='rightmost'))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
 EGO_SPEED = 13.9  # m/s
 
 behavior EgoBehavior():
-    line = way(egoLane)
+    line = way(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
-ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 
@@ -32,8 +30,8 @@ WALKER_AT = EGO_AT + 55.6 + 2.85  # m along the lane
 behavior WalkerBehavior():
     do Walk(self.heading, WALKER_SPEED)
 
-walker = new Pedestrian at (new OrientedPoint at egoLane.rightEdge.project(egoLane.centerline.pointAlongBy(WALKER_AT)), facing roadDirection at egoLane.centerline.pointAlongBy(WALKER_AT)) offset by 3 @ 0,
-    facing (roadDirection at egoLane.centerline.pointAlongBy(WALKER_AT)),
+walker = new Pedestrian at (new OrientedPoint at place.lane.rightEdge.project(place.lane.centerline.pointAlongBy(WALKER_AT)), facing roadDirection at place.lane.centerline.pointAlongBy(WALKER_AT)) offset by 3 @ 0,
+    facing (roadDirection at place.lane.centerline.pointAlongBy(WALKER_AT)),
     with regionContainedIn everywhere,
     with blueprint Uniform('walker.pedestrian.0001', 'walker.pedestrian.0002', 'walker.pedestrian.0003', 'walker.pedestrian.0005', 'walker.pedestrian.0006'),
     with behavior WalkerBehavior()

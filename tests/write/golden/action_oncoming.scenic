@@ -1,32 +1,28 @@
 ## G
 param map = localPath('town.xodr')
 param carla_map = None
+param use2DMap = True
 param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
+from c2s_driving import *
 
 ## R
-import math
-
-stretch = Uniform(*[(lane, o)
-    for lane in [lane for road in network.roads for lane in road.lanes
-    if lane.group._opposite is not None and lane.sections[0]._fasterLane is None and any(a.group is lane.group._opposite for x in lane.group.lanes for a in x.adjacentLanes) and lane.centerline.length > 375] for o in lane.group.opposite.lanes if o.sections[0]._fasterLane is None])
-egoLane = stretch[0]
-oncomingLane = stretch[-1]
+place = Uniform(*stretches(length=375, least=173, ego_lane='leftmost', oncoming=True))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
 EGO_SPEED = 10  # m/s
 
 behavior EgoBehavior():
-    line = way(egoLane)
+    line = way(place.lane)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
     interrupt when need(self, intruder) > 3:
         do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, intruder)))) until need(self, intruder) <= 0
 
-ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 
@@ -35,12 +31,12 @@ INTRUDER_SPEED = 12  # m/s
 INTRUDER_AT = EGO_AT + 121 + 5  # m along the lane
 
 behavior IntruderBehavior():
-    line = way(oncomingLane)
+    line = way(place.oncoming_lane)
     take SetSpeedAction(INTRUDER_SPEED)
     do Drive(line, INTRUDER_SPEED) until (distance from self to ego) < 61.6
     do Drive(line, INTRUDER_SPEED, offset=3.5, shift=2)
 
-intruder = new Car at oncomingLane.centerline.pointAlongBy(-(INTRUDER_AT)),
+intruder = new Car at place.oncoming_lane.centerline.pointAlongBy(-(INTRUDER_AT)),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
     with behavior IntruderBehavior()
 

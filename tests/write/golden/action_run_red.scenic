@@ -1,51 +1,58 @@
 ## G
 param map = localPath('town.xodr')
 param carla_map = None
+param use2DMap = True
 param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
+from c2s_driving import *
 
 ## R
-import math
-
-junction = Uniform(*[j
-    for j in [(m, approach(m, -90, ManeuverType.STRAIGHT)) for m in [m for i in network.intersections for m in i.maneuvers
-    if i.isSignalized and m.type is ManeuverType.STRAIGHT and m.startLane.centerline.length > 69]] if all(j)])
-egoTurn = junction[0]
-egoLane = egoTurn.startLane
-leftApproach = junction[1]
+place = Uniform(*junctions(STRAIGHT, control='signal', approach=69, others=[From('left')]))
 EGO_TO_JUNCTION = 44  # m
-EGO_AT = egoLane.centerline.length - EGO_TO_JUNCTION
+EGO_AT = place.length - EGO_TO_JUNCTION
 
 ## E
 EGO_SPEED = 11  # m/s
 
 behavior EgoBehavior():
-    line = way(egoLane, egoTurn)
+    line = way(place.lane, place.turn)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
     interrupt when need(self, runner) > 3:
         do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, runner)))) until need(self, runner) <= 0
 
-ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 
+monitor TrafficLight():
+    freezeTrafficLights()
+    while True:
+        setClosestTrafficLightStatus(ego, 'green')
+        wait
+require monitor TrafficLight()
+
 ## O1
 RUNNER_SPEED = 11  # m/s
-RUNNER_TO_JUNCTION = 47  # m
+RUNNER_AHEAD = Range(-0.3, 0.3)  # s before ego where their ways cross, if neither reacts
+RUNNER_TO_JUNCTION = start_to_meet(
+    place.from_left, way(place.from_left), RUNNER_SPEED,
+    way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=RUNNER_AHEAD)  # m
 
 behavior RunnerBehavior():
-    line = way(leftApproach, ManeuverType.STRAIGHT)
+    line = way(place.from_left)
     take SetTrafficLightAction('red', distance=150)
-    spot = meeting(line, way(egoLane, egoTurn))
     take SetSpeedAction(RUNNER_SPEED)
-    do Drive(line, lambda: meet(self, ego, spot, RUNNER_SPEED))
+    do Drive(line, RUNNER_SPEED)
 
-runner = new Car at leftApproach.centerline.pointAlongBy(-RUNNER_TO_JUNCTION),
+runner = new Car at place.from_left.centerline.pointAlongBy(-RUNNER_TO_JUNCTION),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
     with behavior RunnerBehavior()
 
 ## T
+require monitor OnceSeen([
+    lambda: ego._lane is place.exit_lane,
+])
 terminate after 20 seconds

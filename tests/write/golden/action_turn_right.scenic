@@ -1,52 +1,53 @@
 ## G
 param map = localPath('town.xodr')
 param carla_map = None
+param use2DMap = True
 param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
+from c2s_driving import *
 
 ## R
-import math
-
-# From the map's file: intersections without lights and signs.
-junction = Uniform(*[j
-    for j in [(m, approach(m, -90, ManeuverType.RIGHT_TURN)) for m in [m for i in network.intersections for m in i.maneuvers
-    if i.id in {109, 110, 113} and m.type is ManeuverType.STRAIGHT and m.startLane.centerline.length > 69]] if all(j)])
-egoTurn = junction[0]
-egoLane = egoTurn.startLane
-leftApproach = junction[1]
+place = Uniform(*junctions(STRAIGHT, control='none', approach=69,
+    others=[From('left', RIGHT_TURN)]))
 EGO_TO_JUNCTION = 44  # m
-EGO_AT = egoLane.centerline.length - EGO_TO_JUNCTION
+EGO_AT = place.length - EGO_TO_JUNCTION
 
 ## E
 EGO_SPEED = 11  # m/s
 
 behavior EgoBehavior():
-    line = way(egoLane, egoTurn)
+    line = way(place.lane, place.turn)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
     interrupt when need(self, turner) > 3:
         do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, turner)))) until need(self, turner) <= 0
 
-ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 
 ## O1
 TURNER_SPEED = 11  # m/s
-TURNER_TO_JUNCTION = 38.2  # m
+TURNER_AHEAD = Range(-0.3, 0.3)  # s before ego where their ways cross, if neither reacts
+TURNER_TO_JUNCTION = start_to_meet(
+    place.from_left, way(place.from_left, RIGHT_TURN), TURNER_SPEED,
+    way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=TURNER_AHEAD)  # m
 
 behavior TurnerBehavior():
-    line = way(leftApproach, ManeuverType.RIGHT_TURN)
-    spot = meeting(line, way(egoLane, egoTurn))
+    line = way(place.from_left, RIGHT_TURN)
     take SetSpeedAction(TURNER_SPEED)
-    do Drive(line, lambda: meet(self, ego, spot, TURNER_SPEED, 2)) until self._intersection
-    do Drive(line, lambda: meet(self, ego, spot, TURNER_SPEED, 2))
+    do Drive(line, TURNER_SPEED) until self._intersection
+    do Drive(line, TURNER_SPEED)
 
-turner = new Car at leftApproach.centerline.pointAlongBy(-TURNER_TO_JUNCTION),
+turner = new Car at place.from_left.centerline.pointAlongBy(-TURNER_TO_JUNCTION),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
     with behavior TurnerBehavior()
 
 ## T
+require monitor OnceSeen([
+    lambda: ego._lane is place.exit_lane,
+    lambda: turner._intersection is not None,
+])
 terminate after 20 seconds

@@ -1,31 +1,38 @@
 ## G
 param map = localPath('town.xodr')
 param carla_map = None
+param use2DMap = True
 param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
+from c2s_driving import *
 
 ## R
-import math
-
-egoTurn = Uniform(*[m
-    for i in network.intersections for m in i.maneuvers
-    if i.is4Way and i.isSignalized and m.type is ManeuverType.LEFT_TURN and m.startLane.centerline.length > 69])
-egoLane = egoTurn.startLane
+place = Uniform(*junctions(LEFT_TURN, arms=4, control='signal', approach=69))
 EGO_TO_JUNCTION = 44  # m
-EGO_AT = egoLane.centerline.length - EGO_TO_JUNCTION
+EGO_AT = place.length - EGO_TO_JUNCTION
 
 ## E
 EGO_SPEED = 11  # m/s
 
 behavior EgoBehavior():
-    line = way(egoLane, egoTurn)
+    line = way(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
-ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 
+monitor TrafficLight():
+    freezeTrafficLights()
+    while True:
+        setClosestTrafficLightStatus(ego, 'green')
+        wait
+require monitor TrafficLight()
+
 ## T
+require monitor OnceSeen([
+    lambda: ego._lane is place.exit_lane,
+])
 terminate after 20 seconds

@@ -1,30 +1,26 @@
 ## G
 param map = localPath('town.xodr')
 param carla_map = None
+param use2DMap = True
 param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
+from c2s_driving import *
 
 ## R
-import math
-
-# From the map's file: off-ramps.
-egoTurn = Uniform(*[m
-    for i in network.intersections for m in i.maneuvers
-    if m.endLane.road.id in {46} and m.startLane.centerline.length > 113])
-egoLane = egoTurn.startLane
+place = Uniform(*exits(approach=113))
 EGO_TO_JUNCTION = 88  # m
-EGO_AT = egoLane.centerline.length - EGO_TO_JUNCTION
+EGO_AT = place.length - EGO_TO_JUNCTION
 
 ## E
 EGO_SPEED = 22  # m/s
 
 behavior EgoBehavior():
-    line = way(egoLane, egoTurn)
+    line = way(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
-ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 

@@ -1,35 +1,28 @@
 ## G
 param map = localPath('town.xodr')
 param carla_map = None
+param use2DMap = True
 param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
+from c2s_driving import *
 
 ## R
-import math
-
-# From the map's file: on-ramps.
-merge = Uniform(*[(m, o)
-    for m in [m for i in network.intersections for m in i.maneuvers
-    if m.startLane.road.id in {47} and m.startLane.centerline.length > 101] for o in m.intersection.maneuvers if o.endLane is m.endLane.sections[0]._fasterLane.lane])  # the ramp's way and that of the lane beside it
-egoTurn = merge[0]
-egoLane = egoTurn.startLane
-accelerationLane = egoTurn.endLane
-leftLane = merge[1].startLane
+place = Uniform(*merges(approach=101))
 EGO_TO_JUNCTION = 76  # m
-EGO_AT = egoLane.centerline.length - EGO_TO_JUNCTION
+EGO_AT = place.length - EGO_TO_JUNCTION
 
 ## E
 EGO_SPEED = 19  # m/s
 
 behavior EgoBehavior():
-    line = way(egoLane, egoTurn)
+    line = way(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
-    do Drive(line, EGO_SPEED) until self._lane is accelerationLane
-    line = way(leftLane)
+    do Drive(line, EGO_SPEED) until self._lane is place.acceleration_lane
+    line = way(place.left_lane)
     do Drive(line, EGO_SPEED)
 
-ego = new Car at egoLane.centerline.pointAlongBy(EGO_AT),
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 

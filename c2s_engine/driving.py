@@ -1,0 +1,103 @@
+"""The driving library that programs import: `from c2s_driving import *`, one Scenic file, saved beside them.
+
+`inlined(program)` is the program in one file, with those parts of the library that it uses.
+"""
+
+import ast
+import functools
+import hashlib
+import io
+import re
+import tokenize
+from pathlib import Path
+
+from c2s_engine import paths
+
+MODULE = "c2s_driving"
+FILE = f"{MODULE}.scenic"
+IMPORT = f"from {MODULE} import *"
+_IMPORTS = re.compile(rf"^from {MODULE} import [^\n]*\n", re.MULTILINE)
+_DEFINES = re.compile(r"^(?:def|behavior|monitor|class) (\w+)|^(\w+) = ")
+
+
+def path() -> Path:
+    """The library's file, as it is shipped."""
+    return paths.shipped("driving", FILE)
+
+
+@functools.cache
+def text() -> str:
+    return path().read_text(encoding="utf-8")
+
+
+@functools.cache
+def digest() -> str:
+    """What tells versions of the library apart."""
+    return hashlib.blake2b(text().encode(), digest_size=8).hexdigest()
+
+
+@functools.cache
+def names() -> frozenset[str]:
+    """What the library defines at its top level."""
+    return frozenset(name for part in _parts() for name in _names(part))
+
+
+@functools.cache
+def modules() -> frozenset[str]:
+    """The names under which the library itself has modules of Python's or other packages: no program's business."""
+    found = ast.parse("".join(part for part in _parts() if part.startswith(("import ", "from "))))
+    outside = (n for n in found.body if not (isinstance(n, ast.ImportFrom) and str(n.module).startswith("scenic")))
+    return frozenset((a.asname or a.name).partition(".")[0] for n in outside for a in getattr(n, "names", ()))
+
+
+def used_by(program: str) -> bool:
+    """Whether a program imports the library."""
+    return _IMPORTS.search(program) is not None
+
+
+def beside(folder: str | Path) -> str | None:
+    """The text of a library in a program's folder that is not the shipped one (of another version, or changed)."""
+    try:
+        found = (Path(folder) / FILE).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        return None
+    return None if found == text() else found
+
+
+def inlined(program: str) -> str:
+    """The program with what it uses of the library in the place of the import."""
+    if not used_by(program):
+        return program
+    parts = {name: part for part in _parts() for name in _names(part)}
+    wanted: set[str] = set()
+    todo = [_IMPORTS.sub("", program)]
+    while todo:
+        for word in set(re.findall(r"\w+", todo.pop())) & parts.keys() - wanted:
+            wanted.add(word)
+            todo.append(parts[word])
+    kept = "\n".join(part.rstrip("\n") + "\n" for part in _parts() if not _names(part) or wanted & set(_names(part)))
+    return _IMPORTS.sub(lambda _: f"\n# From {FILE}\n{kept}\n", program, count=1)
+
+
+@functools.cache
+def _parts() -> tuple[str, ...]:
+    """The library's top-level statements but its docstring, each with its lines."""
+    lines = text().splitlines(keepends=True)
+    starts, depth, fresh = [], 0, True
+    for token in tokenize.generate_tokens(io.StringIO(text()).readline):
+        if token.type in (tokenize.INDENT, tokenize.DEDENT):
+            depth += 1 if token.type == tokenize.INDENT else -1
+        elif token.type == tokenize.NEWLINE:
+            fresh = True
+        elif token.type not in (tokenize.NL, tokenize.COMMENT, tokenize.ENDMARKER) and fresh:
+            fresh = False
+            if depth == 0:
+                starts.append(token.start[0] - 1)
+    cuts = zip(starts[1:], [*starts[2:], len(lines)], strict=True)
+    return tuple(re.sub(r"\n#[^\n]*\n*\Z", "\n", "".join(lines[first:last]).rstrip() + "\n") for first, last in cuts)
+
+
+def _names(part: str) -> list[str]:
+    """What a statement defines; none for an import."""
+    found = _DEFINES.match(part)
+    return [found[1] or found[2]] if found else []

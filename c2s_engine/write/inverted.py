@@ -1,0 +1,92 @@
+"""Which fields of a component, with other values, make the writer write what somebody changed in its code."""
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from pydantic import ValidationError
+
+from c2s_engine.structure.components import ComponentId, Structure
+from c2s_engine.structure.edits import SPEC_ADAPTER
+from c2s_engine.structure.regenerate import FragmentWriter
+from c2s_engine.write.in_place import data, ends, put
+
+MOST = 3
+"""Numbers that may be changed at once."""
+_TOKEN = re.compile(r"\d+(?:\.\d+)?|\w+|\s+|.")
+_UNITS = (1.0, 3.6, 1 / 3.6)
+
+
+def as_field(old: str, structure: Structure, cid: ComponentId, writer: FragmentWriter) -> Structure | None:
+    """The structure (whose component has the new code) with the fields for which the writer writes that code; None
+    where it is not by numbers alone that the code differs from the `old`, or where no fields give it."""
+    wanted = structure[cid].code.strip()
+    differing = _numbers(old.strip(), wanted)
+    if not 0 < len(differing) <= MOST:
+        return None
+    left = len(differing)
+    while left:
+        nearer = _nearer(structure, cid, differing, wanted, left, writer)
+        if nearer is None:
+            return None
+        structure, left = nearer
+    return structure
+
+
+def _nearer(
+    structure: Structure, cid: ComponentId, differing: list[tuple[str, str]], wanted: str, left: int,
+    writer: FragmentWriter,
+) -> tuple[Structure, int] | None:  # fmt: skip
+    """The structure with one more field changed, after which fewer numbers differ, and how many."""
+    fields, tried = data(structure[cid]), set()
+    for path, value in _leaves(fields):
+        for was, now in differing:
+            for new in _meant(value, float(was), float(now)):
+                if (path, str(new)) in tried:
+                    continue
+                tried.add((path, str(new)))
+                try:
+                    spec = SPEC_ADAPTER.validate_python(put(fields, path, new))
+                    trial = structure.with_component(structure[cid].model_copy(update={"spec": spec}))
+                    found = writer.write(trial, cid).code.strip()
+                except (ValidationError, ValueError):
+                    continue
+                if found == wanted:
+                    return trial, 0
+                if 0 < len(_numbers(found, wanted)) < left:
+                    return trial, len(_numbers(found, wanted))
+    return None
+
+
+def _numbers(old: str, new: str) -> list[tuple[str, str]]:
+    """The numbers that differ; none where anything else does, too."""
+    one, other = _TOKEN.findall(old), _TOKEN.findall(new)
+    pairs = [(a, b) for a, b in zip(one, other, strict=False) if a != b]
+    plain = len(one) == len(other) and all(a[0].isdigit() and b[0].isdigit() for a, b in pairs)
+    return pairs if plain else []
+
+
+def _leaves(value: Any, path: tuple[str | int, ...] = ()) -> Iterator[tuple[tuple[str | int, ...], Any]]:
+    """The numbers and ranges of a spec as plain data, with their paths."""
+    if ends(value) is not None:
+        yield path, value
+    elif isinstance(value, dict | list):
+        for key, inner in value.items() if isinstance(value, dict) else enumerate(value):
+            yield from _leaves(inner, (*path, key))
+
+
+def _meant(value: Any, was: float, now: float) -> Iterator[Any]:
+    """What a field may become where a number in the code became another: it, in another unit, or one end of a range."""
+    low, high = ends(value) or (0.0, 0.0)
+    for unit in _UNITS:
+        to = now / unit
+        if abs(low * unit - was) < 0.06 and low == high:
+            yield to
+        elif abs(low * unit - was) < 0.06 and to <= high:
+            yield [to, high]
+        elif abs(high * unit - was) < 0.06 and to >= low:
+            yield [low, to]
+    if low == high:
+        yield low + now - was
+        if was:
+            yield low * now / was

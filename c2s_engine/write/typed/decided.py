@@ -1,0 +1,95 @@
+"""What the typed writer decides beyond S: said in `assumed`, field by field, so that nothing of S changes silently.
+
+The S that was asked is compared with the S that is written (its normal form, the plan's place, ego's added phases,
+usual speeds); the entries are the writer's own (`by`) and are made anew whenever something is written.
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+from c2s_engine.structure.components import Assumption, ComponentId, Structure
+from c2s_engine.structure.quantity import high
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Spec
+from c2s_engine.write.typed.contradictions import ResolveError
+from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.planning import make_plan
+from c2s_engine.write.typed.reactions import reacting_phases
+from c2s_engine.write.typed.spread import spread
+from c2s_engine.write.typed.tables import is_static
+from c2s_engine.write.typed.threats import threatening
+from c2s_engine.write.typed.usual import speed_of
+
+BY = "writer"
+UNITS = {"gap": "m", "spacing": "m", "distance": "m", "duration": "s", "rate": "m/s2", "value": ""}
+SPEEDS = ("speed", "limit", "speed_limit")
+
+
+def with_decisions(structure: Structure, room: float) -> Structure:
+    """S, each rendered component with what the writer chose for it or changed in it; S as it is where it contradicts
+    itself."""
+    try:
+        written = spread(structure)
+        plan = make_plan(written, room)
+    except ResolveError:
+        return structure
+    for component in structure.components:
+        others = tuple(a for a in component.assumed if a.by != BY)
+        own = _decided(structure, written, plan, component.id) if component.origin == "rendered" else ()
+        said = {(a.field, a.value) for a in others}
+        assumed = (*others, *(a for a in own if (a.field, a.value) not in said))
+        if assumed != component.assumed:
+            structure = structure.with_component(component.model_copy(update={"assumed": assumed}))
+    return structure
+
+
+def _decided(structure: Structure, written: Structure, plan: Plan, cid: ComponentId) -> Iterator[Assumption]:
+    asked, spec = structure[cid].spec, written[cid].spec
+    if isinstance(asked, PlaceSpec):  # a lane for ego is no demand
+        spec = plan.place if plan.place.lanes != 1 else plan.place.model_copy(update={"lanes": asked.lanes})
+        if plan.distance is not None and asked.distance is None:
+            spec = spec.model_copy(update={"distance": plan.distance})
+    if isinstance(spec, EgoSpec):
+        phases = reacting_phases(spec, threatening(written), written, plan)
+        spec = spec.model_copy(update={"phases": phases, "speed": _speed(spec, plan)})
+    elif isinstance(spec, ObjectSpec) and not is_static(spec):
+        spec = spec.model_copy(update={"speed": _speed(spec, plan)})
+    for path, was, now in differences(asked, spec):
+        reason = "left open: the writer's choice" if was is None else f"written so for {_shown(path, was)}"
+        yield Assumption(field=path, value=_shown(path, now), reason=reason, by=BY)
+
+
+def _speed(spec: EgoSpec | ObjectSpec, plan: Plan) -> Any:
+    """The speed that it starts with; None where it stands at first and S does not say so."""
+    speed = speed_of(spec, plan.place)
+    return spec.speed if spec.speed is not None or high(speed) == 0 else speed
+
+
+def differences(asked: Spec, written: Spec, path: str = "") -> Iterator[tuple[str, Any, Any]]:
+    """(path, value asked, value written) of every field that differs; phases one by one where the actions are alike."""
+    for name in type(asked).model_fields:
+        was, now = getattr(asked, name), getattr(written, name)
+        if was == now:
+            continue
+        if isinstance(was, Spec) and isinstance(now, type(was)):
+            yield from differences(was, now, f"{path}{name}.")
+        elif name == "phases" and [p.action for p in was] == [p.action for p in now]:
+            for i, (one, two) in enumerate(zip(was, now, strict=True)):
+                yield from differences(one, two, f"{path}phases.{i}.")
+        else:
+            yield f"{path}{name}", was, now
+
+
+def _shown(path: str, value: Any) -> str:
+    """A field's value in the user's units."""
+    name = path.rsplit(".", 1)[-1]
+    if isinstance(value, tuple):
+        if all(isinstance(v, Phase) for v in value):
+            return ", ".join(v.action for v in value) or "no phase"
+        return " to ".join(_shown(path, v) for v in value)
+    if isinstance(value, bool) or value is None:
+        return {True: "yes", False: "no", None: "nothing"}[value]
+    if isinstance(value, float | int):
+        return f"{value * 3.6:.3g} km/h" if name in SPEEDS else f"{value:.4g} {UNITS.get(name, '')}".strip()
+    if isinstance(value, Spec):
+        return ", ".join(f"{k} {_shown(k, getattr(value, k))}" for k in type(value).model_fields if getattr(value, k))
+    return str(value).replace("_", " ")

@@ -1,0 +1,90 @@
+"""When a run is over: soon after each of what S says was seen, as far as that can be told while it runs."""
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
+from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_NAME, MOVES_OFF_ROAD, TURN, is_static
+from c2s_engine.write.typed.threats import IN_WAY, members
+from c2s_engine.write.typed.triggers import observed
+from c2s_engine.write.typed.usual import crosses
+
+LASTING = {"keep_lane", "move_along", "follow", "stationary", "run_red", "run_stop"}
+"""What goes on to the end, or is over with what follows it."""
+STANDS = {"stop", "wait"}
+SEEN = {"brake", "cut_in"}
+"""What can be seen of another at any time after it was done."""
+Unknown = None
+"""What stands for a phase of which nobody can tell while it runs that it is done."""
+
+
+def conditions(structure: Structure, plan: Plan) -> list[str]:
+    """What must have been seen for the run to be over; none: it is over when its time is."""
+    ego, objects = structure.ego.spec, {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+    assert isinstance(ego, EgoSpec)
+    if any(p.action == "collide" for phases in (ego.phases, *(o.phases for o in objects.values())) for p in phases):
+        return []
+    if plan.ego_speed <= 0 and (not _last(ego.phases) or any(crosses(o) for o in objects.values())):
+        return []
+    found: list[str] = []
+    for done in (_of_ego(structure, plan, ego), *(_of_object(structure, plan, c, o) for c, o in objects.items())):
+        if done is Unknown:
+            return []
+        found += done
+    return list(dict.fromkeys(found))
+
+
+def _last(phases: tuple[Phase, ...]) -> Phase | None:
+    return next((p for p in reversed(phases) if p.action not in LASTING), None)
+
+
+def _of_ego(structure: Structure, plan: Plan, ego: EgoSpec) -> list[str] | None:
+    last, light = _last(ego.phases), getattr(structure.settings.spec, "light", None)
+    onward = ["ego._lane is place.exit_lane"] if plan.place.kind == "intersection" else []
+    held = light == "red" and plan.place.control == "signal"
+    if last is None and held and not any(p.action in TURN for p in ego.phases):
+        return ["ego.speed < 0.3"]
+    if last is None or last.action in TURN and last.action != "u_turn":
+        return onward
+    if last.action in STANDS:
+        return ["ego.speed < 0.3"]
+    if last.action == "lane_change" and not plan.junction:
+        return [f"ego._lane is not {LANE_NAME[0]}"]
+    if last.action in ("overtake", "yield") and last.target and last.target in structure:
+        other = scope.reference(structure, str(last.target))
+        return [f"lead_on(ego, {other}) > 10" if last.action == "overtake" else f"passed({other}, ego, 0)", *onward]
+    return Unknown
+
+
+def _of_object(structure: Structure, plan: Plan, cid: str, o: ObjectSpec) -> list[str] | None:
+    last, one = _last(o.phases), members(structure, cid)[-1]
+    if crosses(o):
+        return [f"lead_on({one}, ego) < -3 or ego.speed < 0.3 and {one}.speed < 0.3"]
+    if is_static(o):
+        ahead = o.placement.along in (None, "ahead") and o.placement.of == "ego"
+        beside = o.placement.position in {*MOVES_OFF_ROAD, "left_lane", "right_lane"}
+        return (
+            [f"lead_on({one}, ego) < -5 or ego.speed < 0.3"]
+            if ahead and (beside or o.placement.position in IN_WAY)
+            else []
+        )
+    if last is None:
+        return []
+    if o.placement.position in APPROACH_ANGLE and last.action in TURN:
+        return [f"{one}._intersection is not None"]
+    if last.action in STANDS:
+        return [f"{one}.speed < 0.3", *(["ego.speed < 0.3"] if _stops_behind(structure, plan, cid) else [])]
+    if last.action in SEEN or last.action in ("lane_change", "cut_out") and plan.lane_of.get(cid) == 0:
+        goal = middle(last.speed) if last.speed is not None and last.action == "brake" else None
+        return [f"{one}.speed < {scope.number(goal + 0.7)}" if goal else observed(structure, one, cid, last.action)]
+    if last.action == "overtake" and last.target in (None, "ego"):
+        return [f"lead_on({one}, ego) > 8"]
+    return Unknown
+
+
+def _stops_behind(structure: Structure, plan: Plan, cid: str) -> bool:
+    """Whether ego comes to a stand behind one that stops ahead of it."""
+    ego = structure.ego.spec
+    reacts = isinstance(ego, EgoSpec) and ego.reaction in ("brake", "follow")
+    return reacts and plan.lane_of.get(cid) == 0 and structure[cid].spec.placement.position == "ahead"  # type: ignore[union-attr]

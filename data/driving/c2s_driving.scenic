@@ -1,0 +1,965 @@
+"""Driving for Scenic programs: ways through a road network, behaviours that follow them, and how road users stand to
+one another. For `scenic.domains.driving` and every model built on it (`scenic.simulators.carla.model` among them):
+
+    model scenic.simulators.carla.model
+    from c2s_driving import *
+
+Lengths are in m, times in s, speeds in m/s, accelerations in m/s2, angles in rad, anticlockwise. Nothing random is
+decided here: what is passed in behaviours and `interrupt when` conditions has its value by then.
+"""
+
+import functools
+import itertools
+import math
+import typing
+from xml.etree import ElementTree
+
+import numpy
+import shapely.geometry
+
+from scenic.core.distributions import distributionFunction
+from scenic.core.vectors import Vector
+from scenic.domains.driving.actions import SetReverseAction, SetSpeedAction, SetSteerAction
+from scenic.domains.driving.actions import SetWalkingDirectionAction, SetWalkingSpeedAction
+from scenic.domains.driving.model import network
+from scenic.domains.driving.roads import Lane, Maneuver, ManeuverType
+
+LIBRARY_VERSION = 1
+
+
+# Ways: points 2 m apart along lanes, for Drive
+
+def begin(lane):
+    """The direction in which a lane begins."""
+    return lane.centerline[1] - lane.centerline[0]
+
+def _way(lane, turn=ManeuverType.STRAIGHT, bearing=0):
+    """Points 2 m apart along a lane and on over the next junctions: by `turn` (a manoeuvre or its type) at the first,
+    then straight on, or where that is not possible nearest to `bearing` (rad, to the left) from the first lane."""
+    points, goal = lane.centerline.pointsSeparatedBy(2), (lane.centerline[-1] - lane.centerline[-2]).rotatedBy(bearing)
+    enough = len(points) + 400
+    while len(points) < enough:
+        onward = [m for m in lane.maneuvers if turn in (m, m.type)]
+        onward = onward or [m for l in lane.group.lanes for m in l.maneuvers if m.type is turn]
+        onward = onward or sorted(lane.maneuvers, key=lambda m: abs(goal.angleWith(begin(m.endLane))))
+        if not onward:
+            break
+        if onward[0].connectingLane:
+            points += onward[0].connectingLane.centerline.pointsSeparatedBy(2)
+        lane, turn = onward[0].endLane, ManeuverType.STRAIGHT
+        points += lane.centerline.pointsSeparatedBy(2)
+    return points
+
+way = distributionFunction(functools.lru_cache(maxsize=64)(_way))
+
+def straight_on(car, metres=200):
+    """Points 2 m apart straight ahead of `car`."""
+    return [car.position.offsetRotated(car.heading, Vector(0, 2 * k)) for k in range(int(metres / 2) + 1)]
+
+
+# Meetings: where somebody starts so as to meet another, both driving on as they do; nothing is steered in the run
+
+def stations(points):
+    """How far along a way (m) each of its points lies."""
+    steps = [math.hypot(b.x - a.x, b.y - a.y) for a, b in zip(points, points[1:])]
+    return [0, *itertools.accumulate(steps)]
+
+def conflict(lane, points, others, near=2.2):
+    """Where two ways come within `near` m of one another for the first time: for each of them how far along it (m) that
+    begins, where they cross or have met, and where it ends. If they never do: where `lane` ends, and beside that."""
+    one = numpy.array([(p.x, p.y) for p in points])
+    two = numpy.array([(p.x, p.y) for p in others])
+    apart = numpy.hypot(one[:, None, 0] - two[None, :, 0], one[:, None, 1] - two[None, :, 1])
+    def stretch(away, k):
+        first, last = k, k
+        while first > 0 and away[first - 1] < near:
+            first -= 1
+        while last < len(away) - 1 and away[last + 1] < near:
+            last += 1
+        return first, last
+    away = apart.min(axis=1)
+    inside = numpy.flatnonzero(away < near)
+    first, last = stretch(away, inside[0] if len(inside) else nearest_to(lane.centerline[-1], points))
+    spot = first + int(away[first:last + 1].argmin() if last - first < 15 else (away[first:last + 1] < 1.2).argmax())
+    there = int(apart[spot].argmin())
+    begin, end = stretch(apart.min(axis=0), there)
+    own, far = stations(points), stations(others)
+    return (own[first], own[spot], own[last]), (far[begin], far[there], far[end])
+
+def driving_times(points, speed):
+    """How far along a way (m) its points lie, and when (s) somebody is there who drives it at `speed`, slower in bends."""
+    way = stations(points)
+    slow = [1 / max(0.5, min(speed, bend_speed(points, k))) for k in range(len(points))]
+    spent = [(b - a) * (p + q) / 2 for a, b, p, q in zip(way, way[1:], slow, slow[1:])]
+    return way, [0, *itertools.accumulate(spent)]
+
+def setting_out(metres, speed, rate=2):
+    """The time (s) in which a car that stands drives so far (m), up to `speed`; 0.75 m/s2 of its rate go to the air and
+    its wheels."""
+    gained = speed ** 2 / (2 * rate - 1.5)
+    if metres < gained:
+        return math.sqrt(2 * max(metres, 0) / (rate - 0.75))
+    return speed / (rate - 0.75) + (metres - gained) / speed
+
+def _start_to_meet(lane, points, speed, others, from_, other_speed, ahead=0, front=0, other_front=0, clear=None, stands=0):
+    """How far (m) before the end of its lane a car starts on its points at `speed`, so that it comes to where they cross
+    `others` `ahead` s before another that starts `from_` m along those at `other_speed`, if neither reacts.
+
+    front, other_front: m by which its middle, or that of the other, is still short of there: who strikes the other's
+    side does so with its front. clear: s between one leaving the conflict area and the other's coming: over 0 where it
+    goes first, under 0 where the other does (instead of `ahead`). stands: s that the other stands at its line first.
+    """
+    (begin, spot, end), (other_begin, other_spot, other_end) = conflict(lane, points, others)
+    far, times = driving_times(others, other_speed)
+    own, own_times = driving_times(points, speed)
+    def due(station):
+        return float(numpy.interp(station, far, times) - numpy.interp(from_, far, times)) + stands
+    if clear is None:
+        station, time = spot - front, due(other_spot - other_front) - ahead
+    elif clear > 0:
+        station, time = min(end, begin + 12) + 2.5, due(other_begin - 2.5) - clear
+    else:
+        station, time = begin - 2.5, due(min(other_end, other_begin + 12) + 2.5) - clear
+    start = numpy.interp(numpy.interp(station, own, own_times) - time, own_times, own)
+    return float(max(3, lane.centerline.length - start))
+
+start_to_meet = distributionFunction(_start_to_meet)
+
+def _setting_out_to_meet(lane, points, before, speed, other_lane, others, other_speed, front=0, other_front=0):
+    """How far (m) another is from the end of `other_lane` when a car that stands with its middle `before` m before the
+    stop line of its `lane` has to set out for `speed` to meet it; `front` and `other_front` as of `start_to_meet`."""
+    (_, spot, _), (_, other_spot, _) = conflict(lane, points, others)
+    far, times = driving_times(others, other_speed)
+    time = setting_out(spot - front - (stop_line(lane) - before), speed)
+    there = numpy.interp(numpy.interp(other_spot - other_front, far, times) - time, times, far)
+    return float(max(1, other_lane.centerline.length - there))
+
+setting_out_to_meet = distributionFunction(_setting_out_to_meet)
+
+
+# Places: lanes by how they lie to ego's
+
+def approach(ego_way, angle, turn, outer=False):
+    """A lane that reaches the junction of `ego_way` turned by `angle` (degrees, anticlockwise) to ego's, for `turn`: of
+    several one from where that leads over ego's way or onto its lane, with another to its left where `outer`."""
+    def heading(lane):
+        last = lane.centerline[-1] - lane.centerline[-2]
+        return math.degrees(math.atan2(-last.x, last.y))
+    def meets(lane):
+        m = next(m for m in lane.maneuvers if m.type is turn)
+        across = m.connectingLane.centerline.lineString.crosses(ego_way.connectingLane.centerline.lineString)
+        return across or m.endLane is ego_way.endLane, outer and bool(lane.sections[-1]._fasterLane)
+    fitting = []
+    for lane in ego_way.intersection.incomingLanes:
+        off = (heading(lane) - heading(ego_way.startLane) - angle + 180) % 360 - 180
+        if abs(off) < 50 and any(m.type is turn for m in lane.maneuvers):
+            fitting.append(lane)
+    return max(fitting, key=meets, default=None)
+
+def pocket(lane):
+    """Where one waits whom others pass on an approach: the lane to the left of theirs, or the left side of their own;
+    how far (m) it stands to the left of its middle there."""
+    faster = lane and lane.sections[-1]._fasterLane
+    return faster and (faster.lane, 0) or lane and (lane, 1.7)
+
+def ring_approach(ego_way, angle):
+    """A lane into the roundabout of `ego_way` whose arm is turned by `angle` (degrees, anticlockwise) to ego's."""
+    def heading(lane):
+        last = lane.centerline[-1] - lane.centerline[-2]
+        return math.degrees(math.atan2(-last.x, last.y))
+    ring = ego_way.endLane
+    for i in range(8):
+        others = [lane for lane in ring.maneuvers[0].intersection.incomingLanes if lane.group is not ring.group]
+        for lane in others:
+            if abs((heading(lane) - heading(ego_way.startLane) - angle + 180) % 360 - 180) < 50:
+                return lane
+        ring = min((m.endLane for m in ring.maneuvers), key=lambda lane: lane.centerline.length)
+
+def along(lane, spot):
+    """How far along a lane (m) the point nearest to a spot lies."""
+    return min(range(int(lane.centerline.length)), key=lambda s: distance from spot to lane.centerline.pointAlongBy(s))
+
+def bend_start(lane):
+    """How far along a lane (m) its bend begins."""
+    points = lane.centerline.pointsSeparatedBy(5)
+    first = points[1] - points[0]
+    turned = [k for k in range(1, len(points)) if abs(first.angleWith(points[k] - points[k - 1])) > 0.06]
+    return 5 * turned[0] if turned else 0
+
+
+# Long lanes: where roads are short, a lane goes on over several of them
+
+ROADS, JUNCTIONS = 'roads', 'junctions'  # what a lane may go on over
+
+class LongLane(object):
+    """A lane with those before and behind it: what programs ask of a Lane, with edges that go as far as it does."""
+
+class LongGroup(object):
+    """The edges of the lanes beside a LongLane; `opposite`: of those in the other direction."""
+    opposite = _opposite = None
+
+def joined(lines):
+    """One line of several, each going on where the last one ended."""
+    points = [p for line in lines for p in line.lineString.coords]
+    points = [p for k, p in enumerate(points) if k == 0 or math.dist(p[:2], points[k - 1][:2]) > 0.05]
+    return PolylineRegion(points) if len(points) > 1 else lines[0]
+
+def cut(line, low, high):
+    """The part of a line between two distances (m) from its start."""
+    low, high, gone, kept = max(low, 0), min(high, line.length), 0, []
+    points = line.lineString.coords
+    for k in range(1, len(points)):
+        gone += math.dist(points[k - 1][:2], points[k][:2])
+        kept += [points[k]] if low + 0.1 < gone < high - 0.1 else []
+    return PolylineRegion([line.pointAlongBy(low), *kept, line.pointAlongBy(high)])
+
+def onward(lane, junctions):
+    """The manoeuvre from a lane's end onto the lane that goes on most nearly straight; over junctions if so wished."""
+    fitting = [m for m in lane.maneuvers if not m.intersection or junctions and m.type is ManeuverType.STRAIGHT]
+    last = lane.centerline[-1] - lane.centerline[-2]
+    return min(fitting, key=lambda m: abs(last.angleWith(begin(m.endLane))), default=None)
+
+INTO = {}
+def leading_to(lane, junctions):
+    """The manoeuvre by which the lane before a lane goes on onto it."""
+    key = lane.network.lanes[0], junctions
+    if key not in INTO:
+        steps = [onward(other, junctions) for road in lane.network.roads for other in road.lanes]
+        INTO[key] = {step.endLane: step for step in steps if step}
+    return INTO[key].get(lane)
+
+def chained(lane, metres, ahead, junctions):
+    """A lane with those before it (`ahead`: behind it) until they are `metres` long, and how long they are."""
+    chain, length = [lane], lane.centerline.length
+    while length < metres and len(chain) < 40:
+        if ahead:
+            step = onward(chain[-1], junctions)
+            added = step and [step.connectingLane, step.endLane]
+        else:
+            step = leading_to(chain[0], junctions)
+            added = step and [step.startLane, step.connectingLane]
+        added = [each for each in added or [] if each]
+        if not added or any(each in chain for each in added):
+            break
+        chain = chain + added if ahead else added + chain
+        length += sum(each.centerline.length for each in added)
+    return chain, length
+
+def reach(lane, metres, ahead=False, junctions=False):
+    """How long (m) a lane could be made."""
+    return chained(lane, metres, ahead, junctions)[1]
+
+def lengthened(lane, metres, ahead=False, junctions=False):
+    """The lane, made `metres` long by those that lead into it (`ahead`: that it leads into), or as long as those go;
+    straight over junctions too where `junctions`. A lane that is so long already is given as it is."""
+    chain, _ = chained(lane, metres, ahead, junctions)
+    if len(chain) == 1:
+        return lane
+    longer, group = LongLane(), LongGroup()
+    line = joined([each.centerline for each in chain])
+    longer.centerline = cut(line, 0, metres) if ahead else cut(line, line.length - metres, line.length)
+    longer.leftEdge, longer.rightEdge = (joined([e for each in chain for e in [side(each)]])
+                                         for side in (lambda each: each.leftEdge, lambda each: each.rightEdge))
+    longer.sections, longer.road, longer.maneuvers = lane.sections, lane.road, chain[-1].maneuvers
+    longer.group, longer.network = group, lane.network
+    group.lanes = lane.group.lanes
+    group._shoulder, group._sidewalk = lane.group._shoulder, lane.group._sidewalk
+    group.leftEdge = joined([each.group.leftEdge for each in chain])
+    group.rightEdge = joined([each.group.rightEdge for each in chain])
+    others = [each.group._opposite for each in reversed(chain) if each.group._opposite]
+    if lane.group._opposite:
+        group.opposite = group._opposite = LongGroup()
+        group.opposite.lanes = lane.group._opposite.lanes
+        group.opposite.leftEdge = joined([each.leftEdge for each in others])
+        group.opposite.rightEdge = joined([each.rightEdge for each in others])
+    return longer
+
+
+# Driving
+
+def nearest(car, points):
+    """The index of the point nearest to `car`."""
+    return nearest_to(car.position, points)
+
+def nearest_to(spot, points):
+    """The index of the point nearest to a spot."""
+    return min(range(len(points)), key=lambda k: math.hypot(points[k].x - spot.x, points[k].y - spot.y))
+
+def bend_speed(points, i):
+    """The speed (m/s) that the bends of the next 60 m allow at 4 m/s2 sideways, braking at 2 m/s2."""
+    fastest = 100
+    for k in range(i, min(i + 30, len(points) - 4), 2):
+        a, b, c = points[k], points[k + 2], points[k + 4]
+        turn = math.atan2(c.y - b.y, c.x - b.x) - math.atan2(b.y - a.y, b.x - a.x)
+        bend = abs((turn + math.pi) % (2 * math.pi) - math.pi) / 4
+        fastest = min(fastest, math.sqrt(4 / max(bend, 0.001) + 8 * max(k - i - 1, 0)))
+    return fastest
+
+behavior Drive(points, speed, rate=3, offset=0, shift=1.5):
+    """Follow points at `speed` (m/s, or a function that gives it), changing it by at most `rate` (m/s2, likewise);
+    `offset` m to their left, moving there at `shift` m/s. Pure pursuit, slower in bends."""
+    i, last = nearest(self, points), len(points) - 1
+    left = (points[min(i + 1, last)] - points[min(i, last - 1)]).normalized().rotatedBy(90 deg)
+    beside = max(-abs(offset), min(abs(offset), (self.position - points[i]).dot(left)))
+    while True:
+        while i < last - 1 and (distance from self to points[i + 2]) <= (distance from self to points[i]):
+            i += 1
+        goal = min(speed() if callable(speed) else speed, bend_speed(points, i), math.sqrt(12 * max(last - i - 4, 0)))
+        beside += max(-shift, min(shift, 10 * (offset - beside))) * simulation().timestep
+        ahead = min(i + 2 + int(0.35 * self.speed), last)
+        along = (points[ahead] - points[max(ahead - 1, 0)]).normalized()
+        target = (points[ahead] + along.rotatedBy(90 deg) * beside - self.position).rotatedBy(-self.heading)
+        steer = math.atan(1.2 * self.length * target.x / max(target.x ** 2 + target.y ** 2, 1)) / 0.8
+        step = (rate() if callable(rate) else rate) * simulation().timestep
+        take (SetSpeedAction(max(0, self.speed + max(-step, min(step, goal - self.speed)))),
+              SetSteerAction(max(-1, min(1, steer))))
+
+behavior TurnRound(speed=4):
+    """Turn left on the spot until the car faces the way that it came from."""
+    begin = self.heading
+    while math.cos(self.heading - begin) > -0.94:
+        take SetSpeedAction(speed), SetSteerAction(-0.55)
+
+behavior Backwards(speed, steer=0):
+    """Reverse at a speed (m/s); `steer` over 0 takes the tail to the right."""
+    while True:
+        take SetReverseAction(True), SetSteerAction(steer), SetSpeedAction(-speed)
+
+behavior BackInto(other, speed):
+    """Reverse at `speed` (m/s) with the tail towards `other`."""
+    while True:
+        place = (other.position - self.position).rotatedBy(-self.heading)
+        steer = place.x / max(abs(place.y), 3)
+        take SetReverseAction(True), SetSteerAction(max(-0.8, min(0.8, steer))), SetSpeedAction(-speed)
+
+def near(car, other):
+    """Whether `car` and `other` would touch within about a second if one turned to the other."""
+    return (distance from car to other) < 8 + (car.velocity - other.velocity).norm()
+
+def touch(car, other):
+    """Whether `car` and `other` are in contact, seen as boxes along the road of `car`."""
+    place = (other.position - car.position).rotatedBy(-car.heading)
+    across = abs(math.sin(other.heading - car.heading))
+    long, wide = (other.length * (1 - across) + other.width * across, other.width * (1 - across) + other.length * across)
+    return abs(place.y) < (car.length + long) / 2 + 0.2 and abs(place.x) < (car.width + wide) / 2 + 0.2
+
+behavior Ram(other, speed, rate=5):
+    """Drive at where `other` will be when it is reached, at `speed` (m/s), changing it by at most `rate` (m/s2): beside
+    it as fast as that one, and slower where it comes from behind."""
+    while True:
+        place = (other.position - self.position).rotatedBy(-self.heading)
+        motion = other.velocity.rotatedBy(-self.heading)
+        time = max(0, min(1.5, place.y / max(self.speed - motion.y, 3)))
+        aim = place + motion * time
+        steer = math.atan(1.2 * self.length * aim.x / max(aim.x ** 2 + aim.y ** 2, 1)) / 0.8
+        goal = max(speed, motion.y + 3)
+        if abs(place.y) < self.length and motion.y > 1:
+            goal = motion.y
+        elif place.y < 0:
+            goal = max(0, motion.y - 3)
+        step = rate * simulation().timestep
+        take (SetSpeedAction(max(0, self.speed + max(-step, min(step, goal - self.speed)))),
+              SetSteerAction(max(-1, min(1, steer))))
+
+
+# On foot, and across the road
+
+behavior Walk(heading, speed, metres=math.inf):
+    """Walk so far (m) in a direction (rad) at a speed (m/s), and stand there."""
+    begin = self.position
+    while (distance from self to begin) + speed * simulation().timestep / 2 < metres:
+        take SetWalkingDirectionAction(heading), SetWalkingSpeedAction(speed)
+    take SetWalkingSpeedAction(0)
+
+behavior Stand():
+    """Stand, on foot."""
+    while True:
+        take SetWalkingSpeedAction(0)
+
+def along_line(points, spot):
+    """How far (m) along points 2 m apart the one nearest to a spot is, and how far (m) that is from the spot."""
+    k = min(range(len(points)), key=lambda k: (points[k].x - spot.x) ** 2 + (points[k].y - spot.y) ** 2)
+    onward = (points[min(k + 1, len(points) - 1)] - points[max(k - 1, 0)]).normalized()
+    return 2 * k + (spot - points[k]).dot(onward), abs((spot - points[k]).dot(onward.rotatedBy(90 deg)))
+
+def seconds_to(car, points, metres):
+    """The time (s) until the front of `car` is so far (m) along its points, if it goes on as it does: slower in bends,
+    and gaining 2 m/s2 where it has just set out."""
+    here, time, speed = along_line(points, car.position)[0] + car.length / 2, 0, max(car.speed, 0.3)
+    rising = speed < 3
+    while here < metres:
+        if rising:
+            speed = min(math.sqrt(speed ** 2 + 8), 8)
+        step = min(2, metres - here)
+        time += step / min(speed, bend_speed(points, int(here / 2)))
+        here += step
+    return time
+
+def sets_out(self, car, points, speed, ahead, rate=math.inf):
+    """Whether one beside the road has to set out across it now, at `speed` (m/s, gained at `rate` m/s2), to be in the
+    middle of the way of `car`, its points, `ahead` s before that would be there; or `car` stands for it already."""
+    there, metres = along_line(points, self.position)
+    gained = speed ** 2 / (2 * rate)
+    time = metres / speed + speed / (2 * rate) if metres > gained else math.sqrt(2 * metres / rate)
+    if car.speed < 0.3:
+        return simulation().currentTime * simulation().timestep > 1.5 and (distance from self to car) < 25
+    return seconds_to(car, points, there) < time + ahead
+
+def to_far_side(self, points, heading):
+    """How far (m) it is in a direction (rad), over the way of a car, its points, until a little off the road."""
+    metres = along_line(points, self.position)[1]
+    def on_road(spot):
+        return network.drivableRegion.containsPoint(spot) or network.shoulderRegion.containsPoint(spot)
+    while metres < 60 and on_road(self.position.offsetRotated(heading, Vector(0, metres))):
+        metres += 0.5
+    return metres + 1.5
+
+
+# The end of a run
+
+monitor OnceSeen(conditions, held=1, seconds=1.5):
+    """End the run some seconds after each of the conditions (functions) has been `held` s long at some time."""
+    held_for = [0 for _ in conditions]
+    while min(held_for) < held:
+        wait
+        held_for = [t + simulation().timestep if t >= held or condition() else 0
+                    for t, condition in zip(held_for, conditions)]
+    for _ in range(int(seconds / simulation().timestep)):
+        wait
+    terminate
+
+
+# How one stands to another
+
+def need(car, other):
+    """The deceleration (m/s2) that keeps `car` from reaching `other`, if both go on as they do; 0: no conflict."""
+    place = (other.position - car.position).rotatedBy(-car.heading)
+    motion = other.velocity.rotatedBy(-car.heading)
+    across = abs(math.sin(other.heading - car.heading))
+    gap = place.y - (car.length + other.width * across + other.length * (1 - across)) / 2
+    reach = (car.width + other.length * across + other.width * (1 - across)) / 2 + 0.8
+    closing = car.speed - motion.y
+    if place.y <= 0:
+        return 0
+    if gap < 8 and car.speed < 2 and motion.y < 1 and abs(place.x) < reach:
+        return 9
+    if closing <= 0.1:
+        return 0
+    there = place.x + motion.x * max(gap, 0) / closing
+    gone = place.x + motion.x * (max(gap, 0) + car.length + other.width) / closing
+    if min(there, gone) > reach or max(there, gone) < -reach:
+        return 0
+    if gap < 2 + 0.7 * motion.y:
+        return 9
+    return closing ** 2 / (2 * max(gap - 2 - 0.5 * max(motion.y, 0), 0.3))
+
+REACTION_TIME = 0.3  # s from when somebody comes into view to a reaction
+
+def in_view(car, others, hiders):
+    """Those of the others whom none of the hiders has hidden from `car` for `REACTION_TIME`."""
+    now = simulation().currentTime * simulation().timestep
+    car.hidden_at = getattr(car, 'hidden_at', {}) if now > 0 else {}
+    for other in others:
+        if any(hides(hider, car.position, other.position) for hider in hiders):
+            car.hidden_at[id(other)] = now
+    return [other for other in others if now - car.hidden_at.get(id(other), -1) >= REACTION_TIME]
+
+def hides(thing, eye, spot):
+    """Whether the line of sight to a spot goes through a thing, seen from above."""
+    start, way = (eye - thing.position).rotatedBy(-thing.heading), (spot - eye).rotatedBy(-thing.heading)
+    enters, leaves = 0, 1
+    for begin, step, half in ((start.x, way.x, thing.width / 2), (start.y, way.y, thing.length / 2)):
+        if abs(step) < 0.001:
+            step = 0.001
+        first, last = sorted(((-half - begin) / step, (half - begin) / step))
+        enters, leaves = max(enters, first), min(leaves, last)
+    return enters < leaves
+
+def most_need(car, others):
+    """The greatest `need` of all of them."""
+    return max([0, *[need(car, other) for other in others]])
+
+def passed(other, car, further=10, margin=1):
+    """Whether `other` has gone `margin` m past the spot `further` m ahead of `car`, seen along its own way."""
+    spot = car.position.offsetRotated(car.heading, Vector(0, further))
+    return (spot - other.position).rotatedBy(-other.heading).y < -other.length / 2 - margin
+
+def ttc(car, other):
+    """The time (s) until `car` and `other` would touch if the distance went on shrinking as it does."""
+    apart = other.position - car.position
+    gap = max((distance from car to other) - (car.length + other.length) / 2, 0)
+    closing = (car.velocity - other.velocity).dot(apart.normalized())
+    return gap / closing if closing > 0.1 else 1000
+
+def lead_on(car, other):
+    """How far (m) `car` is ahead of `other` along the road; negative: behind."""
+    return (car.position - other.position).rotatedBy(-other.heading).y
+
+
+# Speeds (m/s) for Drive that depend on another
+
+def pace(car, lead, speed, headway=1.5):
+    """The speed (m/s) at which `car` follows `lead` with a time headway (s), at most `speed`."""
+    gap = (distance from car to lead) - (car.length + lead.length) / 2
+    wanted = min(speed, lead.speed + 0.4 * (gap - 4 - headway * lead.speed))
+    return wanted if wanted > 0.6 or lead.speed > 0.3 and wanted > 0 else 0
+
+def up_to(rest, speed, rate=2.5):
+    """The speed (m/s), at most `speed`, at which one comes to a stand after the rest (m) of its way, braking at `rate`
+    (m/s2)."""
+    return min(speed, math.sqrt(2 * rate * max(rest, 0)))
+
+def stop_line(lane):
+    """How far along a lane (m) its stop line lies: before the crosswalk at its end, if there is one."""
+    line, end = lane.centerline.lineString, lane.centerline.length
+    spots = [line.project(spot) for spot in map_facts().crosswalks if line.distance(spot) < 12]
+    return min([s for s in spots if end - 14 < s < end - 0.5], default=end + 2) - 3
+
+def to_line(car, lane):
+    """How far (m) the front of `car` is from the spot before the stop line of a lane where one stands."""
+    return stop_line(lane) - 1 - lane.centerline.lineString.project(shapely.geometry.Point(*car.position[:2])) - car.length / 2
+
+def short_of(car, points, others, speed, rate=3, room=3):
+    """The speed (m/s), at most `speed` and gained gently, at which `car` comes to a stand `room` m before whoever of the
+    others has not gone by."""
+    ahead = [along_line(points, other.position)[0] - other.width / 2 - room
+             for other in others if not passed(other, car, margin=2.5)]
+    gently = min(speed, car.speed + 2 * simulation().timestep)
+    return up_to(min(ahead) - along_line(points, car.position)[0] - car.length / 2, gently, rate) if ahead else gently
+
+def lurk(car, other, speed):
+    """The speed (m/s) at which `car` stays close behind `other`, beside whose lane it is, until that comes over."""
+    place = (other.position - car.position).rotatedBy(-car.heading)
+    if abs(place.x) < 2.6:
+        return max(speed, other.speed + 6)
+    return max(0, min(1.3 * speed, other.speed + 0.5 * (place.y - car.length - 4)))
+
+def gain(car, other, speed):
+    """The speed (m/s), at most `speed`, at which `car` goes out and by `other`: slower as long as it is still behind it
+    and would reach it."""
+    place = (car.position - other.position).rotatedBy(-other.heading)
+    gap = -place.y - (car.length + other.length) / 2
+    if gap < -car.length or abs(place.x) > (car.width + other.width) / 2 + 0.5:
+        return speed
+    return min(speed, max(1.5, other.speed + math.sqrt(8 * max(gap - 1.5, 0))))
+
+def level(car, other, speed):
+    """The speed (m/s), about `speed`, at which `car` comes level with `other`, which drives the same way."""
+    ahead = lead_on(car, other)
+    if abs(ahead) < 3:
+        return other.speed
+    return max(0, other.speed - 4) if ahead > 0 else max(speed, other.speed + 4)
+
+# Places: where on a map a scenario can take place, told by what is there. Each function lists all that fit:
+#     place = Uniform(*junctions(STRAIGHT, control='signal', others=[From('left', STRAIGHT)]))
+#     ego = new Car at place.lane.centerline.pointAlongBy(place.length - 40)
+
+STRAIGHT, LEFT_TURN = ManeuverType.STRAIGHT, ManeuverType.LEFT_TURN
+RIGHT_TURN, U_TURN = ManeuverType.RIGHT_TURN, ManeuverType.U_TURN
+
+class Place(object):
+    """A place as ego comes to it.
+
+    lane: the `Lane` in which ego starts; turn: the `Maneuver` by which it leaves that lane (None on a stretch of road);
+    mark: m along the lane to what is special there (a crosswalk, the beginning of a bend); others: the lanes by which
+    others reach the junction, as they were asked for (`from_left`, `from_right`, `from_opposite`: the first of those).
+    """
+    def __init__(self, lane, turn=None, mark=0, ramp=None, beside=None, others=(), longer=None, exit=0):
+        self.lane, self.turn, self.mark, self.beside = lane, turn, mark, beside
+        self.longer, self.exit = longer, exit
+        self.merging = ramp
+        self.others = [lane for _, lane in others]
+        for other, found in reversed(others):
+            setattr(self, 'from_' + other.side, found)
+            if other.passed:
+                waiting, aside = pocket(found)
+                setattr(self, other.side + '_pocket', waiting)
+                setattr(self, other.side + '_pocket_offset', aside)
+
+    def lane_beside(self, steps) -> Lane:
+        """The lane that many lanes to the left (negative: right) of ego's, where ego meets what the place is about."""
+        section = self.lane.sections[-1 if self.turn else 0]
+        for _ in range(abs(steps)):
+            section = section._fasterLane if steps > 0 else section._slowerLane
+        return self.as_long(section.lane)
+
+    def as_long(self, lane, turned=False):
+        """A lane beside ego's, lengthened as that was; `turned`: one of the other direction."""
+        if not self.longer:
+            return lane
+        metres, ahead, across = self.longer
+        return lengthened(lane, metres, ahead != turned, across)
+
+    @property
+    def left_lane(self) -> Lane:
+        return self.as_long(self.beside) if self.beside else self.lane_beside(1)
+
+    @property
+    def right_lane(self) -> Lane:
+        return self.lane_beside(-1)
+
+    @property
+    def far_left_lane(self) -> Lane:
+        return self.lane_beside(2)
+
+    @property
+    def far_right_lane(self) -> Lane:
+        return self.lane_beside(-2)
+
+    @property
+    def oncoming_lane(self) -> Lane:
+        """The innermost lane of the other direction."""
+        innermost = next(o for o in self.lane.group.opposite.lanes if o.sections[0]._fasterLane is None)
+        return self.as_long(innermost, turned=True)
+
+    @property
+    def exit_lane(self) -> Lane:
+        """The lane into which ego leaves the junction."""
+        return lengthened(self.turn.endLane, self.exit, ahead=True) if self.longer else self.turn.endLane
+
+    @property
+    def ramp(self) -> Lane:
+        return self.merging.startLane
+
+    @property
+    def acceleration_lane(self) -> Lane:
+        return self.merging.endLane
+
+    @property
+    def length(self) -> float:
+        """The length of ego's lane, m: how far its beginning is from the junction."""
+        return self.lane.centerline.length
+
+# What Scenic may count on before a place is drawn.
+Place.__annotations__ = {
+    **dict.fromkeys(('lane', 'from_left', 'from_right', 'from_opposite'), Lane),
+    **dict.fromkeys(('left_pocket', 'right_pocket', 'opposite_pocket'), Lane),
+    **dict.fromkeys(('mark', 'left_pocket_offset', 'right_pocket_offset', 'opposite_pocket_offset'), float),
+    'turn': Maneuver, 'others': typing.List[Lane],
+}
+
+SHORT, LONG = 60, 140  # m: ways of others that are shorter go on over the roads before them, so far
+
+class From(object):
+    """A way by which others reach ego's junction: from ego's `side` ('left', 'right', 'opposite'), going by `turn` over
+    it; with a `sign` ('stop', 'yield') if one is said; over a lane of `length` m at least. `passed`: somebody waits
+    there whom others pass: in the lane `place.left_pocket`, `left_pocket_offset` m to the left of its middle.
+    """
+    def __init__(self, side, turn=STRAIGHT, sign=None, length=0, passed=False):
+        self.side, self.turn, self.sign, self.length, self.passed = side, turn, sign, length, passed
+
+    def lane_to(self, way, roundabout=False):
+        """The lane by which it comes to the junction of ego's way, or None."""
+        angle = {'left': -90, 'right': 90, 'opposite': 180}[self.side]
+        lane = ring_approach(way, angle) if roundabout else approach(way, angle, self.turn, self.passed)
+        if lane and lane.centerline.length < max(self.length, SHORT):
+            lane = lengthened(lane, max(self.length + 1, LONG))
+        fits = lane and lane.centerline.length > self.length
+        return lane if fits and self.sign in (None, map_facts().sign(lane, way.intersection)) else None
+
+def stretches(straight=False, two_way=True, crosswalk=None, **wanted):
+    """Stretches of road, ego anywhere on them: `straight` ones; `two_way`: with the other direction beside them (else
+    one-way roads, too, ramps apart); with a `crosswalk` between their junctions, or without (False). `wanted`: `length`
+    (m, or as much of it as there is) and `least` (m), and what `lane_fits` and `limit` mean."""
+    facts = map_facts()
+    def fits(lane):
+        along = (lane.centerline[-1] - lane.centerline[0]).norm()
+        return ((lane.group._opposite if two_way else lane.road.id not in facts.ramps)
+                and (not straight or along > 0.998 * lane.centerline.length)
+                and crosswalk in (None, lane.road.id in facts.crossed))
+    return _along_roads(fits, **wanted)
+
+def curves(side=None, two_way=True, **wanted):
+    """Roads that bend by 20 degrees and more, to a `side` if one is said; `place.mark`: m to where the bend begins. The
+    rest as of `stretches`."""
+    def fits(lane):
+        bend = begin(lane).angleWith(lane.centerline[-1] - lane.centerline[-2])
+        sided = abs(bend) > 0.35 and side in (None, 'left' if bend > 0 else 'right')
+        return sided and (lane.group._opposite if two_way else lane.road.id not in map_facts().ramps)
+    places = _along_roads(fits, **wanted)
+    for place in places:
+        place.mark = bend_start(place.lane)
+    return places
+
+def motorways(**wanted):
+    """Carriageways of motorways. `wanted` as of `stretches`."""
+    facts = map_facts()
+    return _along_roads(lambda lane: lane.road.id in facts.motorways, **wanted)
+
+def crosswalks(before=40, limit=None, **lanes):
+    """Crosswalks between junctions, 40 m and more from these, with `before` m of ego's lane before them; `place.mark`:
+    m along it to the crosswalk. The rest as of `stretches`."""
+    found = []
+    for road, spot in map_facts().between_junctions:
+        for lane in road.lanes:
+            mark = lane.centerline.lineString.project(spot)
+            if mark > max(before, 40) and lane.centerline.length - mark > 30 and lane_fits(lane, lane.sections[0], **lanes):
+                found.append(Place(lane, mark=mark))
+    return _posted(found, limit)
+
+def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, exit=0, others=(), limit=None, across=False,
+              **lanes):
+    """Ways of ego over intersections: by a `turn` (STRAIGHT, LEFT_TURN, RIGHT_TURN, U_TURN); with so many `arms`; where a
+    `control` holds for ego ('signal', 'stop', 'yield', 'none'); with a `crosswalk` at ego's line, or without; with lanes
+    of `approach` m before the junction and `exit` m behind it, over several roads (`across`: and straight over other
+    junctions) where roads are short; with `others` to meet there, a list of `From`."""
+    facts = map_facts()
+    found = []
+    for junction in network.intersections:
+        if junction.id not in facts.intersections or not facts.controlled(junction, control):
+            continue
+        if {None: True, 3: junction.is3Way, 4: junction.is4Way}[arms]:
+            found += [m for m in junction.maneuvers if turn in (None, m.type)
+                      and (control not in ('stop', 'yield') or facts.sign(m.startLane, junction) == control)
+                      and crosswalk in (None, facts.crosswalk_at(m.startLane))]
+    minor = control is None and any(other.sign and other.side != 'opposite' for other in others)
+    if minor:  # whom others have to give way to has no sign itself
+        found = [m for m in found if facts.sign(m.startLane, m.intersection) != 'stop']
+    places = [Place(way.startLane, way) for way in found]
+    return _at_junctions(places, approach, exit, limit, lanes, others, across=across)
+
+def roundabouts(approach=0, exit=0, others=(), arms_within=100, limit=None, across=False, **lanes):
+    """Ways of ego into roundabouts; `others` (a list of `From`) come in at arms that are `arms_within` m of ego's. The
+    rest as of `junctions`."""
+    found = [m for i in network.intersections if i.id in map_facts().roundabouts for m in i.maneuvers
+             if any(lane.road is m.startLane.road for lane in i.outgoingLanes)]
+    def close(place):
+        ends = place.lane.centerline[-1]
+        return all((distance from lane.centerline[-1] to ends) < arms_within for lane in place.others)
+    places = [Place(way.startLane, way) for way in found]
+    return [place for place in _at_junctions(places, approach, exit, limit, lanes, others, True, across) if close(place)]
+
+def merges(ego_on='ramp', approach=0, exit=0, ramp_length=0, limit=None, across=False, **lanes):
+    """Where a ramp joins a road: with ego on the 'ramp', on the lane 'beside' which the ramp's goes on, or on any lane of
+    the 'road'. `place.ramp`: the ramp's lane; `place.acceleration_lane`: in which it goes on; for ego on the ramp
+    `place.left_lane` is the road's lane that goes on to its left."""
+    facts, found = map_facts(), []
+    for m in [m for i in network.intersections for m in i.maneuvers if m.startLane.road.id in facts.on_ramps]:
+        faster = m.endLane.sections[0]._fasterLane
+        for o in m.intersection.maneuvers:
+            merging = faster and o.endLane is faster.lane
+            if ego_on != 'road' and merging and m.startLane.centerline.length > ramp_length:
+                way, beside = (m, o.startLane) if ego_on == 'ramp' else (o, None)
+                found.append(Place(way.startLane, way, ramp=m, beside=beside))
+            elif ego_on == 'road' and o.startLane.road.id not in facts.on_ramps:
+                found.append(Place(o.startLane, o, ramp=m))
+    return _at_junctions(found, approach, exit, limit, lanes, across=across)
+
+def exits(ego_on='exit', approach=0, exit=0, limit=None, across=False, **lanes):
+    """Where a ramp leaves a road: with ego on the lane of the 'exit', in the lane 'beside' that, or going on along the
+    'road'."""
+    def leaves(m):
+        return m.endLane.road.id in map_facts().off_ramps
+    found = [m for i in network.intersections for m in i.maneuvers if leaves(m)]
+    if ego_on == 'road':
+        found = [m for leaving in found for m in leaving.intersection.maneuvers if not leaves(m)]
+    if ego_on == 'beside':
+        inner = [(m, m.startLane.sections[0]._fasterLane) for m in found]
+        return _at_junctions([Place(s.lane, m) for m, s in inner if s], approach, exit, limit, lanes, across=across)
+    return _at_junctions([Place(m.startLane, m) for m in found], approach, exit, limit, lanes, across=across)
+
+def lane_fits(lane, section, lanes=1, ego_lane=None, oncoming=None, shoulder=None, sidewalk=None):
+    """Whether ego's lane has so many `lanes` in its direction, is the 'leftmost', 'middle' or 'rightmost' of them, with
+    an `oncoming` lane that adjoins (no divider), a `shoulder` or parking lane, a `sidewalk` (False: without)."""
+    group, left, right = lane.group, section._fasterLane, section._slowerLane
+    place = {None: True, 'leftmost': not left, 'rightmost': not right, 'middle': left and right}
+    def adjoins():
+        return any(other.group is group._opposite for one in group.lanes for other in one.adjacentLanes)
+    return (len(group.lanes) >= lanes and place[ego_lane] and (oncoming is None or oncoming == adjoins())
+            and shoulder in (None, bool(group._shoulder)) and sidewalk in (None, bool(group._sidewalk)))
+
+def _along_roads(fits, length=0, least=0, limit=None, **lanes):
+    found = [Place(lane) for road in network.roads for lane in road.lanes
+             if lane_fits(lane, lane.sections[0], **lanes) and fits(lane)]
+    for share, over in SHARES:
+        metres = max(share * length, least)
+        long = [_longer(place, metres, over, lanes, ahead=True) for place in found]
+        long = [place for place in long if place and (over is None or fits(place.lane))]
+        if long:
+            return _posted(long, limit)
+    return []
+
+SHARES = [(1, None), (1, ROADS), (0.7, None), (0.7, ROADS), (0.45, None), (0.45, ROADS), (1, JUNCTIONS),
+          (0.7, JUNCTIONS), (0.25, None), (0.25, ROADS), (0.45, JUNCTIONS), (0.25, JUNCTIONS)]
+
+def _at_junctions(places, approach, exit, limit, lanes, others=(), roundabout=False, across=False):
+    fitting = [place for place in places if lane_fits(place.lane, place.lane.sections[-1], **lanes)]
+    for over in (None, ROADS, JUNCTIONS) if across else (None, ROADS):
+        found = []
+        for place in [_longer(place, approach, over, lanes, exit=exit) for place in fitting]:
+            reached = [(other, other.lane_to(place.turn, roundabout)) for other in others] if place else []
+            if place and all(lane for _, lane in reached):
+                found.append(Place(place.lane, place.turn, place.mark, place.merging, place.beside, reached,
+                                   place.longer, place.exit))
+        if found:
+            return _posted(found, limit)
+    return []
+
+def _longer(place, metres, over, lanes, ahead=False, exit=0):
+    """The place with ego's lane of `metres` up to its end (`ahead`: from its start) and `exit` m behind the junction,
+    over several roads if so wished; None where there is not that much."""
+    after = place.turn.endLane.centerline.length if place.turn else 0
+    if over is None:
+        return place if place.length > metres and after >= exit else None
+    across = over == JUNCTIONS
+    beside = [(other, ahead) for other in place.lane.group.lanes if lanes.get('lanes', 1) > 1 and other is not place.lane]
+    if lanes.get('oncoming'):
+        beside += [(o, not ahead) for o in place.lane.group.opposite.lanes if o.sections[0]._fasterLane is None]
+    if exit > after and lengthened(place.turn.endLane, exit + 1, True).centerline.length < exit:
+        return None
+    if any(reach(lane, metres, way, across) < metres for lane, way in [(place.lane, ahead), *beside]):
+        return None
+    return Place(lengthened(place.lane, metres + 1, ahead, across), place.turn, place.mark, place.merging, place.beside,
+                 longer=(metres + 1, ahead, across), exit=exit + 1)
+
+def _posted(places, limit):
+    """The places with that posted limit (m/s), all where there are none."""
+    limits = map_facts().limits
+    return limit and [p for p in places if abs(limits.get(p.lane.road.id, 0) - limit) < 0.55] or places
+
+# What Scenic's parser leaves out of a map.
+
+class MapFacts(object):
+    """Read from a map's OpenDRIVE file; roads and junctions by their ids.
+
+    limits: of roads, m/s; signs: 'signal', 'stop' or 'yield' by (junction, road into it); crosswalks: their middles, and
+    `crossed`: roads with one between their junctions, `between_junctions`: those, as (road, point); motorways, ramps
+    (on_ramps, off_ramps): roads; intersections, roundabouts: junctions.
+    """
+    def __init__(self, path, network):
+        root = ElementTree.parse(path).getroot()
+        self.limits, self.signs, self.crosswalks, self.between_junctions = {}, {}, [], []
+        self.motorways, self.on_ramps, self.off_ramps = set(), set(), set()
+        self.intersections, self.roundabouts = set(), set()
+        self._read_signs(root)
+        roads = {road.id: road for road in network.allRoads}
+        for element in root.iter('road'):
+            road = roads.get(int(element.get('id')))
+            if road:
+                self._read_road(element, road, element.get('junction') == '-1')
+        self._read_junctions(root, network)
+        self.crossed = {road.id for road, _ in self.between_junctions}
+        self.ramps = self.on_ramps | self.off_ramps
+
+    def sign(self, lane, junction):
+        """'signal', 'stop' or 'yield': what there is for who comes to a junction by a lane; None: nothing."""
+        return self.signs.get((junction.id, lane.road.id))
+
+    def controlled(self, junction, control):
+        """Whether a junction has lights ('signal'), neither lights nor signs ('none'); whatever else is asked."""
+        lights = any(signal.isTrafficLight for signal in junction.signals)
+        if control == 'none':
+            return not lights and all(j != junction.id for j, _ in self.signs)
+        return lights if control == 'signal' else True
+
+    def crosswalk_at(self, lane):
+        """Whether a crosswalk lies at the end of a lane."""
+        ends = lane.road.centerline[0], lane.road.centerline[-1]
+        end = min(ends, key=lambda point: (distance from point to lane.centerline[-1]))
+        return any(math.hypot(end.x - spot.x, end.y - spot.y) < 12 for spot in self.crosswalks)
+
+    def _read_road(self, element, road, outside):
+        speed, kind = element.find('type/speed'), element.find('type')
+        unit = {'km/h': 1 / 3.6, 'mph': 0.44704}
+        if speed is not None and speed.get('max') not in (None, 'no limit', 'undefined'):
+            self.limits[road.id] = float(speed.get('max')) * unit.get(speed.get('unit'), 1)
+        ids = [int(lane.get('id')) for lane in element.iter('lane') if lane.get('type') == 'driving']
+        divided = min([i for i in ids if i > 0], default=1) - max([i for i in ids if i < 0], default=-1) > 2
+        apart = divided or not (road.forwardLanes and road.backwardLanes)
+        fast = apart and element.find(".//lane[@type='sidewalk']") is None and self.limits.get(road.id, 0) >= 24 or kind is not None and kind.get('type') == 'motorway'
+        if outside and fast and max(len(group.lanes) for group in road.laneGroups) > 1:
+            self.motorways.add(road.id)
+        for crosswalk in element.iterfind("objects/object[@type='crosswalk']"):
+            s, spot = float(crosswalk.get('s')), _middle(crosswalk, road)
+            self.crosswalks.append(spot)
+            if outside and 40 < s < road.centerline.length - 40:
+                self.between_junctions.append((road, spot))
+
+    def _read_signs(self, root):
+        kinds, into, of_way = {}, {}, {}
+        links = {road.get('id'): road.find('link') for road in root.iter('road')}
+        for junction in root.iter('junction'):
+            for connection in junction.iterfind('connection'):
+                way, source = connection.get('connectingRoad'), connection.get('incomingRoad')
+                begin = 'predecessor' if connection.get('contactPoint') != 'end' else 'successor'
+                link = links[way].find(begin) if links.get(way) is not None else None
+                into[source, link is None or link.get('contactPoint') != 'start'] = int(junction.get('id'))
+                of_way[way] = int(junction.get('id')), int(source)
+        for signal in root.iter('signal'):
+            kind = {'1000001': 'signal', '1000009': 'signal', '1000010': 'signal', '1000011': 'signal',
+                    '206': 'stop', '205': 'yield'}.get(signal.get('type'))
+            named = 'stop' in (signal.get('name') or '').lower() and signal.get('dynamic') != 'yes'
+            kinds[signal.get('id')] = kind or ('stop' if named else None)
+        for road in root.iter('road'):
+            for signal in road.iterfind('signals/*'):
+                rid, kind, facing = road.get('id'), kinds.get(signal.get('id')), signal.get('orientation', '+')
+                valid = [int(v.get(end)) for v in signal.iterfind('validity') for end in ('fromLane', 'toLane')]
+                if valid and not any(valid):
+                    continue  # it only stands there
+                faced = {True: min(valid) < 0, False: max(valid) > 0} if valid else {
+                    True: facing in ('+', 'none'), False: facing in ('-', 'none')}
+                places = [of_way[rid]] if rid in of_way else [
+                    (into.get((rid, end)), int(rid)) for end in (True, False) if faced[end]]
+                for place in places if kind else ():
+                    self.signs[place] = min(kind, self.signs.get(place, kind), key=('signal', 'stop', 'yield').index)
+
+    def _read_junctions(self, root, network):
+        rings = {int(junction.get('junction')) for group in root.iterfind("junctionGroup[@type='roundabout']")
+                 for junction in group.iterfind('junctionReference')} or _rings(network)
+        for junction in network.intersections:
+            come = {lane.road for lane in junction.incomingLanes}
+            go = {lane.road for lane in junction.outgoingLanes}
+            gentle = all(abs(_turn(m.connectingLane)) < 0.44 for m in junction.maneuvers if m.connectingLane)
+            if junction.id in rings:
+                self.roundabouts.add(junction.id)
+            elif come & go or not gentle:
+                self.intersections.add(junction.id)
+            elif len(come) > 1 and len(go) == 1:
+                self.on_ramps.add(min(come, key=lambda road: len(road.lanes)).id)
+            elif len(come) == 1 and len(go) > 1:
+                self.off_ramps.add(min(go, key=lambda road: len(road.lanes)).id)
+            elif len(come) > 1:
+                self.intersections.add(junction.id)
+
+_MAP_FILE = globalParameters.map
+
+def map_facts():
+    """The facts of the map at hand, read once."""
+    if not hasattr(network, 'map_facts'):
+        network.map_facts = MapFacts(_MAP_FILE, network)
+    return network.map_facts
+
+def _turn(lane):
+    """By how much a lane turns from its beginning to its end: rad, to the left."""
+    return begin(lane).angleWith(lane.centerline[-1] - lane.centerline[-2])
+
+def _middle(element, road):
+    """The middle of an object at a road, from its outline."""
+    s, t, turned = (float(element.get(name) or 0) for name in ('s', 't', 'hdg'))
+    line = road.centerline
+    spot, onward = line.pointAlongBy(min(s, line.length)), line.pointAlongBy(min(s + 1, line.length))
+    before = line.pointAlongBy(max(min(s, line.length) - 1, 0))
+    heading = math.atan2(onward.y - before.y, onward.x - before.x)
+    corners = [(float(c.get('u')), float(c.get('v'))) for c in element.iter('cornerLocal')] or [(0, 0)]
+    u, v = (sum(values) / len(corners) for values in zip(*corners))
+    x = spot.x - t * math.sin(heading) + u * math.cos(heading + turned) - v * math.sin(heading + turned)
+    y = spot.y + t * math.cos(heading) + u * math.sin(heading + turned) + v * math.cos(heading + turned)
+    return shapely.geometry.Point(x, y)
+
+def _rings(network):
+    """The ids of junctions on a circle of one-way roads that bend to the left."""
+    following = {}
+    for junction in network.intersections:
+        for m in junction.maneuvers:
+            road, after = m.endLane.road, m.endLane.maneuvers and m.endLane.maneuvers[0].intersection
+            one_way = not (road.forwardLanes and road.backwardLanes)
+            if after and after is not junction and one_way and 0.14 < _turn(m.endLane) < 3.1:
+                following.setdefault(junction.id, set()).add(after.id)
+    rings = set()
+    for start in following:
+        path = [start]
+        while len(path) <= 10 and len(following.get(path[-1], ())) == 1 and (path[-1] != start or len(path) == 1):
+            path += following[path[-1]]
+        if len(path) > 3 and path[-1] == start:
+            rings |= set(path)
+    return rings

@@ -13,7 +13,8 @@ class CarlaUnavailable(RuntimeError):
     """CARLA cannot be used; the message says what is missing."""
 
 
-def run_in_carla(text: str, file: str | os.PathLike[str] | None, *, address: str, seed: int, seconds: float) -> int:
+def run_in_carla(text: str, file: str | os.PathLike[str] | None, *, address: str, seed: int, seconds: float,
+                 model: str | None = None, scenario: str | None = None) -> int:  # fmt: skip
     """Run the program in CARLA with Scenic's command; returns its exit status. Raises CarlaUnavailable."""
     host, _, port = address.partition(":")
     if importlib.util.find_spec("carla") is None or not _installed():
@@ -57,6 +58,8 @@ def run_in_carla(text: str, file: str | os.PathLike[str] | None, *, address: str
             "render",
             "0",
         ]
+        command += ["--model", model] if model else []
+        command += ["--scenario", scenario] if scenario else []
         return subprocess.run(command, check=False).returncode
     finally:
         if given is None:

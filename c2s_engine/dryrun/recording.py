@@ -77,6 +77,12 @@ class Recorder:
             vx, vy = body.velocity()
             samples.append((body.x, body.y, body.heading, vx, vy))
 
+    def restart(self, actors: list[Any]) -> None:
+        """Take the first sample anew: with the speeds that the first actions set."""
+        for samples in self.samples:
+            samples.clear()
+        self.sample(actors, 0)
+
     def note_lights(self, time: float, states: dict[tuple[str, str], str]) -> None:
         for key, state in states.items():
             if self._shown.get(key) != state:

@@ -15,14 +15,14 @@ from scenic.core.simulators import TerminationType
 from scenic.simulators.carla import blueprints
 
 from c2s_engine.dryrun import plain
-from c2s_engine.dryrun.events.derivation import derive
+from c2s_engine.dryrun.events.derivation import derive, with_courses
 from c2s_engine.dryrun.events.table import definitions
 from c2s_engine.dryrun.outline import box_of, map_outline
 from c2s_engine.dryrun.recording import Recording
 from c2s_engine.dryrun.roads import index_of
 from c2s_engine.dryrun.world import DryRunSimulation
 from c2s_engine.maps.extras import BrokenMap, MapExtras, read_extras
-from c2s_engine.structure.facts import RunFacts, Track, Trajectories
+from c2s_engine.structure.facts import Course, RunFacts, Track, Trajectories
 
 STUCK = 3
 """s that a behaviour may compute without taking an action."""
@@ -42,27 +42,28 @@ def prepare(network: Any = None, path: str = "") -> None:
 
 def run_scene(scene: Any, *, names: dict[int, str], components: dict[str, str], seed: int, seconds: float,
               trajectories: bool, map_path: str) -> tuple[RunFacts, Trajectories | None]:  # fmt: skip
-    """Run the scene for `seconds` s. A run that fails is told by `ended_by` and `reason`; nothing is raised for it."""
+    """Run the scene for `seconds` s. A run that fails is told by `ended_by` and `reason`; nothing is raised for it.
+
+    What a run showed before it broke off is there; where nothing moved yet there are neither objects nor trajectories.
+    """
     run = simulate(scene, names=names, seed=seed, seconds=seconds, map_path=map_path)
-    if run.recording is None or not run.recording.paths or run.ended_by in ("rejected", "error"):
-        facts = RunFacts(seed=seed, duration=run.duration, ended_by=run.ended_by, reason=run.reason)
+    courses: dict[str, Course] = {}
+    if run.recording is None or run.recording.steps < 2:
+        return RunFacts(seed=seed, duration=run.duration, ended_by=run.ended_by, reason=run.reason), None
+    index = index_of(scene.workspace.network)
+    if trajectories:
+        facts, courses = with_courses(run.recording, index, run.extras)
     else:
-        facts = derive(run.recording, index_of(scene.workspace.network), run.extras)
-        update = {"component": None}
-        objects = tuple(o.model_copy(update=update | {"component": components.get(o.name)}) for o in facts.objects)
-        facts = facts.model_copy(
-            update={
-                "seed": seed,
-                "duration": run.duration,
-                "ended_by": run.ended_by,
-                "reason": run.reason,
-                "objects": objects,
-            }
-        )
-    if not trajectories or run.recording is None:
+        facts = derive(run.recording, index, run.extras)
+    objects = tuple(o.model_copy(update={"component": components.get(o.name)}) for o in facts.objects)
+    update = {"seed": seed, "duration": run.duration, "ended_by": run.ended_by, "reason": run.reason}
+    facts = facts.model_copy(update={**update, "objects": objects})
+    if not trajectories:
         return facts, None
     outline = map_outline(scene.workspace.network, box_of(run.recording), run.extras)
-    return facts, tracks_of(run.recording).model_copy(update={"outline": outline})
+    ways = tracks_of(run.recording)
+    tracks = tuple(t.model_copy(update={"course": courses.get(t.name)}) for t in ways.tracks)
+    return facts, ways.model_copy(update={"tracks": tracks, "outline": outline})
 
 
 class Run:

@@ -11,7 +11,7 @@ from scenic.core.vectors import Vector
 from scenic.domains.driving.simulators import DrivingSimulation
 
 from c2s_engine.dryrun import actors as fake
-from c2s_engine.dryrun import controllers
+from c2s_engine.dryrun import controllers, undriven
 from c2s_engine.dryrun.contacts import Contacts
 from c2s_engine.dryrun.dynamics import SUBSTEP
 from c2s_engine.dryrun.fast import Mirror, lookups
@@ -114,16 +114,21 @@ class DryRunSimulation(DrivingSimulation):
         elif isinstance(weather, dict):
             self.world.set_weather(carla.WeatherParameters(**weather))
         super().setup()
-        for obj in self.objects:
-            if obj.speed:
-                raise SimulationCreationError(
-                    f"{obj} has an initial speed, which CARLA cannot give: let its behavior take SetSpeedAction"
-                )
         self.contacts = Contacts(self.world.actors, self.classes)
 
     def createObjectInSimulator(self, obj: Any) -> Any:
-        kind = fake.class_of(str(getattr(obj, "blueprint", "") or ""), self.kinds)
+        plain = undriven.kind_of(obj)
+        kind = plain or fake.class_of(str(getattr(obj, "blueprint", "") or ""), self.kinds)
         actor = fake.make(len(self.world.actors), obj, kind)
+        if plain:
+            undriven.adapt(obj, plain)
+            if any(obj.velocity):
+                obj.carlaActor = actor
+                obj.setVelocity(obj.velocity)
+        elif obj.speed:
+            raise SimulationCreationError(
+                f"{obj} has an initial speed, which CARLA cannot give: let its behavior take SetSpeedAction"
+            )
         actor.set_simulate_physics(bool(getattr(obj, "physics", kind != "prop")))
         obj.carlaActor = actor
         if kind == "walker":
@@ -159,6 +164,8 @@ class DryRunSimulation(DrivingSimulation):
             if not isinstance(actions, dict):
                 return self._end(TerminationType.terminatedByBehavior, str(actions))
             self.executeActions(actions)
+            if self.currentTime == 0:
+                self.recorder.restart(self.world.actors)
             self.step()
             self.currentTime += 1
             self.updateObjects()

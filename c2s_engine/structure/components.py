@@ -1,9 +1,9 @@
 """Components and the structure S = {G, R, E, O1..N, T} (the paper, "Logical Structure Schema")."""
 
 import re
-from typing import Literal
+from typing import Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from c2s_engine.structure.specs import (
     AnySpec,
@@ -30,6 +30,7 @@ class Link(Frozen):
     kind: Literal["text", "rule", "clause", "snippet", "chunk"]
     label: str = Field(description="the words of the text, the rule's or the source's name")
     span: tuple[int, int] | None = Field(None, description="offsets in the user's text")
+    field: str = Field("", description="the field of the component's spec that the words became, where that is known")
 
 
 class Assumption(Frozen):
@@ -38,6 +39,7 @@ class Assumption(Frozen):
     field: str
     value: str
     reason: str
+    by: str = Field("", description="`writer` where the writer decided; else whoever read the text")
 
 
 class Unmet(Frozen):
@@ -60,9 +62,6 @@ class Component(Frozen):
     assumed: tuple[Assumption, ...] = ()
     unmet: tuple[Unmet, ...] = ()
     key: str = Field("", description="the digest under which `code` was written; empty: not written yet")
-    layout: tuple[tuple[int, str], ...] = Field(
-        (), description="imported code that stood scattered: (place in the program, text) of each of its parts"
-    )
     conflict: str | None = Field(None, description="what would be written, where code by hand stands against it")
 
     @property
@@ -81,6 +80,23 @@ class Structure(Frozen):
     objects: tuple[Component, ...] = ()
     restrictions: Component = Component(id="T", spec=RestrictionsSpec())
     not_understood: tuple[Unmet, ...] = Field((), description="spans of the text that no component took up")
+    arrangement: tuple[tuple[ComponentId, str], ...] = Field(
+        (), description="a program that was opened or edited by hand, piece by piece (layout.py); empty: in S's order"
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _of_before(cls, data: Any) -> Any:
+        """Sessions kept the places of scattered code with each component (until 0.1)."""
+        if not isinstance(data, dict):
+            return data
+        parts = [data.get(k) for k in ("settings", "place", "ego", "restrictions")] + list(data.get("objects") or ())
+        old = [p for p in parts if isinstance(p, dict) and "layout" in p]
+        rows = sorted((place, p["id"], text) for p in old for place, text in p.pop("layout"))
+        return {**data, "arrangement": [row[1:] for row in rows]} if rows else data
+
+    background: tuple[Unmet, ...] = Field((), description="spans that are about something else than the scene")
+    clauses: tuple[tuple[int, int], ...] = Field((), description="the text's clauses, where the method parted it")
 
     @property
     def components(self) -> tuple[Component, ...]:
@@ -112,3 +128,8 @@ class Structure(Frozen):
     def next_object_id(self) -> ComponentId:
         numbers = [int(o.id[1:]) for o in self.objects]
         return f"O{max(numbers, default=0) + 1}"
+
+
+def unrecognised(structure: Structure) -> tuple[ComponentId, ...]:
+    """The actors whose code S does not wholly say, so that what it requires covers them in part only."""
+    return tuple(c.id for c in structure.components if c.kind in "EO" and c.origin in ("by_hand", "imported"))

@@ -4,6 +4,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
+from c2s_engine.structure import layout
 from c2s_engine.structure.components import Component, ComponentId, Structure, Unmet
 from c2s_engine.structure.specs import AnySpec, ObjectSpec
 
@@ -76,6 +77,13 @@ class SetCode(_Edit):
     code: str | None
 
 
+class SetProgram(_Edit):
+    """The whole program as somebody edited it: what its lines belong to is by hand where they are others."""
+
+    kind: Literal["program"] = "program"
+    text: str
+
+
 class Replace(_Edit):
     """Take a whole new S (a new text, an import)."""
 
@@ -84,7 +92,7 @@ class Replace(_Edit):
 
 
 Edit = Annotated[
-    SetDescription | SetSpec | SetField | AddObject | RemoveObject | MoveObject | SetCode | Replace,
+    SetDescription | SetSpec | SetField | AddObject | RemoveObject | MoveObject | SetCode | SetProgram | Replace,
     Field(discriminator="kind"),
 ]
 
@@ -93,6 +101,8 @@ def apply(structure: Structure, edit: Edit) -> Structure:
     """The structure after the edit; raises EditError. Code is not written here (see regenerate.py)."""
     if isinstance(edit, Replace):
         return edit.structure
+    if isinstance(edit, SetProgram):
+        return layout.edited(structure, edit.text)
     if isinstance(edit, AddObject):
         cid = edit.component or structure.next_object_id()
         if cid in structure:
@@ -113,7 +123,7 @@ def apply(structure: Structure, edit: Edit) -> Structure:
     if isinstance(edit, MoveObject):
         rest = [o for o in structure.objects if o.id != edit.component]
         rest.insert(max(0, min(edit.index, len(rest))), component)
-        return structure.model_copy(update={"objects": tuple(rest)})
+        return layout.moved(structure.model_copy(update={"objects": tuple(rest)}), edit.component)
     return structure.with_component(_changed(component, edit))
 
 

@@ -1,4 +1,4 @@
-"""What a run showed: the facts that events, scores and the "said / seen" marks are read from.
+"""What a run showed: the facts that events, scores and requirements are read from.
 
 Derived in the check process (dryrun/), judged anywhere: nothing here needs Scenic. All values are SI but those whose
 name says otherwise. The vocabulary is that of benchmark/records/FORMAT.md.
@@ -56,6 +56,17 @@ class ObjectFacts(_Frozen):
         return any(e.event == event and (other is None or e.other == other) for e in self.events)
 
 
+class ContactFact(_Frozen):
+    """The first contact of two objects: when (s), the part of each that is hit, and how fast they close (m/s)."""
+
+    time: float
+    one: str
+    other: str
+    part_one: Literal["front", "rear", "left", "right"]
+    part_other: Literal["front", "rear", "left", "right"]
+    closing: float = 0.0
+
+
 class RoadFacts(_Frozen):
     """The road on ego's path (FORMAT.md `road`)."""
 
@@ -83,11 +94,56 @@ class RunFacts(_Frozen):
     weather: tuple[str, ...] = ()
     time: tuple[str, ...] = ()  # day, dawn, dusk, night (dawn and dusk are alike to the sun)
     objects: tuple[ObjectFacts, ...] = ()
+    contacts: tuple[ContactFact, ...] = ()
 
     @property
     def ran(self) -> bool:
         """Whether it ran to its end, to a collision, or to the program's own termination (FORMAT.md, CSR)."""
         return self.ended_by in ("time", "terminated", "collision")
+
+
+class Stay(_Frozen):
+    """From when (s) an object's middle is in a lane: which, and how that lane lies to ego's way.
+
+    `lane`: the map's index, -1 for none. `kind`: what is under it. `to_ego`: ego's own way, the lanes beside it in the
+    same direction, those of the other direction, ways that cross it. `against`: it faces against the lane.
+    """
+
+    time: float
+    lane: int = -1
+    kind: Literal["lane", "junction", "shoulder", "sidewalk", "off"] = "lane"
+    to_ego: Literal["own", "left", "right", "oncoming", "crossing", "other"] = "other"
+    against: bool = False
+
+
+class Mark(_Frozen):
+    """A junction, crosswalk or stop line on an object's own way: from where to where, m along it.
+
+    `name`: the junction; of a line `junction/road`, as in `Trajectories.lights`, with what regulates it.
+    """
+
+    kind: Literal["junction", "crosswalk", "line"]
+    start: float
+    end: float
+    name: str = ""
+    control: Literal["", "signal", "stop", "yield"] = ""
+
+
+class Course(_Frozen):
+    """Where an object is on the road, a value `every` s up to its first contact: m along and m to the left of its own
+    way and of ego's. A walker's own way is what it has walked.
+
+    `sight`: changes (s, whether ego can see it past the other objects' boxes).
+    """
+
+    every: float = 0.2
+    along: tuple[float, ...] = ()
+    aside: tuple[float, ...] = ()
+    ego_along: tuple[float, ...] = ()
+    ego_aside: tuple[float, ...] = ()
+    stays: tuple[Stay, ...] = ()
+    marks: tuple[Mark, ...] = ()
+    sight: tuple[tuple[float, bool], ...] = ()
 
 
 class Track(_Frozen):
@@ -101,6 +157,7 @@ class Track(_Frozen):
     length: float
     width: float
     kind: str = "car"
+    course: Course | None = None
 
 
 class Trajectories(_Frozen):

@@ -50,30 +50,17 @@ class Program(BaseModel):
 
 
 def assemble(structure: Structure) -> Program:
-    """Concatenate the fragments in the order of writing (the paper, Algorithm 1, "S_code").
-
-    Fragments written by the engine are separated by one empty line; imported ones carry their own spacing and stand
-    where they stood (layout.py), so that an imported program is assembled again byte for byte.
-    """
-    chunks = layout.chunks([c for c in structure.components if c.code])
-    pieces: list[str] = []
+    """The fragments in the order of writing (the paper, Algorithm 1, "S_code"), an empty line between them; a program
+    that was opened or edited by hand as it was arranged, byte for byte (layout.py)."""
+    row = layout.pieces(structure)
     spans: list[FragmentSpan] = []
     line = 1
-    for i, (component, code, verbatim) in enumerate(chunks):
-        last = i == len(chunks) - 1
-        if not verbatim:
-            code = _ended(code) if last else code.rstrip("\n") + "\n\n"
-        elif not last:
-            code = _ended(code)
-        count = code.count("\n") + (0 if code.endswith("\n") else 1)
-        if spans and spans[-1].component == component:
-            spans[-1] = FragmentSpan(component=component, first=spans[-1].first, last=line + count - 1)
-        else:
-            spans.append(FragmentSpan(component=component, first=line, last=line + count - 1))
-        pieces.append(code)
-        line += code.count("\n")
-    return Program(text="".join(pieces), spans=tuple(spans))
-
-
-def _ended(code: str) -> str:
-    return code if code.endswith("\n") else code + "\n"
+    for component, text in row:
+        last = line + text.count("\n") - text.endswith("\n")
+        follows = bool(spans) and spans[-1].last == line - 1
+        if follows and (spans[-1].component == component or component == layout.FREE and not text.strip()):
+            spans[-1] = spans[-1].model_copy(update={"last": last})
+        elif component != layout.FREE:
+            spans.append(FragmentSpan(component=component, first=line, last=last))
+        line = last + 1
+    return Program(text="".join(text for _, text in row), spans=tuple(spans))

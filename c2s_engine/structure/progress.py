@@ -8,6 +8,7 @@ from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageName, StageResult
 from c2s_engine.structure.facts import RunFacts, Trajectories
 from c2s_engine.structure.program import Program
+from c2s_engine.structure.requirements import Requirement, Result
 
 
 class _Progress(BaseModel):
@@ -104,6 +105,8 @@ class Finished(_Progress):
     program: Program
     stages: tuple[StageResult, ...] = ()
     facts: tuple[RunFacts, ...] = ()
+    requirements: tuple[Requirement, ...] = ()
+    results: tuple[Result, ...] = ()  # one for each requirement: what most runs showed; none where nothing ran
     seconds: float = 0.0
     details: dict[str, Any] = {}
 

@@ -1,5 +1,6 @@
 """What a run showed, in the vocabulary of FORMAT.md. The definitions and thresholds stand in data/events.yaml."""
 
+from c2s_engine.dryrun.events.courses import contacts, courses
 from c2s_engine.dryrun.events.environment import weather_and_time
 from c2s_engine.dryrun.events.junctions import junctions
 from c2s_engine.dryrun.events.kinds import types_of
@@ -15,12 +16,25 @@ from c2s_engine.dryrun.events.works import temporary
 from c2s_engine.dryrun.recording import Recording
 from c2s_engine.dryrun.roads import RoadIndex
 from c2s_engine.maps.extras import MapExtras
-from c2s_engine.structure.facts import ObjectFacts, RunFacts
+from c2s_engine.structure.facts import Course, ObjectFacts, RunFacts
 
 
 def derive(recording: Recording, index: RoadIndex, extras: MapExtras | None) -> RunFacts:
     """The facts of a run that came to its end (the runner fills in how it ended)."""
+    return facts_of(Situation(recording, index, extras))
+
+
+def with_courses(
+    recording: Recording, index: RoadIndex, extras: MapExtras | None
+) -> tuple[RunFacts, dict[str, Course]]:
+    """The same, with the course of each object by its name."""
     situation = Situation(recording, index, extras)
+    return facts_of(situation), courses(situation)
+
+
+def facts_of(situation: Situation) -> RunFacts:
+    """What a run on its roads showed."""
+    recording = situation.recording
     meetings = Meetings(situation)
     path = EgoPath(situation)
     weather, time = weather_and_time(recording.params.get("weather"))
@@ -36,6 +50,7 @@ def derive(recording: Recording, index: RoadIndex, extras: MapExtras | None) -> 
         weather=weather,
         time=time,
         objects=tuple(_object(seen, situation, meetings) for seen in situation.objects),
+        contacts=contacts(situation),
     )
 
 

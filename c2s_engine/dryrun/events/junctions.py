@@ -33,7 +33,7 @@ def junctions(seen: Seen, situation: Situation) -> Iterator[EventFact]:
             road = _approach(seen, situation, first)
             if road is not None and state(situation, junction, road, first) == "red":
                 found.append(fact("run_red", situation, first))
-            if road is not None and _stop_sign(seen, situation, junction, road, first) and not _stood(seen, first):
+            if road is not None and stop_sign(seen, situation, junction, road, first) and not _stood(seen, first):
                 found.append(fact("run_stop", situation, first))
     around = u_turn(seen)
     if around is not None and not any(f.event == "u_turn" for f in found):
@@ -136,7 +136,8 @@ def state(situation: Situation, junction: str, road: str, step: int) -> str | No
     return shown
 
 
-def _stop_sign(seen: Seen, situation: Situation, junction: str, road: str, step: int) -> bool:
+def stop_sign(seen: Seen, situation: Situation, junction: str, road: str, step: int) -> bool:
+    """Whether a stop sign, of the map or a prop, faces who comes to a junction by a road."""
     extras = situation.extras
     if extras is not None and junction.isdigit() and extras.control(int(junction), int(road)) == "stop":
         return True

@@ -1,0 +1,19 @@
+"""S to requirements: the parts in the order in which they are told."""
+
+from c2s_engine.require import actors, conflict, natural, outcome, pace, phases, road, rules, starts
+from c2s_engine.require.scene import Scene
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.requirements import Requirement
+
+PARTS = (road, actors, starts, phases, outcome, conflict, natural, rules, pace)
+"""Phases come before what reads their moments."""
+
+
+def require(structure: Structure) -> tuple[Requirement, ...]:
+    """What a run of S must show. Derived from S alone; each id is there once.
+
+    Of components that were imported or written by hand only what was recognised is required (`unrecognised`).
+    """
+    scene = Scene(structure)
+    found = {r.id: r for part in PARTS for r in part.required(scene)}
+    return tuple(found.values())

@@ -1,0 +1,206 @@
+"""Everybody moves as its class of road user does, at the speeds that S states, and not so as to make things happen."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from c2s_engine.require.evidence import SMOOTH, STANDING, Evidence, Motion, stretches
+from c2s_engine.require.outcome import SIDEWARD, struck
+from c2s_engine.require.results import scored, unknown
+from c2s_engine.require.scene import Scene, bounds, kmh
+from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.quantity import high, low
+from c2s_engine.structure.requirements import Requirement, Result
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+
+ON_FOOT = ("pedestrian", "child", "animal")
+MOVING = (*ON_FOOT, "car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle")
+CHANGES = ("accelerate", "brake", "stop", "wait", "start", "yield", "follow", "overtake", "stationary", "enter_road",
+           "cut_in", "merge", "u_turn", "reverse", "cut_out", "leave_road", "lose_control", "cross_road")  # fmt: skip
+"""Actions that are, or bring with them, a change of speed."""
+GAINS = ("accelerate", "start", "overtake", "enter_road", "cut_in", "cut_out", "wait", "stop", "yield", "u_turn")
+"""Actions after or in which speed is gained."""
+
+
+def required(scene: Scene) -> Iterator[Requirement]:
+    hits = struck(scene)
+    for actor, spec in scene.actors.items():
+        if spec.type not in MOVING or not scene.recognised(actor):
+            continue
+        name, actions = scene.named(actor), {p.action for p in spec.phases}
+        yield scene.make("natural", "dynamics", actor, "dynamics", f"{name} moves within what its class can and "
+                         "does.", sideways="lose_control" not in actions)  # fmt: skip
+        yield from _speeds(scene, actor, spec)
+        cid = "E" if actor == EGO else actor
+        changes = tuple(f"{cid}.phases.{i}.{p.action}" for i, p in enumerate(spec.phases) if p.action in CHANGES)
+        if spec.speed != 0 and not (actor == EGO and scene.ego.reaction != "none"):
+            text = f"{name} neither surges nor slows without a reason" + (" before it is said to." if changes else ".")
+            yield scene.make("natural", "steady", actor, "steady", text, until=changes)
+        if (target := next((t for a, t in hits if a == actor), None)) is not None:
+            gains = bool(actions & set(GAINS)) or spec.speed == 0
+            yield scene.make("natural", "no_aiming", actor, "no_aiming", f"{name} neither speeds up into nor steers "
+                             f"at {scene.named(target)}.", other=target, gains=gains,
+                             steers=bool(actions & {*SIDEWARD, "turn_left", "turn_right", "oncoming"})
+                             or (actor == EGO and scene.place.manoeuvre not in (None, "straight")))  # fmt: skip
+
+
+def _speeds(scene: Scene, actor: str, spec: EgoSpec | ObjectSpec) -> Iterator[Requirement]:
+    cid, name = ("E" if actor == EGO else actor), scene.named(actor)
+    stated = spec.speed is not None and scene.stated(cid, "speed")
+    if stated and spec.speed is not None and high(spec.speed) > 0:
+        least, most = low(spec.speed), high(spec.speed)
+        yield scene.make("speed", "speed_kept", actor, "speed", f"{name} goes at {kmh(least, most)}.", least=least,
+                         most=most)  # fmt: skip
+    elif stated and spec.speed == 0:
+        yield scene.make("speed", "stands_first", actor, "speed", f"{name} stands at first.")
+    elif spec.type in (*ON_FOOT, "bicycle") and spec.phases and not any(p.speed for p in spec.phases):
+        yield scene.make("speed", "usual_speed", actor, "usual_speed", f"{name} goes at a usual speed for its kind.")
+
+
+def dynamics(requirement: Requirement, evidence: Evidence) -> Result:
+    worst: tuple[float, str, str, float | None] | None = None
+    for motion in evidence.motions(requirement.actor):
+        limits = bounds()["natural"].get(motion.kind)
+        if limits is None or not motion.moves:
+            continue
+        for margin, said, seen, time in _judged(motion, limits, bool(requirement.values["sideways"])):
+            if worst is None or margin < worst[0]:
+                worst = (margin, said, seen, time)
+    if worst is None:
+        if evidence.motions(requirement.actor):
+            return scored(requirement, 1.0, "as its class moves", "it stands")
+        return unknown(requirement, "as its class moves", "not reached: it is not there")
+    return scored(requirement, *worst)
+
+
+def _judged(motion: Motion, limits: dict, sideways: bool) -> Iterator[tuple[float, str, str, float]]:  # type: ignore[type-arg]
+    """(margin, said, seen, time) of each bound of its class."""
+    settled = motion.time >= bounds()["natural"]["settles"]["value"]
+    gain, lateral = motion.acceleration, motion.lateral
+    jerk = np.abs(np.gradient(gain, motion.step)) if len(gain) > 2 else np.zeros(len(gain))
+    values = {"acceleration": (gain, "m/s2"), "deceleration": (-gain, "m/s2"), "jerk": (jerk, "m/s3"),
+              "speed": (motion.speed, "m/s")}  # fmt: skip
+    if sideways:
+        values["lateral"] = (lateral, "m/s2")
+    for name, (series, unit) in values.items():
+        if name not in limits or not settled.any():
+            continue
+        kept = np.where(settled, series, -np.inf)
+        at = int(kept.argmax())
+        bound = float(limits[name]["value"])
+        yield (bound - kept[at]) / (0.25 * bound), f"{name} up to {bound:g} {unit}", f"{kept[at]:.1f} {unit}", \
+            float(motion.time[at])  # fmt: skip
+
+
+def speed_kept(requirement: Requirement, evidence: Evidence) -> Result:
+    least, most = float(requirement.values["least"]), float(requirement.values["most"])  # type: ignore[arg-type]
+    said = kmh(least, most)
+    limits, seen = bounds()["speed"], []
+    for motion in evidence.motions(requirement.actor):
+        moving = motion.speed[motion.speed > STANDING]
+        if not len(moving):
+            return scored(requirement, -1.0, said, "it stands")
+        room = max(limits["share"]["value"] * most, limits["least"]["value"])
+        off = np.maximum(0.0, np.maximum(least - moving, moving - most))
+        width = min(len(off), max(1, round(limits["held"]["value"] / motion.step)))
+        windows = np.lib.stride_tricks.sliding_window_view(off, width).max(axis=1)
+        best = int(windows.argmin())
+        seen.append((1.0 - float(windows[best]) / room, float(np.median(moving[best : best + width]))))
+    if not seen:
+        return unknown(requirement, said, "not reached: it is not there")
+    margin, typical = min(seen)
+    return scored(requirement, margin, said, f"{typical * 3.6:.0f} km/h")
+
+
+def stands_first(requirement: Requirement, evidence: Evidence) -> Result:
+    found = [float(m.speed[0]) for m in evidence.motions(requirement.actor)]
+    if not found:
+        return unknown(requirement, "stands", "not reached: it is not there")
+    return scored(requirement, (STANDING - max(found)) / STANDING, "stands", f"{max(found) * 3.6:.0f} km/h", 0.0)
+
+
+def usual_speed(requirement: Requirement, evidence: Evidence) -> Result:
+    for motion in evidence.motions(requirement.actor):
+        limits = bounds()["speed"]["usual"].get(motion.kind)
+        moving = motion.speed[motion.speed > STANDING]
+        if limits is None or not len(moving):
+            continue
+        least, most = limits["value"]
+        seen = float(np.median(moving))
+        return scored(requirement, min(seen - least, most - seen) / (0.25 * (most - least)),
+                      f"{least:g} to {most:g} m/s", f"{seen:.1f} m/s")  # fmt: skip
+    return unknown(requirement, "a usual speed", "not reached: it does not move")
+
+
+def steady(requirement: Requirement, evidence: Evidence) -> Result:
+    """No change of speed beyond the bound that neither a turn, a light, a sign nor somebody ahead explains.
+
+    Where S says changes of speed, up to the first of them that is seen.
+    """
+    limit = bounds()["speed"]["unsaid"]["value"]
+    said = f"changes of speed under {limit:g} m/s without a reason"
+    worst, when = 0.0, None
+    motions = evidence.motions(requirement.actor)
+    if not motions:
+        return unknown(requirement, said, "not reached: it is not there")
+    ids = requirement.values["until"]
+    assert isinstance(ids, tuple)
+    until = min((t for key in ids if (t := evidence.times.get(str(key))) is not None), default=np.inf) - SMOOTH
+    for motion in motions:
+        if not motion.moves:
+            continue
+        settled, gain = motion.time >= bounds()["natural"]["settles"]["value"], motion.acceleration
+        for first, last in [*stretches((gain > 0.3) & settled), *stretches((gain < -0.3) & settled)]:
+            change = abs(float(motion.smooth[last] - motion.smooth[first]))
+            if motion.time[last] < until and change > worst and not explained(motion, evidence, first, last):
+                worst, when = change, float(motion.time[first])
+    return scored(requirement, (limit - worst) / limit, said, f"{worst:.1f} m/s", when)
+
+
+def explained(motion: Motion, evidence: Evidence, first: int, last: int) -> bool:
+    """Whether something on the road is a reason to change speed then: a turn, a control ahead, somebody in its way."""
+    limits = bounds()["reason"]
+    around = slice(max(0, first - round(4 / motion.step)), last + round(6 / motion.step))
+    turned = motion.heading[around]
+    if len(turned) and float(turned.max() - turned.min()) > limits["turn"]["value"]:
+        return True
+    front = float(motion.of_course("along")[first])
+    for mark in motion.course.marks:
+        if mark.kind != "junction" and (mark.control or mark.kind == "crosswalk") \
+                and -10.0 < mark.start - front < limits["ahead"]["value"]:  # fmt: skip
+            return True
+    return any(in_its_way(motion, other, first, limits["headway"]["value"]) for other in evidence.everybody)
+
+
+def in_its_way(motion: Motion, other: Motion, step: int, within: float) -> bool:
+    """Whether another is in front of it, near to its line, at a step."""
+    if other is motion:
+        return False
+    at = min(step, len(other.x) - 1)
+    dx, dy = other.x[at] - motion.x[step], other.y[at] - motion.y[step]
+    sin, cos = np.sin(motion.heading[step]), np.cos(motion.heading[step])
+    ahead, aside = -sin * dx + cos * dy, cos * dx + sin * dy
+    return bool(0 < ahead < within and abs(aside) < 1.0 + 0.5 * (motion.size[1] + other.size[1]))
+
+
+def no_aiming(requirement: Requirement, evidence: Evidence) -> Result:
+    """In the last seconds before the contact it gains no speed and does not leave its line, where S has no reason."""
+    limits = bounds()["aiming"]
+    said = f"gains under {limits['gain']['value']:g} m/s, steers under {limits['aside']['value']:g} m aside"
+    found = evidence.contacts(requirement.actor, requirement.other or EGO)
+    motion = evidence.motion(requirement.actor)
+    if not found or motion is None:
+        return unknown(requirement, said, "not reached: the two do not touch")
+    window = slice(motion.at(found[0].time - limits["before"]["value"]), None)
+    speed, aside = motion.smooth[window], motion.of_course("aside")[window]
+    gained = float((speed - np.minimum.accumulate(speed)).max()) if not requirement.values["gains"] else 0.0
+    steered = 0.0
+    if not requirement.values["steers"] and np.isfinite(aside).all() and motion.kind not in ("pedestrian", "animal"):
+        steered = float(aside.max() - aside.min())
+    margin = min((limits["gain"]["value"] - gained) / limits["gain"]["value"],
+                 (limits["aside"]["value"] - steered) / limits["aside"]["value"])  # fmt: skip
+    return scored(requirement, margin, said, f"gains {gained:.1f} m/s, {steered:.1f} m aside", found[0].time)
+
+
+CHECKS = {"dynamics": dynamics, "speed_kept": speed_kept, "stands_first": stands_first, "usual_speed": usual_speed,
+          "steady": steady, "no_aiming": no_aiming}  # fmt: skip

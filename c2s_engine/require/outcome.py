@@ -1,0 +1,103 @@
+"""Who touches whom: exactly the pairs that S says, by the parts that its placements imply, and otherwise nobody."""
+
+from collections.abc import Iterator
+
+from c2s_engine.require.evidence import Evidence
+from c2s_engine.require.geometry import box_distance
+from c2s_engine.require.results import decided, scored, unknown
+from c2s_engine.require.scene import Scene
+from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.requirements import Requirement, Result
+
+SIDEWARD = ("lane_change", "cut_in", "drift", "swerve", "lose_control", "overtake", "cut_out", "enter_road", "u_turn",
+            "leave_road")  # fmt: skip
+"""Who does one of these may touch with any part."""
+
+
+def struck(scene: Scene) -> list[tuple[str, str]]:
+    """(who strikes, whom) as S says, in its order."""
+    found = []
+    for actor, _, phase in scene.phases():
+        if phase.action == "collide":
+            target = phase.target or (EGO if actor != EGO else next(iter(scene.objects), None))
+            if target is not None:
+                found.append((actor, target))
+    return found
+
+
+def required(scene: Scene) -> Iterator[Requirement]:
+    pairs = struck(scene)
+    for actor, target in pairs:
+        name, other = scene.named(actor), scene.named(target)
+        index = next(i for a, i, p in scene.phases() if a == actor and p.action == "collide")
+        yield scene.make("outcome", "contact", actor, f"phases.{index}.contact", f"{name} and {other} touch.",
+                         other=target)  # fmt: skip
+        if part := _part(scene, actor):
+            yield scene.make("outcome", "part", actor, f"phases.{index}.part", f"{name} touches {other} with its "
+                             f"{part}.", other=target, part=part, mine=True)  # fmt: skip
+        if _in_line(scene, actor, target):
+            yield scene.make("outcome", "part", actor, f"phases.{index}.struck_part",
+                             f"{other} is struck at its rear.", other=target, part="rear", mine=False)  # fmt: skip
+    if all(scene.recognised(a) for a in scene.actors):
+        said = tuple(f"{a} {b}" for a, b in pairs)
+        text = "Nobody else touches anybody." if pairs else "Nobody touches anybody."
+        yield scene.make("outcome", "no_other_contact", EGO, "no_other_contact", text, component="T", pairs=said)
+
+
+def _part(scene: Scene, actor: str) -> str | None:
+    """What it strikes with: its front, its rear where it reverses, anything where it moves sideways."""
+    spec = scene.actors[actor]
+    actions = {p.action for p in spec.phases}
+    if spec.type in ("pedestrian", "child", "animal") or actions & {*SIDEWARD, "oncoming", "cross_road"}:
+        return None
+    return "rear" if "reverse" in actions else "front"
+
+
+def _in_line(scene: Scene, actor: str, target: str) -> bool:
+    """Whether S places the one straight behind the other, on one lane, and neither leaves it."""
+    if {p.action for a in (actor, target) for p in scene.actors[a].phases} & {
+        *SIDEWARD, "reverse", "oncoming", "turn_left", "turn_right", "cross_road"
+    } or scene.actors[target].type in ("pedestrian", "child", "animal"):  # fmt: skip
+        return False
+    one, other = scene.objects.get(actor), scene.objects.get(target)
+    behind = one is not None and one.placement.position == "behind" and one.placement.of == target
+    ahead = other is not None and other.placement.position == "ahead" and other.placement.of == actor
+    return behind or (ahead and other is not None and other.placement.facing in (None, "along"))
+
+
+def contact(requirement: Requirement, evidence: Evidence) -> Result:
+    found = evidence.contacts(requirement.actor, requirement.other or EGO)
+    if found:
+        evidence.times[requirement.id] = found[0].time
+        return scored(requirement, 1.0, "contact", f"contact at {found[0].time:.1f} s", found[0].time)
+    one, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
+    if one is None or other is None:
+        return unknown(requirement, "contact", "not reached: one of the two is not there")
+    n = min(len(one.x), len(other.x))
+    gap = float(box_distance(one.poses[:n], other.poses[:n], one.size, other.size).min())
+    return scored(requirement, min(-0.05, -gap / 5), "contact", f"no nearer than {gap:.1f} m")
+
+
+def part(requirement: Requirement, evidence: Evidence) -> Result:
+    found = evidence.contacts(requirement.actor, requirement.other or EGO)
+    said = str(requirement.values["part"])
+    if not found:
+        return unknown(requirement, said, "not reached: the two do not touch")
+    first = found[0]
+    mine = (evidence.components[first.one] == requirement.actor) == bool(requirement.values["mine"])
+    seen = first.part_one if mine else first.part_other
+    return decided(requirement, seen == said, said, seen, first.time)
+
+
+def no_other_contact(requirement: Requirement, evidence: Evidence) -> Result:
+    pairs = requirement.values["pairs"]
+    assert isinstance(pairs, tuple)
+    said = {frozenset(str(p).split()) for p in pairs}
+    for c in evidence.facts.contacts:
+        who = [evidence.components.get(name) or name for name in (c.one, c.other)]
+        if frozenset(who) not in said:
+            return scored(requirement, -1.0, "no other contact", f"{c.one} and {c.other} touch", c.time)
+    return scored(requirement, 1.0, "no other contact", "none")
+
+
+CHECKS = {"contact": contact, "part": part, "no_other_contact": no_other_contact}

@@ -1,0 +1,88 @@
+"""The run begins with what is said, not with a long drive, and is over soon after."""
+
+from collections.abc import Iterator
+
+from c2s_engine.require.evidence import STANDING, Evidence
+from c2s_engine.require.phases import LASTING
+from c2s_engine.require.results import scored, unknown
+from c2s_engine.require.scene import Scene, bounds
+from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.quantity import high
+from c2s_engine.structure.requirements import Requirement, Result
+
+
+def required(scene: Scene) -> Iterator[Requirement]:
+    ids = tuple(
+        f"{'E' if actor == EGO else actor}.phases.{i}.{p.action}"
+        for actor, i, p in scene.phases() if p.action not in LASTING
+    )  # fmt: skip
+    if not ids:
+        return
+    timed = max((high(p.trigger.value) for _, _, p in scene.phases()
+                 if p.trigger and p.trigger.kind == "time" and p.trigger.value is not None), default=0.0)  # fmt: skip
+    lasting = max((high(p.duration) for _, _, p in scene.phases() if p.duration is not None), default=0.0)
+    yield scene.make("pace", "first_event", EGO, "pace.first", "What is said begins within seconds, not at once.",
+                     component="T", of=ids, timed=timed)  # fmt: skip
+    spec = scene.structure.restrictions.spec
+    if getattr(spec, "duration", None) is None:
+        yield scene.make("pace", "soon_over", EGO, "pace.over", "The run is over soon after the last of what is said.",
+                         component="T", of=ids, lasting=lasting)  # fmt: skip
+    yield scene.make("pace", "no_dead_time", EGO, "pace.dead", "There is no long time in which nothing happens.",
+                     component="T", of=ids, lasting=max(lasting, timed))  # fmt: skip
+
+
+def _moments(requirement: Requirement, evidence: Evidence) -> list[float]:
+    """When what is said was seen, and ego's reaction, in order."""
+    of = requirement.values["of"]
+    assert isinstance(of, tuple)
+    found = [t for key in of if (t := evidence.times.get(str(key))) is not None]
+    return sorted(found)
+
+
+def _last(moments: list[float], evidence: Evidence) -> float:
+    """The last thing that happens: of what is said, a contact, or that ego or another comes to its stand."""
+    stands = [
+        float(m.time[len(m.speed) - 1 - int((m.speed[::-1] >= STANDING).argmax())])
+        for m in evidence.everybody if m.moves and m.speed[-1] < STANDING
+    ]  # fmt: skip
+    return max([*moments, *stands, *(c.time for c in evidence.facts.contacts)])
+
+
+def first_event(requirement: Requirement, evidence: Evidence) -> Result:
+    limits = bounds()["pace"]
+    least, most = limits["first"]["value"]
+    most = max(most, float(requirement.values["timed"]) + 2.0)  # type: ignore[arg-type]
+    said, moments = f"within {least:g} to {most:g} s", _moments(requirement, evidence)
+    if not moments:
+        return unknown(requirement, said, "not reached: nothing of what is said was seen")
+    return scored(
+        requirement, min(moments[0] - least, most - moments[0]) / 1.0, said, f"{moments[0]:.1f} s", moments[0]
+    )
+
+
+def soon_over(requirement: Requirement, evidence: Evidence) -> Result:
+    limit = bounds()["pace"]["after"]["value"] + float(requirement.values["lasting"])  # type: ignore[arg-type]
+    said, moments = f"at most {limit:g} s later", _moments(requirement, evidence)
+    if not moments:
+        return unknown(requirement, said, "not reached: nothing of what is said was seen")
+    after = evidence.end - _last(moments, evidence)
+    return scored(requirement, (limit - after) / 2.0, said, f"{after:.1f} s later", evidence.end)
+
+
+def no_dead_time(requirement: Requirement, evidence: Evidence) -> Result:
+    limit = max(bounds()["pace"]["dead"]["value"], float(requirement.values["lasting"]) + 2.0)  # type: ignore[arg-type]
+    said, moments = f"at most {limit:g} s between two events", _moments(requirement, evidence)
+    if not moments:
+        return unknown(requirement, said, "not reached: nothing of what is said was seen")
+    all_of = sorted({0.0, *moments, *(c.time for c in evidence.facts.contacts), *_speed_moments(evidence)})
+    gap, at = max(((b - a), a) for a, b in zip(all_of, all_of[1:], strict=False)) if len(all_of) > 1 else (0.0, 0.0)
+    return scored(requirement, (limit - gap) / 2.0, said, f"{gap:.1f} s", at)
+
+
+def _speed_moments(evidence: Evidence) -> list[float]:
+    """When somebody brakes, gains speed or turns: not said, and yet something that happens."""
+    telling = ("brake", "accelerate", "stop", "turn_left", "turn_right", "cross_path", "lane_change", "yield")
+    return [e.time for o in evidence.facts.objects for e in o.events if e.event in telling]
+
+
+CHECKS = {"first_event": first_event, "soon_over": soon_over, "no_dead_time": no_dead_time}

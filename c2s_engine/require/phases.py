@@ -1,0 +1,280 @@
+"""Every phase that S says is seen: by its actor, towards its partner, to its side, at its place, in S's order."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
+from c2s_engine.require.results import decided, scored, unknown
+from c2s_engine.require.scene import Scene, bounds, kmh, shown_by
+from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.quantity import high, low
+from c2s_engine.structure.requirements import Requirement, Result, Value
+from c2s_engine.structure.specs import Phase
+
+SIDED = ("cut_in", "cut_out", "swerve", "drift", "leave_road")
+AT_JUNCTION = ("turn_left", "turn_right", "go_straight", "run_red", "run_stop")
+BY_SPEED = ("brake", "stop", "accelerate", "start", "wait", "stationary")
+"""Seen on the tracks, so that a second braking is seen too; the others by the events of the run."""
+LASTING = ("keep_lane", "follow", "stationary", "move_along", "oncoming", "wait")
+"""States rather than moments: their order says nothing."""
+
+
+def required(scene: Scene) -> Iterator[Requirement]:
+    before: dict[str, str] = {}
+    for actor, i, phase in scene.phases():
+        path, name = f"phases.{i}", scene.named(actor)
+        shows = shown_by(phase.action)
+        if phase.action == "lane_change" and phase.side:
+            shows = (f"lane_change_{phase.side}",)
+        if not shows and phase.action not in BY_SPEED:
+            continue
+        said = phase.action.replace("_", " ")
+        values: dict[str, Value] = {"action": phase.action, "events": shows}
+        if actor in before:
+            values["after"] = before[actor]
+        if phase.duration is not None and scene.stated(_cid(actor), f"{path}.duration"):
+            values["duration"] = low(phase.duration)
+        towards = f" ({scene.named(phase.target)})" if phase.target else ""
+        seen = scene.make("phase", "shown", actor, f"{path}.{phase.action}", f"{name}: {said}{towards}.",
+                          other=phase.target, **values)  # type: ignore[arg-type]  # fmt: skip
+        yield seen
+        yield from _details(scene, actor, path, phase, seen.id)
+        if phase.action not in LASTING:
+            if actor in before:
+                yield scene.make("order", "in_order", actor, f"{path}.order", f"{name}: {said} comes after what is "
+                                 "said before it.", first=before[actor], second=seen.id)  # fmt: skip
+            before[actor] = seen.id
+    yield from _awaited(scene)
+
+
+def _cid(actor: str) -> str:
+    return "E" if actor == EGO else actor
+
+
+def _details(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iterator[Requirement]:
+    name, said = scene.named(actor), phase.action.replace("_", " ")
+    if phase.side and phase.action in SIDED:
+        yield scene.make("phase", "to_side", actor, f"{path}.side", f"{name}: {said} to the {phase.side}.",
+                         of=of, side=phase.side)  # fmt: skip
+    if phase.action in AT_JUNCTION and scene.place.kind == "intersection":
+        yield scene.make("place", "in_junction", actor, f"{path}.place", f"{name}: {said} in the junction on ego's "
+                         "way.", of=of)  # fmt: skip
+    if phase.rate is not None and phase.action in ("brake", "stop") and scene.stated(_cid(actor), f"{path}.rate"):
+        yield scene.make("phase", "rate", actor, f"{path}.rate", f"{name}: {said} with {low(phase.rate):g} m/s2.",
+                         of=of, least=low(phase.rate), most=high(phase.rate))  # fmt: skip
+    if phase.speed is not None and high(phase.speed) > 0 and scene.stated(_cid(actor), f"{path}.speed"):
+        least, most = low(phase.speed), high(phase.speed)
+        yield scene.make("speed", "reaches", actor, f"{path}.speed", f"{name}: {said} at {kmh(least, most)}.", of=of,
+                         least=least, most=most)  # fmt: skip
+    trigger = phase.trigger
+    if trigger and trigger.kind == "place" and trigger.place and scene.stated(_cid(actor), f"{path}.trigger"):
+        value = high(trigger.value) if trigger.value is not None else 0.0
+        text = f"{name}: {said} at the {trigger.place}."
+        yield scene.make(
+            "place", "near_place", actor, f"{path}.trigger", text, of=of, place=trigger.place, within=value
+        )
+    if trigger and trigger.kind == "distance" and trigger.value is not None and trigger.of is not None \
+            and scene.stated(_cid(actor), f"{path}.trigger.value"):  # fmt: skip
+        text = f"{name}: {said} when {scene.named(trigger.of)} is {high(trigger.value):g} m away."
+        yield scene.make("place", "at_distance", actor, f"{path}.trigger", text, other=trigger.of, of=of,
+                         least=low(trigger.value), most=high(trigger.value))  # fmt: skip
+
+
+def _awaited(scene: Scene) -> Iterator[Requirement]:
+    """Who waits for another's action acts after it."""
+    ids: dict[tuple[str, str], str] = {}
+    for actor, i, phase in scene.phases():
+        ids.setdefault((actor, phase.action), f"{_cid(actor)}.phases.{i}.{phase.action}")
+    for actor, i, phase in scene.phases():
+        trigger = phase.trigger
+        if trigger is None or trigger.kind != "action" or trigger.of is None or trigger.action is None:
+            continue
+        if (first := ids.get((trigger.of, trigger.action))) is None:
+            continue
+        text = f"{scene.named(actor)}: {phase.action.replace('_', ' ')} comes after {scene.named(trigger.of)}: " \
+            f"{trigger.action.replace('_', ' ')}."  # fmt: skip
+        yield scene.make("order", "in_order", actor, f"phases.{i}.awaits", text, first=first,
+                         second=f"{_cid(actor)}.phases.{i}.{phase.action}")  # fmt: skip
+
+
+def shown(requirement: Requirement, evidence: Evidence) -> Result:
+    action = str(requirement.values["action"])
+    said = action.replace("_", " ")
+    motions = evidence.motions(requirement.actor)
+    if not motions:
+        return unknown(requirement, said, "not reached: the actor is not there")
+    earliest = evidence.times.get(str(requirement.values.get("after"))) or 0.0
+    found = [_moment(requirement, evidence, m, action, earliest) for m in motions]
+    missing = [m for m, t in zip(motions, found, strict=True) if t is None]
+    if missing:
+        evidence.times[requirement.id] = None
+        return _missed(requirement, evidence, missing[0], action, said)
+    time = min(t for t in found if t is not None)
+    evidence.times[requirement.id] = time
+    return scored(requirement, 1.0, said, f"{said} at {time:.1f} s", time)
+
+
+def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action: str, earliest: float) -> float | None:
+    """When an actor shows an action: the first time after what is said before, else the first at all."""
+    if action in BY_SPEED:
+        times = by_speed(motion, action, float(requirement.values.get("duration", 1.0)))  # type: ignore[arg-type]
+    else:
+        partners = {o.name for o in evidence.members(requirement.other)} if requirement.other else None
+        events = requirement.values["events"]
+        assert isinstance(events, tuple)
+        times = [
+            e.time for e in motion.facts.events
+            if e.event in events and (partners is None or e.other is None or e.other in partners)
+        ]  # fmt: skip
+        if action in AT_JUNCTION and not times:
+            times = _cut_short(motion, action)
+    later = [t for t in times if t >= earliest - bounds()["order"]["room"]["value"]]
+    return min(later) if later else min(times, default=None)
+
+
+def _cut_short(motion: Motion, action: str) -> list[float]:
+    """When it came into the junction in which a contact ended its way, if it was going that way by then."""
+    inside = [s for s in motion.course.stays if s.kind == "junction"]
+    if motion.contact is None or not inside or action in ("run_red", "run_stop"):
+        return []
+    turned = float(motion.heading[-1] - motion.heading[motion.at(inside[-1].time)])
+    begun = bounds()["phase"]["turn_begun"]["value"]
+    going = {"turn_left": turned > begun, "turn_right": turned < -begun, "go_straight": abs(turned) < 3 * begun}
+    return [inside[-1].time] if going[action] else []
+
+
+def by_speed(motion: Motion, action: str, duration: float) -> list[float]:
+    """When it brakes, gains speed, comes to a stand, sets out, or stands for a while (s)."""
+    speed, limits = motion.smooth, bounds()["phase"]
+    if action in ("brake", "accelerate"):
+        sign = -1 if action == "brake" else 1
+        changes = stretches(sign * motion.acceleration > limits["change_rate"]["value"] / 2)
+        need = limits["change"]["value"]
+        return [motion.time[a] for a, b in changes if sign * (speed[b] - speed[a]) > need]
+    standing = stretches(motion.speed < STANDING)
+    if action == "stop":
+        return [motion.time[a] for a, b in standing if a > 0]
+    if action == "start":
+        return [motion.time[b] for a, b in standing if b + 1 < len(speed) and motion.speed[b:].max() > 1.0]
+    if action == "stationary":
+        return [0.0] if not motion.moves else []
+    return [motion.time[a] for a, b in standing if (b - a) * motion.step >= 0.8 * duration]
+
+
+def _missed(requirement: Requirement, evidence: Evidence, motion: Motion, action: str, said: str) -> Result:
+    """What was seen instead, and how far it is from what is said."""
+    instead = list(dict.fromkeys(e.event.replace("_", " ") for e in motion.facts.events))
+    seen = f"not seen; instead: {', '.join(instead[:4])}" if instead else "nothing of note"
+    margin = -1.0
+    if action == "brake":
+        drop = float((np.maximum.accumulate(motion.smooth) - motion.smooth).max())
+        margin = min(-0.05, (drop - bounds()["phase"]["change"]["value"]) / 2)
+    elif action == "stop":
+        margin = min(-0.05, -float(motion.speed.min()) / 5)
+    elif action == "collide" and (other := evidence.motion(requirement.other or EGO)):
+        from c2s_engine.require.geometry import box_distance
+
+        n = min(len(motion.x), len(other.x))
+        gap = float(box_distance(motion.poses[:n], other.poses[:n], motion.size, other.size).min())
+        margin, seen = min(-0.05, -gap / 5), f"no nearer than {gap:.1f} m"
+    return scored(requirement, margin, said, seen)
+
+
+def in_order(requirement: Requirement, evidence: Evidence) -> Result:
+    first = evidence.times.get(str(requirement.values["first"]))
+    second = evidence.times.get(str(requirement.values["second"]))
+    if first is None or second is None:
+        return unknown(requirement, "in this order", "not reached: one of the two was not seen")
+    room = bounds()["order"]["room"]["value"]
+    return scored(requirement, (second - first + room) / 1.0, "in this order", f"{first:.1f} s, then {second:.1f} s",
+                  second)  # fmt: skip
+
+
+def _when(requirement: Requirement, evidence: Evidence) -> tuple[Motion | None, float | None]:
+    return evidence.motion(requirement.actor), evidence.times.get(str(requirement.values["of"]))
+
+
+def to_side(requirement: Requirement, evidence: Evidence) -> Result:
+    motion, time = _when(requirement, evidence)
+    said = str(requirement.values["side"])
+    if motion is None or time is None:
+        return unknown(requirement, said, "not reached: it was not seen")
+    aside, first = motion.of_course("aside"), motion.at(time - 4.0)
+    moved = aside[first : motion.at(time + 3.0) + 1] - aside[first]
+    most = float(moved[np.abs(moved).argmax()]) if len(moved) else float("nan")
+    margin = most if said == "left" else -most
+    return scored(requirement, margin / 1.0, f"to the {said}", f"{abs(most):.1f} m to the "
+                  f"{'left' if most > 0 else 'right'}", time)  # fmt: skip
+
+
+def in_junction(requirement: Requirement, evidence: Evidence) -> Result:
+    motion, time = _when(requirement, evidence)
+    if motion is None or time is None:
+        return unknown(requirement, "in the junction", "not reached: it was not seen")
+    inside = [s for s in motion.course.stays if s.kind == "junction"]
+    if not inside:
+        return decided(requirement, False, "in the junction", "in no junction", time)
+    seen = {s.to_ego for s in inside if abs(s.time - time) < 5.0 or s.time <= time}
+    holds = requirement.actor == EGO or bool(seen & {"own", "crossing", "oncoming", "left", "right"})
+    return decided(requirement, holds, "in ego's junction", "in it" if holds else "in another junction", time)
+
+
+def near_place(requirement: Requirement, evidence: Evidence) -> Result:
+    motion, time = _when(requirement, evidence)
+    place, within = str(requirement.values["place"]), float(requirement.values["within"])  # type: ignore[arg-type]
+    said = f"within {within:g} m of the {place}" if within else f"at the {place}"
+    if motion is None or time is None:
+        return unknown(requirement, said, "not reached: it was not seen")
+    kind = "junction" if place == "intersection" else "crosswalk"
+    front = float(motion.of_course("along")[motion.at(time)]) + motion.size[0] / 2
+    away = [max(m.start - front, front - motion.size[0] - m.end, 0.0) for m in motion.course.marks if m.kind == kind]
+    if not away:
+        return decided(requirement, False, said, f"no {place} on its way", time)
+    room = bounds()["place"]["room"]["value"]
+    return scored(requirement, 1.0 - max(0.0, min(away) - within) / room, said, f"{min(away):.0f} m before it", time)
+
+
+def at_distance(requirement: Requirement, evidence: Evidence) -> Result:
+    motion, time = _when(requirement, evidence)
+    v, other = requirement.values, evidence.motion(requirement.other or EGO)
+    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
+    if motion is None or other is None or time is None:
+        return unknown(requirement, f"{most:g} m away", "not reached: it was not seen")
+    gap = float(np.hypot(motion.x[motion.at(time)] - other.x[other.at(time)],
+                         motion.y[motion.at(time)] - other.y[other.at(time)]))  # fmt: skip
+    room = max(bounds()["place"]["distance"]["value"], bounds()["place"]["distance_share"]["value"] * most)
+    off = max(least - gap, gap - most - 0.5 * (motion.size[0] + other.size[0]), 0.0)
+    return scored(requirement, 1.0 - off / room, f"{most:g} m away", f"{gap:.0f} m", time)
+
+
+def rate(requirement: Requirement, evidence: Evidence) -> Result:
+    motion, time = _when(requirement, evidence)
+    v = requirement.values
+    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
+    if motion is None or time is None:
+        return unknown(requirement, f"{least:g} m/s2", "not reached: it was not seen")
+    window = -motion.acceleration[motion.at(time - 4.0) : motion.at(time + 6.0) + 1]
+    braking = window[window > 0.5 * float(window.max())]
+    seen = float(np.median(braking)) if len(braking) else 0.0
+    room = bounds()["phase"]["rate"]["value"] * most + 0.5
+    off = max(least - seen, seen - most, 0.0)
+    return scored(requirement, 1.0 - off / room, f"{least:g} m/s2", f"{seen:.1f} m/s2", time)
+
+
+def reaches(requirement: Requirement, evidence: Evidence) -> Result:
+    """At some moment from when the phase is seen on, its speed is the stated one."""
+    motion, time = _when(requirement, evidence)
+    v = requirement.values
+    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
+    if motion is None or time is None:
+        return unknown(requirement, kmh(least, most), "not reached: it was not seen")
+    speed = motion.speed[motion.at(time) :]
+    off = np.maximum(0.0, np.maximum(least - speed, speed - most))
+    room = max(bounds()["speed"]["share"]["value"] * most, bounds()["speed"]["least"]["value"])
+    best = int(off.argmin())
+    return scored(requirement, 1.0 - float(off[best]) / room, kmh(least, most), f"{speed[best] * 3.6:.0f} km/h", time)
+
+
+CHECKS = {"shown": shown, "in_order": in_order, "to_side": to_side, "in_junction": in_junction, "rate": rate,
+          "reaches": reaches, "near_place": near_place, "at_distance": at_distance}  # fmt: skip

@@ -1,0 +1,29 @@
+"""Making results: a margin becomes holds, robustness and words."""
+
+import math
+
+from c2s_engine.structure.requirements import Requirement, Result
+
+MOST = 3.0
+"""Robustness is cut off there: more margin is no better."""
+
+
+def scored(requirement: Requirement, margin: float, said: str, seen: str, time: float | None = None,
+           why: str = "") -> Result:  # fmt: skip
+    """It holds where the margin is not negative. `margin`: 1 is comfortable."""
+    if math.isnan(margin):
+        return unknown(requirement, said, "cannot be judged: nothing was recorded of it")
+    margin = max(-MOST, min(MOST, margin))
+    return Result(requirement=requirement.id, holds=margin >= 0, robustness=round(margin, 3), said=said, seen=seen,
+                  time=None if time is None else round(time, 2), why=why)  # fmt: skip
+
+
+def decided(requirement: Requirement, holds: bool, said: str, seen: str, time: float | None = None,
+            why: str = "") -> Result:  # fmt: skip
+    """It holds or it does not, by nothing between."""
+    return scored(requirement, 1.0 if holds else -1.0, said, seen, time, why)
+
+
+def unknown(requirement: Requirement, said: str, why: str) -> Result:
+    """Not reached, or not to be judged."""
+    return Result(requirement=requirement.id, holds=None, robustness=None, said=said, why=why)

@@ -1,0 +1,113 @@
+"""Lights, signs and lanes are kept unless S says otherwise; who waits stands where one waits, and for a reason."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
+from c2s_engine.require.natural import in_its_way
+from c2s_engine.require.results import decided, scored, unknown
+from c2s_engine.require.scene import Scene, bounds
+from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.requirements import Requirement, Result
+
+VEHICLES = ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle")
+STANDS = ("stationary", "stop", "wait", "yield", "start", "reverse", "enter_road", "brake", "leave_road")
+WRONG_WAY = ("oncoming", "overtake", "reverse", "u_turn", "lose_control", "drift", "swerve", "leave_road", "collide")
+
+
+def required(scene: Scene) -> Iterator[Requirement]:
+    for actor, spec in scene.actors.items():
+        if spec.type not in VEHICLES or not scene.recognised(actor):
+            continue
+        name, actions = scene.named(actor), {p.action for p in spec.phases}
+        if "run_red" not in actions:
+            yield scene.make("rules", "unseen", actor, "obeys_light", f"{name} does not enter on red.", event="run_red")
+        if "run_stop" not in actions:
+            yield scene.make(
+                "rules", "unseen", actor, "obeys_sign", f"{name} stops at its stop sign.", event="run_stop"
+            )
+        placed = getattr(spec, "placement", None)
+        if not actions & set(WRONG_WAY) and not (placed and placed.facing == "against"):
+            yield scene.make("rules", "own_side", actor, "own_side", f"{name} keeps to its own side of the road.")
+        if spec.type != "bicycle":
+            yield scene.make("rules", "at_line", actor, "at_line", f"{name}: if it waits at a light or sign, it stands "
+                             "at its line.")  # fmt: skip
+        reacting = actor == EGO and scene.ego.reaction != "none"
+        if not actions & set(STANDS) and spec.speed != 0 and not reacting:
+            yield scene.make("rules", "stands_for", actor, "stands_for", f"{name} does not stand in a lane without a "
+                             "reason.")  # fmt: skip
+
+
+def unseen(requirement: Requirement, evidence: Evidence) -> Result:
+    event = str(requirement.values["event"])
+    said = {"run_red": "no entering on red", "run_stop": "a stand at the stop sign"}[event]
+    for o in evidence.members(requirement.actor):
+        time = next((e.time for e in o.events if e.event == event), None)
+        if time is not None:
+            return decided(requirement, False, said, event.replace("_", " "), time)
+    return decided(requirement, True, said, "kept")
+
+
+def own_side(requirement: Requirement, evidence: Evidence) -> Result:
+    """Never against its lane for longer than the bound, before any contact."""
+    limit = bounds()["rules"]["against"]["value"]
+    for motion in evidence.motions(requirement.actor):
+        stays = motion.course.stays
+        ends = [*(s.time for s in stays[1:]), float(motion.time[-1])]
+        wrong = [(s, e - s.time) for s, e in zip(stays, ends, strict=False) if s.against and s.kind == "lane"]
+        for stay, lasts in wrong:
+            inside = motion.speed[motion.at(stay.time) : motion.at(stay.time + lasts) + 1]
+            if lasts > limit and float(inside.max()) > 1.0:
+                return decided(requirement, False, "its own side", f"{lasts:.1f} s on the other side", stay.time)
+    return decided(requirement, True, "its own side", "kept")
+
+
+def _stands(motion: Motion) -> list[tuple[int, int]]:
+    """Its stands of some length, (first step, last step)."""
+    least = bounds()["rules"]["stands"]["value"]
+    return [(a, b) for a, b in stretches(motion.speed < STANDING) if (b - a) * motion.step >= least]
+
+
+def at_line(requirement: Requirement, evidence: Evidence) -> Result:
+    """Of who comes to a stand before a controlled junction, with nobody else in its way."""
+    limits = bounds()["rules"]
+    near, beyond, reach = (limits[k]["value"] for k in ("line", "beyond", "approach"))
+    said = f"within {near:g} m of its line"
+    worst: tuple[float, str, float] | None = None
+    for motion in evidence.motions(requirement.actor):
+        front = motion.of_course("along") + motion.size[0] / 2
+        lines = [m for m in motion.course.marks if m.kind == "line" and m.control in ("signal", "stop")]
+        for first, _ in _stands(motion):
+            away = min((m.start - float(front[first]) for m in lines if m.start > front[first] - 3.0), default=np.inf)
+            if away > reach or any(in_its_way(motion, o, first, limits["queue"]["value"]) for o in evidence.everybody):
+                continue
+            margin = min((near - away) / near, (away + beyond) / beyond)
+            if worst is None or margin < worst[0]:
+                worst = (margin, f"{away:.1f} m before it", float(motion.time[first]))
+    if worst is None:
+        return scored(requirement, 1.0, said, "it waits at none")
+    return scored(requirement, worst[0], said, worst[1], worst[2])
+
+
+def stands_for(requirement: Requirement, evidence: Evidence) -> Result:
+    """No stand in a driving lane but before a control, behind or before somebody."""
+    limits = bounds()["rules"]
+    motions = evidence.motions(requirement.actor)
+    if not motions:
+        return unknown(requirement, "no stand without a reason", "not reached: it is not there")
+    for motion in motions:
+        front = motion.of_course("along") + motion.size[0] / 2
+        for first, last in _stands(motion):
+            stay = motion.stay(float(motion.time[first]))
+            if stay is None or stay.kind not in ("lane", "junction"):
+                continue
+            marks = [m.start - float(front[first]) for m in motion.course.marks if m.control or m.kind == "crosswalk"]
+            held = any(-3.0 < away < limits["line"]["value"] + 5.0 for away in marks)
+            if not held and not any(in_its_way(motion, o, first, limits["queue"]["value"]) for o in evidence.everybody):
+                seen = f"stands for {(last - first) * motion.step:.0f} s"
+                return decided(requirement, False, "no stand without a reason", seen, float(motion.time[first]))
+    return decided(requirement, True, "no stand without a reason", "none")
+
+
+CHECKS = {"unseen": unseen, "own_side": own_side, "at_line": at_line, "stands_for": stands_for}

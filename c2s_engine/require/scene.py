@@ -1,0 +1,83 @@
+"""S as requirements are derived from it: who there is, what each component rests on, the bounds."""
+
+from functools import cache
+from typing import Any
+
+import yaml
+
+from c2s_engine import paths
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.requirements import Kind, Requirement, Value
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+
+
+@cache
+def bounds() -> dict[str, Any]:
+    """The table of bounds (data/requirements.yaml)."""
+    return yaml.safe_load(paths.shipped("requirements.yaml").read_text("utf-8"))
+
+
+@cache
+def vocabulary() -> dict[str, Any]:
+    """The meanings of S's names (data/vocabulary.yaml); of an action, the events that show it."""
+    return yaml.safe_load(paths.shipped("vocabulary.yaml").read_text("utf-8"))
+
+
+def shown_by(action: str) -> tuple[str, ...]:
+    """The events that show an action, any of them."""
+    return tuple(vocabulary()["actions"][action].get("shows", ()))
+
+
+def kmh(least: float, most: float) -> str:
+    """A speed or a range of speeds (m/s) as people read it."""
+    return f"{least * 3.6:.0f} km/h" if least == most else f"{least * 3.6:.0f} to {most * 3.6:.0f} km/h"
+
+
+class Scene:
+    """S, read once. Actors are named as in references: 'ego', 'O1'."""
+
+    def __init__(self, structure: Structure):
+        self.structure = structure
+        assert isinstance(structure.ego.spec, EgoSpec) and isinstance(structure.place.spec, PlaceSpec)
+        self.ego, self.place = structure.ego.spec, structure.place.spec
+        self.objects = {o.id: o.spec for o in structure.objects if isinstance(o.spec, ObjectSpec)}
+
+    def component(self, actor: str) -> Component:
+        return self.structure.ego if actor == "ego" else self.structure[actor]
+
+    @property
+    def actors(self) -> dict[str, EgoSpec | ObjectSpec]:
+        return {"ego": self.ego, **self.objects}
+
+    def recognised(self, actor: str) -> bool:
+        """Whether the component's spec says what it does: not so where its code is by hand or was imported."""
+        return self.component(actor).origin not in ("by_hand", "imported")
+
+    def says(self, actor: str, field: str) -> bool:
+        """Whether S says a field of a component: of imported ones only what was recognised, never what is a default."""
+        return self.recognised(actor) or field.split(".")[0] in self.actors[actor].model_fields_set
+
+    def stated(self, component: str, field: str) -> bool:
+        """Whether the text says it: S may have assumed it."""
+        return all(a.field != field for a in self.structure[component].assumed)
+
+    def named(self, actor: str | None) -> str:
+        """How sentences call an actor."""
+        if actor is None:
+            return "another"
+        return "ego" if actor == "ego" else f"{actor} ({self.objects[actor].name})"
+
+    def phases(self) -> list[tuple[str, int, Phase]]:
+        """(actor, index, phase) of all."""
+        return [(a, i, p) for a, spec in self.actors.items() for i, p in enumerate(spec.phases)]
+
+    def make(self, kind: Kind, check: str, actor: str, path: str, text: str, *, other: str | None = None,
+             component: str | None = None, **values: Value) -> Requirement:  # fmt: skip
+        """A requirement with its id and its clause."""
+        cid = component or ("E" if actor == "ego" else actor)
+        spans = [link.span for link in self.structure[cid].links if link.span and link.kind == "text"]
+        clause = (min(s[0] for s in spans), max(s[1] for s in spans)) if len(spans) == 1 else next(iter(spans), None)
+        return Requirement(
+            id=f"{cid}.{path}", kind=kind, component=cid, text=text, clause=clause, check=check, actor=actor,
+            other=other, values=values,
+        )  # fmt: skip

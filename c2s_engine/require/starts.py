@@ -1,0 +1,156 @@
+"""Each object starts where S says: in which lane, on which side, how far, facing where, seen or hidden."""
+
+from collections.abc import Iterator
+
+from c2s_engine.require.evidence import Evidence
+from c2s_engine.require.results import decided, scored, unknown
+from c2s_engine.require.scene import Scene, bounds
+from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.quantity import high, low
+from c2s_engine.structure.requirements import Requirement, Result
+from c2s_engine.structure.specs import ObjectSpec, Placement
+
+LANES = {
+    "ahead": ("same",), "behind": ("same",), "left_lane": ("left",), "right_lane": ("right",),
+    "oncoming_lane": ("oncoming",), "crossing_left": ("crossing",), "crossing_right": ("crossing",),
+    "opposite_approach": ("oncoming",), "roadside": ("roadside", "sidewalk"), "sidewalk": ("sidewalk", "roadside"),
+    "parked": ("roadside", "sidewalk"),
+}  # fmt: skip
+"""The lane relations that show a position (any of them); others are judged by where they lie."""
+LENGTHWISE = {"ahead": "ahead", "behind": "behind", "oncoming_lane": "ahead", "opposite_approach": "ahead",
+              "roadside": "ahead", "sidewalk": "ahead", "parked": "ahead", "partly_in_lane": "ahead",
+              "intersection_exit": "ahead"}  # fmt: skip
+SIDEWAYS = {"left_lane": "left", "right_lane": "right", "crossing_left": "left", "crossing_right": "right"}
+OFF_LANES = ("roadside", "sidewalk", "parked")
+
+
+def required(scene: Scene) -> Iterator[Requirement]:
+    for actor, spec in scene.objects.items():
+        if scene.says(actor, "placement"):
+            yield from _placed(scene, actor, spec, spec.placement)
+
+
+def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Iterator[Requirement]:
+    name, of, where = scene.named(actor), scene.named(place.of), place.position.replace("_", " ")
+    lanes = LANES.get(place.position)
+    if place.position == "beside":
+        lanes = (place.side,) if place.side else ("adjacent",)
+    if lanes:
+        yield scene.make("start", "start_lane", actor, "placement.position", f"{name} starts {where} of {of}.",
+                         other=place.of, lanes=tuple(str(lane) for lane in lanes), where=where)  # fmt: skip
+    along = {"abreast": "abreast"}.get(str(place.along)) or place.along or LENGTHWISE.get(place.position)
+    along = "abreast" if place.position == "beside" and place.along is None else along
+    if along and not (along == "ahead" and place.gap is not None and low(place.gap) <= 0):
+        yield scene.make("start", "start_along", actor, "placement.along", f"{name} starts {along} of {of}.",
+                         other=place.of, along=str(along))  # fmt: skip
+    side = SIDEWAYS.get(place.position) or place.side
+    if side and place.position != "beside":
+        yield scene.make("start", "start_side", actor, "placement.side", f"{name} starts to the {side} of {of}.",
+                         other=place.of, side=str(side))  # fmt: skip
+    if place.position in OFF_LANES:
+        yield scene.make("start", "off_lanes", actor, "placement.off_lanes", f"{name} starts off the driving lanes.",
+                         other=place.of)  # fmt: skip
+    if place.position == "partly_in_lane":
+        yield scene.make("start", "partly_in", actor, "placement.partly", f"{name} stands partly in the lane of {of}.",
+                         other=place.of)  # fmt: skip
+    if place.gap is not None and scene.stated(actor, "placement.gap") and place.position not in SIDEWAYS:
+        least, most = low(place.gap), high(place.gap)
+        text = f"{name} starts {least:g} m from {of}." if least == most else \
+            f"{name} starts {least:g} to {most:g} m from {of}."  # fmt: skip
+        yield scene.make("start", "start_gap", actor, "placement.gap", text, other=place.of, least=least, most=most)
+    if place.hidden_by is not None:
+        text = f"{name} is hidden from ego by {scene.named(place.hidden_by)} at first."
+        yield scene.make("start", "hidden", actor, "placement.hidden_by", text, other=place.hidden_by)
+    if place.facing in ("along", "against") and spec.type not in ("pedestrian", "child", "animal"):
+        yield scene.make("start", "facing", actor, "placement.facing", f"{name} faces {place.facing} the road.",
+                         against=place.facing == "against")  # fmt: skip
+
+
+def _fact(requirement: Requirement, evidence: Evidence):  # type: ignore[no-untyped-def]
+    """How the first member stands to the other at the start; None where one of the two is not there."""
+    members, others = evidence.members(requirement.actor), evidence.members(requirement.other or EGO)
+    return members[0].starts.get(others[0].name) if members and others else None
+
+
+def start_lane(requirement: Requirement, evidence: Evidence) -> Result:
+    fact = _fact(requirement, evidence)
+    said = str(requirement.values["where"])
+    lanes = requirement.values["lanes"]
+    assert isinstance(lanes, tuple)
+    if fact is None:
+        return unknown(requirement, said, "one of the two is not there")
+    return decided(requirement, bool(set(lanes) & set(fact.lanes)), said, ", ".join(fact.lanes) or "no such lane", 0.0)
+
+
+def start_along(requirement: Requirement, evidence: Evidence) -> Result:
+    fact, said = _fact(requirement, evidence), str(requirement.values["along"])
+    if fact is None:
+        return unknown(requirement, said, "one of the two is not there")
+    seen = "ahead" if "ahead" in fact.relations else "behind"
+    if said == "abreast":
+        limit = bounds()["start"]["abreast"]["value"]
+        return scored(requirement, (limit - fact.gap) / limit, f"abreast (within {limit:g} m)",
+                      f"{fact.gap:.1f} m {seen}", 0.0)  # fmt: skip
+    return decided(requirement, seen == said, said, f"{fact.gap:.1f} m {seen}", 0.0)
+
+
+def start_side(requirement: Requirement, evidence: Evidence) -> Result:
+    fact, said = _fact(requirement, evidence), str(requirement.values["side"])
+    if fact is None:
+        return unknown(requirement, said, "one of the two is not there")
+    sides = [r.rpartition("_")[2] for r in fact.relations if "_" in r] or \
+        [r for r in fact.relations if r in ("left", "right")]  # fmt: skip
+    return decided(requirement, said in sides, said, ", ".join(sides), 0.0)
+
+
+def start_gap(requirement: Requirement, evidence: Evidence) -> Result:
+    fact, v = _fact(requirement, evidence), requirement.values
+    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
+    said = f"{least:g} m" if least == most else f"{least:g} to {most:g} m"
+    if fact is None:
+        return unknown(requirement, said, "one of the two is not there")
+    room = max(bounds()["start"]["gap"]["value"], bounds()["start"]["gap_share"]["value"] * most)
+    off = max(least - fact.gap, fact.gap - most, 0.0)
+    return scored(requirement, 1.0 - off / room, said, f"{fact.gap:.1f} m", 0.0)
+
+
+def off_lanes(requirement: Requirement, evidence: Evidence) -> Result:
+    stays = [m.stay(0.0) for m in evidence.motions(requirement.actor)]
+    if not stays or None in stays:
+        return unknown(requirement, "off the lanes", "its lane was not recorded")
+    inside = [s.kind for s in stays if s and s.kind in ("lane", "junction")]
+    return decided(requirement, not inside, "off the driving lanes", "in a driving lane" if inside else "off them", 0.0)
+
+
+def partly_in(requirement: Requirement, evidence: Evidence) -> Result:
+    motion = evidence.motion(requirement.actor)
+    if motion is None or not motion.course.ego_aside:
+        return unknown(requirement, "partly in the lane", "its place was not recorded")
+    aside, half = abs(motion.course.ego_aside[0]), motion.size[1] / 2
+    lane = bounds()["start"]["half_lane"]["value"]
+    inside = min(lane - (aside - half), 2 * half)
+    seen = f"{inside:.1f} m of its {2 * half:.1f} m in the lane"
+    return scored(requirement, min(inside, aside + half - lane) / 0.5, "partly in the lane", seen, 0.0)
+
+
+def hidden(requirement: Requirement, evidence: Evidence) -> Result:
+    members = evidence.members(requirement.actor)
+    behind = {o.name for o in evidence.members(requirement.other or "")}
+    hiding = [o for o in members if behind & set(o.hidden_behind)]
+    seen = "hidden" if members and len(hiding) == len(members) else "in sight"
+    return decided(requirement, seen == "hidden", "hidden at first", seen, 0.0)
+
+
+def facing(requirement: Requirement, evidence: Evidence) -> Result:
+    motion = evidence.motion(requirement.actor)
+    stay = motion.stay(0.0) if motion else None
+    if stay is None or stay.lane < 0:
+        return unknown(requirement, "along the road", "it starts off the lanes")
+    words = {True: "against the road", False: "along the road"}
+    said = bool(requirement.values["against"])
+    seen = stay.against != (stay.to_ego == "oncoming")
+    return decided(requirement, seen == said, words[said], words[seen], 0.0)
+
+
+CHECKS = {"start_lane": start_lane, "start_along": start_along, "start_side": start_side, "start_gap": start_gap,
+          "off_lanes": off_lanes, "partly_in": partly_in, "hidden": hidden, "facing": facing}  # fmt: skip

@@ -1,0 +1,113 @@
+"""The account of the text: every clause became fields of S, or is background, cannot be said, or was not understood.
+
+A view of S as it stands, never stored: so an edit of S changes it. Nothing of the text is outside it.
+"""
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import Literal
+
+from c2s_engine.structure.components import ComponentId, Frozen, Structure, Unmet
+
+Status = Literal["understood", "background", "not_expressible", "not_understood"]
+Span = tuple[int, int]
+
+STATUS_WORDS: dict[Status, str] = {
+    "understood": "understood", "background": "background", "not_expressible": "not expressible",
+    "not_understood": "not understood",
+}  # fmt: skip
+NOBODY = "no component took it up"
+
+_BREAK = re.compile(r"(?<=[.!?;:])[\"')\]”’]*\s+|\s*\n\s*|(?<=,)\s+(?=(?:and|but|while|when|so|then|which|who)\b)")
+
+
+class Clause(Frozen):
+    """A piece of the text and what became of it. `lost`: what in it could not be said or read, with the reasons.
+
+    `fields`: the fields of S that it became, where the method tells ("O1.phases.0")."""
+
+    span: Span
+    text: str
+    status: Status
+    components: tuple[ComponentId, ...] = ()
+    fields: tuple[str, ...] = ()
+    lost: tuple[Unmet, ...] = ()
+
+    @property
+    def reason(self) -> str:
+        """Why it is not (wholly) in S; empty where it is."""
+        return "; ".join(dict.fromkeys(u.reason for u in self.lost))
+
+
+def account(structure: Structure) -> tuple[Clause, ...]:
+    """Every clause of S's text, in order; all that is not white space lies in exactly one of them."""
+    return tuple(_clause(structure, span) for span in covering(structure.text, structure.clauses))
+
+
+def covering(text: str, clauses: Sequence[Span] = ()) -> list[Span]:
+    """Spans that hold every character of the text but white space, each once: the given ones where they lie in the
+    text and do not overlap, and between them what punctuation parts. What has no letter or digit joins a neighbour."""
+    found: list[Span] = []
+    at = 0
+    for start, end in sorted(clauses):
+        start, end = max(start, at), min(end, len(text))
+        if start < end:
+            found += [*_parted(text, at, start), *_trimmed(text, start, end)]
+            at = end
+    return _wordy(text, found + _parted(text, at, len(text)))
+
+
+def _parted(text: str, start: int, end: int) -> list[Span]:
+    """The clauses between two places, by punctuation."""
+    cuts = [start, *(m.end() for m in _BREAK.finditer(text, start, end)), end]
+    return [s for a, b in zip(cuts, cuts[1:], strict=False) for s in _trimmed(text, a, b)]
+
+
+def _trimmed(text: str, start: int, end: int) -> list[Span]:
+    piece = text[start:end]
+    inner = piece.strip()
+    begin = start + len(piece) - len(piece.lstrip())
+    return [(begin, begin + len(inner))] if inner else []
+
+
+def _wordy(text: str, spans: list[Span]) -> list[Span]:
+    """The spans, those of signs alone joined to the one before, or to the first of words."""
+    found: list[Span] = []
+    for start, end in spans:
+        wordless = not any(ch.isalnum() for ch in text[start:end])
+        if found and (wordless or not any(ch.isalnum() for ch in text[slice(*found[-1])])):
+            found[-1] = (found[-1][0], end)
+        else:
+            found.append((start, end))
+    return found
+
+
+def _clause(structure: Structure, span: Span) -> Clause:
+    components = [c.id for c in structure.components if any(_meets(link.span, span) for link in c.links)]
+    fields = [
+        f"{c.id}.{li.field}" for c in structure.components for li in c.links if li.field and _meets(li.span, span)
+    ]
+    unmet = _inside((u for c in structure.components for u in c.unmet), span)
+    missed = _inside(structure.not_understood, span)
+    background = _inside(structure.background, span)
+    status: Status = "understood"
+    if background:
+        status = "background"
+    elif missed:
+        status = "not_understood"
+    elif unmet and not fields:
+        status = "not_expressible"
+    elif not components:
+        status, missed = "not_understood", (Unmet(text=structure.text[slice(*span)], reason=NOBODY, span=span),)
+    return Clause(
+        span=span, text=structure.text[slice(*span)], status=status, components=tuple(components),
+        fields=tuple(dict.fromkeys(fields)), lost=(*background, *missed, *unmet),
+    )  # fmt: skip
+
+
+def _inside(notes: Iterable[Unmet], span: Span) -> tuple[Unmet, ...]:
+    return tuple(n for n in notes if _meets(n.span, span))
+
+
+def _meets(a: Span | None, b: Span) -> bool:
+    return a is not None and a[0] < b[1] and b[0] < a[1]

@@ -1,0 +1,455 @@
+"""Each class of requirement from both sides: a run that shows it, and one that just does not."""
+
+import json
+from typing import Any
+
+import pytest
+from roads import Actor, Scene, event, ramp, swap
+
+from c2s_engine.require import evaluate, majority, require, whole, without_reaction
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.facts import ContactFact, Mark, Stay
+from c2s_engine.structure.requirements import Run, failures, tally
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec, Trigger
+
+LINE = Mark(kind="line", start=60.0, end=60.0, name="1/1", control="signal")
+HIT = ContactFact(time=4.0, one="ego", other="other", part_one="front", part_other="rear")
+LEFT_LANE = (Stay(time=0.0, lane=2, to_ego="left"),)
+
+
+def s(*objects: ObjectSpec, ego: EgoSpec | None = None, place: PlaceSpec | None = None, **more: Any) -> Structure:
+    """S with those objects; its components count as written from S."""
+    made = tuple(Component(id=f"O{i}", spec=o) for i, o in enumerate(objects, 1))
+    return Structure(
+        ego=Component(id="E", spec=ego or EgoSpec()), place=Component(id="R", spec=place or PlaceSpec()), objects=made,
+        **more,
+    )  # fmt: skip
+
+
+def ego(**values: Any) -> Actor:
+    return Actor("ego", "E", **values)
+
+
+def other(**values: Any) -> Actor:
+    return Actor("other", "O1", **{"y": 25.0, **values})
+
+
+def brakes(**values: Any) -> ObjectSpec:
+    return ObjectSpec(phases=(Phase(action="brake", **values),))
+
+
+BRAKING = ramp((0, 10), (4, 10), (5, 4), (12, 4))
+SLOWER = ramp((0, 10), (4, 10), (5, 8.6), (12, 8.6))
+CUT_IN = ObjectSpec(
+    placement=Placement(position="left_lane", along="ahead"), phases=(Phase(action="cut_in", side="right"),)
+)
+CUTS_IN = {
+    "x": ramp((0, -3.5), (4, -3.5), (6, 0), (12, 0)),
+    "events": (event("cut_in", 5.0, "ego"),),
+    "lanes": ("left", "adjacent"),
+    "relations": ("ahead", "left", "ahead_left"),
+    "stays": LEFT_LANE,
+}
+RED = PlaceSpec(kind="intersection", control="signal")
+STOP_AT = ramp((0, 10), (2, 10), (6, 0), (12, 0))
+CRASH = ObjectSpec(phases=(Phase(action="collide"),), placement=Placement(position="behind"))
+STRUCK = ContactFact(time=4.0, one="ego", other="other", part_one="rear", part_other="front")
+BEHIND = {"y": -25.0, "relations": ("behind",)}
+AIMED = ramp((0, 10), (2, 10), (3.9, 16), (12, 16))
+STROLL = ObjectSpec(type="pedestrian", placement=Placement(position="sidewalk", side="right"),
+                    phases=(Phase(action="cross_road"),))  # fmt: skip
+WALKS = {"kind": "pedestrian", "across": True, "x": 6.0, "y": 40.0, "events": (event("cross_road", 4.0, "ego"),),
+         "lanes": ("sidewalk",), "relations": ("ahead", "right", "ahead_right"),
+         "stays": (Stay(time=0.0, kind="sidewalk"),)}  # fmt: skip
+SECOND = Phase(action="accelerate", speed=12.0)
+TWICE = ramp((0, 10), (3, 10), (4, 6), (6, 6), (8, 12), (12, 12))
+BACKWARDS = ramp((0, 10), (3, 10), (5, 14), (7, 14), (9, 8), (12, 8))
+
+CASES = [
+    # what, the requirement, S, a run that shows it, one that just does not
+    (
+        "brakes",
+        "O1.phases.0.brake",
+        s(brakes()),
+        Scene([ego(), other(speed=BRAKING)]),
+        Scene([ego(), other(speed=SLOWER)]),
+    ),
+    (
+        "cuts in",
+        "O1.phases.0.cut_in",
+        s(CUT_IN),
+        Scene([ego(), other(**CUTS_IN)]),
+        Scene([ego(), other(**{**CUTS_IN, "events": (event("lane_change", 5.0),)})]),
+    ),
+    (
+        "to the side",
+        "O1.phases.0.side",
+        s(CUT_IN),
+        Scene([ego(), other(**CUTS_IN)]),
+        Scene([ego(), other(**{**CUTS_IN, "x": ramp((0, 3.5), (4, 3.5), (6, 0), (12, 0))})]),
+    ),
+    (
+        "starts in the lane",
+        "O1.placement.position",
+        s(CUT_IN),
+        Scene([ego(), other(**CUTS_IN)]),
+        Scene([ego(), other(**{**CUTS_IN, "lanes": ("right", "adjacent")})]),
+    ),
+    (
+        "starts on the side",
+        "O1.placement.side",
+        s(CUT_IN),
+        Scene([ego(), other(**CUTS_IN)]),
+        Scene([ego(), other(**{**CUTS_IN, "relations": ("ahead", "right", "ahead_right")})]),
+    ),
+    (
+        "starts ahead",
+        "O1.placement.along",
+        s(CUT_IN),
+        Scene([ego(), other(**CUTS_IN)]),
+        Scene([ego(), other(**{**CUTS_IN, "relations": ("behind", "left", "behind_left")})]),
+    ),
+    (
+        "the gap",
+        "O1.placement.gap",
+        s(ObjectSpec(placement=Placement(gap=20.0))),
+        Scene([ego(), other(gap=22.9)]),
+        Scene([ego(), other(gap=23.1)]),
+    ),
+    (
+        "hidden",
+        "O1.placement.hidden_by",
+        s(STROLL.model_copy(update={"placement": Placement(hidden_by="O2")}), ObjectSpec()),
+        Scene([ego(), other(**WALKS, hidden_behind=("bus",)), Actor("bus", "O2")]),
+        Scene([ego(), other(**WALKS), Actor("bus", "O2")]),
+    ),
+    (
+        "in order",
+        "O1.phases.1.order",
+        s(ObjectSpec(phases=(Phase(action="brake"), SECOND))),
+        Scene([ego(), other(speed=TWICE)]),
+        Scene([ego(), other(speed=BACKWARDS)]),
+    ),
+    (
+        "after what it waits for",
+        "E.phases.0.awaits",
+        s(
+            brakes(),
+            ego=EgoSpec(phases=(Phase(action="brake", trigger=Trigger(kind="action", of="O1", action="brake")),)),
+        ),
+        Scene([ego(speed=ramp((0, 10), (5, 10), (6, 4), (12, 4))), other(speed=BRAKING)]),
+        Scene([ego(speed=ramp((0, 10), (2, 10), (3, 4), (12, 4))), other(speed=BRAKING)]),
+    ),
+    (
+        "in the junction",
+        "O1.phases.0.place",
+        s(ObjectSpec(phases=(Phase(action="turn_left"),)), place=PlaceSpec(kind="intersection")),
+        Scene(
+            [
+                ego(),
+                other(
+                    events=(event("turn_left", 4.0),),
+                    stays=(Stay(time=0, lane=1), Stay(time=4, lane=3, kind="junction", to_ego="crossing")),
+                ),
+            ]
+        ),
+        Scene(
+            [
+                ego(),
+                other(
+                    events=(event("turn_left", 4.0),),
+                    stays=(Stay(time=0, lane=1), Stay(time=4, lane=9, kind="junction", to_ego="other")),
+                ),
+            ]
+        ),
+    ),
+    (
+        "contact",
+        "O1.phases.0.contact",
+        s(CRASH),
+        Scene([ego(), other(**BEHIND)], contacts=(STRUCK,)),
+        Scene([ego(), other(**BEHIND)]),
+    ),
+    (
+        "with its front",
+        "O1.phases.0.part",
+        s(CRASH),
+        Scene([ego(), other(**BEHIND)], contacts=(STRUCK,)),
+        Scene([ego(), other(**BEHIND)], contacts=(STRUCK.model_copy(update={"part_other": "left"}),)),
+    ),
+    (
+        "at the rear",
+        "O1.phases.0.struck_part",
+        s(CRASH),
+        Scene([ego(), other(**BEHIND)], contacts=(STRUCK,)),
+        Scene([ego(), other(**BEHIND)], contacts=(STRUCK.model_copy(update={"part_one": "right"}),)),
+    ),
+    (
+        "nobody touches",
+        "T.no_other_contact",
+        s(ObjectSpec()),
+        Scene([ego(), other()]),
+        Scene([ego(), other()], contacts=(HIT,)),
+    ),
+    (
+        "no speeding into whom it hits",
+        "O1.no_aiming",
+        s(CRASH),
+        Scene([ego(), other(**BEHIND)], contacts=(STRUCK,)),
+        Scene([ego(), other(speed=AIMED, **BEHIND)], contacts=(STRUCK,)),
+    ),
+    (
+        "no steering at whom it hits",
+        "O1.no_aiming",
+        s(CRASH),
+        Scene([ego(), other(x=ramp((0, 0), (2, 0), (4, 0.6), (12, 0.6)), **BEHIND)], contacts=(STRUCK,)),
+        Scene([ego(), other(x=ramp((0, 0), (2, 0), (4, 0.9), (12, 0.9)), **BEHIND)], contacts=(STRUCK,)),
+    ),
+    (
+        "acceleration of a truck",
+        "O1.dynamics",
+        s(ObjectSpec(type="truck", phases=(SECOND,))),
+        Scene([ego(), other(kind="truck", speed=ramp((0, 5), (3, 5), (5, 9.6), (12, 9.6)))]),
+        Scene([ego(), other(kind="truck", speed=ramp((0, 5), (3, 5), (5, 10.6), (12, 10.6)))]),
+    ),
+    (
+        "lateral acceleration",
+        "O1.dynamics",
+        s(ObjectSpec()),
+        Scene([ego(), other(heading=ramp((0, 0), (4, 0), (6, 1.1), (12, 1.1)))]),
+        Scene([ego(), other(heading=ramp((0, 0), (4, 0), (6, 1.3), (12, 1.3)))]),
+    ),
+    (
+        "a walking pace",
+        "O1.usual_speed",
+        s(STROLL),
+        Scene([ego(), other(speed=1.4, **WALKS)]),
+        Scene([ego(), other(speed=2.6, **WALKS)]),
+    ),
+    (
+        "a stated speed",
+        "O1.speed",
+        s(ObjectSpec(speed=10.0)),
+        Scene([ego(), other(speed=10.9)]),
+        Scene([ego(), other(speed=11.1)]),
+    ),
+    (
+        "stands at first",
+        "O1.speed",
+        s(ObjectSpec(speed=0.0)),
+        Scene([ego(), other(speed=0.0)]),
+        Scene([ego(), other(speed=0.5)]),
+    ),
+    (
+        "no surge to meet",
+        "O1.steady",
+        s(ObjectSpec(phases=(Phase(action="keep_lane"),))),
+        Scene([ego(), other(y=80.0, speed=ramp((0, 8), (4, 8), (6, 9.9), (12, 9.9)))]),
+        Scene([ego(), other(y=80.0, speed=ramp((0, 8), (4, 8), (6, 10.2), (12, 10.2)))]),
+    ),
+    (
+        "no surge before it is said to brake",
+        "O1.steady",
+        s(brakes()),
+        Scene([ego(), other(y=80.0, speed=ramp((0, 8), (2, 8), (4, 9.9), (6, 9.9), (7, 4), (12, 4)))]),
+        Scene([ego(), other(y=80.0, speed=ramp((0, 8), (2, 8), (4, 10.2), (6, 10.2), (7, 4), (12, 4)))]),
+    ),
+    (
+        "a stated speed of a phase",
+        "O1.phases.0.speed",
+        s(brakes(speed=5.0)),
+        Scene([ego(), other(speed=ramp((0, 10), (4, 10), (6, 5.6), (12, 5.6)))]),
+        Scene([ego(), other(speed=ramp((0, 10), (4, 10), (6, 5.8), (12, 5.8)))]),
+    ),
+    (
+        "at the line",
+        "E.at_line",
+        s(place=RED),
+        Scene([ego(speed=STOP_AT, y=14.0, marks=(LINE,))]),
+        Scene([ego(speed=STOP_AT, y=10.0, marks=(LINE,))]),
+    ),
+    (
+        "no stand without a reason",
+        "O1.stands_for",
+        s(ObjectSpec()),
+        Scene([ego(), other(y=-80.0, speed=ramp((0, 10), (4, 10), (6, 1), (12, 1)))]),
+        Scene([ego(), other(y=-80.0, speed=ramp((0, 10), (4, 10), (6, 0), (12, 0)))]),
+    ),
+    (
+        "no red",
+        "O1.obeys_light",
+        s(ObjectSpec()),
+        Scene([ego(), other()]),
+        Scene([ego(), other(events=(event("run_red", 3.0),))]),
+    ),
+    (
+        "its own side",
+        "O1.own_side",
+        s(ObjectSpec()),
+        Scene([ego(), other(stays=(Stay(time=0, lane=1), Stay(time=3, lane=4, against=True), Stay(time=3.9, lane=1)))]),
+        Scene([ego(), other(stays=(Stay(time=0, lane=1), Stay(time=3, lane=4, against=True), Stay(time=4.2, lane=1)))]),
+    ),
+    (
+        "first event in time",
+        "T.pace.first",
+        s(brakes()),
+        Scene([ego(), other(speed=BRAKING)]),
+        Scene([ego(), other(speed=ramp((0, 10), (1, 10), (2, 4), (12, 4)))]),
+    ),
+    (
+        "over soon after",
+        "T.pace.over",
+        s(brakes()),
+        Scene([ego(), other(speed=BRAKING)], seconds=7.5),
+        Scene([ego(), other(speed=BRAKING)], seconds=8.5),
+    ),
+    (
+        "no dead time",
+        "T.pace.dead",
+        s(ObjectSpec(phases=(Phase(action="brake"), Phase(action="stop")))),
+        Scene([ego(), other(speed=ramp((0, 10), (2.5, 10), (3.5, 4), (9, 4), (10, 0), (12, 0)))]),
+        Scene([ego(), other(speed=ramp((0, 10), (1.5, 10), (2.5, 4), (10.5, 4), (11.5, 0), (12, 0)))]),
+    ),
+    ("kind", "O1.type", s(ObjectSpec(type="truck")), Scene([ego(), other(kind="truck")]), Scene([ego(), other()])),
+    (
+        "the light",
+        "G.light",
+        s(settings=Component(id="G", spec={"component": "G", "light": "red"})),
+        Scene([ego()], facts={"light": "red"}),
+        Scene([ego()], facts={"light": "green"}),
+    ),
+    (
+        "a junction",
+        "R.kind",
+        s(place=PlaceSpec(kind="intersection")),
+        Scene([ego()], facts={"road": {"intersection": "4way"}}),
+        Scene([ego()]),
+    ),
+    (
+        "a crosswalk",
+        "R.crosswalk",
+        s(place=PlaceSpec(kind="crosswalk")),
+        Scene([ego()], facts={"infrastructure": ("crosswalk",)}),
+        Scene([ego()]),
+    ),
+]
+
+
+def verdict(
+    structure: Structure, scene: Scene, requirement: str, mirrored: bool = False, blind: Run | None = None
+) -> bool | None:
+    run = scene.run(mirrored)
+    results = evaluate(require(structure), run.facts, run.trajectories, blind)
+    return {r.requirement: r.holds for r in results}[requirement]
+
+
+def mirror(structure: Structure) -> Structure:
+    """S with left and right exchanged."""
+    return Structure.model_validate(json.loads(swap(structure.model_dump_json())))
+
+
+@pytest.mark.parametrize(
+    ("requirement", "structure", "shows", "misses"), [c[1:] for c in CASES], ids=[c[0] for c in CASES]
+)
+def test_a_run_that_shows_it_and_one_that_just_does_not(requirement, structure, shows, misses) -> None:
+    assert verdict(structure, shows, requirement) is True
+    assert verdict(structure, misses, requirement) is False
+
+
+@pytest.mark.parametrize("case", CASES, ids=[c[0] for c in CASES])
+def test_mirrored_scenes_give_mirrored_verdicts(case) -> None:
+    for scene in case[3:]:
+        run, mirrored = scene.run(), scene.run(mirrored=True)
+        plain = evaluate(require(case[2]), run.facts, run.trajectories)
+        other_way = evaluate(require(mirror(case[2])), mirrored.facts, mirrored.trajectories)
+        assert [swap(r.requirement) for r in plain] == [r.requirement for r in other_way]
+        assert [r.holds for r in plain] == [r.holds for r in other_way]
+        assert [r.robustness for r in plain] == pytest.approx([r.robustness for r in other_way], abs=1e-3, nan_ok=True)
+
+
+STOPS = s(ObjectSpec(phases=(Phase(action="stop"),)), ego=EgoSpec(reaction="brake"))
+LEAD = other(speed=ramp((0, 10), (3, 10), (5, 0), (12, 0)), y=30.0)
+BLIND = Scene([ego(), LEAD], contacts=(HIT.model_copy(update={"time": 5.5}),)).run()
+
+
+@pytest.mark.parametrize(
+    ("from_second", "holds"), [(4.0, True), (2.0, False), (6.5, False)], ids=["in time", "before", "late"]
+)
+def test_ego_reacts_after_its_cause_and_in_time(from_second, holds) -> None:
+    scene = Scene([ego(speed=ramp((0, 10), (from_second, 10), (from_second + 2, 0), (12, 0))), LEAD])
+    assert verdict(STOPS, scene, "E.reaction.O1", blind=BLIND) is holds
+
+
+def test_ego_must_not_react_to_what_it_cannot_see() -> None:
+    unseen = Actor("other", "O1", speed=LEAD.speed, y=30.0, sight=((0.0, False), (4.8, True)))
+    scene = Scene([ego(speed=ramp((0, 10), (4, 10), (6, 0), (12, 0))), unseen])
+    assert verdict(STOPS, scene, "E.reaction.O1", blind=BLIND) is False
+
+
+@pytest.mark.parametrize(("y", "holds"), [(45.0, True), (100.0, False)], ids=["run into", "far away"])
+def test_a_threat_is_one_without_the_reaction(y, holds) -> None:
+    far = other(speed=ramp((0, 10), (3, 10), (5, 0), (12, 0)), y=y)
+    blind = Scene([ego(speed=ramp((0, 10), (8, 10), (9, 9), (12, 9))), far], seconds=7.0).run()
+    scene = Scene([ego(), far])
+    assert verdict(STOPS, scene, "O1.threat", blind=blind) is holds
+
+
+def test_without_the_other_run_a_conflict_cannot_be_judged() -> None:
+    run = Scene([ego(), LEAD]).run()
+    found = {r.requirement: r for r in evaluate(require(STOPS), run.facts, run.trajectories)}
+    assert found["O1.threat"].holds is None and "switched off" in found["O1.threat"].why
+
+
+def test_the_reaction_is_switched_off_in_a_copy_of_s() -> None:
+    changed = without_reaction(STOPS)
+    assert changed is not None and changed.ego.spec.reaction == "none" and changed.objects == STOPS.objects
+    assert without_reaction(s(ObjectSpec(), ego=EgoSpec(reaction="brake"))) is None
+
+
+def test_after_a_run_broke_off_the_rest_is_not_reached() -> None:
+    scene = Scene([ego(), other(speed=TWICE[:71])], seconds=7.0, ended_by="error", reason="at 7.0 s: KeyError")
+    structure = s(ObjectSpec(phases=(Phase(action="brake"), Phase(action="stop"))))
+    run = scene.run()
+    found = {r.requirement: r for r in evaluate(require(structure), run.facts, run.trajectories)}
+    assert found["O1.phases.0.brake"].holds is True
+    assert found["O1.phases.1.stop"].holds is None and "broke off" in found["O1.phases.1.stop"].why
+    assert not whole(tuple(found.values()))
+
+
+def test_of_imported_components_only_what_was_recognised_is_required() -> None:
+    spec = ObjectSpec(name="lead", phases=(Phase(action="brake"),))
+    plain = Structure(objects=(Component(id="O1", spec=spec, origin="imported"),))
+    ids = {r.id for r in require(plain)}
+    assert "O1.there" in ids and "O1.phases.0.brake" in ids
+    assert not ids & {"O1.placement.position", "O1.type", "O1.dynamics", "O1.steady", "R.nobody_else"}
+
+
+def test_most_runs_decide_and_failures_are_told_in_a_line() -> None:
+    shows, misses = Scene([ego(), other(speed=BRAKING)]).run(), Scene([ego(), other(speed=SLOWER)]).run()
+    required = require(s(brakes()))
+    of = [evaluate(required, r.facts, r.trajectories) for r in (shows, misses, misses)]
+    found = majority(of)
+    assert {r.requirement: r.holds for r in found}["O1.phases.0.brake"] is False
+    assert {r.requirement: r.holds for r in majority([of[0], of[0], of[1]])}["O1.phases.0.brake"] is True
+    lines = failures(required, found)
+    assert len(lines) == tally(found)[1] - tally(found)[0] and any(
+        line.startswith("O1: O1 (actor): brake.") for line in lines
+    )
+
+
+def test_ids_are_there_once_and_every_rule_is_known() -> None:
+    from c2s_engine.require.judging import CHECKS
+
+    for _, _, structure, *_ in CASES:
+        required = require(structure)
+        assert len({r.id for r in required}) == len(required)
+        assert {r.check for r in required} <= set(CHECKS)
+
+
+def test_bounds_have_sources() -> None:
+    from c2s_engine.require.scene import bounds
+
+    def leaves(table: Any) -> list[Any]:
+        return [table] if "value" in table else [x for v in table.values() for x in leaves(v)]
+
+    assert all(leaf["source"] for leaf in leaves(bounds()))

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from c2s_engine.check.processes import Child, Zygote
 
 PATIENCE = 1.0  # s for a child that is not ready yet
-_THE_SAME = ("filename", "params", "limits", "allow", "trust")
+_THE_SAME = ("filename", "params", "limits", "allow", "trust", "model", "modules")
 
 
 class Ahead:
@@ -93,7 +93,7 @@ class Ahead:
 
 def _circumstances(job: dict[str, Any]) -> dict[str, Any]:
     """What else decides on how statements are executed."""
-    return {name: job[name] for name in _THE_SAME}
+    return {name: job.get(name) for name in _THE_SAME}
 
 
 def end(task: "asyncio.Task[Child]") -> None:

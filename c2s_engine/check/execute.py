@@ -16,6 +16,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from c2s_engine.check import (
+    beside,
     caching,
     confine,
     diagnose,
@@ -32,6 +33,8 @@ from c2s_engine.check import (
 from c2s_engine.check.naming import Names
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 
+MAP_MEMORY = 6 << 30
+"""Bytes of address space in which a map is read."""
 _prepared: dict[str, Any] = {}
 """In a snapshot: the namespace in which the preamble was run, the options, how many modules there were by then."""
 
@@ -90,10 +93,12 @@ class _Counted(io.TextIOBase):
 
 def _load_map(conn: socket.socket, job: dict[str, Any]) -> None:
     """Load a map and stay, so that programs on it start from here. What must be saved is, meanwhile."""
+    from scenic.core.errors import ScenicError
     from scenic.domains.driving.roads import Network
 
     from c2s_engine.check import rehearse
 
+    confine.limit(memory=MAP_MEMORY)
     networks.save_later = True
     try:
         network = Network.fromFile(job["path"])
@@ -101,7 +106,9 @@ def _load_map(conn: socket.socket, job: dict[str, Any]) -> None:
         networks.prepare(network)
         library.load()
     except Exception as error:
-        wire.send(conn, {"failed": str(error)})
+        known = isinstance(error, ScenicError)
+        odd = f"its roads and links do not fit together ({type(error).__name__}: {str(error)[:200]})"
+        wire.send(conn, {"failed": str(error) if known else odd})
         return
     networks.save_later = False
     wire.send(conn, {"ready": True})
@@ -125,6 +132,9 @@ def _preamble(conn: socket.socket, job: dict[str, Any], blob: bytes) -> None:
     except BaseException as error:
         wire.send(conn, {"failed": str(error)})
         return
+    if facts := namespace.get("map_facts"):  # read once for all programs that start from here
+        with contextlib.suppress(Exception):
+            facts()
     _prepared.update(namespace=namespace, options=options, veneer=veneer, modules=_scenic_modules(sys.modules))
     wire.send(conn, {"ready": True, "read": sorted(read)})
     zygote.serve(conn, handle, rehearse.check, _settle)
@@ -180,7 +190,9 @@ def begin(job: dict[str, Any]) -> tuple[dict[str, Any], Any]:
     """Scenic's start of a top-level module: the namespace and the options."""
     from scenic.syntax import translator, veneer
 
-    options = translator.CompileOptions(mode2D=True, paramOverrides=dict(job.get("params") or {}))
+    options = translator.CompileOptions(
+        mode2D=True, modelOverride=job.get("model"), paramOverrides=dict(job.get("params") or {})
+    )
     namespace: dict[str, Any] = {"__name__": "__main__"}
     veneer.activate(options, namespace)
     exec(compile(translator.preamble, "<veneer>", "exec"), namespace)
@@ -235,6 +247,8 @@ class Check:
         self.isolation = confine.confine(self.job)
         _Counted.limit = self.limits["output"]
         caching.may_write = bool(self.job.get("trust"))
+        if self.job.get("modules"):
+            beside.take(self.job["modules"])
 
     def _check(self) -> None:
         self._send({"isolation": self.isolation})
@@ -295,7 +309,7 @@ class Check:
             new = itertools.islice(reversed(sys.modules), len(sys.modules) - self.modules)
             _unload(_prepared.get("modules", []) + _scenic_modules(new))
         with self.names.watching():
-            scenario = translator.constructScenarioFrom(namespace)
+            scenario = translator.constructScenarioFrom(namespace, self.job.get("scenario"))
         self.names.gather(namespace, scenario)
         return scenario
 

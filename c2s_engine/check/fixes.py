@@ -110,7 +110,6 @@ def _elsewhere(lines: list[str], pattern: re.Pattern[str], by: str, reason: str)
 
 
 ELSEWHERE = {
-    "no_actions": (r"^(\s*model\s+)scenic\.domains\.driving\.model\b", r"\1scenic.simulators.carla.model"),
     "render_text": (r"^(\s*param\s+render\s*=\s*)(['\"])([01])\2", r"\1\3"),
 }
 SPECIAL = {"missing_comma": _comma, "old_monitor": _monitor, "interrupt_without_try": _interrupt}

@@ -84,7 +84,8 @@ async def _answer(pool: Pool, message: dict[str, Any], out: int, runner: str | N
         _write(out, {"id": key, "ok": False, "error": ENDED})
         return
     except Exception as error:
-        _write(out, {"id": key, "ok": False, "error": f"{type(error).__name__}: {error}"})
+        said = str(error) if isinstance(error, ValueError) else f"{type(error).__name__}: {error}"
+        _write(out, {"id": key, "ok": False, "error": said})
         return
     _raw(out, b'{"id": ' + json.dumps(key).encode() + b', "ok": true, "body": ' + body.encode() + b"}\n")
 

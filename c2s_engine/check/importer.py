@@ -8,6 +8,7 @@ import ast
 import io
 from collections import defaultdict
 from dataclasses import dataclass, field
+from itertools import groupby
 from typing import Any
 
 from c2s_engine.check import describe, diagnose, pieces, scopes, upgrade
@@ -226,35 +227,24 @@ def _is_monitor(unit: Unit) -> bool:
 
 
 def build(found: list[Unit]) -> Structure:
-    """The structure: each component with its code, the places of its parts, a spec and a description."""
-    grouped: dict[str, list[tuple[int, Unit]]] = defaultdict(list)
-    for i, unit in enumerate(found):
-        grouped[unit.component].append((i, unit))
+    """The structure: each component with its code, a spec and a description; and how they are arranged."""
+    grouped: dict[str, list[Unit]] = defaultdict(list)
+    for unit in found:
+        grouped[unit.component].append(unit)
     ids = ["G", "R", "E", *sorted((c for c in grouped if c.startswith("O")), key=lambda c: int(c[1:])), "T"]
-    order = [u.component for u in found]
-    contiguous = order == sorted(order, key=ids.index)
     context = describe.Context(found, _makers(found))
-    components = {cid: _component(cid, grouped[cid], context, contiguous) for cid in ids}
+    components = {cid: _component(cid, grouped[cid], context) for cid in ids}
     return Structure(
         settings=components["G"],
         place=components["R"],
         ego=components["E"],
         objects=tuple(components[c] for c in ids if c.startswith("O")),
         restrictions=components["T"],
+        arrangement=tuple((cid, "".join(u.text for u in run)) for cid, run in groupby(found, lambda u: u.component)),
     )
 
 
-def _component(cid: str, members: list[tuple[int, Unit]], context: "describe.Context", contiguous: bool) -> Component:
-    spec, description, unmet = context.describe(cid, [unit for _, unit in members])
-    parts: list[list[Any]] = []
-    for place, unit in members:
-        if parts and parts[-1][2] == place - 1:
-            parts[-1][1] += unit.text
-            parts[-1][2] = place
-        else:
-            parts.append([place, unit.text, place])
-    code = "".join(unit.text for _, unit in members)
-    layout = () if contiguous else tuple((int(p[0]), str(p[1])) for p in parts)
-    return Component(
-        id=cid, description=description, spec=spec, code=code, origin="imported", layout=layout, unmet=unmet
-    )
+def _component(cid: str, members: list[Unit], context: "describe.Context") -> Component:
+    spec, description, unmet = context.describe(cid, members)
+    code = "".join(unit.text for unit in members)
+    return Component(id=cid, description=description, spec=spec, code=code, origin="imported", unmet=unmet)

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from c2s_engine import paths
+from c2s_engine import driving, paths
 
 _CREATE, _ADD, _RESTRICT = 444, 445, 446
 _ALL = 0x1FFF  # every right of the first version of the interface
@@ -36,14 +36,15 @@ def always() -> tuple[str, ...]:
 
 
 def readable(job: dict[str, Any]) -> list[str]:
-    """The paths that a job may read: Python, Scenic, this package, map caches, and the maps beside the program."""
+    """The paths that a job may read: Python, Scenic, this package, map caches, the map that the program names,
+    and what lies beside it."""
     folder = Path(job["filename"]).parent
     maps: list[str] = []
     if folder.is_dir():
         with os.scandir(folder) as entries:
-            maps = [e.path for e in entries if e.name.endswith((".xodr", ".snet", ".net"))][:MAPS]
-    said = job.get("map") or ""
-    return [*always(), *maps, *([said] if said and os.path.exists(said) else [])]
+            maps = [e.path for e in entries if e.name.endswith((".xodr", ".snet", ".net", driving.FILE))][:MAPS]
+    named = job.get("map") or ""
+    return [*always(), *maps, *([named] if named.lower().endswith(".xodr") and os.path.exists(named) else [])]
 
 
 def restrict(allowed: list[str]) -> bool:

@@ -17,7 +17,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from c2s_engine import paths
+from c2s_engine import driving, paths
 from c2s_engine.check import caching
 
 MODULES = (
@@ -116,4 +116,4 @@ def _sources() -> tuple[Path, ...]:
     for name in MODULES:
         package, _, last = name.rpartition(".")
         found.append(Path(importlib.import_module(package).__file__ or "").parent / f"{last}.scenic")
-    return (*found, *REHEARSALS)
+    return (*found, driving.path(), *REHEARSALS)

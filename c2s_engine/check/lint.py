@@ -4,10 +4,12 @@ import ast
 import difflib
 import functools
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from importlib.metadata import PackageNotFoundError, distribution
 from typing import Any
 
+from c2s_engine import driving
 from c2s_engine.check import catalogue
 from c2s_engine.check import world as worlds
 from c2s_engine.structure.diagnostics import Diagnostic
@@ -31,7 +33,7 @@ class PieceFacts:
     model: str = ""
     ego: bool = False
     objects: bool = False
-    stars: bool = False  # imports with a star from what is not known here
+    stars: frozenset[str] = frozenset()  # modules of which all names are imported
     found: tuple[Diagnostic, ...] = ()
 
 
@@ -65,7 +67,8 @@ def gather(tree: Any) -> PieceFacts:
             bound.add(node.name)
         elif isinstance(node, ast.Import | ast.ImportFrom):
             bound |= {a.asname or a.name.split(".")[0] for a in node.names}
-            facts.stars = facts.stars or any(a.name == "*" for a in node.names)
+            if isinstance(node, ast.ImportFrom) and node.names[0].name == "*":
+                facts.stars |= {node.module or ""}
         elif isinstance(node, ast.Global | ast.Nonlocal):
             bound |= set(node.names)
         elif isinstance(node, ast.MatchAs | ast.MatchStar) and node.name:
@@ -163,21 +166,28 @@ def _near(name: str, names: Any) -> str:
     return close[0] if close else ""
 
 
-def check(facts: list[PieceFacts], where: Any) -> tuple[Diagnostic, ...]:
-    """The findings of a whole program."""
+def check(
+    facts: list[PieceFacts], where: Any, beside: Mapping[str, worlds.World] | None = None, model: str | None = None
+) -> tuple[Diagnostic, ...]:
+    """The findings of a whole program; `beside`: the modules beside it; `model`: what takes its world model's place."""
+    own = beside or {}
     found = [d for f in facts for d in f.found]
-    model = next((f.model for f in facts if f.model), "")
-    world = worlds.world(model) if model else None
+    said = next((f.model for f in facts if f.model), "")
+    world = worlds.world(model or said) if said else None
     defined = frozenset().union(*(f.defines for f in facts)) if facts else frozenset()
     if world is not None:
-        if not any(f.stars for f in facts):
+        stars = frozenset().union(*(f.stars for f in facts))
+        more = [own.get(name) or worlds.world(name) for name in sorted(stars)]
+        for module in more:
+            world = world.with_names_of(module) if module else world
+        if all(more):
             found += _undefined(facts, defined | world.names)
         found += _misused(facts, world) + _verifai(facts, defined)
         params = frozenset().union(*(f.params for f in facts)) | world.params | BUILT_IN_PARAMS
         for name, line in (p for f in facts for p in f.params_read):
             if name not in params | TABLE_METHODS:
                 found.append(catalogue.finding("undeclared_param", line, None, name=name, near=_near(name, params)))
-    if any(f.objects for f in facts) and not any(f.ego for f in facts):
+    if any(f.objects for f in facts) and not any(f.ego for f in facts) and not own.keys() - {driving.MODULE}:
         found.append(catalogue.finding("no_ego", None, None))
     required = frozenset().union(*(f.required for f in facts)) if facts else frozenset()
     for name, line in (m for f in facts for m in f.monitors):
@@ -210,13 +220,12 @@ def _has_verifai() -> bool:
 
 
 def _verifai(facts: list[PieceFacts], defined: frozenset[str]) -> list[Diagnostic]:
-    found: list[Diagnostic] = []
-    for name, line, column in (use for f in facts for use in f.free):
-        if name.startswith("Verifai") and name not in defined and not _has_verifai():
-            near = name.removeprefix("Verifai")
-            values = {"name": name, "near": near if near in worlds.language() else ""}
-            found.append(catalogue.finding("verifai", line, column, **values))
-    return found
+    """One note, at the first name of VerifAI's that the program draws from, where VerifAI is not there to draw."""
+    uses = (use for f in facts for use in f.free)
+    first = next((u for u in uses if u[0].startswith("Verifai") and u[0] not in defined), None)
+    if first is None or _has_verifai():
+        return []
+    return [catalogue.finding("verifai", first[1], first[2], name=first[0])]
 
 
 def _misused(facts: list[PieceFacts], world: worlds.World) -> list[Diagnostic]:
@@ -254,6 +263,7 @@ class Beginning:
 
     simple: bool  # it may precede a snapshot: constant params, or a sentence
     model: bool
+    library: bool = False  # it imports the driving library: a snapshot after `model` may have done that too
     params: tuple[tuple[str, str], ...] = ()  # names and values, the latter as dumps of their trees
     map: str | None = None  # the map that it sets
 
@@ -265,6 +275,8 @@ def beginning(tree: Any) -> Beginning:
     node = tree.body[0] if len(tree.body) == 1 else None
     if isinstance(node, s.Model):
         return Beginning(True, True)
+    if isinstance(node, ast.ImportFrom) and node.module == driving.MODULE:
+        return Beginning(False, False, library=True)
     if not isinstance(node, s.Param):
         return Beginning(
             isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant),

@@ -16,12 +16,13 @@ def answer(conn: socket.socket, job: dict[str, Any], prepared: dict[str, Any]) -
     counts: dict[str, int] = {}
     errors: dict[str, str] = {}
     at: dict[str, list[tuple[float, float]]] = {}
-    exec(job.get("prelude", ""), namespace)
     for name, expression in job["expressions"].items():
         try:
             found = list(eval(expression, namespace))
             counts[name] = len(found)
             at[name] = [p for p in map(position, found[:SHOWN]) if p is not None]
+            if found and job.get("first"):
+                break
         except Exception as error:
             counts[name] = 0
             errors[name] = f"{type(error).__name__}: {error}"

@@ -15,12 +15,16 @@ MAPS = 4
 PREAMBLES = 8
 SPARES = 2
 REST = 0.02  # s after a check: its report goes first
-READ_SECONDS = 10.0
+READ_SECONDS = 15.0
 GROW_SECONDS = 300.0  # a large map is parsed for minutes the first time, and Scenic's library for a second or two
 
 
 class TooSlow(Exception):
     """The reader did not come back within READ_SECONDS."""
+
+
+class NotMade(Exception):
+    """A warm process could not be made; the message is its reason."""
 
 
 class Pool:
@@ -29,9 +33,10 @@ class Pool:
     def __init__(self, root: Zygote) -> None:
         self.root = root
         self.lost = asyncio.Event()
-        self.maps: OrderedDict[Any, asyncio.Task[Zygote | None]] = OrderedDict()
-        self.preambles: OrderedDict[Any, asyncio.Task[Zygote | None]] = OrderedDict()
+        self.maps: OrderedDict[Any, asyncio.Task[Zygote]] = OrderedDict()
+        self.preambles: OrderedDict[Any, asyncio.Task[Zygote]] = OrderedDict()
         self.read_params: OrderedDict[tuple, frozenset[str]] = OrderedDict()
+        self.why_not: dict[Any, str] = {}
         self._spared: list[Zygote] = []
         self._spared_maps: list[Zygote] = []
         self._expected: set[asyncio.Task[Zygote | None]] = set()
@@ -63,6 +68,10 @@ class Pool:
         if key is None:
             return None
         return await self._get(self.maps, key, MAPS, self.root, {"kind": "map", "path": path})
+
+    async def no_map(self, path: str) -> str:
+        """Why a map cannot be held in memory; nothing where it can."""
+        return "" if await self._map(path) is not None else self.why_not.get(_file_key(path), "it cannot be opened")
 
     async def read(self, request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
         """Have the reader parse a program; raises TooSlow, or wire.Closed where it dies of it."""
@@ -98,7 +107,7 @@ class Pool:
         zygote = await self._map(map_path) or self.root
         if not header["preamble"]:
             return zygote
-        shape = (key, header["preamble"], job["filename"], repr(sorted(job["params"].items())))
+        shape = (key, header["preamble"], job["filename"], repr(sorted(job["params"].items())), job.get("model"))
         params = tuple(map(tuple, header["params"]))
         wanted = self._that_matter(shape, params)
         job = {**job, "kind": "preamble", "count": header["count"]}
@@ -124,7 +133,7 @@ class Pool:
         there = self.preambles.setdefault(new, task)
         if there is not task and there.done() and not there.cancelled() and not there.exception():
             other = there.result()
-            if other is not None and other.alive:
+            if other.alive:
                 _drop(task)
                 return other
         self.preambles[new] = task
@@ -150,7 +159,7 @@ class Pool:
 
     async def _get(
         self,
-        shelf: OrderedDict[Any, asyncio.Task[Zygote | None]],
+        shelf: OrderedDict[Any, asyncio.Task[Zygote]],
         key: Any,
         bound: int,
         parent: Zygote,
@@ -168,7 +177,8 @@ class Pool:
             old.add_done_callback(_drop)
         try:
             return await asyncio.shield(task)
-        except (wire.Closed, TimeoutError):
+        except (NotMade, wire.Closed) as error:
+            self.why_not[key] = str(error)
             return None
 
     def close(self) -> None:
@@ -182,26 +192,25 @@ class Pool:
         self.root.close()
 
 
-def _living(task: asyncio.Task[Zygote | None]) -> bool:
-    zygote = task.result()
-    return zygote is not None and zygote.alive
+def _living(task: asyncio.Task[Zygote]) -> bool:
+    return task.result().alive
 
 
-def _drop(task: asyncio.Task[Zygote | None]) -> None:
-    if not task.cancelled() and task.exception() is None and (zygote := task.result()) is not None:
-        zygote.close()
+def _drop(task: asyncio.Task[Zygote]) -> None:
+    if not task.cancelled() and task.exception() is None:
+        task.result().close()
 
 
-async def _grow(parent: Zygote, job: dict[str, Any], blob: bytes) -> Zygote | None:
+async def _grow(parent: Zygote, job: dict[str, Any], blob: bytes) -> Zygote:
+    """Raises NotMade, or wire.Closed where the parent is gone."""
     child = await parent.spawn(job, blob)
     try:
         header, _ = await asyncio.wait_for(wire.read(child.reader), GROW_SECONDS)
-    except (TimeoutError, wire.Closed):
+        if not header.get("ready"):
+            raise NotMade(str(header.get("failed") or "it gave no reason"))
+    except (NotMade, TimeoutError, wire.Closed) as error:
         child.kill()
-        return None
-    if not header.get("ready"):
-        child.kill()
-        return None
+        raise error if isinstance(error, NotMade) else NotMade("it took too long, or too much memory") from None
     return child.becomes_zygote(header)
 
 

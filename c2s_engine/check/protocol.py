@@ -40,6 +40,8 @@ class CheckRequest(_Message):
     seconds: float = 20.0  # of simulated time a rollout, where the program does not end sooner
     trajectories: bool = False
     trust: bool = False  # skip the safety stage (the user's own file)
+    model: str | None = None  # the world model that takes the place of the program's own
+    scenario: str | None = None  # of several modular ones, the one that is meant
     allow: tuple[tuple[str, str], ...] = ()  # further (module, name) pairs that may be imported
     params: dict[str, str | float | int | bool] = {}  # global parameters that override the program's
     limits: Limits = Limits()
@@ -80,7 +82,7 @@ class PlacesRequest(_Message):
 
     map: str  # path of an .xodr
     expressions: dict[str, str]  # name -> Python expression over `network` that gives a list
-    prelude: str = ""  # Python definitions that the expressions use
+    first: bool = False  # whether those after the first that gives any are left out
 
 
 class PlacesReport(_Message):

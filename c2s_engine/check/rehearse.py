@@ -5,6 +5,7 @@ import pickle
 import socket
 from collections.abc import Callable
 
+from c2s_engine import driving
 from c2s_engine.check import execute, library, pieces, reading
 from c2s_engine.check.protocol import CheckRequest
 
@@ -12,7 +13,7 @@ from c2s_engine.check.protocol import CheckRequest
 def model(path: str, halfway: Callable[[], None]) -> None:
     """What most snapshots on a map do: run the world model."""
     namespace, _ = execute.begin({"params": {"map": path, "carla_map": None}})
-    tree, _, _ = pieces.compile_text(f"model {reading.MODEL}\n", "model.scenic")
+    tree, _, _ = pieces.compile_text(f"model {reading.MODEL}\n{driving.IMPORT}\n", "model.scenic")
     halfway()
     execute.run_code(compile(tree, "model.scenic", "exec"), namespace)
 

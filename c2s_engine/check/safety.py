@@ -9,11 +9,13 @@ import builtins
 import functools
 import importlib
 import types
+from collections.abc import Mapping
 from importlib.resources import files
 from typing import Any
 
 import yaml
 
+from c2s_engine import driving
 from c2s_engine.check import world
 from c2s_engine.structure.diagnostics import Diagnostic
 
@@ -46,14 +48,19 @@ def examine(tree: Any) -> list[Diagnostic]:
             )
         )  # fmt: skip
 
+    plain = {id(base) for node in ast.walk(tree) if isinstance(node, ast.ClassDef) for base in node.bases}
     for node in ast.walk(tree):
         if isinstance(node, ast.Name):
+            if id(node) in plain and node.id == "object":
+                continue  # `class Name(object)`: a class of Python's, where Scenic would make one of objects
             if reason := bad_name(node.id):
                 refuse(node, reason)
         elif isinstance(node, ast.Attribute):
             inherited = node.attr == "__init__" and isinstance(node.value, ast.Call) and not node.value.args
             if (reason := bad_attribute(node.attr)) and not inherited:
                 refuse(node, reason)
+            elif node.attr in leaks() or node.attr in rules()["machinery"]:
+                refuse(node, f"{node.attr} of a module beside the program", "passed on")
         elif isinstance(node, ast.Import):
             for alias in node.names:
                 if alias.name in rules()["import_whole"]:
@@ -66,7 +73,7 @@ def examine(tree: Any) -> list[Diagnostic]:
                     refuse(node, f"from {node.module} import {alias.name}", f"import {node.module} {alias.name}")
         elif isinstance(node, s.Model):
             if node.name not in rules()["import_models"]:
-                refuse(node, f"the world model {node.name}", f"import {node.name} *")
+                refuse(node, f"the world model {node.name}", f"model {node.name} *")
         elif isinstance(node, s.Simulator):
             refuse(node, "a simulator of its own")
         elif isinstance(node, s.New):
@@ -156,11 +163,24 @@ def _own(value: Any) -> bool:
 @functools.cache
 def leaks() -> frozenset[str]:
     """Names that a world model passes on without meaning to: modules, and other packages' functions."""
-    return frozenset().union(*(world.leaks(name) for name in rules()["import_star"] if name.startswith("scenic.")))
+    found = (world.leaks(name) for name in rules()["import_star"] if name.startswith("scenic."))
+    return frozenset().union(*found) | (driving.modules() - set(rules()["import_whole"]))
 
 
 def allowed(diagnostic: Diagnostic, pairs: set[tuple[str, str]]) -> bool:
     """Whether the user's setting allows what a diagnostic refuses: an import of (module, name or *)."""
     word, _, rest = diagnostic.code.partition(" ")
     module, _, name = rest.rpartition(" ")
-    return word == "import" and ((module, name) in pairs or (module, "*") in pairs)
+    return word in ("import", "model") and ((module, name) in pairs or (module, "*") in pairs)
+
+
+def beside(diagnostic: Diagnostic, modules: Mapping[str, frozenset[str]]) -> bool:
+    """Whether what a diagnostic refuses is fine after all: an import of what a module beside the program defines, and,
+    where there are no such modules, attributes under which they would pass on what they import themselves."""
+    word, _, rest = diagnostic.code.partition(" ")
+    module, _, name = rest.rpartition(" ")
+    if diagnostic.code == "passed on":
+        return not modules
+    if word != "import" or module not in modules:
+        return False
+    return name == "*" or name in modules[module] or f"{module}.{name}" in modules

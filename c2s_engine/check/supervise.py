@@ -9,7 +9,8 @@ import time
 from pathlib import Path
 from typing import Any
 
-from c2s_engine.check import wire
+from c2s_engine import driving
+from c2s_engine.check import beside, wire
 from c2s_engine.check.pool import Pool, TooSlow
 from c2s_engine.check.processes import Child, Zygote
 from c2s_engine.check.protocol import (
@@ -34,6 +35,7 @@ async def check(pool: Pool, request: CheckRequest, runner: str | None) -> CheckR
     folder = Path(request.folder or os.getcwd())
     job["filename"] = str(folder / request.filename)
     job["runner"] = runner
+    job["modules"] = beside.found(request.program, folder)
     gathered = _Gathered()
     started = time.perf_counter()
     if len(request.program) > LONGEST:
@@ -54,7 +56,8 @@ async def check(pool: Pool, request: CheckRequest, runner: str | None) -> CheckR
         return gathered.report()
     if request.upto == "run" and not runner:
         return gathered.failed("run", started, "no_runner", "this check server was started without a runner")
-    where = (_map_path(header["map"], request, folder), header, job, blob)
+    job["map"] = _map_path(header["map"], request, folder)
+    where = (job["map"], header, job, blob)
     doing = {**job, **_begun(header), "kind": "check"}
     zygote = await pool.nearest(*where)
     try:
@@ -185,15 +188,18 @@ async def expect(pool: Pool, path: str) -> None:
 async def places(pool: Pool, request: PlacesRequest) -> PlacesReport:
     """Evaluate expressions in the names that a program on that map has."""
     text = f"param map = {request.map!r}\nparam carla_map = None\nmodel scenic.simulators.carla.model\n"
+    text += f"{driving.IMPORT}\n"
     check_request = CheckRequest(program=text, filename="places.scenic", upto="compile")
     job = check_request.model_dump(mode="json")
     job["filename"] = str(Path(request.map).parent / "places.scenic")
     if not Path(request.map).is_file():
         raise ValueError(f"there is no map file {request.map}")
     header, blob = await pool.read(job)
+    if why := await pool.no_map(request.map):
+        raise ValueError(f"Scenic cannot read the map {Path(request.map).name}: {why}")
     zygote = await pool.nearest(request.map, header, job, blob)
     child = await zygote.spawn(
-        {**job, "kind": "places", "expressions": request.expressions, "prelude": request.prelude}, b""
+        {**job, "kind": "places", "expressions": request.expressions, "first": request.first}, b""
     )
     gathered = _Gathered()
     report = await _watch(child, check_request.limits, gathered)

@@ -4,6 +4,8 @@ import ast
 from collections.abc import Mapping
 from typing import Any
 
+from c2s_engine import driving
+
 Number = float | tuple[float, float]
 DEPTH = 12  # names that stand for names
 _DRAWS = {"Range", "VerifaiRange", "DiscreteRange", "VerifaiDiscreteRange"}
@@ -20,6 +22,7 @@ class Values:
         self.params: dict[str, Any] = {}
         self.behaviors: dict[str, Any] = {}
         self.classes: dict[str, str] = {}
+        self.library = False  # the driving library is imported
         for unit in units:
             for node in unit.tree.body:
                 if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
@@ -27,6 +30,8 @@ class Values:
                     self.assigned[name] = None if name in self.assigned else node.value
                 elif isinstance(node, s.TrackedAssign) and isinstance(node.target, s.Ego):
                     self.assigned["ego"] = node.value
+                elif isinstance(node, ast.ImportFrom) and node.module == driving.MODULE:
+                    self.library = True
                 elif isinstance(node, s.Param):
                     self.params |= {p.identifier: p.value for p in node.elts}
                 elif isinstance(node, s.BehaviorDef):

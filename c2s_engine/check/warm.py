@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from c2s_engine import driving
 from c2s_engine.check import landlock, library, networks, quick_parser
 
 _prepare: Callable[[Any, str], None] | None = None
@@ -22,6 +23,8 @@ def warm(standins: Path, runner: str | None = None) -> None:
         os.environ[name] = "1"
     if standins.is_dir():
         sys.path.insert(0, str(standins))
+        sys.path.append(str(standins / "spare"))
+    sys.path.append(str(driving.path().parent))
     import scenic.syntax.translator as translator
     from scenic.core import regions, type_support
     from scenic.domains.driving import roads

@@ -57,7 +57,7 @@ class Written:
 
     def _drives(self) -> bool:
         own = self.values.behaviors.get("Drive")
-        return own is not None and tuple(a.arg for a in own.args.args) == _DRIVE
+        return self.values.library if own is None else tuple(a.arg for a in own.args.args) == _DRIVE
 
     def _read(self, body: list[Any]) -> Drive:
         from scenic.syntax import ast as s

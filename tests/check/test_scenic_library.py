@@ -19,7 +19,8 @@ DRIVING = [
 OF_A_WORLD_MODEL = re.compile(
     r"(import .*|from .* import .*|a simulator of its own|the attribute fromFile|the private attribute _control"
     r"|(_model|_utils|utils|blueprints|pathlib|warnings), which the world model only uses itself"
-    r"|Scenic's internal CarlaSimulator|Python's (type|ModuleNotFoundError))"
+    r"|Scenic's internal CarlaSimulator|record of a module beside the program"
+    r"|Python's (type|ModuleNotFoundError))"
 )
 """What makes a file a world model rather than a scenario: it loads the map and the simulator's packages."""
 

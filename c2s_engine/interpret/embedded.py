@@ -5,11 +5,13 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from c2s_engine.interpret import typologies
-from c2s_engine.interpret.composing import compose, unmet
+from c2s_engine.interpret.accounting import accounted
+from c2s_engine.interpret.composing import compose
 from c2s_engine.interpret.entities import VEHICLES
 from c2s_engine.interpret.reading.division import sentences
 from c2s_engine.interpret.reading.spelling import Mended
 from c2s_engine.interpret.scene import Scene
+from c2s_engine.structure.account import covering
 from c2s_engine.structure.components import Structure, Unmet
 
 OF_THE_ROAD = re.compile(
@@ -82,34 +84,41 @@ class EmbeddedInterpreter:
                 "Nothing in the text tells of a driving scene: name the vehicles or people, where they "
                 "are and what they do."
             )
-        result = compose.compose(understood)
-        missed = _missed(understood, text, mended)
-        result = _on_original(result, mended)
-        result = result.model_copy(update={"text": text, "not_understood": tuple(missed)})
-        return Interpretation(
-            result, tuple(missed), _spans_back(_stages(understood), mended), understood.settings.confidences()
-        )
+        result = accounted(understood, compose.compose(understood), mended.text)
+        result = _on_original(result, mended, text)
+        stages = _spans_back(_stages(understood), mended)
+        return Interpretation(result, result.not_understood, stages, understood.settings.confidences())
 
 
-def _on_original(structure: Structure, mended: Mended) -> Structure:
-    """The structure with its links and notes on the user's own text."""
+def _on_original(structure: Structure, mended: Mended, text: str) -> Structure:
+    """The structure with its links, notes and clauses on the user's own text."""
     for component in structure.components:
-        notes = []
-        for note in component.unmet:
-            first, last = (mended.back(at) for at in note.span or (0, 0))
-            if first < last <= len(mended.original):
-                notes.append(note.model_copy(update={"span": (first, last), "text": mended.original[first:last]}))
-        component = component.model_copy(update={"unmet": tuple(notes)})
-        links = []
-        for link in component.links:
-            if link.span is not None and link.kind == "text":
-                start, end = mended.back(link.span[0]), mended.back(link.span[1])
-                if start >= end or start >= len(mended.original):
-                    continue
-                link = link.model_copy(update={"span": (start, end), "label": mended.original[start:end]})
-            links.append(link)
-        structure = structure.with_component(component.model_copy(update={"links": tuple(links)}))
-    return structure
+        links = [li if li.span is None else back for li in component.links if (back := _back(li, mended, "label"))]
+        own = {"links": tuple(links), "unmet": _notes(component.unmet, mended)}
+        structure = structure.with_component(component.model_copy(update=own))
+    missed = _notes(structure.not_understood, mended)
+    if len(text) > READ_AT_MOST:
+        rest = text[READ_AT_MOST : READ_AT_MOST + 200]
+        reason = f"only the first {READ_AT_MOST} characters are read"
+        missed += (Unmet(text=rest, reason=reason, span=(READ_AT_MOST, len(text))),)
+    clauses = [(mended.back(start), mended.back(end)) for start, end in structure.clauses]
+    update = {
+        "text": text, "not_understood": missed, "background": _notes(structure.background, mended),
+        "clauses": tuple(covering(text[:READ_AT_MOST], clauses)),
+    }  # fmt: skip
+    return structure.model_copy(update=update)
+
+
+def _notes(notes: tuple[Unmet, ...], mended: Mended) -> tuple[Unmet, ...]:
+    return tuple(back for note in notes if (back := _back(note, mended, "text")))
+
+
+def _back(found: Any, mended: Mended, words: str) -> Any:
+    """A link or note on the user's own text; None where it has no place there."""
+    start, end = (mended.back(at) for at in found.span or (0, 0))
+    if not start < end <= len(mended.original):
+        return None
+    return found.model_copy(update={"span": (start, end), words: mended.original[start:end]})
 
 
 def _spans_back(value: Any, mended: Mended) -> Any:
@@ -131,42 +140,6 @@ def _has_scene(found: Scene) -> bool:
         or any(e.type in VEHICLES for e in found.cast.entities)
         or OF_THE_ROAD.search(found.plain) is not None
     )
-
-
-def _missed(found: Scene, text: str, mended: Mended) -> list[Unmet]:
-    """Sentences that no component took up."""
-    taken: list[tuple[int, int]] = [(m.start, m.end) for e in [found.cast.ego, *found.actors] for m in e.mentions]
-    taken += [(found.words[e.word].start, found.words[e.word].end) for e in found.clauses.events]
-    taken += [f.span for f in (*found.settings.weather, *found.light)] + list(found.road.spans.values())
-    taken += [
-        f.span for f in (found.settings.time, found.settings.map, found.settings.preset, found.settings.ego_model) if f
-    ]
-    taken += [(s.start, s.end) for s in found.spans if s.kind == "quantity"]
-    taken += [u.note.span for u in unmet.find(found) if u.note.span]
-    if type_named := typologies.named(mended.text):
-        first, last = type_named[2]
-        taken += [(max(s, first), min(e, last)) for s, e in found.sentences if s < last and first < e]
-    missed = []
-    for start, end in found.sentences:
-        if not any(start <= s and e <= end for s, e in taken):
-            first, last = mended.back(start), mended.back(end)
-            if first < last:
-                missed.append(
-                    Unmet(
-                        text=text[first:last],
-                        reason="nothing of it belongs to a driving scene that the specs can say",
-                        span=(first, last),
-                    )
-                )
-    if len(text) > READ_AT_MOST:
-        missed.append(
-            Unmet(
-                text=text[READ_AT_MOST : READ_AT_MOST + 200],
-                reason=f"only the first {READ_AT_MOST} characters are read",
-                span=(READ_AT_MOST, len(text)),
-            )
-        )
-    return missed
 
 
 def _stages(found: Scene) -> dict[str, list[dict[str, Any]]]:

@@ -74,6 +74,7 @@ class Scene:
     speeds: dict[Entity, tuple[float, float, int, int]] = field(default_factory=dict)
     by_ego: dict[Entity, tuple[float, float]] = field(default_factory=dict)  # speeds by ego's: (times, plus m/s)
     spans: list[scan.Span] = field(default_factory=list)
+    ids: dict[Entity, str] = field(default_factory=dict)  # who is which component of S: ego, O1, ...
     endings: list[tuple[int, int]] = field(default_factory=list)  # where the conditions stand that end the run
 
     def events(self, entity: Entity) -> list[Event]:

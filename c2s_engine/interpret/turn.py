@@ -6,7 +6,7 @@ from typing import Literal
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import asked, notes, put, refine, retold
-from c2s_engine.interpret.changes.corrected import Last, after, corrected, differences
+from c2s_engine.interpret.changes.corrected import Last, after, corrected, differences, of_the_same
 from c2s_engine.interpret.changes.pointed import missing
 from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.interpret.entities import MOVERS
@@ -46,9 +46,12 @@ def _again(text: str, structure: Structure, last: Last) -> Turn | None:
     """The turn where the text corrects the last one: that is taken back, and done as it was meant."""
     plain = " ".join(scan.normalised(text).rstrip("?!. ").split())
     meant = corrected(plain, structure, last) if len(plain.split()) < 16 else None
-    if meant is None:
-        return None
     whole = (0, len(text))
+    if meant is None:
+        who, said = of_the_same(plain, structure, last) or ("", "")
+        turn = _route(said, structure) if who else None
+        mine = turn is not None and turn.edits and {getattr(e, "component", "") for e in turn.edits} == {who}
+        return Turn("edit", turn.edits, turn.reply, whole, corrects=True) if turn is not None and mine else None
     if meant.upon is None:
         return Turn("edit", reply=_not_understood(text, meant.why), span=whole)
     turn = _route(meant.text, meant.upon)

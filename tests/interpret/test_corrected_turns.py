@@ -45,6 +45,8 @@ def once(before: Structure, text: str) -> Structure:
         ("remove the cyclist", "not the cyclist, the white car", "remove the white car"),
         ("add a truck behind ego", "no, i meant a bus", "add a bus behind ego"),
         ("add a truck behind ego", "no, in front", "add a truck in front of ego"),
+        ("add a truck 30 m behind ego", "no, 5 m closer", "add a truck 25 m behind ego"),
+        ("add a truck 30 m behind ego", "10 m further away", "add a truck 40 m behind ego"),
     ],
 )
 def test_what_was_meant(read, first: str, then: str, meant: str) -> None:

@@ -36,7 +36,8 @@ def test_crash_report_labels_and_administration(read) -> None:
     assert van.type == "van" and van.placement.position == "crossing_right"
     assert [p.action for p in van.phases][:1] == ["run_red"] and van.phases[-1].action == "collide"
     assert spec(s, "R").control == "signal" and spec(s, "G").light == "green"
-    assert [s.text[u.span[0] : u.span[1]] for u in s.not_understood] == ["The driver was cited."]
+    assert [s.text[u.span[0] : u.span[1]] for u in s.background] == ["The driver was cited."]
+    assert not s.not_understood
 
 
 def test_hidden_child(read) -> None:

@@ -17,6 +17,8 @@ from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import AddObject, Edit, MoveObject, RemoveObject, SetSpec, apply
 
+_ELLIPTIC = 7  # words at most of a text that leaves out whom it is about
+
 
 @dataclass(frozen=True)
 class Last:
@@ -80,6 +82,25 @@ def _touched(structure: Structure, last: Last) -> list[Component]:
         for c in last.before.components
         if c.id in ("E", *(o.id for o in last.before.objects)) and (c.id not in there or there[c.id].spec != c.spec)
     ]
+
+
+def of_the_same(plain: str, structure: Structure, last: Last) -> tuple[str, str] | None:
+    """Whom a short text that names nobody is about, where the last turn changed or added one alone, and the text with
+    its name: "no, 5 m closer" after "add a cyclist"."""
+    if last.before.text != structure.text or len(plain.split()) > _ELLIPTIC:
+        return None
+    lead = re.match(_table()["lead"], plain)
+    said = plain[lead.end() :] if lead else plain
+    if not re.search(r"\d|\w(?:er|ier)\b|\b(?:more|less)\b", said) or re.search(r"\bo\d\b|[.?!] ", said):
+        return None
+    if any(s.kind in ("actor", "ego") for s in scan.names(said)):
+        return None
+    before = {c.id: c.spec for c in last.before.components}
+    changed = [c.id for c in structure.components if before.get(c.id) != c.spec]
+    if len(changed) != 1 or changed[0] not in ("E", *(o.id for o in structure.objects)):
+        return None
+    name = "ego" if changed == ["E"] else changed[0].lower()
+    return changed[0], f"{name} {said}"
 
 
 def _others(noun: str, structure: Structure, last: Last) -> list[Component]:

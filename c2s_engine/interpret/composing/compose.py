@@ -15,13 +15,13 @@ from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.surroundings.environment import PRESET_TIME, PRESET_WEATHER
 from c2s_engine.interpret.surroundings.settings import ACCEPTED, DEFAULTS, Settings
 from c2s_engine.interpret.who.mentions import ZONES, Entity
-from c2s_engine.structure.components import Assumption, Component, Link, Structure
+from c2s_engine.structure.components import Assumption, Component, Structure
 from c2s_engine.structure.specs import EgoSpec, SettingsSpec
 
 
 def compose(scene: Scene) -> Structure:
     """S of a scene; every choice that the text does not make is an assumption of its component."""
-    ids: dict[Entity, str] = {scene.cast.ego: "ego"}
+    ids = scene.ids = {scene.cast.ego: "ego"}
     ordered = sorted(scene.actors, key=lambda e: e.mentions[0].word if e.mentions else 0)
     ordered = _blockers_first(scene, ordered)
     for number, entity in enumerate(ordered, 1):
@@ -54,9 +54,7 @@ def compose(scene: Scene) -> Structure:
     left = {c: tuple(u.note for u in untold if u.owner == c) for c in ("G", "R", "T")}
     left["E"] = tuple(u.note for u in untold if u.owner == "E" or isinstance(u.owner, Entity) and u.owner not in mine)
     components = [
-        Component(
-            id=f"O{n}", spec=d.spec, assumed=tuple(d.assumed), unmet=tuple(d.unmet), links=_links(scene, d.entity)
-        )
+        Component(id=f"O{n}", spec=d.spec, assumed=tuple(d.assumed), unmet=tuple(d.unmet))
         for n, d in enumerate(drafts, 1)
     ]
     settings, settings_assumed = compose_settings(scene.settings, scene)
@@ -69,7 +67,6 @@ def compose(scene: Scene) -> Structure:
             spec=settings,
             assumed=tuple(settings_assumed),
             description=describe.settings(settings),
-            links=_setting_links(scene),
             unmet=left["G"],
         ),
         place=Component(
@@ -77,12 +74,9 @@ def compose(scene: Scene) -> Structure:
             spec=place,
             assumed=tuple(place_assumed),
             description=describe.place(place),
-            links=_road_links(scene),
             unmet=left["R"],
         ),
-        ego=Component(
-            id="E", spec=ego, assumed=tuple(ego_assumed), links=_links(scene, scene.cast.ego), unmet=left["E"]
-        ),
+        ego=Component(id="E", spec=ego, assumed=tuple(ego_assumed), unmet=left["E"]),
         objects=tuple(components),
         restrictions=Component(id="T", spec=limits, description=describe.restrictions(limits, called), unmet=left["T"]),
     )
@@ -208,25 +202,6 @@ def _place_assumed(scene: Scene, place) -> list[Assumption]:  # noqa: ANN001
     if place.kind == "intersection" and place.arms is None:
         assumed.append(Assumption(field="arms", value="3 or 4", reason="the text does not say how many roads meet"))
     return assumed
-
-
-def _links(scene: Scene, entity: Entity | None) -> tuple[Link, ...]:
-    if entity is None:
-        return ()
-    found = [Link(kind="text", label=scene.text[m.start : m.end], span=(m.start, m.end)) for m in entity.mentions[:6]]
-    for event in scene.events(entity)[:8]:
-        word = scene.words[event.word]
-        found.append(Link(kind="text", label=word.text, span=(word.start, word.end)))
-    return tuple(found)
-
-
-def _setting_links(scene: Scene) -> tuple[Link, ...]:
-    found = [*scene.settings.weather, *filter(None, (scene.settings.time, scene.settings.map, scene.settings.preset))]
-    return tuple(Link(kind="text", label=scene.text[f.span[0] : f.span[1]], span=f.span) for f in found)
-
-
-def _road_links(scene: Scene) -> tuple[Link, ...]:
-    return tuple(Link(kind="text", label=scene.text[s:e], span=(s, e)) for s, e in scene.road.spans.values())
 
 
 __all__ = ["ZONES", "compose", "compose_settings"]

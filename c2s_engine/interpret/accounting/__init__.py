@@ -1,0 +1,5 @@
+"""Eighth stage: what became of each clause of the text, so that nothing of it is dropped without a word."""
+
+from c2s_engine.interpret.accounting.account import accounted
+
+__all__ = ["accounted"]

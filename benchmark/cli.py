@@ -93,6 +93,7 @@ def bench(
         else:
             typer.echo(tables.by_source(results))
             typer.echo("\nBy kind of atom, where the program ran:\n\n" + tables.by_kind(results))
+            typer.echo("\n" + tables.requirements(results))
             _list_failures(results, reveal)
             if atoms:
                 typer.echo("\nAtoms that fail, where the program ran:\n")
@@ -142,6 +143,49 @@ def rate(
             facts = {r.id: r.first for r in results if r.first}
             number = write_sheet(out, chosen, results, facts, pictures.__getitem__)
             typer.echo(f"{number} programs that ran are on {out}; {len(chosen) - number} did not run.")
+
+
+@app.command()
+def judge(
+    records: Annotated[Path | None, typer.Argument(help="A YAML list of maps with id, text, matters.")] = None,
+    out: Annotated[Path | None, typer.Option("--out", help="Write a dossier for each text there.")] = None,
+    read: Annotated[Path | None, typer.Option("--read", help="Read the verdicts in that folder.")] = None,
+    blind: Annotated[bool, typer.Option("--blind/--open", help="Without method, scores and requirements.")] = True,
+    method: Method = "embedded",
+    model: Model = "",
+    seed: Seed = 0,
+) -> None:
+    """Write dossiers for judges under the rubric, or read what they found and how far they agree."""
+    with _one_sentence():
+        from c2s_bench.judging.run import read_verdicts, write_for_judges
+
+        if (out is None) == (read is None) or (out is None) != (records is None):
+            raise BenchmarkError("say either RECORDS --out FOLDER to write dossiers or --read FOLDER to read verdicts")
+        if read:
+            typer.echo(read_verdicts(read))
+        elif out and records:
+            typer.echo(write_for_judges(records, out, blind=blind, method=method, model=model or None, seed=seed))
+
+
+@app.command()
+def rewording(
+    pairs: Annotated[Path | None, typer.Option("--pairs", help="A YAML list of pairs of texts of your own.")] = None,
+    method: Method = "embedded",
+    model: Model = "",
+    seed: Seed = 0,
+    every: Annotated[bool, typer.Option("--all", help="Show all pairs that differ, not only the worst.")] = False,
+    engine: EngineOption = "",
+) -> None:
+    """Read texts that mean the same in other words, and show how far the same is required of a run."""
+    with _one_sentence():
+        from c2s_bench.host import REAL
+        from c2s_bench.rewording import PAIRS, markdown, read_pairs, stability
+        from c2s_bench.tasks import Setup
+
+        found = read_pairs(pairs or PAIRS)
+        setup = Setup(method, model, None, 1, seed)
+        done = stability(found, setup, engine or REAL, lambda n: typer.echo(f"{n} of {len(found)}", err=True))
+        typer.echo(markdown(done, every))
 
 
 @app.command()

@@ -15,12 +15,14 @@ REAL = "c2s_bench.host:real_engine"
 
 
 def real_engine(setup: Setup) -> AbstractAsyncContextManager[Any]:
-    """The facade, with the model that is asked for and the user's way to ask it; nothing else of theirs counts."""
+    """The facade, with the model that is asked for, and of the user's settings how to ask it and where maps are."""
     from c2s_engine.api import Engine
     from c2s_engine.config import Settings, load_settings
 
-    ollama = load_settings().ollama if setup.model else {}
-    return Engine(Settings(model=setup.model or None, ollama=ollama, offers=False))
+    known = load_settings()
+    maps = {"map_folders": known.map_folders, "carla_root": known.carla_root}
+    ollama = known.ollama if setup.model else {}
+    return Engine(Settings(model=setup.model or None, ollama=ollama, offers=False, **maps))
 
 
 def factory_of(name: str) -> Any:
@@ -91,6 +93,7 @@ class EngineHost:
             program=finished.program.text,
             stages=tuple(_stage(s) for s in finished.stages),
             facts=tuple(f.model_dump(mode="json", exclude_defaults=True) for f in finished.facts),
+            required=_required(finished),
             seconds=last or finished.seconds,
             tokens=finished.details.get("tokens", tokens),
             folder=finished.details.get("folder") or "",
@@ -115,6 +118,11 @@ async def _warm(engine: Any, setup: Setup) -> None:
         if not setup.model:
             async for _ in engine.generate(WARM_UP, method=setup.method, map=setup.map, run=False):
                 pass
+
+
+def _required(finished: Finished) -> tuple[dict[str, Any], ...]:
+    kinds = {r.id: r.kind for r in finished.requirements}
+    return tuple({"id": r.requirement, "kind": kinds[r.requirement], "holds": r.holds} for r in finished.results)
 
 
 def _stage(stage: Any) -> dict[str, Any]:

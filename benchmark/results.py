@@ -33,6 +33,12 @@ class Result:
     first: RunFacts | None = None  # the first rollout that ran; not kept in files
     folder: str = ""  # where the program's map lies
     share: float | None = None  # of the components that no fallback stands in for, where a model was at work
+    required: tuple[dict[str, Any], ...] = ()  # what S requires: id, kind, holds
+
+    @property
+    def whole(self) -> bool:
+        """Whether it ran and showed all that S requires."""
+        return self.score.ran and bool(self.required) and all(r["holds"] for r in self.required)
 
     @property
     def id(self) -> str:
@@ -43,7 +49,7 @@ class Result:
         s = self.score
         figures: dict[str, Any] = {"CSR": s.csr, "SQ": s.sq, "FA": s.fa, "RT": self.seconds, "tokens": self.tokens}
         own = {} if self.share is None else {"share": self.share}
-        return {**figures, **own, **s.layers, "reason": self.reason}
+        return {**figures, **own, **s.layers, "whole": self.whole, "reason": self.reason}
 
 
 def result_of(record: Record, outcome: Outcome, runs: int) -> Result:
@@ -61,6 +67,7 @@ def result_of(record: Record, outcome: Outcome, runs: int) -> Result:
         next((f for f in facts if f.ran), None),
         outcome.folder,
         outcome.share,
+        outcome.required,
     )
 
 
@@ -100,6 +107,17 @@ def kinds(results: Iterable[Result]) -> dict[str, tuple[int, int]]:
     return dict(sorted(counted.items(), key=lambda kv: (LAYERS.index(kv[0][:2]), kv[1][0] - kv[1][1], kv[0])))
 
 
+def classes(results: Iterable[Result]) -> dict[str, tuple[int, int, int]]:
+    """By class of requirement: how many hold, of how many, and how many could not be judged, where the program ran."""
+    counted: dict[str, tuple[int, int, int]] = {}
+    for result in results:
+        for required in result.required if result.score.ran else ():
+            held, number, open_ = counted.get(required["kind"], (0, 0, 0))
+            holds = required["holds"]
+            counted[required["kind"]] = (held + (holds is True), number + 1, open_ + (holds is None))
+    return dict(sorted(counted.items()))
+
+
 def label_of(atom: AtomScore) -> str:
     """An atom's layer and kind; events and temporary things by their own name."""
     kind = atom.atom if atom.kind == "temporary" else atom.kind
@@ -121,6 +139,14 @@ def as_json(results: Sequence[Result], setup: Setup, reveal: bool) -> dict[str, 
         "by_source": {source: total_of(rows).as_dict() for source, rows in grouped(results).items()},
         "by_record": {r.id: r.as_dict() for r in shown},
         "by_kind": {kind: {"holds": held, "of": number} for kind, (held, number) in kinds(results).items()},
+        "requirements": {
+            "whole": sum(r.whole for r in results),
+            "of": len(results),
+            "by_class": {
+                kind: {"holds": held, "of": number, "not_judged": open_}
+                for kind, (held, number, open_) in classes(results).items()
+            },
+        },
         "withheld": len(results) - len(shown),
         **({} if (share := share_of(results)) is None else {"share": share}),
     }
@@ -160,7 +186,7 @@ def _row(result: Result) -> dict[str, Any]:
     return {
         "id": result.id, "source": result.score.source, "part": result.part, "withheld": result.withheld,
         **result.as_dict(), "ran": result.score.ran, "error": result.error, "program": result.program,
-        "atoms": [asdict(a) for a in result.score.atoms],
+        "atoms": [asdict(a) for a in result.score.atoms], "required": list(result.required),
     }  # fmt: skip
 
 
@@ -169,5 +195,5 @@ def _result(row: dict[str, Any]) -> Result:
     scored = RecordScore(row["id"], row["source"], row["ran"], {x: row[x] for x in LAYERS}, row["SQ"], atoms)
     return Result(
         row["part"], row["withheld"], scored, row["RT"], row["tokens"], row["program"], row["reason"], row["error"],
-        share=row.get("share"),
+        share=row.get("share"), required=tuple(row.get("required", ())),
     )  # fmt: skip

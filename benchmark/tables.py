@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from c2s_bench.paper import paper
-from c2s_bench.results import Result, grouped, kinds, label_of, parts, share_of, total_of
+from c2s_bench.results import Result, classes, grouped, kinds, label_of, parts, share_of, total_of
 from c2s_bench.scorer import Totals
 
 COLUMNS = ("CSR", "RT", "tokens", "RL", "TI", "TM", "DO", "EN", "SQ", "FA")
@@ -41,6 +41,16 @@ def by_kind(results: Sequence[Result]) -> str:
     for label, (held, number) in kinds(results).items():
         layer, _, kind = label.partition(" ")
         lines.append(f"| {layer} | {kind} | {held} | {number} | {100 * held / number:.0f} |")
+    return "\n".join(lines)
+
+
+def requirements(results: Sequence[Result]) -> str:
+    """How many scenarios are whole (all that S requires was seen), and what holds by class of requirement."""
+    number, of_all = sum(r.whole for r in results), len(results)
+    lines = [f"Whole: {number} of {of_all} ({100 * number / max(1, of_all):.0f} %) showed all that S requires."]
+    lines += ["", "| Requirement | Holds | Of | % | Not judged |", "| --- | ---: | ---: | ---: | ---: |"]
+    for kind, (held, of, open_) in classes(results).items():
+        lines.append(f"| {kind} | {held} | {of} | {100 * held / of:.0f} | {open_} |")
     return "\n".join(lines)
 
 

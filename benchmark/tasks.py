@@ -62,6 +62,7 @@ class Outcome:
     program: str = ""
     stages: tuple[dict[str, Any], ...] = ()
     facts: tuple[dict[str, Any], ...] = ()
+    required: tuple[dict[str, Any], ...] = ()  # what S requires: id, kind, holds (over most rollouts)
     seconds: float = 0.0
     tokens: float = 0.0
     folder: str = ""  # where the program's map lies
@@ -107,7 +108,8 @@ def engine_digest() -> str:
             relative = file.relative_to(base).as_posix()
             if file.is_file() and "__pycache__" not in relative and not relative.startswith(NOT_THE_METHOD):
                 found.update(relative.encode() + b"\0" + hashlib.sha256(file.read_bytes()).digest())
-    for chart in MapLibrary().list():
+    known = load_settings()
+    for chart in MapLibrary(known.map_folders, known.carla_root).list():
         found.update(f"{chart.name} {chart.digest}\n".encode())
     return found.hexdigest()[:16]
 

@@ -17,6 +17,7 @@ from c2s_engine.structure.edits import Edit, apply
 from c2s_engine.structure.facts import RunFacts
 from c2s_engine.structure.program import FragmentSpan, Program, assemble
 from c2s_engine.structure.progress import Finished, Progress, Say
+from c2s_engine.structure.requirements import Requirement, Result
 
 RUNNER = "c2s_engine.dryrun.runner:run_scene"
 
@@ -72,12 +73,15 @@ class Engine:
         trajectories: bool = False,
         improve: bool | None = None,
         own: Structure | None = None,
+        strict: bool = False,
     ) -> AsyncGenerator[Progress, None]:
         """A new scenario from a text, with the code by hand of `own` kept in it. The last event is Finished.
 
+        `strict`: refuse a place that no map (or not the one given) has, rather than leave some of its fields open.
         `improve`: whether a model is told what the run did not show, to change S (default: as the settings say)."""
         kept = own.model_dump(mode="json") if own is not None else {}
         inputs: dict[str, Any] = {"text": text, "own": kept, "structure": {}, "edits": [], "improve": improve}
+        inputs["strict"] = strict
         async with aclosing(self.turn(inputs, method, map, seed, run, runs, trajectories)) as events:
             async for event in events:
                 yield event
@@ -153,6 +157,8 @@ class Engine:
             "trajectories": trajectories,
             "program": {},
             "report": {},
+            "requirements": [],
+            "results": [],
             "rewritten": [],
             "stages": [],
             "details": {},
@@ -211,9 +217,12 @@ class Engine:
         folder: str | None = None,
         filename: str = "program.scenic",
         map: str | None = None,  # noqa: A002
+        model: str | None = None,
+        scenario: str | None = None,
         limits: Limits | None = None,
     ) -> CheckReport:
-        """Check any program; on `map` (a name or a file) where one is given, whatever the program names.
+        """Check any program; on `map` (a name or a file) and with `model` where they are given, whatever it names.
+        Of several modular scenarios `scenario` is meant.
 
         Raises MapNotFound.
         """
@@ -231,10 +240,22 @@ class Engine:
                 folder=folder,
                 filename=filename,
                 params=params,
+                model=model,
+                scenario=scenario,
                 allow=self.settings.allow,
                 limits=limits or Limits(),
             )
         )
+
+    async def judge(
+        self, structure: Structure, report: CheckReport, *, seed: int = 0
+    ) -> tuple[tuple[Requirement, ...], tuple[Result, ...]]:
+        """What S requires, and what the report's runs (with trajectories) showed of it; nothing where nothing ran."""
+        from c2s_engine.session.requiring import judged
+
+        chosen = self.library.named_in(structure.settings.code) or self.library.find(SHIPPED)
+        found = await judged(structure, report, self.tools, map_name=chosen.name, seed=seed)
+        return found.requirements, found.results
 
     async def import_program(self, text: str, filename: str = "program.scenic") -> Structure:
         """S of any Scenic driving program; raises CheckError where it cannot be parsed."""
@@ -248,8 +269,8 @@ class Engine:
         from c2s_engine.structure.regenerate import reach
         from c2s_engine.write.typed import TypedWriter
 
-        name = map_of(structure) or "town"
-        return reach(structure, edit, TypedWriter(map_choice(self.library, self.library.find(name))))
+        chosen = self.library.named_in(structure.settings.code) or self.library.find(SHIPPED)
+        return reach(structure, edit, TypedWriter(map_choice(self.library, chosen)))
 
     def maps(self) -> tuple[MapFile, ...]:
         return self.library.list()
@@ -263,17 +284,20 @@ class Engine:
     async def survey(self, map_file: MapFile) -> dict[str, int]:
         """How many places of each kind a map has."""
         from c2s_engine.maps.expressions import survey
-        from c2s_engine.maps.extras import read_extras
 
         path = self.library.working_copy(map_file)
-        report = await self.check_client.places(
-            PlacesRequest(map=str(path), expressions=survey(read_extras(map_file.path)))
-        )
+        report = await self.check_client.places(PlacesRequest(map=str(path), expressions=survey()))
         return dict(report.counts)
 
     async def search(self, query: str, *, kind: str = "doc", component: str | None = None, limit: int = 5) -> list[Any]:
         """Passages or snippets near to a query."""
         return await (await self.retrieval()).search(query, kind=kind, component=component, limit=limit)
+
+    async def snippets(self, structure: Structure) -> list[Any]:
+        """(component, words, snippets) for what no field of S can say: to be asked after a turn, never during it."""
+        from c2s_engine.session.offers import snippets
+
+        return await snippets(structure, await self.retrieval()) if self.settings.offers else []
 
     async def retrieval(self) -> Any:
         """The retrieval worker's client, started when first needed."""
@@ -288,14 +312,6 @@ class Engine:
         from c2s_engine.session.model_tools import client_for
 
         return client_for(self.settings)
-
-
-def map_of(structure: Structure) -> str | None:
-    """The map that the structure's program names."""
-    import re
-
-    match = re.search(r"localPath\('([^']+)\.xodr'\)", structure.settings.code)
-    return match[1] if match else None
 
 
 def finished(state: dict[str, Any], seconds: float) -> Finished:
@@ -321,6 +337,8 @@ def finished(state: dict[str, Any], seconds: float) -> Finished:
         program=program,
         stages=stages,
         facts=facts,
+        requirements=tuple(Requirement.model_validate(r) for r in state.get("requirements", [])),
+        results=tuple(Result.model_validate(r) for r in state.get("results", [])),
         seconds=round(seconds, 3),
         details=details,
     )

@@ -3,7 +3,8 @@
 import contextlib
 import gc
 import sys
-from importlib.metadata import entry_points
+from importlib.metadata import entry_points, version
+from typing import Annotated
 
 import typer
 
@@ -18,12 +19,26 @@ app = typer.Typer(
 )
 
 
+def _version(asked: bool) -> None:
+    if asked:
+        typer.echo(f"c2s {version('c2s')}")
+        raise typer.Exit
+
+
+@app.callback()
+def options(
+    show_version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version and leave.")
+    ] = False,
+) -> None:
+    """From a description of a driving scenario to a Scenic program that runs, and both kept in step."""
+
+
 def _mount(wanted: str | None) -> None:
     """Mount the commands; the heavier ones only when they are asked for or help is shown."""
     if wanted == "app":  # on the screen at once
         for entry in entry_points(group="c2s.commands", name="app"):
             app.add_typer(entry.load(), name="app")
-        app.command("version", hidden=True)(lambda: None)  # with one command alone typer drops its name
         return
     from c2s_engine.commands import checking, generate, places, sessions, texts
 
@@ -37,6 +52,10 @@ def _mount(wanted: str | None) -> None:
     app.command()(sessions.edit)
     app.add_typer(sessions.app, name="sessions")
     everything = wanted is None
+    if everything or wanted == "report":
+        from c2s_engine.commands.report import report
+
+        app.command()(report)
     if everything or wanted in ("index", "search"):
         from c2s_engine.commands.indexing import parts
         from c2s_engine.retrieve import commands as retrieval

@@ -2,7 +2,8 @@
 
 The programs are written anew from the texts of four_actors.yaml (so they are what the writer writes now), compiled with
 the stock CARLA model, and the first scene that runs for 20 s is run `--rounds` times more. Prints CPU and wall time
-(ms) of the simulation and of the events derived from it. The goal is the simulation's wall time on one quiet core.
+(ms) of the simulation, of the events derived from it, and of the courses that requirements read. The goal is the
+simulation's wall time on one quiet core.
 """
 
 import argparse
@@ -88,7 +89,9 @@ def whole(path: Path) -> Any:
 
 def measure(path: Path, rounds: int) -> dict[str, Any] | None:
     """The medians over the rounds (ms) of one program; None where it has no whole run."""
+    from c2s_engine.dryrun.events.courses import courses
     from c2s_engine.dryrun.events.derivation import derive
+    from c2s_engine.dryrun.events.situation import Situation
     from c2s_engine.dryrun.roads import index_of
 
     scene = whole(path)
@@ -99,13 +102,15 @@ def measure(path: Path, rounds: int) -> dict[str, Any] | None:
     for _ in range(rounds):
         cpu, wall, done = timed(lambda: run(scene))
         more_cpu, more_wall, _ = timed(lambda: derive(done.recording, index, done.extras))  # noqa: B023
-        rows.append({"cpu": cpu, "wall": wall, "events_cpu": more_cpu, "events_wall": more_wall})
+        situation = Situation(done.recording, index, done.extras)
+        _, ways, _ = timed(lambda: courses(situation))  # noqa: B023
+        rows.append({"cpu": cpu, "wall": wall, "events_cpu": more_cpu, "events_wall": more_wall, "courses": ways})
     return {"program": path.stem} | {key: round(statistics.median(row[key] for row in rows), 1) for key in rows[0]}
 
 
 def summary(rows: list[dict[str, Any]]) -> dict[str, dict[str, float]]:
     """Median and 95th percentile over the programs (of CPU and wall, simulation and events together too)."""
-    columns = {key: [row[key] for row in rows] for key in ("cpu", "wall", "events_cpu", "events_wall")}
+    columns = {key: [row[key] for row in rows] for key in ("cpu", "wall", "events_cpu", "events_wall", "courses")}
     columns["both_cpu"] = [row["cpu"] + row["events_cpu"] for row in rows]
     columns["both_wall"] = [row["wall"] + row["events_wall"] for row in rows]
     return {key: {"median": round(statistics.median(values), 1), "p95": round(percentile(values, 0.95), 1)}

@@ -20,7 +20,7 @@ from typing import Any
 import yaml
 
 from c2s_bench.perf import written
-from c2s_engine import paths
+from c2s_engine import driving, paths
 from c2s_engine.check.client import SyncCheckClient
 from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits
 
@@ -37,7 +37,6 @@ STRICTER = frozenset(
         "undeclared_param",
         "enumeration",
         "no_ego",
-        "verifai",
     }
 )
 """Errors in code that compiling and sampling need not reach: Scenic finds them in a run, or never."""
@@ -61,8 +60,9 @@ async def _written() -> dict[str, str]:
 
 
 def scenics(python: str, folder: Path, texts: dict[str, str]) -> dict[str, dict[str, Any]]:
-    """What plain Scenic makes of each program, with the map beside it and nothing else."""
-    shutil.copy(paths.shipped("maps", "town.xodr"), folder)
+    """What plain Scenic makes of each program, with the map and the driving library beside it and nothing else."""
+    for file in (paths.shipped("maps", "town.xodr"), driving.path()):
+        shutil.copy(file, folder)
     files = {str(folder / f"{name}.scenic"): name for name in texts}
     for file, name in files.items():
         Path(file).write_text(texts[name], encoding="utf-8")

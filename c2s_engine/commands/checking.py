@@ -1,6 +1,8 @@
 """`c2s check` and `c2s run`: any Scenic driving program."""
 
 import csv
+from contextlib import suppress
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -11,11 +13,16 @@ from c2s_engine.check.protocol import CheckReport, Upto
 from c2s_engine.commands import show
 from c2s_engine.commands.console import BAD_INPUT, NO_SERVICE, OK, REFUSED, dump, err, fail, out, sentences, work
 from c2s_engine.commands.reading import read_program
+from c2s_engine.structure.components import Structure, unrecognised
+from c2s_engine.structure.program import assemble
+from c2s_engine.structure.requirements import Requirement, Result
 
 File = Annotated[Path, typer.Argument(help="A .scenic file.")]
 Seed = Annotated[int, typer.Option(help="Of the sampled scene.")]
 Trust = Annotated[bool, typer.Option("--trust", help="Your own file: skip the safety stage.")]
 OnMap = Annotated[str | None, typer.Option("--map", help="Place it on that map, whatever it names.")]
+Model = Annotated[str | None, typer.Option("--model", help="Use that world model, whatever it names.")]
+Modular = Annotated[str | None, typer.Option("--scenario", help="Of several modular scenarios, the one to run.")]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object.")]
 
 
@@ -26,6 +33,8 @@ def check(
     fix: Annotated[bool, typer.Option("--fix", help="Write the deterministic fixes back to the file.")] = False,
     upto: Annotated[str, typer.Option(help="parse, safety, compile or sample.")] = "sample",
     map_name: OnMap = None,
+    model: Model = None,
+    scenario: Modular = None,
     as_json: Json = False,
 ) -> None:
     """Check a program: syntax, safety, compile, sample; where and why it fails, and what would mend it."""
@@ -33,16 +42,17 @@ def check(
         text = read_program(file)
         if upto not in ("parse", "safety", "compile", "sample"):
             fail(f"There is no stage {upto}: say parse, safety, compile or sample.", BAD_INPUT, as_json)
-    report: CheckReport = work(_check(text, file, upto, seed, trust, map=map_name), as_json)  # type: ignore[arg-type]
+    given = {"map": map_name, "model": model, "scenario": scenario}
+    report: CheckReport = work(_check(text, file, upto, seed, trust, **given), as_json)  # type: ignore[arg-type]
     fixed = 0
     if fix:
-        text, fixed = work(_fix(text, file, seed, trust, map_name), as_json)
+        text, fixed = work(_fix(text, file, seed, trust, **given), as_json)
         if fixed:
             with sentences(as_json):
                 draft = file.with_name(f".{file.name}.part")
                 draft.write_text(text, encoding="utf-8")
                 draft.replace(file)
-            report = work(_check(text, file, upto, seed, trust, map=map_name), as_json)  # type: ignore[arg-type]
+            report = work(_check(text, file, upto, seed, trust, **given), as_json)  # type: ignore[arg-type]
     if as_json:
         dump({"ok": report.ok, "fixed": fixed, **report.model_dump(mode="json", exclude={"facts", "trajectories"})})
     else:
@@ -66,13 +76,13 @@ async def _check(text: str, file: Path, upto: Upto, seed: int, trust: bool, **op
         return await engine.check(text, upto=upto, seed=seed, trust=trust, folder=folder, filename=file.name, **options)
 
 
-async def _fix(text: str, file: Path, seed: int, trust: bool, map_name: str | None) -> tuple[str, int]:
+async def _fix(text: str, file: Path, seed: int, trust: bool, **given: Any) -> tuple[str, int]:
     """Apply deterministic fixes until none is offered; the text and how many were applied."""
     from c2s_engine.check.fixes import apply_fixes
 
     applied = 0
     for _ in range(12):
-        report = await _check(text, file, "sample", seed, trust, map=map_name)
+        report = await _check(text, file, "sample", seed, trust, **given)
         found = [d for s in report.stages for d in s.diagnostics if d.edit]
         after = apply_fixes(text, found)
         if not found or after == text:
@@ -95,6 +105,8 @@ def run(
     picture: Annotated[bool, typer.Option("--picture", help="Show the scene in text graphics.")] = False,
     trust: Trust = False,
     map_name: OnMap = None,
+    model: Model = None,
+    scenario: Modular = None,
     as_json: Json = False,
 ) -> None:
     """Run a program without CARLA (or in CARLA) and print the timeline of its events."""
@@ -104,19 +116,21 @@ def run(
         from c2s_engine.dryrun.carla import CarlaUnavailable, run_in_carla
 
         try:
-            raise typer.Exit(run_in_carla(text, file, address=address, seed=seed, seconds=seconds))
+            raise typer.Exit(
+                run_in_carla(text, file, address=address, seed=seed, seconds=seconds, model=model, scenario=scenario)
+            )
         except CarlaUnavailable as error:
             fail(str(error), NO_SERVICE, as_json)
     if simulator != "dry":
         fail(f"There is no simulator {simulator}: say dry or carla.", BAD_INPUT, as_json)
-    want = bool(svg or png or csv_file or picture or as_json)
-    report: CheckReport = work(
-        _check(text, file, "run", seed, trust, runs=runs, seconds=seconds, trajectories=want, map=map_name), as_json
-    )
+    options = {"runs": runs, "seconds": seconds, "map": map_name, "model": model, "scenario": scenario}
+    ran: _Ran = work(_run(text, file, seed, trust, **options), as_json)
+    report = ran.report
     with sentences(as_json):
         _write_files(report, svg, png, csv_file)
     if as_json:
-        dump({"ok": report.ok, **report.model_dump(mode="json")})
+        required = show.required_as_dicts(ran.requirements, ran.results)
+        dump({"ok": report.ok, "requirements": required, **report.model_dump(mode="json")})
     else:
         show.stages(report.stages)
         show.diagnostics(d for s in report.stages for d in s.diagnostics)
@@ -126,7 +140,37 @@ def run(
             out.print(Text(text_picture(report.trajectories[0], columns=min(out.width, 120), rows=36)))
         if report.facts:
             show.runs(report.facts)
+            show.required(ran.requirements, ran.results, unrecognised(ran.structure))
     raise typer.Exit(OK if report.ok else REFUSED)
+
+
+@dataclass(frozen=True)
+class _Ran:
+    """A program's runs, the S recognised in it, and what that requires of them."""
+
+    report: CheckReport
+    structure: Structure = Structure()
+    requirements: tuple[Requirement, ...] = ()
+    results: tuple[Result, ...] = ()
+
+
+async def _run(text: str, file: Path, seed: int, trust: bool, **options: Any) -> _Ran:
+    from c2s_engine.api import Engine
+    from c2s_engine.check.client import CheckError
+    from c2s_engine.config import load_settings
+
+    async with Engine(load_settings()) as engine:
+        structure, spans = Structure(), ()
+        with suppress(CheckError):  # what cannot be parsed is told by the check
+            structure = await engine.import_program(text, file.name)
+            program = assemble(structure)
+            spans = program.spans if program.text.strip() == text.strip() else ()  # type: ignore[assignment]
+        report = await engine.check(
+            text, spans=spans, upto="run", seed=seed, trust=trust, folder=str(file.resolve().parent),
+            filename=file.name, trajectories=True, **options,
+        )  # fmt: skip
+        found = await engine.judge(structure, report, seed=seed) if spans else ((), ())
+        return _Ran(report, structure, *found)
 
 
 def _write_files(report: CheckReport, svg: Path | None, png: Path | None, csv_file: Path | None) -> None:

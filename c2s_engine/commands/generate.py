@@ -4,12 +4,16 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
+from rich.console import Console
 from rich.syntax import Syntax
 from rich.text import Text
 
+from c2s_engine import driving
 from c2s_engine.commands import show
 from c2s_engine.commands.console import NO_SERVICE, OK, REFUSED, dump, err, out, sentences, work
 from c2s_engine.commands.reading import read_text
+from c2s_engine.structure.account import account
+from c2s_engine.structure.components import unrecognised
 from c2s_engine.structure.progress import Finished, Say, StageStarted
 
 
@@ -19,9 +23,14 @@ def generate(
         Path | None, typer.Option("--file", "-f", help="Read the description from a .txt, .md or .pdf file.")
     ] = None,
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Save the program there, its map beside it.")
+        Path | None,
+        typer.Option("--output", "-o", help="Save the program there, map and library beside it; `-`: standard output."),
     ] = None,
+    standalone: Annotated[bool, typer.Option("--standalone", help="One file: with the driving library in it.")] = False,
     map_name: Annotated[str | None, typer.Option("--map", help="A map by name or .xodr path (see `c2s maps`).")] = None,
+    strict: Annotated[
+        bool, typer.Option("--strict", help="Refuse a place that the map lacks; leave no field of it open.")
+    ] = False,
     seed: Annotated[int, typer.Option(help="Of the sampled scene.")] = 0,
     runs: Annotated[int, typer.Option(min=1, max=50, help="Rollouts of the dry run.")] = 1,
     method: Annotated[str | None, typer.Option(help="How it is written; see `c2s doctor` for what is there.")] = None,
@@ -33,6 +42,9 @@ def generate(
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
 ) -> None:
     """Turn a description of a driving scenario into a Scenic program that runs."""
+    only_program = output == Path("-") or output is None and not out.is_terminal
+    if output == Path("-"):  # where no library can lie beside it
+        output, standalone = None, True
     with sentences(as_json):
         description = read_text(text, file)
         if output is not None and not output.parent.exists():
@@ -40,18 +52,21 @@ def generate(
 
             raise InputError(f"There is no folder {output.parent}: make it, or save elsewhere.")
     options = {"method": method, "map": map_name, "seed": seed, "run": not no_run, "runs": runs, "improve": improve}
+    options["strict"] = strict
     done: Finished = work(_generate(description, options, model, as_json), as_json)
     if output is not None and done.program.text:
         with sentences(as_json):
             from c2s_engine.saving import save
 
-            written = save(done.program, done.details.get("folder"), output)
+            written = save(done.program, done.details.get("folder"), output, standalone)
             if not as_json:
                 err.print(Text(f"saved {', '.join(str(p) for p in written)}"))
     if as_json:
         dump(as_dict(done))
     else:
-        _print(done, show_program=output is None)
+        if output is None and done.program.text:
+            _print_program(driving.inlined(done.program.text) if standalone else done.program.text)
+        _report(done, err if only_program else out)
     raise typer.Exit(exit_code(done))
 
 
@@ -98,6 +113,7 @@ def as_dict(done: Finished) -> dict[str, Any]:
         "ok": done.ok,
         "structure": components,
         "not_understood": [u.model_dump(mode="json") for u in done.structure.not_understood],
+        "account": [c.model_dump(mode="json") for c in account(done.structure)],
         "program": done.program.text,
         "source_map": [s.model_dump(mode="json") for s in done.program.spans],
         "stages": [s.model_dump(mode="json") for s in done.stages],
@@ -107,7 +123,7 @@ def as_dict(done: Finished) -> dict[str, Any]:
             for o in f.objects
             for e in o.events
         ],
-        "offers": done.details.get("offers", []),
+        "requirements": show.required_as_dicts(done.requirements, done.results),
         "facts": [f.model_dump(mode="json") for f in done.facts],
         "map": done.details.get("map"),
         "tokens": done.details.get("tokens", 0),
@@ -117,16 +133,20 @@ def as_dict(done: Finished) -> dict[str, Any]:
     }
 
 
-def _print(done: Finished, show_program: bool) -> None:
-    show.structure(done.structure)
-    out.print()
-    if show_program and done.program.text:
-        if out.is_terminal:
-            out.print(Syntax(done.program.text, "python", background_color="default"))
-        else:
-            out.file.write(done.program.text + "\n")
-    show.stages(done.stages)
-    show.diagnostics(done.diagnostics)
-    show.cost(done.details)
+def _print_program(text: str) -> None:
+    if out.is_terminal:
+        out.print(Syntax(text, "python", background_color="default"))
+    else:
+        out.file.write(text)
+
+
+def _report(done: Finished, to: Console) -> None:
+    """S and how it went; where the program alone is the output, on standard error."""
+    show.structure(done.structure, to)
+    to.print()
+    show.stages(done.stages, to)
+    show.diagnostics(done.diagnostics, to)
+    show.cost(done.details, to)
     if done.facts:
-        show.runs(done.facts)
+        show.runs(done.facts, to)
+        show.required(done.requirements, done.results, unrecognised(done.structure), to)

@@ -23,7 +23,8 @@ def maps(
     table = Table("map", "places", "file", box=None, pad_edge=False)
     for entry in found:
         counts = ", ".join(f"{n} {kind}" for kind, n in entry["places"].items() if n)
-        table.add_row(Text(entry["name"]), Text(counts or "-"), Text(entry["path"]))
+        why = Text(entry["error"], style="red") if "error" in entry else Text(counts or "-")
+        table.add_row(Text(entry["name"]), why, Text(entry["path"]))
     out.print(table)
 
 
@@ -32,11 +33,25 @@ async def _maps(name: str | None) -> list[dict[str, Any]]:
     from c2s_engine.config import load_settings
 
     async with Engine(load_settings()) as engine:
-        files = [engine.library.find(name)] if name else list(engine.maps())
-        return [
-            {"name": f.name, "path": str(f.path), "carla_map": f.carla_map, "places": await engine.survey(f)}
-            for f in files
-        ]
+        if name:
+            return [await _counted(engine, name)]
+        return [await _counted_or_why(engine, known) for known in engine.library.names()]
+
+
+async def _counted(engine: Any, name: str) -> dict[str, Any]:
+    found = engine.library.find(name)
+    places = await engine.survey(found)
+    return {"name": found.name, "path": str(found.path), "carla_map": found.carla_map, "places": places}
+
+
+async def _counted_or_why(engine: Any, name: str) -> dict[str, Any]:
+    """Of many maps, one that cannot be read must not take the others down."""
+    from c2s_engine.check.client import CheckError
+
+    try:
+        return await _counted(engine, name)
+    except (LookupError, ValueError, CheckError) as error:
+        return {"name": name, "path": "", "carla_map": None, "places": {}, "error": str(error)}
 
 
 def doctor(as_json: Json = False) -> None:

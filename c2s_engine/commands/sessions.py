@@ -2,6 +2,7 @@
 
 import asyncio
 import contextlib
+import difflib
 import json
 from collections.abc import AsyncIterator
 from datetime import datetime
@@ -23,7 +24,8 @@ Name = Annotated[str, typer.Argument(help="The session's name.")]
 
 
 def edit(
-    name: Annotated[str, typer.Argument(metavar="SESSION", help="The session; a new one is made.")],
+    name: Annotated[str, typer.Argument(metavar="SESSION", help="The session (see `c2s sessions list`).")],
+    new: Annotated[bool, typer.Option("--new", help="Make the session where there is none of that name.")] = False,
     say: Annotated[
         str | None, typer.Option("--say", help="A turn of the chat: a scenario, a change, a question.")
     ] = None,
@@ -41,8 +43,9 @@ def edit(
     redo: Annotated[bool, typer.Option("--redo", help="Bring back what was undone.")] = False,
     resume: Annotated[bool, typer.Option("--resume", help="Run the turn that a crash interrupted.")] = False,
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Save the program there, its map beside it.")
+        Path | None, typer.Option("--output", "-o", help="Save the program there, map and library beside it.")
     ] = None,
+    standalone: Annotated[bool, typer.Option("--standalone", help="One file: with the driving library in it.")] = False,
     method: Annotated[str | None, typer.Option(help="How it is written.")] = None,
     model: Annotated[str | None, typer.Option(help="The Ollama model, for methods that use one.")] = None,
     improve: Annotated[
@@ -57,11 +60,13 @@ def edit(
         edits = _edits(fields or [], remove or [], code or [])
         options = {"method": method, "seed": seed, "run": not no_run, "improve": improve}
         text = read_program(program) if program else None
+        if not (new or program):
+            _known(name)
         session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume), options, model, as_json))
         if output is not None:
             from c2s_engine.saving import save
 
-            written = save(session.program, session.details.get("folder"), output)
+            written = save(session.program, session.details.get("folder"), output, standalone)
             if not as_json:
                 err.print(Text(f"saved {', '.join(map(str, written))}"))
         if as_json:
@@ -123,6 +128,15 @@ def _sessions() -> Any:
     from c2s_engine.session.sessions import Sessions
 
     return Sessions()
+
+
+def _known(name: str) -> None:
+    """Refuse a name that no session has: a slip of the keys makes no session."""
+    names = [s.name for s in _sessions().list()]
+    if name not in names:
+        near = difflib.get_close_matches(name, names, 3)
+        there = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(names[:8]) or 'none yet'}."
+        raise InputError(f"There is no session {name!r}: {there} --new makes it.")
 
 
 def _edits(fields: list[str], remove: list[str], code: list[str]) -> list[Any]:
@@ -215,7 +229,7 @@ def _as_dict(session: Any, done: Finished | None) -> dict[str, Any]:
     kept = {"folder": session.details.get("folder"), "map": session.details.get("map")}
     state = done or Finished(
         ok=True, structure=session.structure, program=session.program, stages=session.stages, facts=session.facts,
-        details=kept,
+        requirements=session.requirements, results=session.results, details=kept,
     )  # fmt: skip
     history = [{"kind": t.kind, "text": t.text, "summary": t.summary, "when": t.when} for t in session.history]
     return {**as_dict(state), "session": session.name, "history": history}
@@ -229,3 +243,4 @@ def _print(session: Any) -> None:
     show.diagnostics([d for s in session.stages for d in s.diagnostics])
     if session.facts:
         show.runs(session.facts)
+        show.required(session.requirements, session.results)

@@ -1,8 +1,9 @@
 """How results look on a terminal: S, stages, diagnostics, what was said and what was seen."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
@@ -10,9 +11,10 @@ from c2s_engine.commands.console import out
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.facts import RunFacts
+from c2s_engine.structure.requirements import Requirement, Result, failures, tally
 
 
-def structure(s: Structure) -> None:
+def structure(s: Structure, to: Console = out) -> None:
     """S, a component a row, with what was assumed and what could not be said."""
     table = Table(show_header=False, box=None, pad_edge=False)
     for c in s.components:
@@ -22,45 +24,68 @@ def structure(s: Structure) -> None:
         for u in c.unmet:
             table.add_row("", Text(f'not expressible: "{u.text}": {u.reason}', style="yellow"))
     for u in s.not_understood:
-        table.add_row("", Text(f'not understood: "{u.text}"', style="yellow"))
-    out.print(table)
+        table.add_row("", Text(f'not understood: "{u.text}": {u.reason}', style="yellow"))
+    for u in s.background:
+        table.add_row("", Text(f'background: "{u.text}": {u.reason}', style="dim"))
+    to.print(table)
 
 
-def stages(results: Iterable[StageResult]) -> None:
+def stages(results: Iterable[StageResult], to: Console = out) -> None:
     line = Text()
     for s in results:
         line.append("✓ " if s.ok else "✗ ", style="green" if s.ok else "red")
         line.append(f"{s.name} {s.seconds * 1000:.0f} ms   ")
-    out.print(line)
+    to.print(line)
 
 
-def diagnostics(found: Iterable[Diagnostic]) -> None:
+def diagnostics(found: Iterable[Diagnostic], to: Console = out) -> None:
     for d in found:
         style = {"error": "red", "warning": "yellow"}.get(d.severity, "")
         where = " ".join(w for w in (d.component, f"line {d.line}" if d.line else "") if w)
-        out.print(Text(f"{d.stage}{' ' + where if where else ''}: {d.message}", style=style))
+        to.print(Text(f"{d.stage}{' ' + where if where else ''}: {d.message}", style=style))
         if d.text:
-            out.print(Text(f"    {d.text.strip()}", style="dim"))
+            to.print(Text(f"    {d.text.strip()}", style="dim"))
         if d.fix:
-            out.print(Text(f"    fix: {d.fix}"))
+            to.print(Text(f"    fix: {d.fix}"))
 
 
-def cost(details: Mapping[str, Any]) -> None:
+def cost(details: Mapping[str, Any], to: Console = out) -> None:
     """What a model's turn cost, and how much of S is the model's own."""
     if details.get("tokens"):
         share = details.get("share")
         own = f"; {share:.0%} of the components without fallback" if share is not None else ""
-        out.print(Text(f"{details['tokens']:,} tokens{own}", style="dim"))
+        to.print(Text(f"{details['tokens']:,} tokens{own}", style="dim"))
 
 
-def runs(facts: Iterable[RunFacts]) -> None:
+def runs(facts: Iterable[RunFacts], to: Console = out) -> None:
     """The timeline of events of each rollout."""
     for f in facts:
         reason = f": {f.reason}" if f.reason else ""
-        out.print(Text(f"run with seed {f.seed}: {f.duration:.1f} s, ended by {f.ended_by}{reason}", style="bold"))
+        to.print(Text(f"run with seed {f.seed}: {f.duration:.1f} s, ended by {f.ended_by}{reason}", style="bold"))
         events = sorted((e.time, o.name, e.event, e.other) for o in f.objects for e in o.events)
         table = Table(show_header=False, box=None, pad_edge=False)
         for time, name, event, other in events:
             table.add_row(f"{time:5.1f} s", Text(name), Text(event + (f" {other}" if other else "")))
-        out.print(table)
-    out.print(Text('Seen in the dry run, which is not CARLA: see README, "What the dry run is".', style="dim"))
+        to.print(table)
+    to.print(Text('Seen in the dry run, which is not CARLA: see docs/guide.md, "The dry run".', style="dim"))
+
+
+def required(
+    requirements: Sequence[Requirement], results: Sequence[Result], unrecognised: Sequence[str] = (), to: Console = out
+) -> None:
+    """How much of what S requires was seen, and a line for each thing that was not."""
+    if not results:
+        return
+    held, of = tally(results)
+    to.print(Text(f"{held} of {of} required seen", style="green" if held == of else "yellow"))
+    for line in failures(requirements, results):
+        to.print(Text(line, style="yellow"))
+    if unrecognised:
+        words = ", ".join(unrecognised)
+        to.print(Text(f"Of {words} only what was recognised in the code is required.", style="dim"))
+
+
+def required_as_dicts(requirements: Sequence[Requirement], results: Sequence[Result]) -> list[dict[str, Any]]:
+    """Each requirement with its result, as plain data."""
+    found = {r.requirement: r.model_dump(mode="json", exclude={"requirement"}) for r in results}
+    return [{**r.model_dump(mode="json"), "result": found.get(r.id)} for r in requirements]

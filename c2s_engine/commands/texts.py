@@ -10,6 +10,7 @@ from rich.text import Text
 from c2s_engine.commands import show
 from c2s_engine.commands.console import OK, dump, err, out, sentences, work
 from c2s_engine.commands.reading import read_program, read_text
+from c2s_engine.structure.account import account
 
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object.")]
 
@@ -26,7 +27,8 @@ def interpret(
 
         found = EmbeddedInterpreter().interpret(read_text(text, file))
     if as_json:
-        dump({"structure": found.structure.model_dump(mode="json"), "stages": found.stages})
+        told = [c.model_dump(mode="json") for c in account(found.structure)]
+        dump({"structure": found.structure.model_dump(mode="json"), "account": told, "stages": found.stages})
         raise typer.Exit(OK)
     if explain:
         for stage, results in found.stages.items():

@@ -6,8 +6,11 @@ import os
 import stat
 import subprocess
 import sys
+from importlib.metadata import version
 
 import pytest
+
+from c2s_engine import paths
 
 TEXT = "The ego follows a truck at 40 km/h on a straight road. The truck brakes hard and the ego brakes."
 
@@ -48,6 +51,22 @@ def test_generate_gives_a_program_that_runs(tmp_path):
     assert again.returncode == 0, again.stdout
 
 
+@pytest.mark.full
+def test_the_program_alone_is_on_stdout_and_plain_scenic_takes_it(tmp_path):
+    done = c2s("generate", TEXT, "-o", "-", "--no-run")
+    assert done.returncode == 0 and b"assumed" in done.stderr
+    program, town = tmp_path / "piped.scenic", tmp_path / "town.xodr"
+    program.write_bytes(done.stdout)
+    town.write_bytes(paths.shipped("maps", "town.xodr").read_bytes())
+    plain = f"import scenic; scenic.scenarioFromFile({str(program)!r}).generate(maxIterations=500)"
+    compiled = subprocess.run([sys.executable, "-c", plain], capture_output=True, text=True, timeout=120)
+    assert compiled.returncode == 0, compiled.stderr
+
+
+def test_the_version():
+    assert c2s("--version").stdout.decode() == f"c2s {version('c2s')}\n"
+
+
 def one_sentence(done, code):
     assert done.returncode == code, (done.returncode, done.stderr)
     message = done.stderr.decode()
@@ -78,7 +97,7 @@ def test_bad_input_gets_one_sentence(arguments, stdin, says):
 def test_an_unknown_map_names_those_there_are():
     done = c2s("generate", TEXT, "--map", "Atlantis")
     assert done.returncode == 1
-    assert "town" in done.stdout.decode()
+    assert "town" in done.stderr.decode()
 
 
 def test_a_broken_program_says_where(tmp_path):

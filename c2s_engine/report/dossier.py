@@ -1,0 +1,139 @@
+"""A dossier as plain data: what all its forms (Markdown, HTML, JSON) show, in SI units where no unit is named."""
+
+import hashlib
+import json
+from importlib.metadata import version
+from typing import Any
+
+import numpy as np
+
+from c2s_engine.report.material import Material
+from c2s_engine.report.measures import Pair, pairs
+from c2s_engine.report.moments import Moment, moments
+from c2s_engine.report.tracks import rows
+from c2s_engine.require import evaluate, require
+from c2s_engine.structure.account import account
+from c2s_engine.structure.components import Component
+from c2s_engine.structure.requirements import Result
+
+
+def dossier(material: Material, blind: bool = False) -> dict[str, Any]:
+    """The whole dossier. `blind`: without what tells who wrote the program and how this project scores it."""
+    facts, ways = material.facts, material.ways
+    shown = {
+        "id": material.id,
+        "matters": material.matters,
+        "text": material.text,
+        "account": [{**c.model_dump(mode="json"), "reason": c.reason} for c in account(material.structure)],
+        "structure": [_component(c) for c in material.structure.components],
+        "problem": material.problem,
+        "faults": [] if blind else [f"{d.stage}: {d.message}" for d in material.faults],
+        "moments": [{"time": m.time, "what": m.what} for m in decisive(material)],
+        "surroundings": _surroundings(material),
+        "timeline": _timeline(material),
+        "criticality": [_criticality(p) for p in pairs(ways)] if ways else [],
+        "tracks": rows(ways) if ways else [],
+        "program": material.program.text,
+        "run": {"seed": facts.seed, "duration": facts.duration, "ended_by": facts.ended_by} if facts else None,
+    }
+    if blind:
+        return shown
+    return {
+        **shown, "origin": material.origin, "requirements": _requirements(material), "digests": _digests(material),
+    }  # fmt: skip
+
+
+def decisive(material: Material) -> list[Moment]:
+    """The moments that are pictured; none where nothing ran."""
+    if material.facts is None or material.ways is None or not material.ways.tracks:
+        return []
+    return moments(material.structure, material.facts, material.ways)
+
+
+def _component(component: Component) -> dict[str, Any]:
+    return {
+        "id": component.id,
+        "description": component.description,
+        "spec": component.spec.model_dump(mode="json", exclude_defaults=True, exclude={"component"}),
+        "origin": component.origin,
+        "sources": [{"kind": li.kind, "label": li.label} for li in component.links if li.kind not in ("text", "rule")],
+        "assumed": [a.model_dump(mode="json") for a in component.assumed],
+        "unmet": [{"text": u.text, "reason": u.reason} for u in component.unmet],
+    }
+
+
+def _requirements(material: Material) -> list[dict[str, Any]]:
+    """What S requires of a run, and what this one showed of it; without a run, none of it was reached."""
+    asked = require(material.structure)
+    if material.facts is None or material.ways is None:
+        results = [Result(requirement=r.id, holds=None, robustness=None, said=r.text, why="not reached") for r in asked]
+    else:
+        judged = {r.requirement: r for r in material.results}
+        alone = evaluate(asked, material.facts, material.ways) if any(r.id not in judged for r in asked) else ()
+        results = list(alone or (judged[r.id] for r in asked))
+    return [
+        {**result.model_dump(mode="json"), "kind": asks.kind, "component": asks.component, "text": asks.text}
+        for asks, result in zip(asked, results, strict=True)
+    ]
+
+
+def _surroundings(material: Material) -> dict[str, Any]:
+    """The road on ego's path, light, weather and things at the road, as the run had them."""
+    facts = material.facts
+    if facts is None:
+        return {}
+    road = facts.road.model_dump(mode="json")
+    shown = {
+        **{k: v for k, v in road.items() if v not in (False, None, "none")},
+        "ego's light when it first comes within 30 m": facts.light,
+        "on ego's path": ", ".join(facts.infrastructure),
+        "roadworks": ", ".join(facts.temporary),
+        "weather": ", ".join(facts.weather),
+        "time of day": " or ".join(facts.time),
+    }
+    return {k.replace("_", " "): v for k, v in shown.items() if v not in (None, "")}
+
+
+def _timeline(material: Material) -> list[dict[str, Any]]:
+    facts = material.facts
+    found = [(e.time, o.name, e.event, e.other or "") for o in facts.objects for e in o.events] if facts else []
+    return [{"time": t, "who": w, "event": e, "other": o} for t, w, e, o in sorted(found)]
+
+
+def _criticality(pair: Pair) -> dict[str, Any]:
+    """The smallest values of a run, with their times; None where there is none."""
+    ttc, required, gap = pair.ttc, pair.required, pair.gap
+    worst, hardest, nearest = int(np.argmin(ttc)), int(np.argmax(required)), int(np.argmin(gap))
+    found = pair.pet
+    return {
+        "other": pair.other.name,
+        "gap_m": round(float(gap[nearest]), 2),
+        "gap_at_s": round(nearest * pair.step, 2),
+        "ttc_s": round(float(ttc[worst]), 2) if np.isfinite(ttc[worst]) else None,
+        "ttc_at_s": round(worst * pair.step, 2) if np.isfinite(ttc[worst]) else None,
+        "pet_s": round(found[0], 2) if found else None,
+        "pet_at_s": round(found[1], 2) if found else None,
+        "required_deceleration_mps2": round(float(required[hardest]), 2),
+        "required_deceleration_at_s": round(hardest * pair.step, 2) if required[hardest] > 0 else None,
+    }
+
+
+def _digests(material: Material) -> dict[str, str]:
+    structure = material.structure.model_dump(mode="json", exclude={"objects": {"__all__": {"key"}}})
+    ways = material.ways.model_dump(mode="json", exclude={"outline"}) if material.ways else None
+    found = {
+        "c2s": version("c2s"),
+        "scenic": version("scenic"),
+        "map": " ".join(w for w in (material.map_name, material.map_digest) if w),
+        "text": digest(material.text),
+        "S": digest(json.dumps(structure, sort_keys=True)),
+        "program": digest(material.program.text),
+        "tracks": digest(json.dumps(ways, sort_keys=True)) if ways else "",
+        "seed": str(material.seed),
+    }
+    return {k: v for k, v in found.items() if v}
+
+
+def digest(text: str) -> str:
+    """The first 16 digits of a text's SHA-256."""
+    return hashlib.sha256(text.encode()).hexdigest()[:16]

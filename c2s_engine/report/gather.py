@@ -1,0 +1,143 @@
+"""From a text, a session or a program to the material of its dossier, with the engine's own turns and checks."""
+
+import hashlib
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from c2s_engine.api import Engine
+from c2s_engine.maps.library import NAMED, MapNotFound
+from c2s_engine.report.material import Material, ReportError, problem_of
+from c2s_engine.structure.facts import Trajectories
+from c2s_engine.structure.program import Program
+from c2s_engine.structure.progress import Finished, RunDone, Say
+
+_FOLDER_NAME = re.compile(r"[A-Za-z0-9][\w.-]{0,79}")
+
+
+@dataclass(frozen=True)
+class Told:
+    """A text with its id, and what matters most to who wrote it."""
+
+    id: str
+    text: str
+    matters: str = ""
+
+
+def read_records(file: Path) -> list[Told]:
+    """The texts of a YAML list of maps with `id` and `text`; raises ReportError naming every entry that is not one."""
+    try:
+        items = yaml.safe_load(file.read_text(encoding="utf-8"))
+    except UnicodeDecodeError:
+        raise ReportError(f"{file} is no text in UTF-8: save it as UTF-8.") from None
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        where = f", line {mark.line + 1}" if mark else ""
+        raise ReportError(f"{file}{where} is no YAML: give a list of maps with `id` and `text`.") from None
+    if not isinstance(items, list) or not items:
+        raise ReportError(f"{file} holds no list of records: give a YAML list of maps with `id` and `text`.")
+    problems = list(_problems(items))
+    if problems:
+        raise ReportError(f"{file}: {'; '.join(problems[:8])}.")
+    return [Told(str(i["id"]), str(i["text"]).strip(), str(i.get("matters") or "").strip()) for i in items]
+
+
+def _problems(items: list[Any]) -> Iterator[str]:
+    seen: set[str] = set()
+    for number, item in enumerate(items, 1):
+        if not isinstance(item, dict) or not isinstance(item.get("text"), str) or not item["text"].strip():
+            yield f"record {number} has no text"
+            continue
+        name = str(item.get("id") or "")
+        if not _FOLDER_NAME.fullmatch(name):
+            yield f"record {number} needs an id of letters, digits, '-', '_' and '.', not {name!r}"
+        elif name in seen:
+            yield f"the id {name} is used twice"
+        seen.add(name)
+
+
+async def of_text(engine: Engine, told: Told, *, method: str | None = None, seed: int = 0) -> Material:
+    """A text that is generated and run now."""
+    done: Finished | None = None
+    ways: Trajectories | None = None
+    said = ""
+    async for event in engine.generate(told.text, method=method, seed=seed, trajectories=True):
+        if isinstance(event, RunDone) and ways is None:
+            ways = event.trajectories
+        elif isinstance(event, Say) and event.severity == "error":
+            said = event.text
+        elif isinstance(event, Finished):
+            done = event
+    if done is None:
+        return Material(id=told.id, text=told.text, matters=told.matters, problem=said or "Nothing came of the text.")
+    facts = done.facts[0] if done.facts else None
+    name, folder = done.details.get("map") or "", done.details.get("folder")
+    return Material(
+        id=told.id, text=told.text, matters=told.matters, origin=f"method {method or engine.settings.method}",
+        structure=done.structure, program=done.program, faults=done.diagnostics, facts=facts, ways=ways,
+        results=done.results, seed=seed,
+        map_name=name, map_digest=_digest_of(done.program, folder), problem=problem_of(done.diagnostics, facts),
+    )  # fmt: skip
+
+
+async def of_program(engine: Engine, file: Path, text: str, *, seed: int = 0) -> Material:
+    """A Scenic program; its S is what is recognised in it. Raises CheckError where it cannot be parsed."""
+    structure = await engine.import_program(text, file.name)
+    found = await _run(engine, Program(text=text), str(file.resolve().parent), file.name, seed)
+    origin = f"program {file.name}, S recognised in it"
+    return Material(id=file.stem, origin=origin, structure=structure, **found)
+
+
+async def of_session(engine: Engine, name: str, *, seed: int = 0) -> Material:
+    """A session as it stands, run now; raises ReportError and SessionError."""
+    from c2s_engine.session.sessions import Sessions
+
+    session = Sessions().open(name, engine, create=False)
+    try:
+        structure, program, folder = session.structure, session.program, session.details.get("folder")
+    finally:
+        session.close()
+    if not program.text.strip():
+        raise ReportError(f"The session {name!r} has no program yet: say a scenario in it first.")
+    found = await _run(engine, program, folder or _folder(engine, program), "program.scenic", seed)
+    identity = re.sub(r"[^\w.-]+", "-", name).strip("-.") or "session"
+    return Material(id=identity, text=structure.text, origin=f"session {name}", structure=structure, **found)
+
+
+async def _run(engine: Engine, program: Program, folder: str | None, filename: str, seed: int) -> dict[str, Any]:
+    report = await engine.check(
+        program.text, spans=program.spans, upto="run", seed=seed, trajectories=True, folder=folder, filename=filename
+    )
+    faults = tuple(d for s in report.stages for d in s.diagnostics)
+    facts = report.facts[0] if report.facts else None
+    named = NAMED.search(program.text)
+    return {
+        "program": program,
+        "faults": faults,
+        "facts": facts,
+        "ways": report.trajectories[0] if report.trajectories else None,
+        "seed": seed,
+        "map_name": Path(named[1]).name if named else "",
+        "map_digest": _digest_of(program, folder),
+        "problem": problem_of(faults, facts),
+    }
+
+
+def _folder(engine: Engine, program: Program) -> str | None:
+    """Where the map of a session's program lies."""
+    try:
+        found = engine.library.named_in(program.text)
+        return str(engine.library.working_copy(found).parent) if found else None
+    except MapNotFound:
+        return None
+
+
+def _digest_of(program: Program, folder: str | None) -> str:
+    """The digest of the map that a program names; empty where its file is not there."""
+    named = NAMED.search(program.text)
+    file = Path(folder or ".") / f"{named[1]}.xodr" if named else None
+    return hashlib.sha256(file.read_bytes()).hexdigest()[:16] if file is not None and file.is_file() else ""

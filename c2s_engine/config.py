@@ -35,7 +35,7 @@ class Settings(BaseModel):
     improve: bool = False
     """Whether a model is told what a run did not show, to change S (at most twice, kept where the score rises)."""
     offers: bool = True
-    """Whether the embedded method looks for snippets near to what cannot be expressed."""
+    """Whether snippets near to what cannot be expressed are looked for when a turn is over."""
     embedding_model: str | None = None
     """Another sentence-transformers model (folder or name) for the index; none: the shipped one."""
     runs: int = 1

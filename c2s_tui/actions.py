@@ -35,19 +35,13 @@ class Actions(Start, Files, Choices):
         self.go_to("sheet")
 
     async def do_chat(self: Any, _: str) -> None:
-        self.leave_code("chat")
+        self.go_to("chat")
 
     async def do_sheet(self: Any, _: str) -> None:
-        self.leave_code("sheet")
+        self.go_to("sheet")
 
     async def do_code(self: Any, _: str) -> None:
         self.go_to("code")
-
-    def leave_code(self: Any, to: str) -> None:
-        """Go to another pane; hand edits of the code are committed on the way."""
-        if not self.busy:
-            self.code.commit()
-        self.go_to(to)
 
     async def do_help(self: Any, _: str) -> None:
         from c2s_tui.screens.help import help_screen
@@ -72,7 +66,9 @@ class Actions(Start, Files, Choices):
             program = self.desk.program
             try:
                 report = await self.backend.check(program.text, spans=program.spans, upto="run", trajectories=True)
-                self.desk = checked(self.desk, report)
+                judging = self.backend.can("judge")
+                required = await self.backend.ask("judge", self.desk.structure, report) if judging else ((), ())
+                self.desk = checked(self.desk, report, required)
             except Exception as error:
                 await self.chat.note(self._sentence(error), "error")
             finally:
@@ -147,6 +143,25 @@ class Actions(Start, Files, Choices):
         else:
             await self.chat.note("Nothing was found.", "note")
 
+    @work(group="snippets", exclusive=True, exit_on_error=False)
+    async def offer_snippets(self: Any, structure: Any) -> None:
+        """When a turn is over, say which snippets are near to what no field could say; once for the same words."""
+        if not self.backend.can("snippets"):
+            return
+        from c2s_engine.retrieve.errors import RetrievalError
+
+        try:
+            found = await self.backend.ask("snippets", structure)
+        except (RetrievalError, OSError):
+            return  # /search says why nothing can be searched
+        new = [entry for entry in found if entry[:2] not in self.offered]
+        if not new or self.busy or structure != self.desk.structure:
+            return
+        self.offered |= {entry[:2] for entry in new}
+        for cid, words, _ in new:
+            await self.chat.note(f"{cid or 'S'} has no field for “{words}”. Code that comes near:", "note")
+        await self.chat.found([passage for *_, passages in new for passage in passages])
+
     async def do_use(self: Any, argument: str) -> None:
         from c2s_engine.session.citing import description_of
 
@@ -161,7 +176,7 @@ class Actions(Start, Files, Choices):
             return
         siblings = await self.backend.ask("search", chosen.title, kind="doc", limit=10)
         self.chat.entry.put(description_of(chosen, siblings))
-        self.leave_code("chat")
+        self.go_to("chat")
 
     async def do_why(self: Any, argument: str) -> None:
         from c2s_tui.screens.why import why_screen
@@ -197,7 +212,7 @@ class Actions(Start, Files, Choices):
         elif argument:
             text = self.desk.program.fragment(argument)
         else:
-            text = self.code.area.selected_text or self.code.area.text
+            text = self.code.area.selected_text or self.code.text
         if not text:
             self.app.notify("There is nothing to copy.", markup=False)
             return

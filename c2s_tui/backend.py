@@ -2,7 +2,6 @@
 
 import asyncio
 import contextlib
-import re
 from collections.abc import AsyncIterator, Callable
 from importlib import import_module
 from pathlib import Path
@@ -125,12 +124,10 @@ class Backend:
 
     def folder(self, program: str) -> str | None:
         """The folder in which the map that a program names lies; None where it names none that is known."""
-        found = re.search(r"localPath\(['\"]([^'\"]+)\.xodr['\"]\)", program)
         library = getattr(self.engine, "library", None)
-        if not found or library is None:
-            return None
         try:
-            return str(library.working_copy(library.find(found[1])).parent)
+            found = library.named_in(program) if library is not None else None
+            return str(library.working_copy(found).parent) if library is not None and found else None
         except (LookupError, ValueError, OSError):
             return None
 

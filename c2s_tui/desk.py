@@ -18,6 +18,7 @@ from c2s_engine.structure.progress import (
     StructureChanged,
     Usage,
 )
+from c2s_engine.structure.requirements import Requirement, Result
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,8 @@ class Desk:
     running: str | None = None  # the stage under way
     facts: tuple[RunFacts, ...] = ()
     trajectories: tuple[Trajectories, ...] = ()
+    requirements: tuple[Requirement, ...] = ()
+    results: tuple[Result, ...] = ()  # one for each requirement, once something has run
     prompt_tokens: int = 0
     answer_tokens: int = 0
     seconds: float = 0.0
@@ -67,7 +70,9 @@ def begun(desk: Desk) -> Desk:
 
 def _fresh(desk: Desk) -> Desk:
     """Without the verdicts of the turn before."""
-    return replace(desk, stages=(), facts=(), trajectories=(), stale=False) if desk.stale else desk
+    if not desk.stale:
+        return desk
+    return replace(desk, stages=(), facts=(), trajectories=(), requirements=(), results=(), stale=False)
 
 
 def opened(structure: Structure, program: Program) -> Desk:
@@ -99,7 +104,8 @@ def step(desk: Desk, event: Progress) -> Desk:
         same = event.program.text == desk.program.text
         return replace(
             desk, program=event.program, rewritten=event.rewritten, facts=desk.facts if same else (),
-            trajectories=desk.trajectories if same else (),
+            trajectories=desk.trajectories if same else (), requirements=desk.requirements if same else (),
+            results=desk.results if same else (),
         )  # fmt: skip
     if isinstance(event, Usage):
         return replace(
@@ -111,9 +117,11 @@ def step(desk: Desk, event: Progress) -> Desk:
         trajectories = (*desk.trajectories, event.trajectories) if event.trajectories else desk.trajectories
         return replace(desk, facts=(*desk.facts, event.facts), trajectories=trajectories)
     if isinstance(event, Finished):
+        kept = desk.stages if event.details.get("unchanged") else ()
         return replace(
-            desk, structure=event.structure, program=event.program, stages=event.stages or desk.stages,
-            facts=event.facts or desk.facts, seconds=event.seconds, running=None, states={},
+            desk, structure=event.structure, program=event.program, stages=event.stages or kept,
+            facts=event.facts or desk.facts, requirements=event.requirements or desk.requirements,
+            results=event.results or desk.results, seconds=event.seconds, running=None, states={},
             folder=event.details.get("folder") or desk.folder,
         )  # fmt: skip
     return desk
@@ -125,14 +133,16 @@ def expected(desk: Desk, structure: Structure) -> Desk:
     return replace(desk, structure=structure, states=states)
 
 
-def restored(desk: Desk, stages: tuple[StageResult, ...], facts: tuple[RunFacts, ...]) -> Desk:
+def restored(desk: Desk, session: Any) -> Desk:
     """With the verdicts that a session kept."""
-    return replace(desk, stages=tuple(stages), facts=tuple(facts))
+    kept = {name: tuple(getattr(session, name, ())) for name in ("stages", "facts", "requirements", "results")}
+    return replace(desk, **kept)  # type: ignore[arg-type]
 
 
-def checked(desk: Desk, report: Any) -> Desk:
-    """With what a check of the program as it stands has found."""
+def checked(desk: Desk, report: Any, required: Any = ((), ())) -> Desk:
+    """With what a check of the program as it stands has found, and what S requires with what was seen of it."""
     return replace(
-        desk, stages=report.stages, facts=report.facts, trajectories=report.trajectories, stale=False, running=None,
+        desk, requirements=required[0], results=required[1],
+        stages=report.stages, facts=report.facts, trajectories=report.trajectories, stale=False, running=None,
         seconds=sum(s.seconds for s in report.stages),
     )  # fmt: skip

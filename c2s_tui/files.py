@@ -6,6 +6,7 @@ import shlex
 import subprocess
 import sys
 import tempfile
+from itertools import chain, count
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +24,6 @@ class Files:
 
     async def do_save(self: Any, argument: str) -> None:
         """Write the program (and its map beside it)."""
-        self.code.commit() if self.code.edited and not self.busy else None
         target = Path(argument).expanduser() if argument else self.file
         if target is None:
             self.chat.entry.put(f"/save {self.session.name if self.session else 'program'}.scenic")
@@ -41,7 +41,8 @@ class Files:
         await self.write(target)
 
     async def write(self: Any, target: Path) -> None:
-        program = self.desk.program.model_copy(update={"text": self.code.area.text})
+        """Write the text that the code pane shows, edits that are not applied included."""
+        program = self.desk.program.model_copy(update={"text": self.code.text})
         try:
             written = await asyncio.to_thread(self.backend.save, program, self.desk.folder, target)
         except OSError as error:
@@ -84,7 +85,7 @@ class Files:
         if not await self._may_begin():
             return
         try:
-            text = await asyncio.to_thread(path.read_text, "utf-8")
+            text = (await asyncio.to_thread(path.read_bytes)).decode()
         except (OSError, UnicodeDecodeError) as error:
             await self.chat.note(f"{path} cannot be read: {getattr(error, 'strerror', None) or error}", "error")
             return
@@ -92,8 +93,9 @@ class Files:
 
     @work(group="choices", exclusive=True, exit_on_error=False)
     async def take_program(self: Any, text: str, path: Path) -> None:
-        """Decompose a program and make it the session's S."""
+        """Decompose a program and make it a session's S: this one's where it is empty, else a new one's."""
         from c2s_engine.structure.edits import Replace
+        from c2s_engine.structure.program import assemble
 
         if not self.backend.can("import_program"):
             await self.chat.note("This engine cannot import programs.", "error")
@@ -103,8 +105,15 @@ class Files:
         except (ValueError, OSError, RuntimeError) as error:
             await self.chat.note(f"{path.name} could not be taken apart: {self._sentence(error)}", "error")
             return
+        name, left = path.stem, self.session.name
+        if self.desk.program.text or self.code.edited:
+            taken = {s.name for s in await self.backend.thread.do(self.backend.sessions.list)}
+            await self.enter(next(n for n in chain([name], (f"{name}-{i}" for i in count(2))) if n not in taken))
+            await self.chat.note(f"{path.name} is in a session of its own; /open {left} goes back.")
         self.file, self.file_seen = path, _stamp(path)
         self.saved_text = text
+        if assemble(structure).text != text:
+            await self.chat.note(f"{path.name} is of Scenic 2: what you see is upgraded to Scenic 3.", "warning")
         await self.chat.note(f"Opened {path.name}.")
         await self.make_edits((Replace(structure=structure),))
 
@@ -134,17 +143,17 @@ class Files:
         if not editor:
             await self.chat.note("Set EDITOR (such as EDITOR=vim) to edit the program outside.", "error")
             return
-        text = self.code.area.text
+        text = self.code.text
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "program.scenic"
-            file.write_text(text, "utf-8")
+            file.write_bytes(text.encode())
             try:
                 with self.app.suspend():
                     subprocess.run([*shlex.split(editor), str(file)], stdout=sys.__stdout__, stderr=sys.__stderr__)
             except Exception as error:
                 await self.chat.note(f"{editor} could not be run: {self._sentence(error)}", "error")
                 return
-            changed = file.read_text("utf-8")
+            changed = file.read_bytes().decode()
         self.app.refresh()
         if changed != text:
             self.code.area.text = changed

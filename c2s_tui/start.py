@@ -54,7 +54,7 @@ class Start:
         try:
             if self.session is None:
                 left = state()
-                self.desk = desks.restored(desks.opened(left.structure, left.program), left.stages, left.facts)
+                self.desk = desks.restored(desks.opened(left.structure, left.program), left)
                 self.show()
             name = await self.backend.thread.do(lambda: install(self.backend.sessions, EXAMPLE))
         except (OSError, ValueError, RuntimeError) as error:
@@ -75,7 +75,6 @@ class Start:
         if self.busy:
             await self._may_begin()
             return
-        self.code.commit()
         await self.enter(name)
 
     async def enter(self: Any, name: str) -> None:
@@ -122,7 +121,7 @@ class Start:
             reasons.append("a turn is still running")
         if self.code.edited:
             reasons.append("the code has hand edits that are not applied")
-        if self.file is not None and self.saved_text is not None and self.code.area.text != self.saved_text:
+        if self.file is not None and self.saved_text is not None and self.code.text != self.saved_text:
             reasons.append(f"{self.file.name} does not have the last changes")
         if not reasons:
             await self.leave()

@@ -7,7 +7,7 @@ from textual.content import Content
 from textual.widgets import Static
 
 from c2s_engine.structure.diagnostics import StageResult
-from c2s_engine.structure.seen import marks, score
+from c2s_engine.structure.requirements import tally
 from c2s_tui.desk import Desk
 from c2s_tui.look.kinds import mark
 
@@ -24,7 +24,7 @@ class Choice:
 
 
 class StatusBar(Static):
-    """Method, model, map, verdicts of the stages, time, tokens, said and seen."""
+    """Method, model, map, verdicts of the stages, time, tokens, what is required and seen."""
 
     def __init__(self, **options: Any):
         super().__init__("", markup=False, **options)
@@ -64,9 +64,9 @@ def line(desk: Desk, choice: Choice, working: str, width: int) -> Content:
         add((_time(desk.seconds), "$muted"))
     if desk.answer_tokens:
         add((f"{desk.prompt_tokens}+{desk.answer_tokens} tok", "$muted"))
-    seen, said = score(marks(desk.structure, desk.facts))
-    if said:
-        add((f"said {said} seen {seen}", "$text-success" if seen == said else "$text-warning"))
+    seen, required = tally(desk.results)
+    if required:
+        add((f"{seen} of {required} required seen", "$text-success" if seen == required else "$text-warning"))
     if working:
         add((f"{working} (Esc cancels)", "bold $text-accent"))
     return Content.assemble(*parts)

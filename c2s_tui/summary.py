@@ -1,7 +1,10 @@
-"""The one line that closes a turn in the chat."""
+"""The lines that close a turn in the chat."""
 
-from c2s_engine.structure.seen import marks, score
+from c2s_engine.structure.requirements import failures, tally
 from c2s_tui.desk import Desk
+
+MISSED = 6
+"""Lines of what was not seen that a turn's closing line shows."""
 
 
 def summary(desk: Desk) -> tuple[str, str]:
@@ -26,10 +29,11 @@ def summary(desk: Desk) -> tuple[str, str]:
     elif desk.stages:
         last = desk.stages[-1].name
         parts.append({"run": "runs", "sample": "samples", "compile": "compiles"}.get(last, f"{last} done"))
-    seen, said = score(marks(desk.structure, desk.facts))
-    if said:
-        parts.append(f"{seen} of {said} said actions seen")
+    seen, required = tally(desk.results)
+    if required:
+        parts.append(f"{seen} of {required} required seen")
     if desk.seconds:
         parts.append(f"{desk.seconds:.1f} s")
-    kind = "error" if failed is not None else "warning" if said and seen < said else "note"
-    return "; ".join(parts), kind
+    kind = "error" if failed is not None else "warning" if required and seen < required else "note"
+    missed = failures(desk.requirements, desk.results)
+    return "\n".join(["; ".join(parts), *missed[:MISSED]]), kind

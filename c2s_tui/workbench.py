@@ -2,8 +2,10 @@
 
 import asyncio
 import re
+from collections.abc import AsyncIterator
 from contextlib import aclosing
 from pathlib import Path
+from time import monotonic
 from typing import Any
 
 from textual import on, work
@@ -14,7 +16,7 @@ from textual.widgets import Tab, Tabs
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import EditError, SetDescription, apply
-from c2s_engine.structure.progress import Finished
+from c2s_engine.structure.progress import Finished, StageStarted
 from c2s_tui import desk as desks
 from c2s_tui.actions import Actions
 from c2s_tui.chat.entry import Entry
@@ -32,6 +34,10 @@ from c2s_tui.status import Choice, StatusBar
 
 DRAFT_SECONDS = 1.0
 _BACK = re.compile(r"(?:please )?(undo|redo)(?: (?:it|that|this|the last (?:change|edit|turn)))?[.!]?")
+DOING = {"interpret": "reading", "resolve": "looking for the place", "write": "writing", "compile": "running"}
+"""What a turn does in each stage, for the status line."""
+LONG = 3000
+"""Characters of a text from which on its size and the seconds it takes stand in the status line while it is read."""
 LIVE_SECONDS = 0.4
 """How long typing in the code must rest before the text is checked."""
 
@@ -52,11 +58,13 @@ class Workbench(Actions, Drawing, Screen):
         self.here: str | None = None  # the component that the cursor of a pane came onto last
         self.choice = Choice()
         self.working = ""
+        self.since, self.long = 0.0, 0  # when the turn began (s), and the size of its text where that is long
         self.ready = False
         self.recovered = False  # the session's drafts are in the panes again
         self._turn_lock = asyncio.Lock()
         self._waiting_edits: tuple[Any, ...] = ()
         self._typed: set[str] = set()
+        self.offered: set[tuple[str, str]] = set()  # (component, words) whose snippets were shown
         self._live: Any = None
         self.file_seen: float | None = None
         self.told_change: float | None = None
@@ -102,15 +110,24 @@ class Workbench(Actions, Drawing, Screen):
         self.call_after_refresh(self.begin)  # the engine is imported behind the panes' first frame
         self.set_interval(DRAFT_SECONDS, self.save_drafts)
         self.set_interval(WATCH_SECONDS, self.watch_file)
+        self.set_interval(1.0, self._tick)
 
     def show_status(self) -> None:
-        self.query_one(StatusBar).show(self.desk, self.choice, self.working)
+        working = self.working
+        if working == "reading" and self.long:
+            working = f"reading {self.long / 1000:.0f} kB, {monotonic() - self.since:.0f} s"
+        self.query_one(StatusBar).show(self.desk, self.choice, working)
+
+    def _tick(self) -> None:
+        if self.long and self.busy:
+            self.show_status()
 
     def take_session(self, session: Any) -> None:
         """Lay an opened session on the desk."""
         self.session, self.recovered = session, False
         self.desk = desks.opened(session.structure, session.program)
-        self.desk = desks.restored(self.desk, getattr(session, "stages", ()), getattr(session, "facts", ()))
+        self.code.empty()
+        self.desk = desks.restored(self.desk, session)
         self.chat.border_subtitle = session.name
         self.show()
 
@@ -129,7 +146,7 @@ class Workbench(Actions, Drawing, Screen):
     async def turn(self, source: Any, label: str) -> None:
         """Run a turn of the session and show its events; cancelling leaves S as it was."""
         async with self._turn_lock:
-            self.working = label
+            self.working, self.since = label, monotonic()
             self.desk = desks.begun(self.desk)
             if self._waiting_edits:
                 self.desk = desks.expected(self.desk, self._optimistic(self._waiting_edits))
@@ -138,7 +155,7 @@ class Workbench(Actions, Drawing, Screen):
             try:
                 async with aclosing(self.backend.events(source)) as events:
                     async for event in events:
-                        finished = finished or isinstance(event, Finished)
+                        finished = isinstance(event, Finished)
                         await self._take(event)
             except asyncio.CancelledError:
                 raise
@@ -154,8 +171,11 @@ class Workbench(Actions, Drawing, Screen):
                 await self.chat.end()
             if finished:
                 await self._summarise()
+                self.offer_snippets(self.desk.structure)
 
     async def _take(self, event: Any) -> None:
+        if isinstance(event, StageStarted):
+            self.working = DOING.get(event.stage, self.working)
         self.desk = desks.step(self.desk, event)
         await self.chat.take(event)
         if event.type not in ("token", "say", "passage"):
@@ -198,9 +218,18 @@ class Workbench(Actions, Drawing, Screen):
             self.chat.entry.put(text)
             return
         await self.chat.user(text)
-        options = self.options()
+        options, hand = self.options(), self.code.hand_edit
+        self.long = len(text) if len(text) > LONG else 0
         self._waiting_edits = ()
-        self.turn(lambda: self.session.say(text, **options), "reading")
+        self.turn(lambda: self._after(hand, self.session.say(text, **options)), "reading")
+
+    async def _after(self, hand: tuple[Any, ...], events: AsyncIterator[Any]) -> AsyncIterator[Any]:
+        """The events of a turn, after those of applying what was typed in the code: the turn is about that."""
+        steps = [self.session.apply(hand, **{**self.options(), "run": False})] if hand else []
+        for step in [*steps, events]:
+            async with aclosing(step) as found:  # type: ignore[type-var]
+                async for event in found:
+                    yield event
 
     async def _may_begin(self) -> bool:
         if self.session is None:
@@ -216,7 +245,11 @@ class Workbench(Actions, Drawing, Screen):
         await self.make_edits(event.edits)
 
     async def make_edits(self, edits: tuple[Any, ...]) -> None:
-        """Edits of S; those of an edit turn that still runs are taken along, for its check is stale now."""
+        """Edits of S, after what was typed in the code; those of an edit turn that still runs are taken along, for its
+        check is stale now."""
+        edits = (*self.code.hand_edit, *edits)
+        if not edits:
+            return
         if self.session is None or (self.busy and not self._waiting_edits):
             await self._may_begin()
             return
@@ -295,7 +328,7 @@ class Workbench(Actions, Drawing, Screen):
         """Swap to disk what was typed and neither sent nor applied; `now`: all of it, before this returns."""
         if self.session is None or not (self._typed or now and self.recovered):
             return
-        texts = {"chat": self.chat.entry.text, "code": self.code.area.text if self.code.edited else ""}
+        texts = {"chat": self.chat.entry.text, "code": self.code.text if self.code.edited else ""}
         typed, self._typed = self._typed, set()
         if now:  # what is being written from a thread at this moment may be older than what is there
             for pane in texts if self.recovered else typed:
@@ -327,7 +360,7 @@ class Workbench(Actions, Drawing, Screen):
         self.call_after_refresh(self.show_status)
 
     def go_to(self, name: str) -> None:
-        """Bring a pane to the front (narrow) and focus it. Hand edits are committed when the code is left."""
+        """Bring a pane to the front (narrow) and focus it."""
         for other in self.PANES:
             self._pane(other).set_class(other == name, "-current")
         self.query_one("#right").set_class(name in ("code", "picture"), "-current")

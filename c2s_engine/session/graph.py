@@ -2,7 +2,6 @@
 checkpointer can keep it; typed progress events go out on the custom stream.
 """
 
-import asyncio
 from typing import Any, TypedDict
 
 from langgraph.config import get_stream_writer
@@ -13,7 +12,8 @@ from c2s_engine.session import in_place, steps, unwritten
 from c2s_engine.session.citing import resting_on, uncited
 from c2s_engine.session.improving import can_improve, improved, summed
 from c2s_engine.session.methods import Method, method_named
-from c2s_engine.session.offers import look_up, offered, wanted
+from c2s_engine.session.read_back import read_back
+from c2s_engine.session.requiring import judged
 from c2s_engine.session.steps import Tools
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
@@ -37,6 +37,7 @@ class State(TypedDict, total=False):
     upto: str
     trajectories: bool
     improve: bool
+    strict: bool
     structure: dict[str, Any]
     before: dict[str, Any]
     program: dict[str, Any]
@@ -47,6 +48,8 @@ class State(TypedDict, total=False):
     folder: str
     room: float
     map_name: str
+    requirements: list[dict[str, Any]]
+    results: list[dict[str, Any]]
     details: dict[str, Any]
     in_place: list[str]
     stop: bool
@@ -93,13 +96,15 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         method = method_of(state)
         for edit in method.described(before, structure) if edits else []:
             structure = steps.apply(structure, edit)
+        lenient = bool(state.get("text")) and not state.get("strict")
         structure, found, result = await steps.configure(
-            structure, tools, emit, given=state.get("map"), needed=method.needs_place, lenient=bool(state.get("text"))
+            structure, tools, emit, given=state.get("map"), needed=method.needs_place, lenient=lenient
         )
         changed: list[str] = []
         if found.writer is None:
             structure = unwritten.left(before, structure, emit)
         elif edits:
+            structure = await read_back(before, structure, found.writer, tools.check, emit)
             structure, changed = await in_place.followed(before, structure, found.writer.map, tools.check, emit)
         emit(StructureChanged(structure=structure))
         update: State = {
@@ -148,10 +153,6 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
     async def check(state: State) -> State:
         from c2s_engine.structure.program import Program
 
-        structure = structure_of(state)
-        looking = None
-        if state.get("text") and method_of(state).name == "embedded" and tools.settings.offers and wanted(structure):
-            looking = asyncio.create_task(look_up(structure, tools, get_stream_writer()))
         report = await steps.check(
             Program.model_validate(state["program"]),
             tools,
@@ -164,11 +165,11 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         )
         stages = [*state.get("stages", []), *(s.model_dump(mode="json") for s in report.stages)]
         kept = report.model_dump(mode="json", exclude={"trajectories"})
-        update: State = {"report": kept, "stages": stages}
-        if looking is not None:
-            offers = await offered(looking, structure, get_stream_writer())
-            update["details"] = {**state.get("details", {}), "offers": offers}
-        return update
+        found = await judged(
+            structure_of(state), report, tools, map_name=state["map_name"], room=state["room"],
+            seed=state.get("seed", 0),
+        )  # fmt: skip
+        return {"report": kept, "stages": stages, **found.as_state()}  # type: ignore[typeddict-item]
 
     async def improve(state: State) -> State:
         return await improved(state, tools, method_of(state), get_stream_writer())  # type: ignore[return-value, arg-type]

@@ -1,15 +1,15 @@
 """Simulation in the loop as a step of a turn: what the runs did not show of S goes back to the model."""
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from c2s_engine.check.protocol import CheckReport
 from c2s_engine.models.errors import ModelError
 from c2s_engine.session import steps
 from c2s_engine.session.model_methods import ModelMethod
+from c2s_engine.session.requiring import Judged, judged
 from c2s_engine.session.steps import Emit, Tools
-from c2s_engine.structure import seen
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.facts import RunFacts
@@ -25,7 +25,11 @@ from c2s_engine.structure.progress import (
     Token,
     Usage,
 )
+from c2s_engine.structure.requirements import Requirement, Result, failures, tally
 from c2s_engine.write.loop import Outcome
+
+MENDABLE = ("phase", "order", "place", "outcome", "conflict")
+"""The kinds of requirements that an edit of S can bring about; the others are the writer's to keep."""
 
 
 def can_improve(state: dict[str, Any]) -> bool:
@@ -33,14 +37,12 @@ def can_improve(state: dict[str, Any]) -> bool:
     if not state.get("improve") or state.get("method") in (None, "embedded"):
         return False
     facts = tuple(RunFacts.model_validate(f) for f in state.get("report", {}).get("facts", []))
-    structure = Structure.model_validate(state["structure"])
-    return any(f.ran for f in facts) and bool(seen.differences(structure, facts))
+    return any(f.ran for f in facts) and bool(_of_state(state).differences)
 
 
 async def improved(state: dict[str, Any], tools: Tools, method: ModelMethod, emit: Emit) -> dict[str, Any]:
     """What changes of the state: the best of what was tried, and what trying cost. The events between are not shown."""
     first = Structure.model_validate(state["structure"])
-    facts = tuple(RunFacts.model_validate(f) for f in state["report"]["facts"])
     tried: list[_Tried] = []
 
     def quietly(event: Progress) -> None:
@@ -49,10 +51,10 @@ async def improved(state: dict[str, Any], tools: Tools, method: ModelMethod, emi
 
     async def evaluate(structure: Structure) -> Outcome:
         if structure is first:
-            return _outcome(first, facts)
+            return replace(_of_state(state), structure=first)
         found = await _tried(state, structure, tools, method, quietly)
         tried.append(found)
-        return _outcome(found.structure, found.report.facts)
+        return _outcome(found.structure, found.report.facts, found.judged)
 
     emit(Say(text="The run does not show all that is said: the model is asked to change it."))
     try:
@@ -76,6 +78,7 @@ class _Tried:
     written: list[str]
     stages: list[StageResult]
     report: CheckReport
+    judged: Judged
     where: dict[str, Any]
 
     def show(self, emit: Emit) -> None:
@@ -98,6 +101,7 @@ class _Tried:
             "rewritten": list(dict.fromkeys([*state.get("rewritten", []), *self.written])),
             "report": self.report.model_dump(mode="json", exclude={"trajectories"}),
             "stages": [*before, *stages],
+            **self.judged.as_state(),
             **self.where,
         }
 
@@ -121,13 +125,29 @@ async def _tried(state: dict[str, Any], structure: Structure, tools: Tools, meth
         trajectories=state.get("trajectories", False),
     )  # fmt: skip
     where = {"folder": folder, "room": found.writer.room, "map_name": chosen.name, "places": found.count}
-    return _Tried(structure, program, written, [resolved, result], report, where)
+    found_of = await judged(
+        structure, report, tools, map_name=chosen.name, room=found.writer.room, seed=state.get("seed", 0)
+    )
+    return _Tried(structure, program, written, [resolved, result], report, found_of, where)
 
 
-def _outcome(structure: Structure, facts: tuple[RunFacts, ...]) -> Outcome:
-    """The share of what is said that was seen; a program that does not run is worse than any that does."""
-    score = seen.share(seen.marks(structure, facts)) if any(f.ran for f in facts) else -1.0
-    return Outcome(structure, score, seen.differences(structure, facts))
+def _outcome(structure: Structure, facts: tuple[RunFacts, ...], found: Judged) -> Outcome:
+    """The share of what S says of its actors that was seen; a program that does not run is worse than any that does."""
+    asked = tuple(r for r in found.requirements if r.kind in MENDABLE)
+    ids = {r.id for r in asked}
+    held, of = tally([r for r in found.results if r.requirement in ids])
+    score = (held / of if of else 1.0) if any(f.ran for f in facts) else -1.0
+    return Outcome(structure, score, failures(asked, found.results))
+
+
+def _of_state(state: dict[str, Any]) -> Outcome:
+    """What the turn's own runs showed."""
+    facts = tuple(RunFacts.model_validate(f) for f in state.get("report", {}).get("facts", []))
+    found = Judged(
+        tuple(Requirement.model_validate(r) for r in state.get("requirements", [])),
+        tuple(Result.model_validate(r) for r in state.get("results", [])),
+    )
+    return _outcome(Structure.model_validate(state["structure"]), facts, found)
 
 
 def _details(state: dict[str, Any], method: ModelMethod, structure: Structure) -> dict[str, Any]:

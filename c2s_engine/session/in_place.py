@@ -18,11 +18,14 @@ from c2s_engine.write.in_place import (
     SKY,
     Change,
     Swap,
+    at,
     candidates,
     changes,
+    data,
     ends,
     ground,
     halves,
+    put,
     same,
     sky,
     swapped,
@@ -107,19 +110,19 @@ class _Work:
 
     async def component(self, cid: ComponentId) -> None:
         """Change one component's code group by group of its fields."""
-        there = _counterpart(self.structure[cid], self.read)
+        there = counterpart(self.structure[cid], self.read)
         if there is None or there not in self.read:
             return
-        found = changes(_data(self.before[cid]), _data(self.structure[cid]))
+        found = changes(data(self.before[cid]), data(self.structure[cid]))
         done = [await self._group(cid, there, group) for group in together(found)]
         self.whole[cid] = all(done) and by_hand.in_step(self.before, cid)
-        self.whole[cid] |= any(done) and same(_data(self.read[there]), _data(self.structure[cid]))
+        self.whole[cid] |= any(done) and same(data(self.read[there]), data(self.structure[cid]))
 
     async def settings(self, chosen: MapChoice) -> None:
         """G's statements take the values that the typed writer would give them; nothing else may change."""
         spec = self.structure.settings.spec
         assert isinstance(spec, SettingsSpec)
-        named = {str(c.path[0]) for c in changes(_data(self.before.settings), _data(self.structure.settings))}
+        named = {str(c.path[0]) for c in changes(data(self.before.settings), data(self.structure.settings))}
         if named & SKY and "preset" not in named:
             spec = spec.model_copy(update={"preset": None})  # the newer word counts
         done = not named - SKY - {"map"} and by_hand.in_step(self.before, "G")
@@ -170,11 +173,11 @@ class _Work:
 
     async def _change(self, cid: ComponentId, there: ComponentId, change: Change, loose: bool) -> bool:
         """Try the candidates one by one."""
-        now = _data(self.read[there])
-        change = replace(change, old=_at(now, change.path))
+        now = data(self.read[there])
+        change = replace(change, old=at(now, change.path))
         if same(change.old, change.new):
             return True
-        wanted = _put(now, change.path, change.new)
+        wanted = put(now, change.path, change.new)
         for swap in candidates(self.structure, cid, change):
             trial = swapped(self.structure, swap)
             try:
@@ -216,14 +219,14 @@ class _Work:
     def _as_read(self, structure: Structure, cid: ComponentId) -> Structure:
         """A component with what the changed program says of it besides the edit: its gap, where the types of objects
         or a required distance decide on that, and its sentences, where they are the reader's."""
-        there = _counterpart(self.before[cid], self.first)
+        there = counterpart(self.before[cid], self.first)
         if there is None or there not in self.first or there not in self.read:
             return structure
         component, was, now = structure[cid], self.first[there], self.read[there]
         update: dict[str, Any] = {}
-        data, old, new = _data(component), _at(_data(was), GAP), _at(_data(now), GAP)
-        if new is not None and not same(old, new) and same(_at(data, GAP), old):
-            spec = SPEC_ADAPTER.validate_python(_put(data, GAP, new))
+        fields, old, new = data(component), at(data(was), GAP), at(data(now), GAP)
+        if new is not None and not same(old, new) and same(at(fields, GAP), old):
+            spec = SPEC_ADAPTER.validate_python(put(fields, GAP, new))
             update = {"spec": spec, "description": _told_anew(structure, component, spec)}
         if component.description == self.before[cid].description == was.description:
             update["description"] = now.description
@@ -241,7 +244,7 @@ def _told_anew(structure: Structure, component: Component, spec: Any) -> str:
     return describe.obj(spec, names) if component.description == made else component.description
 
 
-def _counterpart(component: Component, read: Structure) -> ComponentId | None:
+def counterpart(component: Component, read: Structure) -> ComponentId | None:
     """The component of a program as it was read that is this one: objects may be numbered otherwise there."""
     if component.kind != "O":
         return component.id
@@ -258,10 +261,10 @@ def _says(read: Structure, there: ComponentId, wanted: Any, was: Structure, loos
     if read.ids != was.ids:
         return False
     for cid in was.ids:
-        told, meant = _data(read[cid]), wanted if cid == there else _data(was[cid])
+        told, meant = data(read[cid]), wanted if cid == there else data(was[cid])
         if loose:
             told, meant = ({k: v for k, v in d.items() if k != "name" or cid != there} for d in (told, meant))
-            told, meant = (_put(d, GAP, None) if "placement" in d else d for d in (told, meant))
+            told, meant = (put(d, GAP, None) if "placement" in d else d for d in (told, meant))
         if not same(told, meant):
             return False
     return True
@@ -280,30 +283,6 @@ def _rest(structure: Structure) -> list[Any]:
     return [(c.id, c.spec) for c in structure.components if c.id != "G"]
 
 
-def _data(component: Component) -> Any:
-    return component.spec.model_dump(mode="json")
-
-
-def _at(data: Any, path: tuple[str | int, ...]) -> Any:
-    for key in path:
-        try:
-            data = data[key]
-        except (KeyError, IndexError, TypeError):
-            return None
-    return data
-
-
-def _put(data: Any, path: tuple[str | int, ...], value: Any) -> Any:
-    """A copy with another value at a path."""
-    if not path:
-        return value
-    if isinstance(data, dict):
-        return {k: _put(v, path[1:], value) if k == path[0] else v for k, v in data.items()}
-    if isinstance(data, list):
-        return [_put(v, path[1:], value) if i == path[0] else v for i, v in enumerate(data)]
-    return data
-
-
 def _gap(component: Component) -> str:
-    low, high = ends(_at(_data(component), GAP)) or (0.0, 0.0)
+    low, high = ends(at(data(component), GAP)) or (0.0, 0.0)
     return f"{low:g}" if low == high else f"{low:g} to {high:g}"

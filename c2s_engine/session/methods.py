@@ -30,7 +30,9 @@ class Method(Protocol):
 
     async def interpret(self, text: str, structure: Structure, emit: Emit) -> Interpreted: ...
 
-    async def write(self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str) -> Written: ...
+    async def write(
+        self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str
+    ) -> Written: ...
 
     def described(self, before: Structure, after: Structure) -> list[Edit]: ...
 
@@ -66,7 +68,9 @@ class EmbeddedMethod:
             emit(Say(text=f"Not understood: {words}.", severity="warning"))
         return found, [], {}, result
 
-    async def write(self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str) -> Written:
+    async def write(
+        self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str
+    ) -> Written:
         chosen = map_choice(self.tools.library, self.tools.library.find(map_name))
         return write(structure, [], TypedWriter(chosen, room=room), emit)
 

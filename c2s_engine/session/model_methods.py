@@ -53,7 +53,9 @@ class ModelMethod:
         emit(StageDone(result=result))
         return reading.structure.model_copy(update={"text": text}), [], self.account(None), result
 
-    async def write(self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str) -> Written:
+    async def write(
+        self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str
+    ) -> Written:
         emit(StageStarted(stage="write"))
         started = time.perf_counter()
         writer = TypedWriter(map_choice(self.tools.library, self.tools.library.find(map_name)), room=room)

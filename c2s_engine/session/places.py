@@ -1,27 +1,30 @@
 """Which map a structure is written for, and whether that map has its place (DESIGN, "R")."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
-from c2s_engine.check.client import CheckClient
+from c2s_engine.check.client import CheckClient, CheckError
 from c2s_engine.check.protocol import PlacesRequest
 from c2s_engine.maps.expressions import relaxed
-from c2s_engine.maps.extras import read_extras
+from c2s_engine.maps.extras import MapExtras, read_extras
 from c2s_engine.maps.library import SHIPPED, MapFile, MapLibrary, MapNotFound
+from c2s_engine.maps.opendrive import BrokenMap
 from c2s_engine.structure.components import Assumption, Structure
 from c2s_engine.structure.diagnostics import Diagnostic
 from c2s_engine.structure.specs import PlaceSpec, SettingsSpec
 from c2s_engine.write.typed import ResolveError, TypedWriter, contradiction
-from c2s_engine.write.typed.kernel import source
 from c2s_engine.write.typed.writer import MapChoice
 
 DEFAULT_MAP = "Town05"
+FIRST = (DEFAULT_MAP, "Town10HD", "Town04", "Town03", "Town07", "Town06")
+"""CARLA's towns that are looked at before the others, where no map is named: those with most kinds of places first."""
 ROOMS = (1.0, 0.7, 0.45, 0.25)
-PRELUDE = "import math\n" + source("approach") + source("pocket") + source("ring_approach") + source("bend_start")
+"""How much of the way to a junction that a structure would take must be there: the best first."""
 
 
 @dataclass(frozen=True)
 class Resolution:
-    """The map and the room that fit, how many places match, and what was assumed about it; or why nothing fits."""
+    """The map and the fit, how many places match, and what was assumed about it; or why nothing fits."""
 
     writer: TypedWriter | None
     count: int = 0
@@ -39,6 +42,21 @@ def map_choice(library: MapLibrary, map_file: MapFile) -> MapChoice:
     )
 
 
+def named_map(structure: Structure) -> str | None:
+    """The map that the text names."""
+    spec = structure.settings.spec
+    return spec.map if isinstance(spec, SettingsSpec) else None
+
+
+def at_hand(library: MapLibrary, default: str | None) -> tuple[str, ...]:
+    """Where a place is looked for that no map is named for: the default, CARLA's towns, other maps, the shipped one."""
+    known = library.names()
+    beyond = [name for name in known if name != SHIPPED]
+    towns = sorted((n for n in beyond if library.is_town(n)), key=lambda n: (FIRST.index(n) if n in FIRST else 99, n))
+    found = (default or DEFAULT_MAP, *towns, *beyond, SHIPPED)
+    return tuple(dict.fromkeys(name for name in found if name in known or name == default))
+
+
 async def resolve(
     structure: Structure,
     library: MapLibrary,
@@ -46,87 +64,109 @@ async def resolve(
     *,
     given: str | None = None,
     default: str | None = None,
+    offers: bool = True,
 ) -> Resolution:
-    """Find a map that has the place: the one given, else the text's, else the default, else the shipped town.
+    """Find a map that has the place: the one given, else the text's, else the first of those at hand.
 
     A map that the caller gives must do: where it is not there or lacks the place, that is a diagnostic.
+    `offers`: whether a refusal names what would do.
     """
-    spec = structure.settings.spec
-    named = spec.map if isinstance(spec, SettingsSpec) else None
-    assumed: list[Assumption] = []
     if (error := contradiction(structure)) is not None:
         return Resolution(None, diagnostic=_diagnostic(str(error), "contradiction", error.fields))
-    for wanted in dict.fromkeys(w for w in (given, named, default or DEFAULT_MAP, SHIPPED) if w):
+    named = named_map(structure)
+    names = (given,) if given else tuple(dict.fromkeys(n for n in (named, *at_hand(library, default)) if n))
+    lacking = ""
+    for wanted in names:
         try:
-            choice = map_choice(library, library.find(wanted))
-        except MapNotFound as error:
+            found = await on_map(structure, library, check, wanted)
+        except (MapNotFound, BrokenMap) as error:
             if wanted == given:
                 return Resolution(None, diagnostic=_diagnostic(str(error), "unknown-map", ("G.map",)))
             if wanted == named:
-                assumed.append(Assumption(field="map", value=SHIPPED, reason=f"{wanted} is not on this machine"))
+                lacking = f"{named} is not on this machine" if isinstance(error, MapNotFound) else str(error)
             continue
-        writers = {f"room {r}": TypedWriter(choice, room=r) for r in ROOMS}
-        expressions = {name: w.candidates(structure) for name, w in writers.items()}
-        report = await check.places(PlacesRequest(map=str(choice.path), expressions=expressions, prelude=PRELUDE))
-        if report.errors:
-            broken = next(iter(report.errors.values()))
-            return Resolution(
-                None, diagnostic=_diagnostic(f"the place cannot be looked up: {broken}", "lookup", ("R",))
-            )
-        for name, writer in writers.items():
-            if report.counts.get(name):
-                if wanted not in (given, named):
-                    reason = "no map is named" if named is None else f"{named} cannot be used here"
-                    if wanted == SHIPPED and not library_has(library, DEFAULT_MAP):
-                        reason += f"; {DEFAULT_MAP}, the paper's default, is not on this machine"
-                    assumed.append(Assumption(field="map", value=choice.name, reason=reason))
-                return Resolution(writer, report.counts[name], tuple(assumed))
-        if wanted == given:
-            break
-        assumed.append(Assumption(field="map", value=SHIPPED, reason=f"{wanted} has no such place"))
-    nearest = await _nearest(structure, library, check, given)
+        except CheckError as error:
+            if wanted in (given, named):
+                lookup = f"the place cannot be looked up: {error}"
+                return Resolution(None, diagnostic=_diagnostic(lookup, "lookup", ("R",)))
+            continue
+        if found is not None and wanted in (given, named):
+            return found
+        if found is not None and found.writer is not None:
+            assumed = Assumption(field="map", value=found.writer.map.name, reason=lacking or _chosen(wanted, library))
+            return Resolution(found.writer, found.count, (assumed,))
+        lacking = lacking or (f"{wanted} has no such place" if wanted == named else "")
+    nearest = await _offers(structure, library, check, given) if offers else ""
     lack = f"{given} has no such place" if given else "no map at hand has such a place"
     return Resolution(None, diagnostic=_diagnostic(f"{lack}. {nearest}", "no-place", ("R",)))
 
 
-def library_has(library: MapLibrary, name: str) -> bool:
-    return name in library.names()
+async def on_map(structure: Structure, library: MapLibrary, check: CheckClient, name: str) -> Resolution | None:
+    """The best fit on one map; None where it lacks the place. Raises MapNotFound, BrokenMap, CheckError."""
+    choice = map_choice(library, library.find(name))
+    if lacks(structure, choice.extras):
+        return None
+    writers = {f"room {room:g}": TypedWriter(choice, room=room) for room in ROOMS}
+    expressions = {fit: writer.candidates(structure) for fit, writer in writers.items()}
+    report = await check.places(PlacesRequest(map=str(choice.path), expressions=expressions, first=True))
+    if report.errors:
+        raise CheckError(next(iter(report.errors.values())))
+    return next((Resolution(writers[fit], count) for fit, count in report.counts.items() if count), None)
 
 
-async def _nearest(structure: Structure, library: MapLibrary, check: CheckClient, given: str | None) -> str:
-    """Which single field of R, left open, would give places."""
+def lacks(structure: Structure, extras: MapExtras) -> str:
+    """In a sentence, why the map's own file says that there can be no such place; nothing where it may have one."""
     place = structure.place.spec
     assert isinstance(place, PlaceSpec)
-    choice = map_choice(library, library.find(given or SHIPPED))
-    found = []
+    if place.kind in ("roundabout", "on_ramp", "off_ramp") and not extras.of_kind(place.kind):
+        return f"The map has no {place.kind.replace('_', '-')}."
+    if place.kind == "motorway" and not any(road.motorway for road in extras.roads.values()):
+        return "The map has no motorway."
+    if place.lanes and place.lanes > max(max(road.left, road.right) for road in extras.roads.values()):
+        return f"The map has no road of {place.lanes} lanes in one direction."
+    if place.control in ("signal", "stop", "yield") and not any(c.kind == place.control for c in extras.controls):
+        return f"The map has no {place.control} {'' if place.control == 'signal' else 'sign '}at an intersection."
+    return ""
+
+
+def _chosen(name: str, library: MapLibrary) -> str:
+    """Why a map was taken that nobody named."""
+    if name == SHIPPED and DEFAULT_MAP not in library.names():
+        return f"no map is named; {DEFAULT_MAP}, the paper's default, is not on this machine"
+    return "no map is named"
+
+
+async def _offers(structure: Structure, library: MapLibrary, check: CheckClient, given: str | None) -> str:
+    """What the map lacks, which single field of R, left open, would give places, and which other maps have them all."""
+    place = structure.place.spec
+    assert isinstance(place, PlaceSpec)
+    name = given or SHIPPED
+    choice = map_choice(library, library.find(name))
+    ways = [missing.rstrip(".")] if (missing := lacks(structure, choice.extras)) else []
     for field, spec in relaxed(place).items():
         changed = structure.with_component(structure.place.model_copy(update={"spec": spec}))
-        try:
-            expression = TypedWriter(choice, room=ROOMS[-1]).candidates(changed)
-        except ResolveError:
-            continue
-        report = await check.places(
-            PlacesRequest(map=str(choice.path), expressions={field: expression}, prelude=PRELUDE)
-        )
-        if report.counts.get(field):
-            found.append(f"R.{field} left open gives {report.counts[field]} places on {choice.name}")
-    others = await _maps_with(structure, library, check, given)
-    ways = [*found, *([f"{' and '.join(others)} {'has' if len(others) == 1 else 'have'} it"] if others else [])]
+        found = await _quietly(changed, library, check, name)
+        if found is not None:
+            ways.append(f"R.{field} left open gives {found.count} places on {choice.name}")
+    others = await having(structure, library, check, (n for n in at_hand(library, None) if n != name))
+    if others:
+        listed = f"{', '.join(others[:-1])} and {others[-1]}" if len(others) > 1 else others[0]
+        ways.append(f"{listed} {'has' if len(others) == 1 else 'have'} it")
     return "; ".join(ways) + "." if ways else "Change R.kind, or name another map."
 
 
-async def _maps_with(structure: Structure, library: MapLibrary, check: CheckClient, given: str | None) -> list[str]:
-    """The default map and the shipped town, where they have the place that the given map lacks."""
-    found = []
-    for name in (DEFAULT_MAP, SHIPPED):
-        if given is None or name == given or not library_has(library, name):
-            continue
-        choice = map_choice(library, library.find(name))
-        expressions = {f"room {r}": TypedWriter(choice, room=r).candidates(structure) for r in ROOMS}
-        report = await check.places(PlacesRequest(map=str(choice.path), expressions=expressions, prelude=PRELUDE))
-        if any(report.counts.values()):
-            found.append(name)
-    return found
+async def having(
+    structure: Structure, library: MapLibrary, check: CheckClient, names: Iterable[str]
+) -> tuple[str, ...]:
+    """Those maps that have the place."""
+    return tuple([name for name in names if await _quietly(structure, library, check, name) is not None])
+
+
+async def _quietly(structure: Structure, library: MapLibrary, check: CheckClient, name: str) -> Resolution | None:
+    try:
+        return await on_map(structure, library, check, name)
+    except (MapNotFound, BrokenMap, CheckError, ResolveError):
+        return None
 
 
 def _diagnostic(message: str, code: str, fields: tuple[str, ...]) -> Diagnostic:

@@ -63,6 +63,9 @@ class Reader:
                 self._process.stdin.write(_frame((number, call)))
                 await self._process.stdin.drain()
             return await answer
+        except asyncio.CancelledError:  # it would read on, and the next text would wait for that
+            await self.close()
+            raise
         finally:
             self._waiting.pop(number, None)
 
@@ -74,6 +77,7 @@ class Reader:
             await self._process.wait()
         if self._listening is not None:
             self._listening.cancel()
+        self._process = None
 
     async def _listen(self, process: asyncio.subprocess.Process) -> None:
         assert process.stdout is not None

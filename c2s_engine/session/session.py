@@ -23,6 +23,7 @@ from c2s_engine.structure.edits import Edit
 from c2s_engine.structure.facts import RunFacts
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import Finished, ProgramChanged, Say, StructureChanged
+from c2s_engine.structure.requirements import Requirement, Result
 
 ROOT = "start"
 GLANCE = "head.json"
@@ -86,6 +87,14 @@ class Session:
     @property
     def facts(self) -> tuple[RunFacts, ...]:
         return self._state.facts
+
+    @property
+    def requirements(self) -> tuple[Requirement, ...]:
+        return self._state.requirements
+
+    @property
+    def results(self) -> tuple[Result, ...]:
+        return self._state.results
 
     @property
     def details(self) -> dict[str, Any]:
@@ -305,6 +314,8 @@ def _locked(folder: Path, name: str) -> Any:
 
 
 def _said(edit: Any) -> str:
+    if edit.kind == "program":
+        return "code edited by hand"
     target = getattr(edit, "component", None) or ""
     path = getattr(edit, "path", "")
     return f"{edit.kind} {target}{'.' + path if path else ''}".strip()

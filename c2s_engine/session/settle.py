@@ -1,12 +1,15 @@
-"""A text that asks for more than maps or specs can give is not refused: R's least important field is left open, else
-who is in a lane that no such place has comes into ego's.
+"""A text that asks for more than maps or specs can give is not refused: as few of R's fields as it takes are left open,
+else who is in a lane that no such place has comes into ego's.
 
 Only for what was read from a text; an edit that contradicts the rest is refused, with the fields named.
 """
 
+from collections.abc import Iterator
+from itertools import combinations
+
 from c2s_engine.check.client import CheckClient
 from c2s_engine.maps.library import MapLibrary
-from c2s_engine.session.places import Resolution, resolve
+from c2s_engine.session.places import Resolution, named_map, resolve
 from c2s_engine.structure.components import Assumption, Structure, Unmet
 from c2s_engine.structure.specs import ObjectSpec, Placement
 
@@ -15,7 +18,9 @@ ORDER = (
     "control", "manoeuvre", "kind",
 )  # fmt: skip
 """Fields of R, from the one that is given up first."""
-
+ROADS = ("straight", "motorway", "crosswalk")
+"""Kinds of places for which another road stands in on a map that has none; what is done at a ramp, in a roundabout or
+at a junction is done nowhere else."""
 BESIDE = ("left_lane", "right_lane", "beside")
 """Positions that need a lane beside ego's."""
 
@@ -23,7 +28,22 @@ BESIDE = ("left_lane", "right_lane", "beside")
 async def settle(
     structure: Structure, library: MapLibrary, check: CheckClient, *, given: str | None, default: str | None
 ) -> tuple[Structure, Resolution]:
-    """The structure with as few of R's fields left open as it takes to resolve, each named in R's `assumed`."""
+    """The structure with as few of R's fields left open as it takes to resolve, each named in R's `assumed`.
+
+    A map that the text names counts as one that is given, as long as it is at hand and has anything near.
+    """
+    named = named_map(structure)
+    if given is None and named is not None and named.lower() in {name.lower() for name in library.names()}:
+        relaxed, found = await settle(structure, library, check, given=named, default=default)
+        if found.writer is not None:
+            return relaxed, found
+        return await _settle(structure, library, check, given=None, default=default)
+    return await _settle(structure, library, check, given=given, default=default)
+
+
+async def _settle(
+    structure: Structure, library: MapLibrary, check: CheckClient, *, given: str | None, default: str | None
+) -> tuple[Structure, Resolution]:
     found = await resolve(structure, library, check, given=given, default=default)
     if (
         found.writer is not None
@@ -31,26 +51,32 @@ async def settle(
         or found.diagnostic.code not in ("contradiction", "no-place")
     ):
         return structure, found
-    why = found.diagnostic.message
-    single = [(field,) for field in ORDER]
-    growing = [ORDER[: n + 1] for n in range(1, len(ORDER))]
-    for fields in [*single, *growing]:
-        relaxed = _without(structure, fields, why)
-        if relaxed is None:
-            continue
-        again = await resolve(relaxed, library, check, given=given, default=default)
-        if again.writer is not None:
-            return relaxed, again
-    moved = _in_line(structure, why)
-    if moved is None:
-        return structure, found
-    for relaxed in (moved, *(_without(moved, fields, why) for fields in growing)):
-        if relaxed is None:
-            continue
-        again = await resolve(relaxed, library, check, given=given, default=default)
+    why = f"{given} has no such place" if given and found.diagnostic.code == "no-place" else found.diagnostic.message
+    anywhere = found.diagnostic.code == "contradiction" or given is None
+    for relaxed in _relaxed(structure, why, anywhere):
+        again = await resolve(relaxed, library, check, given=given, default=default, offers=False)
         if again.writer is not None:
             return relaxed, again
     return structure, found
+
+
+def _relaxed(structure: Structure, why: str, anywhere: bool) -> Iterator[Structure]:
+    """What may stand for a structure, from the one that gives up least."""
+    fields = [field for field in ORDER if _set(structure, field, anywhere)]
+    subsets = [subset for size in range(1, min(len(fields), 3) + 1) for subset in combinations(fields, size)]
+    subsets += [tuple(fields[:n]) for n in range(4, len(fields) + 1)]
+    yield from (_without(structure, subset, why) for subset in subsets)
+    moved = _in_line(structure, why)
+    if moved is not None:
+        yield moved
+        yield from (_without(moved, subset, why) for subset in subsets)
+
+
+def _set(structure: Structure, field: str, anywhere: bool) -> bool:
+    value = getattr(structure.place.spec, field)
+    if field == "kind":
+        return value != "road" and (anywhere or value in ROADS)
+    return value is not None
 
 
 def _in_line(structure: Structure, why: str) -> Structure | None:
@@ -72,12 +98,17 @@ def _in_line(structure: Structure, why: str) -> Structure | None:
     return changed if changed is not structure else None
 
 
-def _without(structure: Structure, fields: tuple[str, ...], why: str) -> Structure | None:
-    """The structure with fields of R left open; None where none of them was set."""
+def _without(structure: Structure, fields: tuple[str, ...], why: str) -> Structure:
+    """The structure with fields of R left open."""
     place = structure.place
-    update = {f: "road" if f == "kind" else None for f in fields if getattr(place.spec, f) not in (None, "road")}
-    if not update:
-        return None
-    notes = tuple(Assumption(field=f, value="left open", reason=why) for f in update)
+    update = {field: "road" if field == "kind" else None for field in fields}
+    notes = tuple(
+        Assumption(field=field, value="left open", reason=f"it was {_told(getattr(place.spec, field))}: {why}")
+        for field in fields
+    )
     spec = place.spec.model_copy(update=update)
     return structure.with_component(place.model_copy(update={"spec": spec, "assumed": (*place.assumed, *notes)}))
+
+
+def _told(value: object) -> str:
+    return str(value).lower().replace("_", " ") if isinstance(value, str | bool) else str(value)

@@ -10,6 +10,7 @@ from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.facts import RunFacts
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import Finished
+from c2s_engine.structure.requirements import Requirement, Result
 
 KEPT_DETAILS = ("map", "folder", "places", "passages")
 """What saving the program and the status line need, and the passages of the last answer."""
@@ -24,6 +25,8 @@ class State(BaseModel):
     program: Program = Program(text="")
     stages: tuple[StageResult, ...] = ()
     facts: tuple[RunFacts, ...] = ()
+    requirements: tuple[Requirement, ...] = ()
+    results: tuple[Result, ...] = ()
     details: dict[str, Any] = {}
 
     def after(self, finished: Finished) -> "State":
@@ -40,6 +43,8 @@ class State(BaseModel):
             program=finished.program,
             stages=finished.stages,
             facts=finished.facts,
+            requirements=finished.requirements,
+            results=finished.results,
             details={k: finished.details[k] for k in KEPT_DETAILS if k in finished.details},
         )
 
@@ -52,6 +57,8 @@ class State(BaseModel):
             program=self.program,
             stages=self.stages,
             facts=self.facts,
+            requirements=self.requirements,
+            results=self.results,
             details=self.details,
         )
 

@@ -82,6 +82,8 @@ def write(
             emit(ComponentState(component=after[cid], state="writing"))
         structure, written = regenerate(structure, edits, writer, lambda c: emit(_state(c)))
         structure = with_offers(structure, writer)
+        if isinstance(writer, TypedWriter):
+            structure = writer.decided(structure)
     except (EditError, ValueError) as error:
         result = timed("write", started, (Diagnostic(stage="write", message=str(error), code="edit"),))
         emit(StageDone(result=result))
@@ -109,7 +111,10 @@ async def check(
     trajectories: bool,
     trust: bool = False,
 ) -> CheckReport:
-    """Check the assembled program in the check server, on the map that it names."""
+    """Check the assembled program in the check server, on the map that it names.
+
+    The report of a run has its trajectories, for the requirements; the events carry them where they are asked for.
+    """
     request = CheckRequest(
         program=program.text,
         folder=folder,
@@ -118,7 +123,7 @@ async def check(
         seed=seed,
         runs=runs,
         seconds=tools.settings.seconds,
-        trajectories=trajectories,
+        trajectories=trajectories or upto == "run",
         trust=trust,
         allow=tools.settings.allow,
         limits=Limits(wall=60.0 + 30.0 * runs, cpu=60.0 + 30.0 * runs),
@@ -132,5 +137,6 @@ async def check(
     for stage in report.stages:
         emit(StageDone(result=stage))
     for i, facts in enumerate(report.facts):
-        emit(RunDone(facts=facts, trajectories=report.trajectories[i] if i < len(report.trajectories) else None))
+        shown = trajectories and i < len(report.trajectories)
+        emit(RunDone(facts=facts, trajectories=report.trajectories[i] if shown else None))
     return report

@@ -12,6 +12,8 @@ from c2s_engine.structure.progress import Passage
 from c2s_tui.look.kinds import colour, mark, mentions
 from c2s_tui.messages import Picked
 
+LOST = {"background": "$text-muted", "not_expressible": "underline $text-warning",
+        "not_understood": "underline $text-error"}  # fmt: skip
 Marked = tuple
 """Pairs of a component and the span (first, after the last character) of the words that it rests on."""
 
@@ -26,15 +28,18 @@ class Line(Static):
         self._marked: Marked = ()
         super().__init__(self._words, classes=f"line -{kind}")
 
-    def show_parts(self, parts: Marked, here: str | None) -> None:
-        """Let the words that components rest on be clicked, and mark those of the component that one is at."""
-        shown = tuple((cid, span) for cid, span in parts if cid == here)
-        before, self._marked = self._marked, (parts, shown)
-        if (before[1:] or ((),)) == (shown,):
+    def show_parts(self, parts: Marked, lost: Marked, here: str | None) -> None:
+        """Colour the words by the components that rest on them (to be clicked), those of the component that one is at
+        in bold, and mark what was lost (by status: underlined, background dimmed)."""
+        before, self._marked = self._marked, (parts, lost, here)
+        if before == self._marked or not before and not parts and not lost:
             return
         words, first = self._words, len(self._words.plain) - len(self.plain)
-        for cid, (start, end) in shown:
-            words = words.stylize(f"bold {colour(cid)}", first + start, first + end)
+        for status, (start, end) in lost:
+            words = words.stylize(LOST[status], first + start, first + end)
+        for cid, (start, end) in sorted(parts, key=lambda part: part[0] == here):
+            style = f"bold {colour(cid)}" if cid == here else colour(cid)
+            words = words.stylize(style, first + start, first + end)
         self.update(words, layout=False)
 
     def on_click(self, event: Click) -> None:

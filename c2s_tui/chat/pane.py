@@ -6,6 +6,7 @@ from textual.app import ComposeResult
 from textual.containers import Vertical, VerticalScroll
 from textual.widget import Widget
 
+from c2s_engine.structure.account import account
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.progress import Passage, Progress, Say, Token
 from c2s_tui.chat.bubbles import Answer, Line, Sources
@@ -48,14 +49,18 @@ class ChatPane(Vertical):
         self.conversation.anchor()
 
     def show(self, structure: Structure, here: str | None) -> None:
-        """In the text that S was read from, mark the words of the component that one is at."""
+        """In the text that S was read from, colour the words by component, and mark what was lost."""
         parts = tuple(
             (c.id, link.span) for c in structure.components for link in c.links if link.kind == "text" and link.span
         )
+        clauses = account(structure)
+        lost: tuple = tuple((c.status, c.span) for c in clauses if c.status != "understood")
+        partly = [u.span for c in clauses if c.status == "understood" for u in c.lost if u.span]
+        lost += tuple(("not_expressible", span) for span in partly)
         said = [line for line in self.query(Line) if line.kind == "user"]
         read = next((line for line in reversed(said) if line.plain == structure.text), None)
         for line in said:
-            line.show_parts(parts if line is read else (), here)
+            line.show_parts(parts if line is read else (), lost if line is read else (), here)
 
     async def put(self, entry: Widget) -> None:
         """Add an entry at the end."""

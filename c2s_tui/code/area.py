@@ -8,12 +8,14 @@ from rich.style import Style
 from rich.text import Text
 from textual.document._document import Selection
 from textual.document._document_navigator import DocumentNavigator
+from textual.events import Key
 from textual.geometry import Offset, Region, Spacing
 from textual.reactive import Reactive, reactive
 from textual.strip import Strip
 from textual.widgets.text_area import TextAreaTheme
 
 from c2s_engine.structure.diagnostics import Diagnostic
+from c2s_engine.structure.layout import common
 from c2s_tui.code.document import ProgramText, UnwrappedText
 from c2s_tui.code.highlight import Blocks, Highlight, stale
 from c2s_tui.in_order import OrderedArea
@@ -49,6 +51,10 @@ class CodeArea(OrderedArea):
         super().__init__(
             "", language=None, soft_wrap=False, show_line_numbers=True, tab_behavior="indent", compact=True, **options
         )
+
+    async def _on_key(self, event: Key) -> None:
+        if event.key == "escape":  # to the pane; TextArea's would take the focus away, and what is typed next with it
+            event.prevent_default()
 
     def on_mount(self) -> None:
         self._dress()
@@ -154,15 +160,27 @@ class CodeArea(OrderedArea):
             self.refresh_lines(row)
 
     def replace_text(self, text: str) -> None:
-        """Show another program; cursor and scroll stay where they can, and the change can be undone by key."""
+        """Show another program; cursor and scroll stay at the text where they were, and the change can be undone by
+        key."""
         if text == self.text:
             return
-        row, column = self.cursor_location
+        if not self.text:
+            with self.prevent(self.Changed):
+                self.load_text(text)
+            return
+        old, new = self.document.lines, text.replace("\r\n", "\n").split("\n")
+        head = common(old, new)
+        tail = common(old[head:][::-1], new[head:][::-1])
+        first, last = (head, 0), (len(old) - tail, 0)
+        lines = new[head : len(new) - tail]
+        insert = "\n".join([*lines, ""]) if lines else ""
+        if not tail:  # up to the end, which ends no line
+            first = (head - 1, len(old[head - 1])) if head else (0, 0)
+            last = (len(old) - 1, len(old[-1]))
+            insert = "\n".join(["", *lines] if head else lines)
         at = self.scroll_offset
         with self.prevent(self.Changed):
-            self.load_text(text)
-        last = self.document.line_count - 1
-        self.move_cursor((min(row, last), column if row <= last else 0))
+            self.replace(insert, first, last)
         self.scroll_to(at.x, at.y, animate=False, force=True)
 
 

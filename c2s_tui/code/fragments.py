@@ -2,7 +2,10 @@
 
 from difflib import SequenceMatcher
 from functools import lru_cache
+from itertools import groupby
 
+from c2s_engine.structure.diagnostics import Diagnostic
+from c2s_engine.structure.layout import FREE, common, owners
 from c2s_engine.structure.program import FragmentSpan, Program
 
 
@@ -10,46 +13,46 @@ def moved_spans(program: Program, text: str) -> tuple[FragmentSpan, ...]:
     """The spans of a program's fragments in an edited text of it. What is inserted belongs to the fragment it is in."""
     if text == program.text:
         return program.spans
-    old, new = program.text.split("\n"), text.split("\n")
-    head = _common(old, new)
-    tail = _common(old[head:][::-1], new[head:][::-1])
-    inner_old, inner_new = old[head : len(old) - tail], new[head : len(new) - tail]
-    blocks = SequenceMatcher(None, inner_old, inner_new, autojunk=False).get_matching_blocks() if inner_old else []
-    shift = len(new) - len(old)
-
-    def to(line: int) -> int:  # 0-based old line to 0-based new line
-        if line < head:
-            return line
-        if line >= len(old) - tail:
-            return line + shift
-        inside = line - head
-        for block in blocks:
-            if block.a <= inside < block.a + block.size:
-                return head + block.b + inside - block.a
-            if inside < block.a:
-                return head + block.b
-        return len(new) - tail
-
-    starts = [to(span.first - 1) for span in program.spans]
-    spans = []
-    for i, span in enumerate(program.spans):
-        last = starts[i + 1] if i + 1 < len(starts) else max(starts[i] + 1, len(new) - (1 if new[-1] == "" else 0))
-        if last > starts[i]:
-            spans.append(FragmentSpan(component=span.component, first=starts[i] + 1, last=last))
+    old = [(FREE, line) for line in program.text.split("\n")]
+    for span in program.spans:
+        for row in range(span.first - 1, min(span.last, len(old))):
+            old[row] = (span.component, old[row][1])
+    found = owners(old, text.split("\n"), lambda before, after: before or FREE)
+    spans, line = [], 1
+    for owner, group in groupby(found):
+        last = line + len(list(group)) - 1
+        if owner != FREE:
+            spans.append(FragmentSpan(component=owner, first=line, last=last))
+        line = last + 1
     return tuple(spans)
 
 
-def changed_fragments(program: Program, text: str) -> dict[str, str]:
-    """The fragments that an edited text has changed, by component: what SetCode would take."""
-    lines = text.split("\n")
-    changed = {}
-    spans = {span.component: span for span in moved_spans(program, text)}
-    for span in program.spans:
-        after = spans.get(span.component)
-        code = "\n".join(lines[after.first - 1 : after.last]) if after else ""
-        if code.strip("\n") != program.fragment(span.component).strip("\n"):
-            changed[span.component] = code.rstrip("\n") + "\n" if code.strip() else ""
-    return changed
+def moved_findings(found: tuple[Diagnostic, ...], before: str, after: str) -> tuple[Diagnostic, ...]:
+    """Findings of a text in an edited one: at the lines where these are now; what was found in a line that is gone or
+    another is found no more."""
+    if before == after or not found:
+        return found
+    lines = _moved_lines(before, after)
+    moved = []
+    for finding in found:
+        if finding.line is None or finding.line in lines:
+            edit = finding.edit
+            if edit is not None:
+                there = [lines.get(n, 0) for n in range(edit.first, edit.last + 1)]
+                whole = all(there) and there == list(range(there[0], there[0] + len(there)))
+                edit = edit.model_copy(update={"first": there[0], "last": there[-1]}) if whole else None
+            line = lines[finding.line] if finding.line else None
+            moved.append(finding.model_copy(update={"line": line, "edit": edit}))
+    return tuple(moved)
+
+
+@lru_cache(maxsize=4)
+def _moved_lines(before: str, after: str) -> dict[int, int]:
+    """Where the lines (1-based) of a text that are still there stand in the edited one."""
+    old = [(str(i), line) for i, line in enumerate(before.split("\n"), 1)]
+    new = after.split("\n")
+    found = owners(old, new, lambda *_: FREE)
+    return {int(n): row for row, n in enumerate(found, 1) if n and old[int(n) - 1][1] == new[row - 1]}
 
 
 @lru_cache(maxsize=8)
@@ -58,8 +61,8 @@ def changed_lines(before: str, after: str) -> frozenset[int]:
     if before == after:
         return frozenset()
     old, new = before.split("\n"), after.split("\n")
-    head = _common(old, new)
-    tail = _common(old[head:][::-1], new[head:][::-1])
+    head = common(old, new)
+    tail = common(old[head:][::-1], new[head:][::-1])
     inner_old, inner_new = old[head : len(old) - tail], new[head : len(new) - tail]
     if not inner_old:
         return frozenset(range(head + 1, head + 1 + len(inner_new)))
@@ -70,12 +73,3 @@ def changed_lines(before: str, after: str) -> frozenset[int]:
         if tag != "equal"
         for line in range(first, last)
     )
-
-
-def _common(a: list[str], b: list[str]) -> int:
-    count = 0
-    for x, y in zip(a, b, strict=False):
-        if x != y:
-            break
-        count += 1
-    return count

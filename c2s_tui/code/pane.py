@@ -10,9 +10,11 @@ from textual.content import Content
 from textual.widgets import Static, TextArea
 
 from c2s_engine.structure.diagnostics import Diagnostic
-from c2s_engine.structure.edits import SetCode
+from c2s_engine.structure.edits import SetProgram
+from c2s_engine.structure.layout import merged
+from c2s_engine.structure.program import Program
 from c2s_tui.code.area import CodeArea
-from c2s_tui.code.fragments import changed_fragments, changed_lines, moved_spans
+from c2s_tui.code.fragments import changed_lines, moved_findings, moved_spans
 from c2s_tui.code.gutter import Gutter
 from c2s_tui.desk import Desk
 from c2s_tui.look.kinds import mark
@@ -20,20 +22,22 @@ from c2s_tui.messages import CodeTyped, CommandAsked, EditsAsked, Picked
 
 
 class CodePane(Vertical):
-    """The live program. Hand edits are committed as SetCode: by key, or when the pane is left."""
+    """The live program. Hand edits are applied by key (SetProgram), or by the next turn; what the engine writes
+    meanwhile is merged with them line by line."""
 
     BORDER_TITLE = "code"
     HELP_NAME = "code"
     BINDINGS = [
         Binding("ctrl+g", "external", "$EDITOR", show=False, id="code.external", tooltip="Edit the program in $EDITOR"),
-        Binding("escape", "drop", "Back", show=False, id="code.leave", tooltip="Cancel what runs"),
+        Binding("escape", "drop", "Back", show=False, id="code.leave", tooltip="Cancel what runs; what is typed stays"),
     ]
 
     def __init__(self, **options: Any):
         super().__init__(**options)
         self.desk = Desk()
         self.base = self.desk.program  # the program that the shown text was edited from
-        self._live: tuple[Diagnostic, ...] | None = None
+        self._shown_text = ""  # that program as the text area has it: line ends of one kind
+        self._live: tuple[str, tuple[Diagnostic, ...]] | None = None  # found while typing, in that text
         self._subtitle = ""
         self._shown = Content("")
 
@@ -57,33 +61,50 @@ class CodePane(Vertical):
     @property
     def edited(self) -> bool:
         """Whether the shown text differs from the session's program."""
-        return self.area.text != self.base.text
+        return self.area.text != self._shown_text
+
+    @property
+    def text(self) -> str:
+        """The program with what was typed; every line that was not touched is as it was, its ending too."""
+        return merged(self._shown_text, self.area.text, self.base.text)
 
     def show(self, desk: Desk) -> None:
-        """Draw the desk. Text that is being edited by hand is not overwritten."""
-        hand = self.edited
+        """Draw the desk. What has been typed meanwhile stays in the text."""
         same = desk.program == self.desk.program and desk.before == self.desk.before
-        if same and not hand and desk.diagnostics == self.desk.diagnostics and self._live is None:
+        if same and not self.edited and desk.diagnostics == self.desk.diagnostics and self._live is None:
             self.desk = desk
             return
-        self.desk, self._live = desk, None
-        if not hand or desk.program.text == self.area.text:
-            self.base = desk.program
+        self.desk = desk
+        if desk.program.text != self.base.text:
+            typed = merged(self.base.text, self.text, desk.program.text)
             self.area.replace_text(desk.program.text)
+            self._shown_text = self.area.text
+            self.area.replace_text(typed)
+        self.base = desk.program
+        if not self.edited:
+            self._live = None
         self._draw()
+
+    def empty(self) -> None:
+        """Forget the text and its history: another session's comes."""
+        self.base, self._shown_text, self._live = Program(text=""), "", None
+        with self.prevent(TextArea.Changed):
+            self.area.load_text("")
 
     def show_findings(self, diagnostics: tuple[Diagnostic, ...]) -> None:
         """Findings of a check of the text as it is being typed."""
-        self._live = diagnostics
+        self._live = self.area.text, diagnostics
         self._draw()
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        return self.desk.diagnostics if self._live is None else self._live
+        """What is known to be wrong with the text as it stands."""
+        text, found = self._live or (self.desk.program.text, self.desk.diagnostics)
+        return moved_findings(found, text, self.area.text)
 
     def _draw(self) -> None:
         self.area.show_problems(self.diagnostics)
-        before = self.base.text if self.edited else self.desk.before
+        before = self._shown_text if self.edited else self.desk.before
         changed = changed_lines(before, self.area.text) if before else frozenset()
         self.side.show(
             top=round(self.area.scroll_y), spans=moved_spans(self.base, self.area.text), changed=changed,
@@ -138,22 +159,23 @@ class CodePane(Vertical):
                 self.area.move_cursor((row, 0))
             self.area.scroll_to(y=max(0, row - 2), animate=False)
 
-    def hand_edits(self) -> list[SetCode]:
-        """What the hand edits amount to."""
-        changed = changed_fragments(self.base, self.area.text)
-        return [SetCode(component=cid, code=code) for cid, code in changed.items()]
+    @property
+    def hand_edit(self) -> tuple[SetProgram, ...]:
+        """What was typed and is not applied."""
+        return (SetProgram(text=self.text),) if self.edited else ()
 
     def commit(self) -> bool:
         """Ask for the hand edits to be taken; whether there were any."""
-        edits = self.hand_edits()
+        edits = self.hand_edit
         if edits:
-            self.base = self.base.model_copy(update={"text": self.area.text, "spans": self.side.spans})
-            self.post_message(EditsAsked(edits))
+            self.post_message(EditsAsked(()))
         return bool(edits)
 
     @on(TextArea.Changed)
     def _changed(self, event: TextArea.Changed) -> None:
         event.stop()
+        if not self.edited:
+            self._live = None
         self._draw()
         self.post_message(CodeTyped())
 
@@ -177,17 +199,16 @@ class CodePane(Vertical):
             self.area.move_cursor((after - 1, 0), center=True)
 
     def take_fix(self) -> None:
-        """Apply the fix that the finding at the cursor offers."""
+        """Make the fix that the finding at the cursor offers, and apply it, unless more was typed."""
         found = self.finding
         if found is None or found.edit is None:
             self.app.bell()
             return
-        edit = found.edit
-        lines = self.area.text.split("\n")
-        lines[edit.first - 1 : edit.last] = edit.text.rstrip("\n").split("\n")
-        self.area.text = "\n".join(lines)
-        self._draw()
-        self.commit()
+        edit, before = found.edit, self.edited
+        last = self.area.document.get_line(edit.last - 1)
+        self.area.replace(edit.text.rstrip("\n"), (edit.first - 1, 0), (edit.last - 1, len(last)))
+        if not before:
+            self.commit()
 
     def action_external(self) -> None:
         self.post_message(CommandAsked("editor"))

@@ -111,6 +111,21 @@ class FieldEditor(Vertical):
         model = _model_in(type(self.spec).model_fields[self.field.path].annotation)
         return list(model.model_fields)[:1] if model else []
 
+    @property
+    def changed(self) -> bool:
+        """Whether anything else is typed than stood there."""
+        return self.query_one(Input).value != ("" if self._appends else self.row.text)
+
+    def complete(self) -> bool:
+        """Take the one choice that begins with what is typed; whether there is one."""
+        line = self.query_one(Input)
+        found = [c for c in self._choices() if line.value and c.lower().startswith(line.value.lower())]
+        if len(found) != 1 or found[0] == line.value:
+            return False
+        line.value = found[0]
+        line.cursor_position = len(line.value)
+        return True
+
     def on_input_changed(self, event: Input.Changed) -> None:
         event.stop()
         try:

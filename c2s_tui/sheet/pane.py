@@ -248,6 +248,10 @@ class SheetPane(VerticalScroll):
         elif event.key == "escape" and self.query("#new-object"):
             event.stop()
             await self.close_editor()
+        elif event.key == "tab" and self.editing:
+            event.stop()
+            event.prevent_default()
+            await self._tab()
         elif self.editing:
             if event.is_printable:
                 event.stop()
@@ -256,6 +260,18 @@ class SheetPane(VerticalScroll):
         elif (bound := self.screen.active_bindings.get(event.key)) is not None and bound.node in (self, self.screen):
             event.stop()
             await self.app.run_action(bound.binding.action, bound.node)
+
+    async def _tab(self) -> None:
+        """Tab completes what is typed; else it takes it, or leaves what was not changed."""
+        line = next(iter(self.query(Input)), None)
+        if line is None:
+            return
+        if self.editor and self.editor.complete():
+            return
+        if self.editor and not self.editor.changed or not line.value.strip():
+            await self.close_editor()
+        else:
+            await line.action_submit()
 
     def action_remove(self) -> None:
         row = self.here

@@ -4,7 +4,6 @@ from collections.abc import Mapping, Set
 from dataclasses import dataclass
 
 from c2s_engine.structure.components import Component
-from c2s_engine.structure.seen import Mark, marks
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_tui.desk import Desk
 from c2s_tui.look.kinds import kind_name
@@ -33,7 +32,7 @@ class Row:
 
 def rows(desk: Desk, unfolded: Set[str] = frozenset(), reached: Set[str] = frozenset()) -> list[Row]:
     """The whole sheet. Unfolded components show every field, the others those that are set."""
-    found: dict[tuple[str, str], Mark] = {(m.component, m.path): m for m in marks(desk.structure, desk.facts)}
+    found = _seen(desk)
     lines: list[Row] = []
     for component in desk.structure.components:
         lines += _component(desk, component, component.id in unfolded, component.id in reached, found)
@@ -41,6 +40,17 @@ def rows(desk: Desk, unfolded: Set[str] = frozenset(), reached: Set[str] = froze
         lines.append(Row(f"text:{unmet.text}", UNMET, "", unmet.text, unmet.reason))
     lines.append(Row("add", ADD, "", "add an object"))
     return lines
+
+
+def _seen(desk: Desk) -> dict[str, bool | None]:
+    """By component and field, whether what it requires was seen; a phase of a behaviour by all that it requires."""
+    found: dict[str, bool | None] = {}
+    for result in desk.results:
+        parts = result.requirement.split(".")
+        path = ".".join(parts[:3] if parts[1:2] == ["phases"] else parts)
+        held = found.get(path, True)
+        found[path] = False if False in (held, result.holds) else None if None in (held, result.holds) else True
+    return found
 
 
 def title(component: Component) -> str:
@@ -55,7 +65,7 @@ def title(component: Component) -> str:
 
 
 def _component(
-    desk: Desk, component: Component, unfolded: bool, reached: bool, found: Mapping[tuple[str, str], Mark]
+    desk: Desk, component: Component, unfolded: bool, reached: bool, found: Mapping[str, bool | None]
 ) -> list[Row]:
     cid = component.id
     state = desk.state(component)
@@ -70,12 +80,11 @@ def _component(
         why = assumed.get(field.path)
         if why:
             shown.add(why.field)
-        mark = found.get((cid, field.path))
         lines.append(
             Row(
                 f"{cid}:{field.path}", FIELD, cid, show(field), why.reason if why else "",
                 depth=field.depth if unfolded else 0,
-                field=field, seen=mark.seen if mark else None, judged=mark is not None,
+                field=field, seen=found.get(f"{cid}.{field.path}"), judged=f"{cid}.{field.path}" in found,
             )
         )  # fmt: skip
     left = [a for a in component.assumed if a.field not in shown]

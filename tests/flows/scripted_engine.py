@@ -7,11 +7,12 @@ from types import SimpleNamespace
 from typing import Any
 
 from c2s_engine.check.protocol import CheckReport
+from c2s_engine.require import evaluate, require
 from c2s_engine.session.citing import uncited
 from c2s_engine.structure.components import Assumption, Component, Link, Structure, Unmet
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult, TextEdit
 from c2s_engine.structure.edits import Replace, apply, references
-from c2s_engine.structure.facts import EventFact, ObjectFacts, RunFacts, Track, Trajectories
+from c2s_engine.structure.facts import Course, EventFact, ObjectFacts, RunFacts, Track, Trajectories
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import (
     ComponentState,
@@ -167,7 +168,7 @@ class ScriptedEngine:
         script = self.scripts.get(uncited(text)[0].strip())
         if script is None:
             yield Say(text="That is not understood: describe who drives where, and what happens.", severity="error")
-            yield Finished(ok=False, structure=structure, program=assemble(structure))
+            yield Finished(ok=False, structure=structure, program=assemble(structure), details={"unchanged": True})
             return
         for event in script.events:
             yield event
@@ -175,7 +176,7 @@ class ScriptedEngine:
         if script.fail:
             raise RuntimeError(script.fail)
         if script.read is None:
-            yield Finished(ok=True, structure=structure, program=assemble(structure))
+            yield Finished(ok=True, structure=structure, program=assemble(structure), details={"unchanged": True})
             return
         yield StageStarted(stage="interpret")
         yield StageDone(result=StageResult(name="interpret", ok=True, seconds=0.01))
@@ -206,12 +207,15 @@ class ScriptedEngine:
         for stage in report.stages:
             yield StageDone(result=stage)
         facts: tuple[RunFacts, ...] = ()
+        requirements, results = (), ()
         if report.ok:
             facts = report.facts
+            requirements = tuple(r for r in require(done) if r.kind == "phase")
+            results = evaluate(requirements, facts[0], report.trajectories[0])
             yield RunDone(facts=facts[0], trajectories=report.trajectories[0])
         yield Finished(
             ok=report.ok, structure=done, program=program, stages=(StageResult(name="write", ok=True), *report.stages),
-            facts=facts, seconds=0.42, details={},
+            facts=facts, requirements=requirements, results=results, seconds=0.42, details={},
         )  # fmt: skip
 
     async def check(self, program: str, *, spans: Any = (), upto: str = "sample", **options: Any) -> CheckReport:
@@ -244,8 +248,12 @@ class ScriptedEngine:
         return self.passages
 
     async def import_program(self, text: str) -> Structure:
-        code = Component(id="E", spec=EgoSpec(), code=text, origin="imported")
-        return Structure(ego=code)
+        structure = Structure(arrangement=(("E", text),))
+        for component in structure.components:
+            code = text if component.id == "E" else ""
+            own = component.model_copy(update={"code": code, "origin": "imported"})
+            structure = structure.with_component(own)
+        return structure
 
     def maps(self) -> list[Any]:
         return [SimpleNamespace(name="town", path="town.xodr"), SimpleNamespace(name="Town05", path="Town05.xodr")]
@@ -310,6 +318,7 @@ def trajectories() -> Trajectories:
         name="van", x=tuple(-3.5 + 3.5 * min(1.0, max(0.0, (i - 30) / 20)) for i in steps),
         y=tuple(20 + 1.1 * i for i in steps), heading=tuple(-0.1 if 30 < i < 50 else 0.0 for i in steps),
         speed=tuple(11.0 for _ in steps), length=5.4, width=2.0, kind="van",
+        course=Course(every=0.2, aside=tuple(-3.5 * min(1.0, max(0.0, (i - 30) / 20)) for i in steps[::2])),
     )  # fmt: skip
     left, right = (((x, -30.0), (x + 3.4, -30.0), (x + 3.4, 200.0), (x, 200.0)) for x in (-5.2, -1.7))
     return Trajectories(step=0.1, tracks=(ego, van), outline={"lane": (left, right)})

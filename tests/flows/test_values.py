@@ -3,20 +3,23 @@
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scripted_engine import Writer, cut_in, run_facts
+from scripted_engine import Writer, cut_in, run_facts, trajectories
 from textual.widgets import Input, TextArea
 
+from c2s_engine.require import evaluate, require
+from c2s_engine.structure.diagnostics import Diagnostic, TextEdit
 from c2s_engine.structure.edits import AddObject, EditError, SetField, apply
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.regenerate import regenerate
-from c2s_engine.structure.seen import marks, score
 from c2s_engine.structure.specs import SPEC_OF, ObjectSpec
 from c2s_tui import prefs
 from c2s_tui.clipboard import copy, osc52
-from c2s_tui.code.fragments import changed_fragments, changed_lines, moved_spans
+from c2s_tui.code.fragments import changed_lines, moved_findings, moved_spans
 from c2s_tui.code.highlight import Blocks, lexer, stale
 from c2s_tui.commands import bindings, commands, split
+from c2s_tui.desk import Desk
 from c2s_tui.look.kinds import mentions
+from c2s_tui.sheet.rows import rows
 from c2s_tui.sheet.values import fields, parse, show
 
 PROGRAM = assemble(regenerate(cut_in(), (), Writer())[0])
@@ -77,7 +80,17 @@ def test_fragments_keep_their_borders_under_any_edit_inside_one(data):
     moved = moved_spans(PROGRAM, text)
     assert [s.component for s in moved] == [s.component for s in PROGRAM.spans]
     assert all(a.last + 1 == b.first for a, b in zip(moved, moved[1:], strict=False))
-    assert set(changed_fragments(PROGRAM, text)) <= {span.component}
+
+
+def test_findings_stay_at_their_lines_and_go_with_them():
+    here = Diagnostic(stage="compile", message="x", line=3, edit=TextEdit(first=3, last=3, text="C", reason="r"))
+    whole = Diagnostic(stage="sample", message="y")
+    found = (here, whole)
+    assert moved_findings(found, "a\nb\nc\nd", "a\nb\nc\nd") == found
+    below, _ = moved_findings(found, "a\nb\nc\nd", "# new\na\nb\nc\nd")
+    assert (below.line, below.edit.first, below.edit.last) == (4, 4, 4)
+    assert moved_findings(found, "a\nb\nc\nd", "a\nb\nC\nd") == (whole,), "a line that was mended has no finding"
+    assert moved_findings(found, "a\nb\nc\nd", "a\nb\nd") == (whole,)
 
 
 def test_changed_lines():
@@ -85,21 +98,29 @@ def test_changed_lines():
     assert changed_lines("a", "a") == frozenset()
 
 
-def test_said_and_seen():
-    assert score(marks(cut_in(), (run_facts(True),))) == (1, 1)
-    assert score(marks(cut_in(), (run_facts(False),))) == (0, 1)
-    assert score(marks(cut_in(), ())) == (0, 0)
-    assert [m.path for m in marks(cut_in(), ())] == ["phases.0"]
+def shown_rows(structure, facts):
+    """The fields of the sheet that are judged, and whether they were seen."""
+    requirements = tuple(r for r in require(structure) if r.kind == "phase")
+    results = evaluate(requirements, facts, trajectories()) if facts else ()
+    desk = Desk(structure=structure, facts=(facts,) if facts else (), requirements=requirements, results=results)
+    return {row.key: row.seen for row in rows(desk) if row.judged}
 
 
-@pytest.mark.parametrize(("target", "seen"), [(None, 1), ("ego", 1), ("O2", 0)])
+@pytest.mark.parametrize(("facts", "shown"), [
+    (run_facts(True), {"O1:phases.0": True}), (run_facts(False), {"O1:phases.0": False}), (None, {}),
+])  # fmt: skip
+def test_a_phase_is_marked_by_what_it_requires(facts, shown):
+    assert shown_rows(cut_in(), facts) == shown
+
+
+@pytest.mark.parametrize(("target", "seen"), [(None, True), ("ego", True), ("O2", False)])
 def test_an_action_is_seen_towards_the_one_it_was_said_about(target, seen):
     structure = apply(cut_in(), AddObject(spec=ObjectSpec(name="bus", type="bus")))
     structure = apply(structure, SetField(component="O1", path="phases.0.target", value=target))
     facts = run_facts(True)
     bus = facts.objects[1].model_copy(update={"name": "bus", "component": "O2", "events": ()})
     facts = facts.model_copy(update={"objects": (*facts.objects, bus)})
-    assert score(marks(structure, (facts,))) == (seen, 1)
+    assert shown_rows(structure, facts) == {"O1:phases.0": seen}
 
 
 def test_highlighting_is_scenics_own_and_imports_no_scenic():

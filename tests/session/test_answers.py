@@ -1,16 +1,12 @@
 """What a description rests on when it is picked from an answer, answers to "why is this here?", offers."""
 
-import asyncio
-from types import SimpleNamespace
-
 import pytest
 
 from c2s_engine.paths import shipped
 from c2s_engine.retrieve.blocks import chunks
-from c2s_engine.retrieve.errors import RetrievalError
 from c2s_engine.retrieve.markdown import read_markdown
 from c2s_engine.session.citing import description_of, resting_on, source_of, tells_scenario, uncited, wanted
-from c2s_engine.session.offers import look_up, offered
+from c2s_engine.session.offers import snippets
 from c2s_engine.session.why import explained
 from c2s_engine.structure.components import Assumption, Component, Link, Structure, Unmet
 from c2s_engine.structure.progress import Passage
@@ -94,45 +90,24 @@ def test_only_passages_that_show_in_the_code_are_its_sources():
 
 
 class Shelf:
-    """A retriever with one snippet that says what was looked for, or that fails."""
+    """A retriever with one snippet that says what was looked for."""
 
-    def __init__(self, fails: bool = False):
-        self.fails = fails
+    asked = ()
 
     async def ready(self, progress):
-        if self.fails:
-            raise RetrievalError("The disk is full.")
         progress("reading", 0, 1)
 
     async def search(self, query, kind, component, limit):
+        self.asked += ((query, component),)
         return [Passage(kind=kind, title=f"{component}: {query}", text="x = 1", score=0.5, component=component or "")]
 
 
-async def shown(shelf):
-    async def retrieval():
-        return shelf
-
+async def test_snippets_near_to_what_has_no_field():
     lights, horn = Unmet(text="its hazard lights flash", reason="no field"), Unmet(text="honks twice", reason="unknown")
     structure = Structure(objects=(VAN.model_copy(update={"unmet": (lights,)}),), not_understood=(horn,))
-    events: list = []
-    tools = SimpleNamespace(extra={"retrieval": retrieval})
-    looking = asyncio.create_task(look_up(structure, tools, events.append))
-    return await offered(looking, structure, events.append), events
-
-
-async def test_snippets_are_offered_for_what_has_no_field():
-    offers, events = await shown(Shelf())
-    assert [(o["component"], o["title"]) for o in offers] == [
-        ("O2", "O: its hazard lights flash"), ("", "None: honks twice"),
+    found = await snippets(structure, Shelf())
+    assert [(cid, words, [p.title for p in near]) for cid, words, near in found] == [
+        ("O2", "its hazard lights flash", ["O: its hazard lights flash"]), ("", "honks twice", ["None: honks twice"]),
     ]  # fmt: skip
-    said = [e.text for e in events if e.type == "say"]
-    assert "being built" in said[0] and said[1].startswith("O2 has no field for “its hazard lights flash”.")
-    assert [e.title for e in events if e.type == "passage"] == [o["title"] for o in offers]
-
-
-async def test_without_retrieval_the_search_is_named_instead():
-    offers, events = await shown(Shelf(fails=True))
-    assert offers == [] and [e.text for e in events] == [
-        'Snippets for what no field can say are found by `c2s search --kind snippet --component O "its hazard lights '
-        'flash"` or `c2s search --kind snippet "honks twice"`.'
-    ]
+    shelf = Shelf()
+    assert await snippets(Structure(), shelf) == [] and shelf.asked == (), "nothing is looked for without need"

@@ -39,7 +39,7 @@ def c2s(tmp_path, monkeypatch):
 
 
 def state(c2s, *arguments):
-    return json.loads(c2s("edit", "one", "--json", *arguments))
+    return json.loads(c2s("edit", "one", "--new", "--json", *arguments))
 
 
 def test_turns_edits_undo_and_redo(c2s, tmp_path):
@@ -57,7 +57,7 @@ def test_turns_edits_undo_and_redo(c2s, tmp_path):
 
 
 def test_the_program_is_saved_and_shown(c2s, tmp_path):
-    c2s("edit", "one", "--say", "car", "-o", tmp_path / "a.scenic")
+    c2s("edit", "one", "--new", "--say", "car", "-o", tmp_path / "a.scenic")
     assert "## O1: car" in (tmp_path / "a.scenic").read_text()
     assert "car" in c2s("edit", "one")
 
@@ -72,12 +72,20 @@ def test_the_program_is_saved_and_shown(c2s, tmp_path):
     ],
 )
 def test_what_cannot_be_done_is_one_sentence(c2s, arguments, complaint):
-    said = json.loads(c2s("edit", "new", "--json", *arguments, code=2))
+    said = json.loads(c2s("edit", "another", "--new", "--json", *arguments, code=2))
     assert complaint in said["error"] and said["ok"] is False
 
 
+def test_a_slip_in_a_name_makes_no_session(c2s):
+    c2s("edit", "crossing", "--new", "--say", "car")
+    for arguments in (["--say", "a truck"], ["--undo"], []):
+        said = json.loads(c2s("edit", "crosing", "--json", *arguments, code=2))
+        assert said["error"] == "There is no session 'crosing': did you mean crossing? --new makes it."
+    assert [s["name"] for s in json.loads(c2s("sessions", "list", "--json"))["sessions"]] == ["crossing"]
+
+
 def test_sessions_as_a_whole(c2s, tmp_path):
-    c2s("edit", "one", "--say", "car")
+    c2s("edit", "one", "--new", "--say", "car")
     c2s("sessions", "rename", "one", "uno")
     c2s("sessions", "duplicate", "uno", "two")
     c2s("sessions", "export", "two", tmp_path / "two.c2s")

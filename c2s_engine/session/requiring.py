@@ -1,0 +1,73 @@
+"""The requirements of S and what the runs of its program showed of them; the run with ego's reaction switched off."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from c2s_engine.check.protocol import CheckReport
+from c2s_engine.session import steps
+from c2s_engine.session.places import map_choice
+from c2s_engine.session.steps import Tools
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.facts import Trajectories
+from c2s_engine.structure.program import assemble
+from c2s_engine.structure.requirements import Requirement, Result, Run
+from c2s_engine.write.typed import TypedWriter
+
+
+@dataclass(frozen=True)
+class Judged:
+    """What S requires, and of each the result that most runs showed."""
+
+    requirements: tuple[Requirement, ...] = ()
+    results: tuple[Result, ...] = ()
+
+    def as_state(self) -> dict[str, Any]:
+        """As plain data for the graph's state."""
+        return {
+            "requirements": [r.model_dump(mode="json") for r in self.requirements],
+            "results": [r.model_dump(mode="json") for r in self.results],
+        }
+
+
+async def judged(structure: Structure, report: CheckReport, tools: Tools, *, map_name: str, room: float = 1.0,
+                 seed: int = 0) -> Judged:  # fmt: skip
+    """Derive and evaluate; nothing where nothing ran. `report` holds the trajectories of its runs."""
+    from c2s_engine.require import evaluate, majority, require
+
+    if not report.facts:
+        return Judged()
+    without = await _without_reaction(structure, tools, map_name=map_name, room=room, seed=seed, runs=len(report.facts))
+    requirements = require(structure)
+    columns = [
+        evaluate(requirements, run.facts, run.trajectories, without[k] if k < len(without) else None)
+        for k, run in enumerate(runs_of(report))
+    ]
+    return Judged(requirements, majority(columns))
+
+
+async def _without_reaction(structure: Structure, tools: Tools, *, map_name: str, room: float, seed: int,
+                            runs: int) -> list[Run]:  # fmt: skip
+    """The same scenes with ego's reaction switched off, where S says a conflict and ego's code is written from S."""
+    from c2s_engine.require import without_reaction
+
+    if structure.ego.origin != "rendered" or (changed := without_reaction(structure)) is None:
+        return []
+    chosen = map_choice(tools.library, tools.library.find(map_name))
+    written, _, _, result = steps.write(changed, [], TypedWriter(chosen, room=room), _silent)
+    if not result.ok:
+        return []
+    blind = assemble(structure.with_component(written.ego))  # all others start and drive as in the scene that is judged
+    report = await steps.check(blind, tools, _silent, folder=str(chosen.path.parent), upto="run", seed=seed,
+                               runs=runs, trajectories=True)  # fmt: skip
+    return runs_of(report)
+
+
+def runs_of(report: CheckReport) -> list[Run]:
+    """The report's runs with their tracks; one that broke off before anything moved has none."""
+    ways = iter(report.trajectories)
+    none = Trajectories(step=0.1, tracks=())
+    return [Run(facts=f, trajectories=next(ways, none) if f.objects else none) for f in report.facts]
+
+
+def _silent(event: Any) -> None:
+    """Nobody is told of the run that only serves to judge the other."""

@@ -1,0 +1,70 @@
+"""Places on CARLA's towns: the town that has one is taken, else the nearest on the one named; skipped without them."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from c2s_engine.api import Engine
+from c2s_engine.config import Settings
+from c2s_engine.session.places import resolve
+from c2s_engine.session.settle import settle
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.progress import Finished
+from c2s_engine.structure.specs import EgoSpec, PlaceSpec
+
+FOLDERS = (os.environ.get("C2S_SHARED_MAPS", ""), str(Path(__file__).parents[3] / "shared" / "maps"))
+TOWNS = next((Path(folder) for folder in FOLDERS if folder and Path(folder).is_dir()), None)
+
+pytestmark = pytest.mark.skipif(TOWNS is None, reason="CARLA's towns are not in ../shared/maps nor $C2S_SHARED_MAPS")
+
+
+@pytest.fixture
+async def engine(tmp_path):
+    root = tmp_path / "CarlaUE4/Content/Carla/Maps/OpenDrive"
+    root.mkdir(parents=True)
+    for name in ("Town07", "Town10HD"):
+        (root / f"{name}.xodr").symlink_to(TOWNS / f"{name}.xodr")
+    async with Engine(Settings(carla_root=str(tmp_path), offers=False)) as started:
+        yield started
+
+
+def asks(**place):
+    return Structure(place=Component(id="R", spec=PlaceSpec(**place)), ego=Component(id="E", spec=EgoSpec(speed=10.0)))
+
+
+async def test_where_places_are_found_and_what_is_told(engine):
+    library, check = engine.library, engine.check_client
+    signals = asks(kind="intersection", arms=4, control="signal", manoeuvre="straight")
+    found = await resolve(signals, library, check)
+    assert found.writer.map.name == "Town10HD"
+    assert [(a.field, a.value) for a in found.assumed] == [("map", "Town10HD")]
+    stops = asks(kind="intersection", arms=4, control="stop", manoeuvre="straight")
+    assert (await resolve(stops, library, check)).writer.map.name == "Town07"
+    assert (await resolve(asks(kind="roundabout"), library, check)).writer.map.name == "town"
+
+    refused = await resolve(stops, library, check, given="Town10HD")
+    assert refused.writer is None
+    assert "Town07 and town have it" in refused.diagnostic.message
+    relaxed, found = await settle(stops, library, check, given="Town10HD", default=None)
+    assert found.writer.map.name == "Town10HD"
+    (note,) = relaxed.place.assumed
+    assert (note.field, note.value) == ("arms", "left open")
+    assert note.reason == "it was 4: Town10HD has no such place"
+    _, found = await settle(asks(kind="roundabout"), library, check, given="Town10HD", default=None)
+    assert found.writer is None
+    assert "The map has no roundabout; town has it." in found.diagnostic.message
+
+
+async def test_ego_comes_over_several_short_roads(engine):
+    text = "Ego drives at 50 km/h. 60 m ahead of it a truck drives at 30 km/h on the same straight road. Ego brakes."
+    done = [e async for e in engine.generate(text, map="Town07") if isinstance(e, Finished)][0]
+    assert done.ok, done.diagnostics
+    assert done.details["map"] == "Town07"
+    refused = [
+        e
+        async for e in engine.generate("Ego drives around in a roundabout.", map="Town07", strict=True, run=False)
+        if isinstance(e, Finished)
+    ][0]
+    assert not refused.ok
+    assert "town has it" in refused.diagnostics[0].message

@@ -34,6 +34,8 @@ class Settings(BaseModel):
     [ollama.models."NAME"] holds what differs for one model."""
     improve: bool = False
     """Whether a model is told what a run did not show, to change S (at most twice, kept where the score rises)."""
+    solve: bool = True
+    """Whether what a text leaves open is chosen so that the run shows what is required, by a few more runs."""
     offers: bool = True
     """Whether snippets near to what cannot be expressed are looked for when a turn is over."""
     embedding_model: str | None = None

@@ -34,7 +34,8 @@ from c2s_tui.status import Choice, StatusBar
 
 DRAFT_SECONDS = 1.0
 _BACK = re.compile(r"(?:please )?(undo|redo)(?: (?:it|that|this|the last (?:change|edit|turn)))?[.!]?")
-DOING = {"interpret": "reading", "resolve": "looking for the place", "write": "writing", "compile": "running"}
+DOING = {"interpret": "reading", "resolve": "looking for the place", "write": "writing", "compile": "running",
+         "solve": "choosing what is open"}  # fmt: skip
 """What a turn does in each stage, for the status line."""
 LONG = 3000
 """Characters of a text from which on its size and the seconds it takes stand in the status line while it is read."""

@@ -14,7 +14,7 @@ from c2s_engine.maps.library import NAMED, MapNotFound
 from c2s_engine.report.material import Material, ReportError, problem_of
 from c2s_engine.structure.facts import Trajectories
 from c2s_engine.structure.program import Program
-from c2s_engine.structure.progress import Finished, RunDone, Say
+from c2s_engine.structure.progress import Finished, ProgramChanged, RunDone, Say
 
 _FOLDER_NAME = re.compile(r"[A-Za-z0-9][\w.-]{0,79}")
 
@@ -66,7 +66,9 @@ async def of_text(engine: Engine, told: Told, *, method: str | None = None, seed
     ways: Trajectories | None = None
     said = ""
     async for event in engine.generate(told.text, method=method, seed=seed, trajectories=True):
-        if isinstance(event, RunDone) and ways is None:
+        if isinstance(event, ProgramChanged):
+            ways = None  # what ran before was another program
+        elif isinstance(event, RunDone) and ways is None:
             ways = event.trajectories
         elif isinstance(event, Say) and event.severity == "error":
             said = event.text

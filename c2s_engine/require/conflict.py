@@ -29,11 +29,18 @@ ANSWERS = ("brake", "stop", "swerve", "lane_change", "yield", "wait")
 """What ego does of its own accord in answer to another, where it names whom or waits for what that one does."""
 
 
-def answers(phase: Phase) -> bool:
-    """Whether a phase of ego is an answer to another."""
-    trigger = phase.trigger
-    to_other = trigger is not None and (trigger.of is not None or trigger.kind in ("distance", "ttc", "action"))
-    return phase.action in ANSWERS and (to_other or phase.target is not None)
+def answers(phase: Phase, structure: Structure) -> bool:
+    """Whether a phase of ego is an answer to another: it names whom, waits for what that one does, or has no other
+    cause (a moment, a place, a light or sign) where ego reacts."""
+    if phase.action not in ANSWERS:
+        return False
+    trigger, place = phase.trigger, structure.place.spec
+    if phase.target is not None:
+        return True
+    if trigger is not None:
+        return trigger.of is not None or trigger.kind in ("distance", "ttc", "action")
+    stands = phase.action in ("brake", "stop", "wait")
+    return stands and getattr(structure.ego.spec, "reaction", "none") != "none" and not getattr(place, "control", None)
 
 
 def without_reaction(structure: Structure) -> Structure | None:
@@ -45,7 +52,7 @@ def without_reaction(structure: Structure) -> Structure | None:
         return None
     spec = structure.ego.spec
     assert isinstance(spec, EgoSpec)
-    first = next((i for i, p in enumerate(spec.phases) if answers(p)), len(spec.phases))
+    first = next((i for i, p in enumerate(spec.phases) if answers(p, structure)), len(spec.phases))
     blind = {"action": "keep_lane", "target": None}
     phases = tuple(p.model_copy(update=blind) if p.action == "follow" else p for p in spec.phases[:first])
     changed = spec.model_copy(update={"reaction": "none", "hard": False, "react_to": None, "phases": phases})
@@ -55,7 +62,7 @@ def without_reaction(structure: Structure) -> Structure | None:
 def required(scene: Scene) -> Iterator[Requirement]:
     if not scene.recognised(EGO):
         return
-    reacts = scene.ego.reaction != "none" or any(answers(p) for p in scene.ego.phases)
+    reacts = scene.ego.reaction != "none" or any(answers(p, scene.structure) for p in scene.ego.phases)
     struck = {frozenset(pair) for pair in struck_pairs(scene)}
     for actor in _threats(scene, reacts):
         if frozenset((actor, EGO)) in struck or not scene.recognised(actor):
@@ -78,7 +85,8 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
     if not reacts:
         return [a for a, o in scene.objects.items() if any(p.action in STRONG and p.target in (None, EGO)
                                                            for p in o.phases)]  # fmt: skip
-    named = scene.ego.react_to or next((t for p in scene.ego.phases if answers(p) for t in _whom(p) if t), None)
+    answering = (p for p in scene.ego.phases if answers(p, scene.structure))
+    named = scene.ego.react_to or next((t for p in answering for t in _whom(p) if t), None)
     if named is not None and named != EGO:
         return [named] if named in scene.objects else []
     return [actor for actor, spec in scene.objects.items() if _threatens(spec)]
@@ -173,7 +181,8 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
     # a threat from the start has no moment before which a reaction would be too early
     margins = [(most - late) / most, *([(early - least) / least] if cause > 0.0 else [])]
     words = f"at {time:.1f} s, {early:.1f} s after its cause"
-    return scored(requirement, min(margins), said, words, time, why=f"cause at {cause:.1f} s")
+    measured = (early, least, max(early, most)) if late < most else (late, 0.0, most)
+    return scored(requirement, min(margins), said, words, time, why=f"cause at {cause:.1f} s", measured=measured)
 
 
 def _cause(motion: Motion, action: str) -> float | None:

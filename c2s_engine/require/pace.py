@@ -2,8 +2,10 @@
 
 from collections.abc import Iterator
 
-from c2s_engine.require.evidence import STANDING, Evidence
-from c2s_engine.require.phases import LASTING
+import numpy as np
+
+from c2s_engine.require.evidence import STANDING, Evidence, Motion
+from c2s_engine.require.phases import AT_JUNCTION, LASTING
 from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO
@@ -24,9 +26,9 @@ def required(scene: Scene) -> Iterator[Requirement]:
     yield scene.make("pace", "first_event", EGO, "pace.first", "What is said begins within seconds, not at once.",
                      component="T", of=ids, timed=timed)  # fmt: skip
     spec = scene.structure.restrictions.spec
-    if getattr(spec, "duration", None) is None:
+    if getattr(spec, "duration", None) is None or not scene.stated("T", "duration"):
         yield scene.make("pace", "soon_over", EGO, "pace.over", "The run is over soon after the last of what is said.",
-                         component="T", of=ids, lasting=lasting)  # fmt: skip
+                         component="T", of=ids, lasting=lasting, reacts=scene.ego.reaction != "none")  # fmt: skip
     yield scene.make("pace", "no_dead_time", EGO, "pace.dead", "There is no long time in which nothing happens.",
                      component="T", of=ids, lasting=max(lasting, timed))  # fmt: skip
 
@@ -39,13 +41,43 @@ def _moments(requirement: Requirement, evidence: Evidence) -> list[float]:
     return sorted(found)
 
 
-def _last(moments: list[float], evidence: Evidence) -> float:
-    """The last thing that happens: of what is said, a contact, or that ego or another comes to its stand."""
+def _last(requirement: Requirement, moments: list[float], evidence: Evidence) -> float:
+    """The last thing that happens: of what is said, a junction left behind, a contact, that somebody comes to its stand
+    or that ego's braking for others is over."""
+    left = [_leaves(m, t) for key, m in _passing(requirement, evidence) if (t := evidence.times.get(key)) is not None]
     stands = [
         float(m.time[len(m.speed) - 1 - int((m.speed[::-1] >= STANDING).argmax())])
         for m in evidence.everybody if m.moves and m.speed[-1] < STANDING
     ]  # fmt: skip
-    return max([*moments, *stands, *(c.time for c in evidence.facts.contacts)])
+    return max([*moments, *left, *stands, *_braked(requirement, evidence), *(c.time for c in evidence.facts.contacts)])
+
+
+def _passing(requirement: Requirement, evidence: Evidence) -> Iterator[tuple[str, Motion]]:
+    """The phases over a junction among what is said, with those who drive them."""
+    of = requirement.values["of"]
+    assert isinstance(of, tuple)
+    for key in map(str, of):
+        component, _, rest = key.partition(".")
+        if rest.rpartition(".")[2] in AT_JUNCTION:
+            yield from ((key, m) for m in evidence.motions(EGO if component == "E" else component))
+
+
+def _leaves(motion: Motion, time: float) -> float:
+    """When somebody who comes into a junction at `time` is out of it, or where its run or its way ends there."""
+    stays = motion.course.stays
+    inside = next((k for k, s in enumerate(stays) if s.kind == "junction" and s.time > time - 1.0), None)
+    if inside is None:
+        return time
+    return stays[inside + 1].time if inside + 1 < len(stays) else float(motion.time[-1])
+
+
+def _braked(requirement: Requirement, evidence: Evidence) -> list[float]:
+    """When ego's last braking for others is over, where it reacts."""
+    ego = evidence.motion(EGO)
+    if ego is None or not requirement.values["reacts"]:
+        return []
+    braking = np.flatnonzero(ego.acceleration < -bounds()["phase"]["change_rate"]["value"])
+    return [float(ego.time[braking[-1]])] if len(braking) else []
 
 
 def first_event(requirement: Requirement, evidence: Evidence) -> Result:
@@ -56,7 +88,8 @@ def first_event(requirement: Requirement, evidence: Evidence) -> Result:
     if not moments:
         return unknown(requirement, said, "not reached: nothing of what is said was seen")
     return scored(
-        requirement, min(moments[0] - least, most - moments[0]) / 1.0, said, f"{moments[0]:.1f} s", moments[0]
+        requirement, min(moments[0] - least, most - moments[0]), said, f"{moments[0]:.1f} s", moments[0],
+        measured=(moments[0], least, most),
     )
 
 
@@ -65,8 +98,9 @@ def soon_over(requirement: Requirement, evidence: Evidence) -> Result:
     said, moments = f"at most {limit:g} s later", _moments(requirement, evidence)
     if not moments:
         return unknown(requirement, said, "not reached: nothing of what is said was seen")
-    after = evidence.end - _last(moments, evidence)
-    return scored(requirement, (limit - after) / 2.0, said, f"{after:.1f} s later", evidence.end)
+    after = evidence.end - _last(requirement, moments, evidence)
+    return scored(requirement, (limit - after) / 2.0, said, f"{after:.1f} s later", evidence.end,
+                  measured=(after, 0.0, limit))  # fmt: skip
 
 
 def no_dead_time(requirement: Requirement, evidence: Evidence) -> Result:

@@ -14,6 +14,7 @@ from c2s_engine.session.improving import can_improve, improved, summed
 from c2s_engine.session.methods import Method, method_named
 from c2s_engine.session.read_back import read_back
 from c2s_engine.session.requiring import judged
+from c2s_engine.session.solving import can_solve, solved
 from c2s_engine.session.steps import Tools
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
@@ -56,7 +57,7 @@ class State(TypedDict, total=False):
 
 
 def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
-    """interpret -> configure -> write -> check -> improve; each may end the turn with a diagnostic."""
+    """interpret -> configure -> write -> check -> solve -> improve; each may end the turn with a diagnostic."""
 
     def structure_of(state: State) -> Structure:
         return Structure.model_validate(state.get("structure") or {})
@@ -171,20 +172,27 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         )  # fmt: skip
         return {"report": kept, "stages": stages, **found.as_state()}  # type: ignore[typeddict-item]
 
+    async def solve(state: State) -> State:
+        return await solved(state, tools, get_stream_writer())  # type: ignore[return-value, arg-type]
+
     async def improve(state: State) -> State:
         return await improved(state, tools, method_of(state), get_stream_writer())  # type: ignore[return-value, arg-type]
 
     def onward(then: str) -> Any:
         return lambda state: END if state.get("stop") else then
 
+    def after_check(state: State) -> str:
+        return "solve" if can_solve(state, tools) else "improve" if can_improve(state) else END  # type: ignore[arg-type]
+
     graph = StateGraph(State)
     for name, node in (("interpret", interpret), ("configure", configure), ("write", write), ("check", check),
-                       ("improve", improve)):  # fmt: skip
+                       ("solve", solve), ("improve", improve)):  # fmt: skip
         graph.add_node(name, node)
     graph.add_edge(START, "interpret")
     graph.add_conditional_edges("interpret", onward("configure"), ["configure", END])
     graph.add_conditional_edges("configure", onward("write"), ["write", END])
     graph.add_conditional_edges("write", onward("check"), ["check", END])
-    graph.add_conditional_edges("check", lambda state: "improve" if can_improve(state) else END, ["improve", END])
+    graph.add_conditional_edges("check", after_check, ["solve", "improve", END])
+    graph.add_conditional_edges("solve", lambda state: "improve" if can_improve(state) else END, ["improve", END])
     graph.add_edge("improve", END)
     return graph.compile(checkpointer=checkpointer)

@@ -1,30 +1,18 @@
 """Simulation in the loop as a step of a turn: what the runs did not show of S goes back to the model."""
 
 from collections import Counter
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
-from c2s_engine.check.protocol import CheckReport
 from c2s_engine.models.errors import ModelError
 from c2s_engine.session import steps
 from c2s_engine.session.model_methods import ModelMethod
 from c2s_engine.session.requiring import Judged, judged
 from c2s_engine.session.steps import Emit, Tools
+from c2s_engine.session.trying import Tried
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.facts import RunFacts
-from c2s_engine.structure.program import Program
-from c2s_engine.structure.progress import (
-    ProgramChanged,
-    Progress,
-    RunDone,
-    Say,
-    StageDone,
-    StageStarted,
-    StructureChanged,
-    Token,
-    Usage,
-)
+from c2s_engine.structure.progress import Progress, Say, StageStarted, Token, Usage
 from c2s_engine.structure.requirements import Requirement, Result, failures, tally
 from c2s_engine.write.loop import Outcome
 
@@ -43,7 +31,7 @@ def can_improve(state: dict[str, Any]) -> bool:
 async def improved(state: dict[str, Any], tools: Tools, method: ModelMethod, emit: Emit) -> dict[str, Any]:
     """What changes of the state: the best of what was tried, and what trying cost. The events between are not shown."""
     first = Structure.model_validate(state["structure"])
-    tried: list[_Tried] = []
+    tried: list[Tried] = []
 
     def quietly(event: Progress) -> None:
         if isinstance(event, Token | Usage | StageStarted):
@@ -69,44 +57,7 @@ async def improved(state: dict[str, Any], tools: Tools, method: ModelMethod, emi
     return {**kept.update(state), "details": _details(state, method, kept.structure)}
 
 
-@dataclass(frozen=True)
-class _Tried:
-    """A changed S, written, checked and run; `where`: what the graph's state says of its map."""
-
-    structure: Structure
-    program: Program
-    written: list[str]
-    stages: list[StageResult]
-    report: CheckReport
-    judged: Judged
-    where: dict[str, Any]
-
-    def show(self, emit: Emit) -> None:
-        """The events that were held back."""
-        emit(StructureChanged(structure=self.structure))
-        emit(ProgramChanged(program=self.program, rewritten=tuple(self.written)))
-        for stage in (*self.stages, *self.report.stages):
-            emit(StageDone(result=stage))
-        for i, facts in enumerate(self.report.facts):
-            ways = self.report.trajectories[i] if i < len(self.report.trajectories) else None
-            emit(RunDone(facts=facts, trajectories=ways))
-
-    def update(self, state: dict[str, Any]) -> dict[str, Any]:
-        """Its part of the graph's state."""
-        before = [s for s in state["stages"] if s["name"] == "interpret"]
-        stages = [s.model_dump(mode="json") for s in (*self.stages, *self.report.stages)]
-        return {
-            "structure": self.structure.model_dump(mode="json"),
-            "program": self.program.model_dump(mode="json"),
-            "rewritten": list(dict.fromkeys([*state.get("rewritten", []), *self.written])),
-            "report": self.report.model_dump(mode="json", exclude={"trajectories"}),
-            "stages": [*before, *stages],
-            **self.judged.as_state(),
-            **self.where,
-        }
-
-
-async def _tried(state: dict[str, Any], structure: Structure, tools: Tools, method: ModelMethod, emit: Emit) -> _Tried:
+async def _tried(state: dict[str, Any], structure: Structure, tools: Tools, method: ModelMethod, emit: Emit) -> Tried:
     """Write and run an S; raises ValueError with the reason where it cannot be written."""
     structure, found, resolved = await steps.configure(
         structure, tools, emit, given=state.get("map"), needed=method.needs_place
@@ -128,7 +79,7 @@ async def _tried(state: dict[str, Any], structure: Structure, tools: Tools, meth
     found_of = await judged(
         structure, report, tools, map_name=chosen.name, room=found.writer.room, seed=state.get("seed", 0)
     )
-    return _Tried(structure, program, written, [resolved, result], report, found_of, where)
+    return Tried(structure, program, written, [resolved, result], report, found_of, where)
 
 
 def _outcome(structure: Structure, facts: tuple[RunFacts, ...], found: Judged) -> Outcome:

@@ -11,7 +11,12 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import Trajectories
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.requirements import Requirement, Result, Run
+from c2s_engine.structure.specs import RestrictionsSpec
 from c2s_engine.write.typed import TypedWriter
+
+
+LONGEST = 20.0
+"""s for which the run without ego's reaction goes on."""
 
 
 @dataclass(frozen=True)
@@ -53,13 +58,24 @@ async def _without_reaction(structure: Structure, tools: Tools, *, map_name: str
     if structure.ego.origin != "rendered" or (changed := without_reaction(structure)) is None:
         return []
     chosen = map_choice(tools.library, tools.library.find(map_name))
-    written, _, _, result = steps.write(changed, [], TypedWriter(chosen, room=room), _silent)
-    if not result.ok:
+    writer = TypedWriter(chosen, room=room)
+    ego, going_on = (steps.write(each, [], writer, _silent) for each in (changed, _going_on(structure)))
+    if not (ego[3].ok and going_on[3].ok):
         return []
-    blind = assemble(structure.with_component(written.ego))  # all others start and drive as in the scene that is judged
+    # all others start and drive as in the scene that is judged, for as long as it takes to see what comes of it
+    blind = assemble(structure.with_component(ego[0].ego).with_component(going_on[0].restrictions))
     report = await steps.check(blind, tools, _silent, folder=str(chosen.path.parent), upto="run", seed=seed,
                                runs=runs, trajectories=True)  # fmt: skip
     return runs_of(report)
+
+
+def _going_on(structure: Structure) -> Structure:
+    """S whose run does not end with what is said."""
+    restrictions = structure.restrictions
+    assert isinstance(restrictions.spec, RestrictionsSpec)
+    update = {"terminate_when": (), "duration": LONGEST, "require": restrictions.spec.require}
+    changed = restrictions.model_copy(update={"spec": restrictions.spec.model_copy(update=update)})
+    return structure.with_component(changed) if restrictions.origin == "rendered" else structure
 
 
 def runs_of(report: CheckReport) -> list[Run]:

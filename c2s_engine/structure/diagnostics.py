@@ -4,7 +4,7 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict
 
-StageName = Literal["interpret", "resolve", "write", "parse", "safety", "compile", "sample", "run"]
+StageName = Literal["interpret", "resolve", "write", "parse", "safety", "compile", "sample", "run", "solve"]
 Severity = Literal["error", "warning", "info"]
 
 

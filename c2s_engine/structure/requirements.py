@@ -48,6 +48,8 @@ class Result(_Frozen):
     said: str = Field("", description="what is required, in a few words with units")
     seen: str = Field("", description="what the run showed, in a few words with units")
     time: float | None = Field(None, description="when it was decided, s since the start")
+    value: float | None = Field(None, description="what was measured, where that is one number, SI units")
+    bounds: tuple[float, float] | None = Field(None, description="between which it must lie")
     why: str = ""
 
 

@@ -1,0 +1,10 @@
+"""What the text left open is chosen so that what S requires is seen: unknowns, moves, and a bounded search over runs.
+
+Pure: what a choice comes to is asked of the caller (`evaluate`), who writes, runs and judges. Only what S leaves open, or
+has assumed, is changed; each choice stands in its component's `assumed`, by `planner`.
+"""
+
+from c2s_engine.solve.search import Outcome, solve
+from c2s_engine.solve.unknowns import PLANNER, Unknown, unknowns
+
+__all__ = ["PLANNER", "Outcome", "Unknown", "solve", "unknowns"]

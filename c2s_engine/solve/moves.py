@@ -1,0 +1,121 @@
+"""Which unknowns may mend what was not seen, and in which direction: the table data/solve.yaml."""
+
+from collections.abc import Iterator, Sequence
+from functools import cache
+from typing import Any
+
+import yaml
+
+from c2s_engine import paths
+from c2s_engine.solve.unknowns import Unknown
+from c2s_engine.structure.components import ComponentId, Structure
+from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.requirements import Requirement, Result
+from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.write.typed.usual_values import Usual
+
+Setting = tuple[Unknown, float]
+"""An unknown and a value for it."""
+Move = tuple[Setting, ...]
+"""What is tried at once."""
+AFTER = 3.0
+"""s for which a run goes on after the last of what is said."""
+ROOM = 0.4
+"""s by which the first event comes within its bounds."""
+TIMES = ("first_event", "reacts")
+"""Checks of moments that the whole scene's coming earlier or later mends."""
+
+
+def moves(structure: Structure, failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unknown],
+          usual: Usual) -> list[Move]:  # fmt: skip
+    """What to try next, each once, the most promising first: the run's length, then for each failing requirement its
+    first idea, then the second ones."""
+    ideas = [list(_ideas(structure, q, r, open_, usual)) for q, r in failing]
+    longest = max(map(len, ideas), default=0)
+    found = [*_ending(failing, open_), *(row[k] for k in range(longest) for row in ideas if k < len(row))]
+    return list(dict.fromkeys(found))
+
+
+def _ending(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unknown]) -> Iterator[Move]:
+    """The run's length in closed form, where the run goes on too long after the last of what is said."""
+    late = next((r for q, r in failing if q.check == "soon_over" and r.value is not None and r.time is not None), None)
+    length = next((u for u in open_ if (u.component, u.path) == ("T", "duration")), None)
+    if late is not None and length is not None:
+        assert late.time is not None and late.value is not None
+        yield ((length, float(max(4.0, round(late.time - late.value + AFTER)))),)
+
+
+def _ideas(structure: Structure, requirement: Requirement, result: Result, open_: Sequence[Unknown],
+           usual: Usual) -> Iterator[Move]:  # fmt: skip
+    if requirement.check in TIMES and result.value is not None and result.bounds is not None:
+        below = result.value < result.bounds[0]
+        due = result.bounds[0] + ROOM if below else result.bounds[1] - ROOM
+        if below or requirement.check == "first_event":
+            yield _later(structure, due - result.value, result.time or 0.0, open_, usual)
+    yield from ((setting,) for setting in _for(requirement, result, open_))
+
+
+def _later(structure: Structure, seconds: float, begins: float, open_: Sequence[Unknown], usual: Usual) -> Move:
+    """The whole scene `seconds` later (earlier below 0): everybody as far from where it happens as they drive in that
+    time, and what began at `begins` of its own begins so much later."""
+    own = usual.speeds.get("E", 0.0)
+    found: list[Setting] = []
+    for unknown in open_:
+        spec, last = structure[unknown.component].spec, unknown.path.rsplit(".", 1)[-1]
+        speed = usual.speeds.get(unknown.component, 0.0)
+        if last == "distance":
+            value = unknown.value + own * seconds
+        elif last == "gap" and isinstance(spec, ObjectSpec):
+            value = unknown.value + _parting(spec, own, speed) * seconds
+        elif last == "trigger":
+            value = begins + seconds if speed <= 0 else unknown.value + seconds
+        elif last == "duration" and unknown.component == "T":
+            value = unknown.value + max(seconds, 0.0)
+        else:
+            continue
+        low, high = unknown.limits
+        value = round(min(max(value, low), high), 1)
+        if value != round(unknown.value, 1):
+            found.append((unknown, value))
+    return tuple(found)
+
+
+def _parting(spec: ObjectSpec, own: float, speed: float) -> float:
+    """m by which the gap to ego grows in each second that the scene begins earlier."""
+    if spec.placement.of != EGO:
+        return 0.0
+    if spec.placement.position == "oncoming_lane" or spec.placement.facing == "against":
+        return own + speed
+    behind = spec.placement.position == "behind" or spec.placement.along == "behind"
+    return speed - own if behind else own - speed
+
+
+def _for(requirement: Requirement, result: Result, open_: Sequence[Unknown]) -> Iterator[Setting]:
+    for row in _table().get(requirement.check, ()):
+        if row.get("seen") and row["seen"] != _side(result):
+            continue
+        for unknown in open_:
+            if unknown.component in _whose(row["of"], requirement) and unknown.path.rsplit(".", 1)[-1] == row["field"]:
+                value = unknown.moved(float(row["times"]))
+                if value != round(unknown.value, 1):
+                    yield unknown, value
+
+
+def _side(result: Result) -> str:
+    """Whether what was measured is below or above what is required; '' where no number was measured."""
+    if result.value is None or result.bounds is None:
+        return ""
+    return "below" if result.value < result.bounds[0] else "above"
+
+
+def _whose(of: str, requirement: Requirement) -> tuple[ComponentId, ...]:
+    """Components of a part in a requirement: its actor, the other, ego, the place, the run, all objects."""
+    if of == "objects":
+        return tuple(f"O{k}" for k in range(1, 100))
+    who = {"actor": requirement.actor, "other": requirement.other, "ego": EGO}.get(of, of)
+    return ("E",) if who == EGO else (who,) if who else ()
+
+
+@cache
+def _table() -> dict[str, list[dict[str, Any]]]:
+    return yaml.safe_load(paths.shipped("solve.yaml").read_text(encoding="utf-8"))

@@ -1,0 +1,103 @@
+"""The unknowns of S: fields that the text left open, with the value that is written for each now."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from c2s_engine.structure.components import Assumption, Component, ComponentId, Structure
+from c2s_engine.structure.edits import EditError, SetField, apply
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
+from c2s_engine.write.typed.usual_values import Usual
+
+PLANNER = "planner"
+"""Who chose, in `assumed`."""
+REASON = "left open: chosen so that the run shows what is required"
+BY_OTHERS = ("wait", "stationary", "cross_road", "yield", "follow")
+"""First phases whose moment follows from where others are, or that have none."""
+LIMITS = {"gap": (2.0, 250.0), "speed": (1.0, 36.0), "rate": (1.0, 9.0), "duration": (1.0, 60.0),
+          "distance": (15.0, 190.0), "trigger": (1.0, 15.0)}  # fmt: skip
+"""What may be chosen, by the last part of the path: m, m/s, m/s2, s, m, s."""
+
+
+@dataclass(frozen=True)
+class Unknown:
+    """A field that is open. `value`: what is written for it now, SI units; for a trigger the s since the start."""
+
+    component: ComponentId
+    path: str
+    value: float
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        return LIMITS[self.path.rsplit(".", 1)[-1]]
+
+    def moved(self, factor: float) -> float:
+        """The value times `factor`, within its limits."""
+        low, high = self.limits
+        return round(min(max(self.value * factor, low), high), 1)
+
+
+def unknowns(structure: Structure, usual: Usual) -> tuple[Unknown, ...]:
+    """What is open of the components that are written from S; `usual`: what the writer takes where S says nothing."""
+    found: list[Unknown] = []
+    for component in structure.components:
+        if component.origin == "rendered":
+            found += _of(component, usual)
+    return tuple(found)
+
+
+def chosen(structure: Structure, unknown: Unknown, value: float) -> Structure:
+    """S with a value for an unknown, said in `assumed`; S as it is where the field cannot take it."""
+    kept = structure[unknown.component].assumed
+    field = unknown.path
+    setting = {"kind": "time", "value": value} if field.endswith("trigger") else value
+    try:
+        changed = apply(structure, SetField(component=unknown.component, path=field, value=setting))
+    except EditError:
+        return structure
+    note = Assumption(field=field, value=_shown(field, value), reason=REASON, by=PLANNER)
+    others = tuple(a for a in kept if a.field != field)
+    return changed.with_component(changed[unknown.component].model_copy(update={"assumed": (*others, note)}))
+
+
+def _of(component: Component, usual: Usual) -> Iterator[Unknown]:
+    spec, cid = component.spec, component.id
+    assumed = {a.field for a in component.assumed}
+
+    def is_open(path: str, value: object) -> bool:
+        return value is None or path in assumed
+
+    if isinstance(spec, EgoSpec | ObjectSpec):
+        speed = usual.speeds.get(cid, 0.0)
+        if speed > 0 and is_open("speed", spec.speed):
+            yield Unknown(cid, "speed", speed)
+        for i, phase in enumerate(spec.phases):
+            yield from _of_phase(cid, i, phase, speed, is_open(f"phases.{i}.trigger", phase.trigger), assumed)
+    if isinstance(spec, ObjectSpec) and cid in usual.gaps and is_open("placement.gap", spec.placement.gap):
+        yield Unknown(cid, "placement.gap", usual.gaps[cid])
+    if cid == "R" and usual.distance and is_open("distance", getattr(spec, "distance", None)):
+        yield Unknown(cid, "distance", usual.distance)
+    if cid == "T" and is_open("duration", getattr(spec, "duration", None)) and not getattr(spec, "terminate_when", ()):
+        yield Unknown(cid, "duration", usual.duration)
+
+
+def _of_phase(cid: ComponentId, i: int, phase: Phase, speed: float, untimed: bool,
+              assumed: set[str]) -> Iterator[Unknown]:  # fmt: skip
+    path = f"phases.{i}"
+    moves = speed > 0 or phase.action in ("enter_road", "start")
+    if i == 0 and untimed and moves and phase.action not in BY_OTHERS:
+        value = middle(phase.trigger.value) if phase.trigger and phase.trigger.value is not None else 3.0
+        yield Unknown(cid, f"{path}.trigger", value)
+    if phase.action in ("brake", "stop") and (phase.rate is None or f"{path}.rate" in assumed):
+        yield Unknown(cid, f"{path}.rate", middle(phase.rate) if phase.rate is not None else 3.5)
+    if phase.action in ("overtake", "cut_in", "accelerate") and (phase.speed is None or f"{path}.speed" in assumed):
+        yield Unknown(cid, f"{path}.speed", middle(phase.speed) if phase.speed is not None else max(speed, 5.0))
+
+
+def _shown(path: str, value: float) -> str:
+    """A value in the user's units."""
+    last = path.rsplit(".", 1)[-1]
+    if last == "speed":
+        return f"{value * 3.6:.3g} km/h"
+    unit = {"rate": "m/s2", "duration": "s", "trigger": "s after the start"}.get(last, "m")
+    return f"{value:.4g} {unit}"

@@ -1,0 +1,42 @@
+"""The values that are written where S leaves them open, as numbers: where a search for better ones begins."""
+
+from dataclasses import dataclass, field
+
+from c2s_engine.structure.components import ComponentId, Structure
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+from c2s_engine.write.typed.planning import make_plan
+from c2s_engine.write.typed.spread import spread
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, is_static
+from c2s_engine.write.typed.usual import default_gap, speed_of
+
+TIMED = {*APPROACH_ANGLE, "intersection_exit", "on_ramp"}
+"""Positions whose start follows from when they meet ego."""
+
+
+@dataclass(frozen=True)
+class Usual:
+    """Starting speeds (m/s) of ego (`E`) and of the objects, their gaps (m), the m to the junction, the s of a run."""
+
+    speeds: dict[ComponentId, float] = field(default_factory=dict)
+    gaps: dict[ComponentId, float] = field(default_factory=dict)
+    distance: float | None = None
+    duration: float = 20.0
+
+
+def usual_values(structure: Structure, room: float) -> Usual:
+    """What the writer takes for S; raises ResolveError where S contradicts itself."""
+    written = spread(structure)
+    plan = make_plan(written, room)
+    ego = written.ego.spec
+    assert isinstance(ego, EgoSpec)
+    speeds, gaps = {"E": middle(speed_of(ego, plan.place))}, {}
+    for component in written.objects:
+        spec = component.spec
+        assert isinstance(spec, ObjectSpec)
+        speeds[component.id] = 0.0 if is_static(spec) else middle(speed_of(spec, plan.place))
+        if spec.placement.position not in TIMED:
+            gap = spec.placement.gap
+            gaps[component.id] = middle(gap) if gap is not None else default_gap(spec, plan.ego_speed, plan.place)
+    distance = None if plan.distance is None else middle(plan.distance)
+    return Usual(speeds, gaps, distance, plan.duration)

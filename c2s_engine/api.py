@@ -116,6 +116,16 @@ class Engine:
             async for event in events:
                 yield event
 
+    async def realise(
+        self, structure: Structure, *, method: str | None = None, map: str | None = None, seed: int = 0,
+        runs: int | None = None, trajectories: bool = False,
+    ) -> AsyncGenerator[Progress, None]:  # fmt: skip
+        """A program for an S that somebody else made: placed, written, run and judged as one that was read from a text."""
+        inputs = {"text": "", "given": True, "structure": structure.model_dump(mode="json"), "edits": []}
+        async with aclosing(self.turn(inputs, method, map, seed, True, runs, trajectories)) as events:
+            async for event in events:
+                yield event
+
     async def reworded(self, structure: Structure, edits: Sequence[Edit]) -> tuple[list[Edit], list[str]]:
         """The edits with what new sentences of components mean for their fields, and what to say of it."""
         from c2s_engine.session.wording import reworded

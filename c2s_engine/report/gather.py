@@ -8,28 +8,34 @@ from pathlib import Path
 from typing import Any
 
 import yaml
+from pydantic import ValidationError
 
 from c2s_engine.api import Engine
+from c2s_engine.interpret.composing.describe import described
 from c2s_engine.maps.library import NAMED, MapNotFound
 from c2s_engine.report.material import Material, ReportError, problem_of
+from c2s_engine.structure.components import Component, Link, Structure, Unmet
 from c2s_engine.structure.facts import Trajectories
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import Finished, ProgramChanged, RunDone, Say
+from c2s_engine.structure.specs import SPEC_OF
 
 _FOLDER_NAME = re.compile(r"[A-Za-z0-9][\w.-]{0,79}")
 
 
 @dataclass(frozen=True)
 class Told:
-    """A text with its id, and what matters most to who wrote it."""
+    """A text with its id, what matters most to who wrote it, and S where somebody wrote that by hand."""
 
     id: str
     text: str
     matters: str = ""
+    structure: Structure | None = None
 
 
 def read_records(file: Path) -> list[Told]:
-    """The texts of a YAML list of maps with `id` and `text`; raises ReportError naming every entry that is not one."""
+    """The texts of a YAML list of maps with `id` and `text` (and `structure`: S by component, `O1: {type: car}`);
+    raises ReportError naming every entry that is not one."""
     try:
         items = yaml.safe_load(file.read_text(encoding="utf-8"))
     except UnicodeDecodeError:
@@ -43,7 +49,38 @@ def read_records(file: Path) -> list[Told]:
     problems = list(_problems(items))
     if problems:
         raise ReportError(f"{file}: {'; '.join(problems[:8])}.")
-    return [Told(str(i["id"]), str(i["text"]).strip(), str(i.get("matters") or "").strip()) for i in items]
+    return [_told(item) for item in items]
+
+
+def _told(item: dict[str, Any]) -> Told:
+    text = str(item["text"]).strip()
+    structure = structure_of(item["structure"], text) if item.get("structure") else None
+    return Told(str(item["id"]), text, str(item.get("matters") or "").strip(), structure)
+
+
+def structure_of(components: dict[str, Any], text: str) -> Structure:
+    """S from plain data by component (specs as in docs/VOCABULARY.md, SI units; `unmet`: what they cannot say, a list);
+    raises ReportError naming the field that does not fit."""
+    found = Structure(text=text)
+    for cid, data in components.items():
+        kind = SPEC_OF.get(str(cid)[:1])
+        if kind is None or not isinstance(data, dict):
+            raise ReportError(f"{cid} is no component of S: give G, R, E, O1, O2, ..., T as maps of fields.")
+        fields = {k: v for k, v in data.items() if k != "unmet"}
+        try:
+            component = Component(
+                id=cid, spec=kind.model_validate(fields), links=(Link(kind="text", label=text, span=(0, len(text))),),
+                unmet=tuple(Unmet(text=str(u), reason="S has no words for it") for u in data.get("unmet") or ()),
+            )  # fmt: skip
+        except ValidationError as error:
+            first = error.errors()[0]
+            raise ReportError(f"{cid}.{'.'.join(map(str, first['loc']))}: {first['msg']}.") from None
+        found = found.with_component(component) if cid in found else _added(found, component)
+    return described(found)
+
+
+def _added(structure: Structure, component: Component) -> Structure:
+    return structure.model_copy(update={"objects": (*structure.objects, component)})
 
 
 def _problems(items: list[Any]) -> Iterator[str]:
@@ -65,7 +102,11 @@ async def of_text(engine: Engine, told: Told, *, method: str | None = None, seed
     done: Finished | None = None
     ways: Trajectories | None = None
     said = ""
-    async for event in engine.generate(told.text, method=method, seed=seed, trajectories=True):
+    turn = (
+        engine.generate(told.text, method=method, seed=seed, trajectories=True) if told.structure is None
+        else engine.realise(told.structure, method=method, seed=seed, trajectories=True)
+    )  # fmt: skip
+    async for event in turn:
         if isinstance(event, ProgramChanged):
             ways = None  # what ran before was another program
         elif isinstance(event, RunDone) and ways is None:

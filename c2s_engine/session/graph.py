@@ -29,6 +29,7 @@ class State(TypedDict, total=False):
     """A turn's input (text or edits and how to work), and what came of it. JSON-like values only."""
 
     text: str
+    given: bool
     own: dict[str, Any]
     edits: list[dict[str, Any]]
     method: str
@@ -97,7 +98,7 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         method = method_of(state)
         for edit in method.described(before, structure) if edits else []:
             structure = steps.apply(structure, edit)
-        lenient = bool(state.get("text")) and not state.get("strict")
+        lenient = bool(state.get("text") or state.get("given")) and not state.get("strict")
         structure, found, result = await steps.configure(
             structure, tools, emit, given=state.get("map"), needed=method.needs_place, lenient=lenient
         )

@@ -26,8 +26,13 @@ def can_solve(state: dict[str, Any], tools: Tools) -> bool:
     """
     facts = state.get("report", {}).get("facts", [])
     ran = bool(facts) and any(RunFacts.model_validate(f).ran for f in facts)
-    reached = bool(state.get("text")) or any(c != "G" for c in state.get("rewritten", []))
+    reached = _is_new(state) or any(c != "G" for c in state.get("rewritten", []))
     return tools.settings.solve and ran and reached and not all(r["holds"] for r in state.get("results", []))
+
+
+def _is_new(state: dict[str, Any]) -> bool:
+    """Whether S is a new one, read from a text or given, rather than an edited one."""
+    return bool(state.get("text") or state.get("given"))
 
 
 async def solved(state: dict[str, Any], tools: Tools, emit: Emit) -> dict[str, Any]:
@@ -55,7 +60,7 @@ async def solved(state: dict[str, Any], tools: Tools, emit: Emit) -> dict[str, A
         tuple(Requirement.model_validate(r) for r in state["requirements"]),
         tuple(Result.model_validate(r) for r in state["results"]),
     )
-    best = await solve(first, lambda s: tried(s, 1), room, **({} if state.get("text") else AFTER_EDIT))
+    best = await solve(first, lambda s: tried(s, 1), room, **({} if _is_new(state) else AFTER_EDIT))
     if best is not first and state.get("runs", 1) > 1:
         best = await tried(best.structure, state["runs"]) or first
     result = steps.timed("solve", started)

@@ -295,17 +295,22 @@ def bend_speed(points, i):
         fastest = min(fastest, math.sqrt(4 / max(bend, 0.001) + 8 * max(k - i - 1, 0)))
     return fastest
 
-behavior Drive(points, speed, rate=3, offset=0, shift=1.5):
+SIDEWAYS = 3.5  # m/s2 at which drivers begin and end to move aside
+
+behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
     """Follow points at `speed` (m/s, or a function that gives it), changing it by at most `rate` (m/s2, likewise);
-    `offset` m to their left, moving there at `shift` m/s. Pure pursuit, slower in bends."""
+    `offset` m to their left, moving there from where it is, as onto another lane, at up to `shift` m/s, gained at
+    `SIDEWAYS`. Pure pursuit, slower in bends."""
     i, last = nearest(self, points), len(points) - 1
     left = (points[min(i + 1, last)] - points[min(i, last - 1)]).normalized().rotatedBy(90 deg)
-    beside = max(-abs(offset), min(abs(offset), (self.position - points[i]).dot(left)))
+    beside, aside = max(-8, min(8, (self.position - points[i]).dot(left))), 0
     while True:
         while i < last - 1 and (distance from self to points[i + 2]) <= (distance from self to points[i]):
             i += 1
         goal = min(speed() if callable(speed) else speed, bend_speed(points, i), math.sqrt(12 * max(last - i - 4, 0)))
-        beside += max(-shift, min(shift, 10 * (offset - beside))) * simulation().timestep
+        gained = SIDEWAYS * simulation().timestep
+        aside += max(-gained, min(gained, max(-shift, min(shift, 2 * (offset - beside))) - aside))
+        beside += aside * simulation().timestep
         ahead = min(i + 2 + int(0.35 * self.speed), last)
         along = (points[ahead] - points[max(ahead - 1, 0)]).normalized()
         target = (points[ahead] + along.rotatedBy(90 deg) * beside - self.position).rotatedBy(-self.heading)

@@ -116,6 +116,7 @@ def drift(seen: Seen, situation: Situation) -> int | None:
     lane = situation.index.lanes[next(int(i) for i in seen.lanes if i != NOWHERE)]
     turn = np.abs(np.sin(seen.heading - seen.way.headings_at(seen.placed(seen)[0])))
     half = 0.5 * (seen.path.width * np.sqrt(1 - turn**2) + seen.path.length * np.minimum(turn, 0.35))
+    half = np.minimum(half, lane.width / 2 - 2 * limits.over)  # CARLA has buses that are wider than lanes
     over = np.abs(aside) + half - lane.width / 2
     inside = over <= 0
     rate = np.abs(np.gradient(aside, situation.step)) if len(aside) > 2 else np.zeros(len(aside))

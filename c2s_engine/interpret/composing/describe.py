@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret.language import plurals, table
+from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, RestrictionsSpec, SettingsSpec
 
@@ -140,3 +141,22 @@ def restrictions(spec: RestrictionsSpec, names: dict[str, str] | None = None) ->
     if spec.duration:
         ends.append(words["time"].format(minimum=f"{spec.duration:g}"))
     return f"The run ends {' or '.join(ends)}." if ends else "No restriction beyond the scene itself."
+
+
+def described(structure: Structure) -> Structure:
+    """S with a sentence for each component, from its spec."""
+    names = {c.id: c.spec.name for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+    for component in structure.components:
+        match component.spec:
+            case SettingsSpec():
+                words = settings(component.spec)
+            case PlaceSpec():
+                words = place(component.spec)
+            case EgoSpec():
+                words = ego(component.spec, structure.place.spec, names)  # type: ignore[arg-type]
+            case ObjectSpec():
+                words = obj(component.spec, names)
+            case _:
+                words = restrictions(component.spec, names)
+        structure = structure.with_component(component.model_copy(update={"description": words}))
+    return structure

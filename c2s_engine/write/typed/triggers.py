@@ -79,7 +79,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     if stands:
         return _before(course, stands)
     if obstacle := _obstacle(course) if phase.action in ("swerve", "cut_out", "lane_change") else "":
-        return f"until (distance from self to {obstacle}) < 12 + 1.3 * self.speed"
+        return f"until (distance from self to {obstacle}) < 12 + 2 * self.speed"
     if phase.action == "u_turn" and first and not a.is_ego and (course.oncoming or a.value <= 0):  # in front of ego
         return f"until (distance from self to ego) < {scope.number(12 + 2.2 * (a.value + a.plan.ego_speed))}"
     if first and phase.action in ("brake", "stop") and _comes_over(a):

@@ -1,9 +1,10 @@
 """`python -m benchmark.local.serve --gguf FILE [--port N]`: Ollama's HTTP protocol over llama.cpp, for one model.
 
 This is not Ollama and shares no code with it: it is a stand-in for trials with a real model on a machine where Ollama
-cannot be installed. Of the protocol it has what c2s uses: version, tags, ps, show and chat (streamed or whole; `format`
-as a grammar; counts and durations). Options, their defaults, the cutting of a long prompt and the refusal of `think`
-follow Ollama's documentation. The model is loaded at the start and stays; `keep_alive` only sets what ps says.
+cannot be installed. Of the protocol it has what c2s uses: version, tags, ps, show, chat and generate (streamed or
+whole; `format` as a grammar; counts and durations). Options, their defaults, the cutting of a long prompt and the
+refusal of `think` follow Ollama's documentation. The model is loaded at the start and stays; `keep_alive` only sets
+what ps says.
 """
 
 import argparse
@@ -106,7 +107,10 @@ class Handler(BaseHTTPRequestHandler):
                 info = {"general.architecture": "llama", "llama.context_length": self.service.llama.context}
                 self._json({"capabilities": ["completion"], "model_info": info, **self.service.row()}, 200)
             elif self.path == "/api/chat":
-                self._chat(body)
+                self._answer(body, chat=True)
+            elif self.path == "/api/generate":
+                told = [{"role": r, "content": body.get(n)} for r, n in (("system", "system"), ("user", "prompt"))]
+                self._answer({**body, "messages": [m for m in told if m["content"]]}, chat=False)
             else:
                 self._json({"error": f"no such path {self.path}"}, 404)
         except Refused as error:
@@ -116,11 +120,11 @@ class Handler(BaseHTTPRequestHandler):
         except OSError:
             self.close_connection = True  # the asker is gone, and the answer with it
 
-    def _chat(self, body: dict[str, Any]) -> None:
+    def _answer(self, body: dict[str, Any], chat: bool) -> None:
         began = time.monotonic_ns()
         tokens, options = self.service.prepared(body)
         if not tokens:
-            return self._json(self._frame("", done=True, done_reason="load"), 200)
+            return self._json(self._frame("", chat, done=True, done_reason="load"), 200)
         stream, begun, whole = body.get("stream", True), False, ""
         for piece in self.service.llama.complete(tokens, options, self._gone):
             if stream and not begun:
@@ -128,16 +132,16 @@ class Handler(BaseHTTPRequestHandler):
                 begun = True
             if piece.get("content"):
                 whole += piece["content"]
-                self._line(self._frame(piece["content"], done=False)) if stream else None
+                self._line(self._frame(piece["content"], chat, done=False)) if stream else None
             if piece.get("stop"):
-                last = self._frame("" if stream else whole, done=True, **_counts(piece, began))
+                last = self._frame("" if stream else whole, chat, done=True, **_counts(piece, began))
                 return self._end(last) if stream else self._json(last, 200)
         self.close_connection = True  # broken off before its end: no last chunk, as where a runner dies
         return None
 
-    def _frame(self, content: str, **more: Any) -> dict[str, Any]:
-        message = {"role": "assistant", "content": content}
-        return {"model": self.service.name, "created_at": _now().isoformat(), "message": message, **more}
+    def _frame(self, content: str, chat: bool, **more: Any) -> dict[str, Any]:
+        said = {"message": {"role": "assistant", "content": content}} if chat else {"response": content}
+        return {"model": self.service.name, "created_at": _now().isoformat(), **said, **more}
 
     def _gone(self) -> bool:
         """Whether the asker has closed its side."""

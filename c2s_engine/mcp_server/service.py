@@ -117,6 +117,7 @@ class Service:
         """Turn a description of a driving scenario into a Scenic program, compile and run it (without CARLA)."""
 
         async def work() -> dict[str, Any]:
+            answers.needs_folder(output)
             teller, words = Teller(context), description(text)
             options = {"method": method, "map": map, "seed": seed, "runs": runs, "strict": strict}
             done, _ = await teller.finish(self.engine.generate(words, **options))  # type: ignore[arg-type]
@@ -193,6 +194,7 @@ class Service:
             from c2s_engine.session.sessions import Sessions
             from c2s_engine.structure.edits import Replace
 
+            answers.needs_folder(output)
             fields = [f"{name}={json.dumps(value)}" for name, value in (set or {}).items()]
             edits, teller = edits_of(fields, remove or [], []), Teller(context)
             options = {"method": method, "seed": seed}

@@ -97,7 +97,9 @@ async def test_an_assistant_makes_checks_runs_and_edits_a_scenario(serving, tmp_
         ):
             told = await refusal(client, tool, **arguments)
             assert sentence in told and "\n" not in told and "Traceback" not in told
-    assert not [p for p in psutil.process_iter(["cmdline"]) if str(tmp_path) in " ".join(p.info["cmdline"] or [])]
+        started = psutil.Process().children(recursive=True)
+        assert any("c2s_engine.check.server" in p.cmdline() for p in started)
+    assert not psutil.wait_procs(started, timeout=10)[1], "nothing is left running"
 
 
 async def test_a_cancelled_call_stops_the_model_and_the_next_is_answered(serving):

@@ -102,7 +102,7 @@ def _told(tried: "Tried") -> str:
 def suggest(
     memory: Annotated[float | None, typer.Option(min=0, help="Only what fits into so many GB.")] = None,
 ) -> None:
-    """Models worth trying, by the memory that they need, and what the probe found about each."""
+    """Models worth trying, by the memory that they need (estimated), and what the probe found about each."""
     from c2s_engine import paths
 
     typer.echo(f"{'GB':>3}  {'model':<22} {'download':>8}  what the probe found")

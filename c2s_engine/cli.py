@@ -56,6 +56,10 @@ def _mount(wanted: str | None) -> None:
         from c2s_engine.commands.report import report
 
         app.command()(report)
+    if everything or wanted == "mcp":
+        from c2s_engine.commands.mcp import mcp
+
+        app.command()(mcp)
     if everything or wanted in ("index", "search"):
         from c2s_engine.commands.indexing import parts
         from c2s_engine.retrieve import commands as retrieval

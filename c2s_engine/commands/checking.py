@@ -1,6 +1,7 @@
 """`c2s check` and `c2s run`: any Scenic driving program."""
 
 import csv
+from collections.abc import Awaitable, Callable
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -77,12 +78,16 @@ async def _check(text: str, file: Path, upto: Upto, seed: int, trust: bool, **op
 
 
 async def _fix(text: str, file: Path, seed: int, trust: bool, **given: Any) -> tuple[str, int]:
+    return await fixed(text, lambda text: _check(text, file, "sample", seed, trust, **given))
+
+
+async def fixed(text: str, check: Callable[[str], Awaitable[CheckReport]]) -> tuple[str, int]:
     """Apply deterministic fixes until none is offered; the text and how many were applied."""
     from c2s_engine.check.fixes import apply_fixes
 
     applied = 0
     for _ in range(12):
-        report = await _check(text, file, "sample", seed, trust, **given)
+        report = await check(text)
         found = [d for s in report.stages for d in s.diagnostics if d.edit]
         after = apply_fixes(text, found)
         if not found or after == text:
@@ -124,7 +129,7 @@ def run(
     if simulator != "dry":
         fail(f"There is no simulator {simulator}: say dry or carla.", BAD_INPUT, as_json)
     options = {"runs": runs, "seconds": seconds, "map": map_name, "model": model, "scenario": scenario}
-    ran: _Ran = work(_run(text, file, seed, trust, **options), as_json)
+    ran: Ran = work(_run(text, file, seed, trust, **options), as_json)
     report = ran.report
     with sentences(as_json):
         _write_files(report, svg, png, csv_file)
@@ -145,7 +150,7 @@ def run(
 
 
 @dataclass(frozen=True)
-class _Ran:
+class Ran:
     """A program's runs, the S recognised in it, and what that requires of them."""
 
     report: CheckReport
@@ -154,23 +159,28 @@ class _Ran:
     results: tuple[Result, ...] = ()
 
 
-async def _run(text: str, file: Path, seed: int, trust: bool, **options: Any) -> _Ran:
+async def _run(text: str, file: Path, seed: int, trust: bool, **options: Any) -> Ran:
     from c2s_engine.api import Engine
-    from c2s_engine.check.client import CheckError
     from c2s_engine.config import load_settings
 
     async with Engine(load_settings()) as engine:
-        structure, spans = Structure(), ()
-        with suppress(CheckError):  # what cannot be parsed is told by the check
-            structure = await engine.import_program(text, file.name)
-            program = assemble(structure)
-            spans = program.spans if program.text.strip() == text.strip() else ()  # type: ignore[assignment]
-        report = await engine.check(
-            text, spans=spans, upto="run", seed=seed, trust=trust, folder=str(file.resolve().parent),
-            filename=file.name, trajectories=True, **options,
-        )  # fmt: skip
-        found = await engine.judge(structure, report, seed=seed) if spans else ((), ())
-        return _Ran(report, structure, *found)
+        return await ran(engine, text, str(file.resolve().parent), file.name, seed, trust=trust, **options)
+
+
+async def ran(engine: Any, text: str, folder: str | None, filename: str, seed: int, **options: Any) -> Ran:
+    """A program's dry runs with trajectories, and what is required of them. `options`: of `Engine.check`."""
+    from c2s_engine.check.client import CheckError
+
+    structure, spans = Structure(), ()
+    with suppress(CheckError):  # what cannot be parsed is told by the check
+        structure = await engine.import_program(text, filename)
+        program = assemble(structure)
+        spans = program.spans if program.text.strip() == text.strip() else ()  # type: ignore[assignment]
+    report = await engine.check(
+        text, spans=spans, upto="run", seed=seed, folder=folder, filename=filename, trajectories=True, **options
+    )
+    found = await engine.judge(structure, report, seed=seed) if spans else ((), ())
+    return Ran(report, structure, *found)
 
 
 def _write_files(report: CheckReport, svg: Path | None, png: Path | None, csv_file: Path | None) -> None:

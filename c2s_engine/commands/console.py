@@ -12,6 +12,9 @@ import typer
 from rich.console import Console
 from rich.text import Text
 
+from c2s_engine.models.errors import ModelError
+from c2s_engine.retrieve.errors import RetrievalError
+
 OK, REFUSED, BAD_INPUT, NO_SERVICE, INTERRUPTED = 0, 1, 2, 3, 130
 """Exit codes: done; the scenario or program has a fault that is named; the input cannot be used; a service, file or
 permission is missing; interrupted by the user."""
@@ -38,34 +41,37 @@ def dump(value: Any) -> None:
     print(json.dumps(value, ensure_ascii=False, indent=2, default=str))
 
 
+def sentence(error: Exception) -> tuple[str, int] | None:
+    """What is said of an error that may happen, and its exit code; None for those that nobody foresaw."""
+    if isinstance(error, PermissionError):
+        return (
+            f"There is no permission for {error.filename}: choose another place, or change its permissions.",
+            NO_SERVICE,
+        )
+    if isinstance(error, OSError):
+        where = f" ({error.filename})" if error.filename else ""
+        advice = " Free some space and try again." if error.errno == 28 else ""
+        return f"{error.strerror or error}{where}.{advice}", NO_SERVICE
+    ours = type(error).__module__.split(".")[0] in ("c2s_engine", "c2s_bench")
+    if ours and isinstance(error, LookupError | ValueError | RuntimeError | ModelError | RetrievalError):
+        return str(error), BAD_INPUT
+    return None
+
+
 @contextlib.contextmanager
 def sentences(as_json: bool = False) -> Iterator[None]:
     """Turn what can go wrong outside the program into one sentence and an exit code."""
     try:
         yield
-    except InputError as error:
-        fail(str(error), BAD_INPUT, as_json)
     except BrokenPipeError:
         sys.stderr.close()
         os._exit(OK)
-    except PermissionError as error:
-        fail(
-            f"There is no permission for {error.filename}: choose another place, or change its permissions.",
-            NO_SERVICE,
-            as_json,
-        )
-    except OSError as error:
-        where = f" ({error.filename})" if error.filename else ""
-        advice = " Free some space and try again." if error.errno == 28 else ""
-        fail(f"{error.strerror or error}{where}.{advice}", NO_SERVICE, as_json)
     except (KeyboardInterrupt, asyncio.CancelledError):
         fail("Interrupted; nothing was written.", INTERRUPTED, as_json)
-    except typer.Exit:
-        raise
-    except (LookupError, ValueError, RuntimeError) as error:
-        if type(error).__module__.split(".")[0] not in ("c2s_engine", "c2s_bench"):
+    except Exception as error:
+        if (said := sentence(error)) is None:
             raise
-        fail(str(error), BAD_INPUT, as_json)
+        fail(*said, as_json)
 
 
 def work(coroutine: Coroutine[Any, Any, Any], as_json: bool = False) -> Any:

@@ -117,12 +117,7 @@ def as_dict(done: Finished) -> dict[str, Any]:
         "program": done.program.text,
         "source_map": [s.model_dump(mode="json") for s in done.program.spans],
         "stages": [s.model_dump(mode="json") for s in done.stages],
-        "events": [
-            {"seed": f.seed, "time": e.time, "object": o.name, "event": e.event, "other": e.other}
-            for f in done.facts
-            for o in f.objects
-            for e in o.events
-        ],
+        "events": show.events_as_dicts(done.facts),
         "requirements": show.required_as_dicts(done.requirements, done.results),
         "facts": [f.model_dump(mode="json") for f in done.facts],
         "map": done.details.get("map"),

@@ -21,7 +21,12 @@ def read_text(text: str | None, file: Path | None) -> str:
         found = _decoded(sys.stdin.buffer.read(LONGEST * 8), "standard input")
     else:
         found = text or ""
-    found = found.strip()
+    return description(found)
+
+
+def description(text: str) -> str:
+    """A text as it is interpreted; raises InputError where it is empty or too long."""
+    found = text.strip()
     if not found:
         raise InputError(
             "The description is empty: say in a sentence what happens, for example who brakes, crosses or cuts in."

@@ -1,7 +1,8 @@
 """`c2s report`: the dossier of a program, a session or a file of texts."""
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 from rich.text import Text
@@ -39,6 +40,18 @@ def report(
 async def _work(what: str, output: Path, form: str, method: str | None, seed: int) -> list[tuple[Material, Path]]:
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
+
+    async with Engine(load_settings()) as engine:
+        return await dossiers(engine, what, output, form, method, seed, lambda at: err.print(Text(at, style="dim")))
+
+
+async def dossiers(
+    engine: Any, what: str, output: Path, form: str, method: str | None, seed: int, tell: Callable[[str], Any]
+) -> list[tuple[Material, Path]]:
+    """The dossiers of a program, a session or a file of texts, written; `tell` is told which text it is at.
+
+    Raises ReportError, SessionError, CheckError, InputError and OSError.
+    """
     from c2s_engine.report import gather
     from c2s_engine.report.writing import write
 
@@ -48,15 +61,14 @@ async def _work(what: str, output: Path, form: str, method: str | None, seed: in
     if records and not file.is_file():
         raise ReportError(f"There is no file {file}: check the name.")
     told = gather.read_records(file) if records else []
-    async with Engine(load_settings()) as engine:
-        for number, record in enumerate(told, 1):
-            err.print(Text(f"{number}/{len(told)} {record.id}", style="dim"))
-            material = await gather.of_text(engine, record, method=method, seed=seed)
-            made.append((material, write(material, output / record.id, form)))  # type: ignore[arg-type]
-        if not records:
-            if file.is_file() or file.suffix == ".scenic":
-                material = await gather.of_program(engine, file, read_program(file), seed=seed)
-            else:
-                material = await gather.of_session(engine, what, seed=seed)
-            made.append((material, write(material, output, form)))  # type: ignore[arg-type]
+    for number, record in enumerate(told, 1):
+        tell(f"{number}/{len(told)} {record.id}")
+        material = await gather.of_text(engine, record, method=method, seed=seed)
+        made.append((material, write(material, output / record.id, form)))  # type: ignore[arg-type]
+    if not records:
+        if file.is_file() or file.suffix == ".scenic":
+            material = await gather.of_program(engine, file, read_program(file), seed=seed)
+        else:
+            material = await gather.of_session(engine, what, seed=seed)
+        made.append((material, write(material, output, form)))  # type: ignore[arg-type]
     return made

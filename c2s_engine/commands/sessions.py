@@ -57,11 +57,11 @@ def edit(
 ) -> None:
     """Work on a session: say something, set fields of S, write code by hand, undo, redo; show where it stands."""
     with sentences(as_json):
-        edits = _edits(fields or [], remove or [], code or [])
+        edits = edits_of(fields or [], remove or [], code or [])
         options = {"method": method, "seed": seed, "run": not no_run, "improve": improve}
         text = read_program(program) if program else None
         if not (new or program):
-            _known(name)
+            known(name)
         session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume), options, model, as_json))
         if output is not None:
             from c2s_engine.saving import save
@@ -130,8 +130,8 @@ def _sessions() -> Any:
     return Sessions()
 
 
-def _known(name: str) -> None:
-    """Refuse a name that no session has: a slip of the keys makes no session."""
+def known(name: str) -> None:
+    """Raise InputError for a name that no session has: a slip of the keys makes no session."""
     names = [s.name for s in _sessions().list()]
     if name not in names:
         near = difflib.get_close_matches(name, names, 3)
@@ -139,7 +139,8 @@ def _known(name: str) -> None:
         raise InputError(f"There is no session {name!r}: {there} --new makes it.")
 
 
-def _edits(fields: list[str], remove: list[str], code: list[str]) -> list[Any]:
+def edits_of(fields: list[str], remove: list[str], code: list[str]) -> list[Any]:
+    """The edits of S that options name: ID.FIELD=VALUE, IDs to remove, ID=FILE; raises InputError."""
     from c2s_engine.structure.edits import RemoveObject, SetCode, SetDescription, SetField
 
     edits: list[Any] = []
@@ -223,14 +224,19 @@ async def _take(events: AsyncIterator[Any], quiet: bool) -> Finished | None:
     return done
 
 
-def _as_dict(session: Any, done: Finished | None) -> dict[str, Any]:
-    from c2s_engine.commands.generate import as_dict
-
+def state_of(session: Any) -> Finished:
+    """A session as it stands, as the end of a turn."""
     kept = {"folder": session.details.get("folder"), "map": session.details.get("map")}
-    state = done or Finished(
+    return Finished(
         ok=True, structure=session.structure, program=session.program, stages=session.stages, facts=session.facts,
         requirements=session.requirements, results=session.results, details=kept,
     )  # fmt: skip
+
+
+def _as_dict(session: Any, done: Finished | None) -> dict[str, Any]:
+    from c2s_engine.commands.generate import as_dict
+
+    state = done or state_of(session)
     history = [{"kind": t.kind, "text": t.text, "summary": t.summary, "when": t.when} for t in session.history]
     return {**as_dict(state), "session": session.name, "history": history}
 

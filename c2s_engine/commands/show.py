@@ -85,6 +85,16 @@ def required(
         to.print(Text(f"Of {words} only what was recognised in the code is required.", style="dim"))
 
 
+def events_as_dicts(facts: Iterable[RunFacts]) -> list[dict[str, Any]]:
+    """The events of each rollout, as plain data; times in s."""
+    return [
+        {"seed": f.seed, "time": e.time, "object": o.name, "event": e.event, "other": e.other}
+        for f in facts
+        for o in f.objects
+        for e in o.events
+    ]
+
+
 def required_as_dicts(requirements: Sequence[Requirement], results: Sequence[Result]) -> list[dict[str, Any]]:
     """Each requirement with its result, as plain data."""
     found = {r.requirement: r.model_dump(mode="json", exclude={"requirement"}) for r in results}

@@ -1,4 +1,4 @@
-"""The client of Ollama's chat API: streams, can be cancelled, tries again where that helps, keeps the ledger.
+"""The client of Ollama's API: streams, can be cancelled, tries again where that helps, keeps the ledger.
 
 The `ollama` package (and httpx under it) is imported at the first call: the front must be on the screen before that.
 """
@@ -18,6 +18,7 @@ from c2s_engine.models.errors import (
     ContextOverflow,
     ModelCutOff,
     ModelError,
+    ModelMissing,
     ModelNotSet,
     NotRecorded,
 )
@@ -26,6 +27,7 @@ from c2s_engine.models.messages import Piece, Question, Reply, approximate_token
 from c2s_engine.models.recording import Recording
 from c2s_engine.models.repetition import repeats
 from c2s_engine.models.settings import ModelSettings
+from c2s_engine.models.ways import CHAT, Way, begin, pieces
 from c2s_engine.structure.progress import Token, Usage
 
 OnEvent = Callable[[Token | Usage], None]
@@ -49,6 +51,7 @@ class OllamaClient:
         self._capabilities: frozenset[str] | None = None
         self._largest: int | None = None  # the model's own largest context, tokens; None: not told
         self.keeps_to_forms: bool | None = None  # found by the probe; None: not tried out yet
+        self.way: Way = self.settings.way or CHAT  # where the settings name none, set by the probe
 
     async def __aenter__(self) -> "OllamaClient":
         return self
@@ -91,6 +94,19 @@ class OllamaClient:
             }
             for m in answer.models
         ]
+
+    async def installed(self, model: str) -> dict[str, Any] | None:
+        """The entry of `models` for a model, named with or without `:latest`; None where the host lacks it."""
+        return next((m for m in await self.models() if m["name"] in (model, f"{model}:latest")), None)
+
+    async def version(self) -> str:
+        """The server's version; empty where it does not tell."""
+        try:
+            with faults.translated(self.settings):
+                answer = await self.api._request_raw("GET", "/api/version")  # the package has no call of its own
+                return str(answer.json().get("version", ""))
+        except (ModelMissing, ModelNotSet):  # 404
+            return ""
 
     async def pull(self, model: str) -> AsyncIterator[tuple[str, int, int]]:
         """Fetch a model; yields (what is done, bytes so far, bytes in all)."""
@@ -169,36 +185,36 @@ class OllamaClient:
             "seed": self.settings.seed,
         }
 
-    async def _think(self) -> dict[str, Any]:
-        """The `think` argument: left out for models that cannot think (Ollama refuses it there)."""
+    async def _asked(self, question: Question) -> tuple[Way, dict[str, Any], dict[str, Any]]:
+        """The way, the `think` argument (left out for models that cannot think: Ollama refuses it), the options."""
+        way = self.way if question.schema_ else self.way.model_copy(update={"endpoint": "chat"})
+        options = self.options(question)
         if "thinking" not in await self.capabilities():
-            return {}
-        return {"think": self.settings.think if self.settings.think is not None else False}
+            return way, {}, options
+        if way.think:  # thoughts count as the answer's tokens
+            options["num_predict"] += self.settings.thinking_tokens
+        return way, {"think": way.think}, options
 
     async def _once(self, question: Question) -> AsyncIterator[Piece]:
         settings = self.settings
-        think = await self._think()
+        way, think, options = await self._asked(question)
         began = time.monotonic()
         text, thinking, watched, last = "", "", 0, None
         with faults.translated(settings):
-            stream = await self.api.chat(
-                model=settings.model,
-                messages=[m.model_dump() for m in question.messages],
-                stream=True,
-                format=question.schema_,
-                options=self.options(question),
-                keep_alive=settings.keep_alive,
-                **think,
-            )
+            stream = await begin(
+                self.api, way, question.messages, think, model=settings.model, format=question.schema_,
+                options=options, keep_alive=settings.keep_alive,
+            )  # fmt: skip
             try:
                 async for chunk in stream:
                     last = chunk
-                    if chunk.message.thinking:
-                        thinking += chunk.message.thinking
-                        yield Piece(text=chunk.message.thinking, thinking=True)
-                    if chunk.message.content:
-                        text += chunk.message.content
-                        yield Piece(text=chunk.message.content)
+                    said, thought = pieces(chunk)
+                    if thought:
+                        thinking += thought
+                        yield Piece(text=thought, thinking=True)
+                    if said:
+                        text += said
+                        yield Piece(text=said)
                     if len(text) + len(thinking) - watched >= 256:
                         watched = len(text) + len(thinking)
                         if repeats(text or thinking):
@@ -209,6 +225,8 @@ class OllamaClient:
         endless = repeats(text or thinking)
         if last is None or not (last.done or endless):
             raise ModelCutOff(settings.model)
+        if question.schema_ and not text.strip():  # some models put the form where their thoughts belong
+            text = thinking
         reply = Reply(
             text=text,
             thinking=thinking,

@@ -8,6 +8,7 @@ from typing import Any, Literal
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from c2s_engine.models.errors import BadSettings
+from c2s_engine.models.ways import Endpoint, Think, Way
 
 DEFAULT_HOST = "http://127.0.0.1:11434"
 
@@ -29,9 +30,9 @@ class ModelSettings(BaseModel):
     timeout: float = Field(180.0, gt=0, description="longest silence of the model, s (loading it included)")
     connect_timeout: float = Field(5.0, gt=0, description="longest wait for the connection, s")
     keep_alive: str = Field("30m", description="how long Ollama keeps the model loaded after a call")
-    think: bool | Literal["low", "medium", "high"] | None = Field(
-        None, description="whether a thinking model may think; none: it is told not to"
-    )
+    think: Think | None = Field(None, description="whether a thinking model may think; none: as the probe found")
+    endpoint: Endpoint | None = Field(None, description="where forms are asked for; none: as the probe found")
+    thinking_tokens: int = Field(2048, ge=0, description="room for thoughts where a model may think, tokens")
     temperature: float = Field(0.0, ge=0)
     seed: int = Field(0, description="of the model's sampling")
     retries: int = Field(2, ge=0, description="further tries after a fault that may pass")
@@ -41,6 +42,13 @@ class ModelSettings(BaseModel):
         "off", description="record: keep every answer; replay: answer from what was kept, without a model"
     )
     record_folder: Path | None = Field(None, description="where recorded answers lie; default: in the data folder")
+
+    @property
+    def way(self) -> Way | None:
+        """How forms are asked for where `think` or `endpoint` say so; else the probe finds it."""
+        if self.think is None and self.endpoint is None:
+            return None
+        return Way(endpoint=self.endpoint or "chat", think=self.think or False)
 
 
 def settings_for(model: str, table: Mapping[str, Any], host: str = "") -> ModelSettings:

@@ -91,7 +91,7 @@ async def test_c2s_talks_to_it(served, tmp_path):
         assert (model["name"], model["parameters"], model["quantization"]) == ("tiny:latest", "135M", "Q4_1")
         found = await probe(client, tmp_path)
         assert not found.honours_format and not found.thinks
-        words.says = ['{"colour": "red", ', '"count": 1}']
+        words.says = ['{"colour": "red", ', '"wheels": 4}']
         assert (await probe(client, tmp_path, again=True)).honours_format
     _, options = words.asked[-1]
     assert options["grammar"].startswith("grammar of {") and options["temperature"] == 0

@@ -18,6 +18,7 @@ Fault = Literal["cut", "error", "broken_json", "no_done"]
 CHAT_KEYS = {
     "model", "messages", "tools", "stream", "format", "options", "keep_alive", "think", "logprobs", "top_logprobs",
 }  # fmt: skip
+GENERATE_KEYS = CHAT_KEYS - {"messages", "tools"} | {"prompt", "system", "suffix", "template", "raw", "images"}
 OPTION_KEYS = {
     "num_ctx", "num_predict", "temperature", "seed", "top_k", "top_p", "min_p", "stop", "repeat_penalty", "num_keep",
     "repeat_last_n", "presence_penalty", "frequency_penalty", "num_batch", "num_gpu", "main_gpu", "num_thread",
@@ -76,13 +77,15 @@ def script(*answers: Answer | str) -> Respond:
 
 @dataclass
 class FakeOllama:
-    """The server. `requests` are the chat requests in order; `disconnected` is set when a client goes in mid-stream."""
+    """The server. `requests` are those of /api/chat and /api/generate in order, each with "endpoint" and `messages`;
+    `disconnected` is set when a client goes in mid-stream."""
 
     respond: Respond = field(default=lambda request: "Hello.")
     models: list[Installed] = field(
         default_factory=lambda: [Installed("small"), Installed("thinker", ("completion", "thinking"))]
     )
     pullable: tuple[str, ...] = ("fresh",)
+    version: str | None = "0.30.7"  # None: a server of before that path
     requests: list[dict[str, Any]] = field(default_factory=list)
     violations: list[str] = field(default_factory=list)
     sent: int = 0
@@ -148,9 +151,11 @@ class FakeOllama:
             handler = {
                 ("GET", "/api/tags"): self._tags,
                 ("GET", "/api/ps"): self._ps,
+                ("GET", "/api/version"): self._version,
                 ("POST", "/api/show"): self._show,
                 ("POST", "/api/pull"): self._pull,
                 ("POST", "/api/chat"): self._chat,
+                ("POST", "/api/generate"): self._generate,
             }.get((method, path))
             if handler is None:
                 await reply.json({"error": f"no such path {path}"}, 404)
@@ -172,6 +177,11 @@ class FakeOllama:
         used = self.requests[-1:] or []
         rows = [{"name": r["model"], "model": r["model"], "context_length": r["options"]["num_ctx"]} for r in used]
         return await reply.json({"models": rows})
+
+    async def _version(self, body: dict, reply: "Responder") -> bool:
+        if self.version is None:
+            return await reply.json({"error": "no such path"}, 404)
+        return await reply.json({"version": self.version})
 
     async def _show(self, body: dict, reply: "Responder") -> bool:
         model = self._find(body.get("model", ""))
@@ -196,7 +206,17 @@ class FakeOllama:
         self.models.append(Installed(name))
         return await reply.end()
 
-    async def _chat(self, body: dict, reply: "Responder") -> bool:
+    async def _generate(self, body: dict, reply: "Responder") -> bool:
+        """As _chat, for one prompt; the pieces are told in `response` and `thinking`."""
+        if unknown := set(body) - GENERATE_KEYS:
+            self.violations.append(f"unknown fields {sorted(unknown)}")
+            return await reply.json({"error": self.violations[-1]}, 400)
+        told = [("system", body.get("system")), ("user", body.get("prompt"))]
+        messages = [{"role": role, "content": content} for role, content in told if content]
+        rest = {k: v for k, v in body.items() if k in CHAT_KEYS}
+        return await self._chat({**rest, "messages": messages}, reply, "generate")
+
+    async def _chat(self, body: dict, reply: "Responder", endpoint: str = "chat") -> bool:
         wrong = shape_of(body)
         model = self._find(body.get("model", ""))
         if wrong:
@@ -207,6 +227,7 @@ class FakeOllama:
         if body.get("think") and "thinking" not in model.capabilities:
             self.violations.append("think for a model that cannot")
             return await reply.json({"error": f'"{body["model"]}" does not support thinking'}, 400)
+        body = {**body, "endpoint": endpoint}
         self.requests.append(body)
         answer = self.respond(body)
         if isinstance(answer, str):
@@ -242,8 +263,7 @@ class FakeOllama:
                     reason = "length"
                     continue
                 written += len(text)
-                message = {"role": "assistant", "content": "", kind: text}
-                await reply.line({**frame, "message": message, "done": False})
+                await reply.line({**frame, **_piece(body, kind, text), "done": False})
                 self.sent += 1
             if answer.fault:
                 return await self._fail(answer.fault, reply)
@@ -251,7 +271,7 @@ class FakeOllama:
             if count is None:
                 count = min(sum(len(m["content"]) for m in body["messages"]) // 4, body["options"]["num_ctx"])
             await reply.line(
-                {**frame, "message": {"role": "assistant", "content": ""}, "done": True, "done_reason": reason,
+                {**frame, **_piece(body, "content", ""), "done": True, "done_reason": reason,
                  "prompt_eval_count": count, "eval_count": max(1, written // 4), "total_duration": 1}
             )  # fmt: skip
             gone.cancel()
@@ -271,6 +291,13 @@ class FakeOllama:
         if fault == "no_done":
             return await reply.end()
         return False  # "cut": the socket is closed without an end
+
+
+def _piece(body: dict[str, Any], kind: str, text: str) -> dict[str, Any]:
+    """A piece as the endpoint tells it; `kind`: content or thinking."""
+    if body["endpoint"] == "chat":
+        return {"message": {"role": "assistant", "content": "", kind: text}}
+    return {"response": "", ("response" if kind == "content" else kind): text}
 
 
 def _within(pieces: Iterator[tuple[str, str]], room: int) -> Iterator[tuple[str, str]]:

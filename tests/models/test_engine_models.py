@@ -133,14 +133,14 @@ async def test_a_model_that_keeps_to_no_form_is_told_the_schema(server, tmp_path
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
 
     def respond(request):
-        return "Red." if "Name a colour" in said(request) else sensible(request)
+        return "Red." if "Which colour" in said(request) else sensible(request)
 
     server.respond = respond
     async with Engine(settings(server, ollama={"probe": True})) as engine:
         _, done = await events_of(engine.generate(TEXT, run=False))
         assert done.ok and done.details["share"] == 1
-    probes = [r for r in server.requests if "Name a colour" in said(r)]
-    assert len(probes) == 1
+    probes = [r for r in server.requests if "Which colour" in said(r)]
+    assert [r["endpoint"] for r in probes] == ["chat", "generate"], "tried once in each way"
     assert all("JSON schema" in r["messages"][0]["content"] for r in server.requests if r not in probes)
 
 

@@ -7,7 +7,7 @@ import threading
 
 import pytest
 
-from c2s_engine.models import ModelSettings, OllamaClient, errors, question
+from c2s_engine.models import Message, ModelSettings, OllamaClient, Question, errors, question
 from c2s_engine.structure.progress import Token, Usage
 from tests.models.fake_ollama import Answer, FakeOllama, endless, script
 
@@ -45,6 +45,22 @@ async def test_thinking_is_sent_only_where_it_can_be(server, client_of):
     assert "think" not in server.requests[0]
     assert server.requests[1]["think"] is False
     assert reply.thinking == "let me see" and reply.text == "done"
+
+
+async def test_forms_go_where_the_settings_say_and_words_to_chat(server, client_of):
+    server.respond = script('{"a": 1}')
+    messages = (*question("Be brief.", "Fill it in.").messages, Message(role="assistant", content='{"a": "x"}'),
+                Message(role="user", content="a must be a number."))  # fmt: skip
+    form = Question(messages=messages, schema_={"type": "object", "properties": {"a": {"type": "integer"}}})
+    async with client_of(server, endpoint="generate") as client:
+        reply = await client.chat(form)
+        assert reply.text == '{"a": 1}' and reply.prompt_tokens > 0 and reply.done_reason == "stop"
+        await client.chat(ASK)
+    asked, words = server.requests
+    assert (asked["endpoint"], words["endpoint"]) == ("generate", "chat") and asked["format"] == form.schema_
+    system, prompt = (m["content"] for m in asked["messages"])
+    assert system == "Be brief." and prompt == 'Fill it in.\n\nYou answered:\n{"a": "x"}\n\na must be a number.'
+    assert asked["options"]["num_ctx"] == words["options"]["num_ctx"]
 
 
 @pytest.mark.parametrize(

@@ -29,6 +29,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
     if getattr(spec, "duration", None) is None or not scene.stated("T", "duration"):
         yield scene.make("pace", "soon_over", EGO, "pace.over", "The run is over soon after the last of what is said.",
                          component="T", of=ids, lasting=lasting, reacts=scene.ego.reaction != "none")  # fmt: skip
+    yield scene.make("pace", "not_cut_short", EGO, "pace.whole", "The run does not end amid what somebody is doing.",
+                     component="T")  # fmt: skip
     yield scene.make("pace", "no_dead_time", EGO, "pace.dead", "There is no long time in which nothing happens.",
                      component="T", of=ids, lasting=max(lasting, timed))  # fmt: skip
 
@@ -119,4 +121,12 @@ def _speed_moments(evidence: Evidence) -> list[float]:
     return [e.time for o in evidence.facts.objects for e in o.events if e.event in telling]
 
 
-CHECKS = {"first_event": first_event, "soon_over": soon_over, "no_dead_time": no_dead_time}
+def not_cut_short(requirement: Requirement, evidence: Evidence) -> Result:
+    limit, said = bounds()["pace"]["amid"]["value"], "nobody brakes hard at the end"
+    moving = [m for m in evidence.everybody if m.moves and m.contact is None and m.speed[-1] > STANDING]
+    braking = [m for m in moving if float(m.acceleration[-3:].mean()) < -limit]
+    seen = f"{braking[0].name} brakes" if braking else "none does"
+    return scored(requirement, -1.0 if braking else 1.0, said, seen, evidence.end)
+
+
+CHECKS = {"not_cut_short": not_cut_short, "first_event": first_event, "soon_over": soon_over, "no_dead_time": no_dead_time}

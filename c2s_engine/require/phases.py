@@ -27,8 +27,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
         shows = shown_by(phase.action)
         if phase.action == "lane_change" and phase.side:
             shows = (f"lane_change_{phase.side}",)
-        if not shows and phase.action not in BY_SPEED:
-            continue
+        if not shows and phase.action not in BY_SPEED or phase.action == "keep_lane" and _leaves_later(scene, actor, i):
+            continue  # nothing shows it, or not the run as a whole
         said = phase.action.replace("_", " ")
         values: dict[str, Value] = {"action": phase.action, "events": shows}
         if actor in before:
@@ -46,6 +46,12 @@ def required(scene: Scene) -> Iterator[Requirement]:
                                  "said before it.", first=before[actor], second=seen.id)  # fmt: skip
             before[actor] = seen.id
     yield from _awaited(scene)
+
+
+def _leaves_later(scene: Scene, actor: str, i: int) -> bool:
+    """Whether somebody who keeps its lane at first leaves it in a later phase."""
+    return any(p.action in (*SIDED, *AT_JUNCTION, "lane_change", "overtake", "u_turn", "collide", "lose_control",
+                            "oncoming") for p in scene.actors[actor].phases[i + 1 :])  # fmt: skip
 
 
 def _cid(actor: str) -> str:

@@ -16,6 +16,7 @@ from c2s_engine.session.read_back import read_back
 from c2s_engine.session.requiring import judged
 from c2s_engine.session.solving import can_solve, solved
 from c2s_engine.session.steps import Tools
+from c2s_engine.solve.defaults import with_usual_reaction
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.edits import Edit
@@ -98,6 +99,8 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         method = method_of(state)
         for edit in method.described(before, structure) if edits else []:
             structure = steps.apply(structure, edit)
+        if state.get("given"):
+            structure = with_usual_reaction(structure)
         lenient = bool(state.get("text") or state.get("given")) and not state.get("strict")
         structure, found, result = await steps.configure(
             structure, tools, emit, given=state.get("map"), needed=method.needs_place, lenient=lenient

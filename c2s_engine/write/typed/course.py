@@ -6,6 +6,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import pockets, scope
+from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import outwards
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, is_static
@@ -159,16 +160,21 @@ class Course:
 
     @property
     def oncoming(self) -> bool:
-        placement = getattr(self.actor.spec, "placement", None)
-        return bool(placement and placement.position in ("oncoming_lane", "opposite_approach"))
+        """Whether it comes towards ego, on its road or from the opposite approach."""
+        spec = self.actor.spec
+        if not isinstance(spec, ObjectSpec):
+            return False
+        return spec.placement.position == "opposite_approach" or oncoming(spec, self._objects)
 
     def oncoming_both(self, phase: Phase) -> bool:
         """Whether it and the phase's target both come from the other direction."""
-        known = phase.target is not None and phase.target in self.actor.structure
-        target = self.actor.structure[phase.target].spec if known and phase.target else None
-        own = self.actor.spec
-        both = (own, target)
-        return all(isinstance(s, ObjectSpec) and s.placement.position == "oncoming_lane" for s in both)
+        own, target = self.actor.spec, self._objects.get(phase.target or "")
+        both = isinstance(own, ObjectSpec) and target is not None
+        return both and oncoming(own, self._objects) and oncoming(target, self._objects)  # type: ignore[arg-type]
+
+    @property
+    def _objects(self) -> dict[str, ObjectSpec]:
+        return {c.id: c.spec for c in self.actor.structure.objects if isinstance(c.spec, ObjectSpec)}
 
     @property
     def on_ramp(self) -> bool:

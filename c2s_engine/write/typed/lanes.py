@@ -29,6 +29,15 @@ def lane_offset(cid: str, objects: dict[str, ObjectSpec], seen: tuple[str, ...] 
     return None if of is None or step is None else of + step
 
 
+def oncoming(spec: ObjectSpec, objects: dict[str, ObjectSpec]) -> bool:
+    """Whether somebody starts on a lane of the other direction of ego's road, or ahead of or behind one who does."""
+    seen: set[str] = set()
+    while spec.placement.position in ("ahead", "behind") and spec.placement.of in objects.keys() - seen:
+        seen.add(spec.placement.of)
+        spec = objects[spec.placement.of]
+    return spec.placement.position == "oncoming_lane"
+
+
 def leads(
     ego: EgoSpec, objects: dict[str, ObjectSpec], lane_of: dict[str, int | None], speed: float, place: PlaceSpec
 ) -> dict[str, tuple[str, ...]]:

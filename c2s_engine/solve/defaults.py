@@ -1,0 +1,24 @@
+"""What anybody would take for granted of an S that somebody else made, said in `assumed`."""
+
+from c2s_engine.solve.unknowns import PLANNER
+from c2s_engine.structure.components import Assumption, Structure
+from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+
+HOLDS = ("keep_lane", "accelerate", "collide", "run_red", "run_stop", "oncoming", "lose_control", "reverse")
+"""What ego does of its own accord whatever the others do."""
+
+
+def with_usual_reaction(structure: Structure) -> Structure:
+    """S whose ego brakes for what comes into its way, where S says neither how it reacts nor that it does not: it drives
+    on of its own accord, or is hit."""
+    ego = structure.ego.spec
+    assert isinstance(ego, EgoSpec)
+    objects = [c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)]
+    struck = any(p.action == "collide" and p.target in (None, EGO) for o in objects for p in o.phases)
+    if ego.reaction != "none" or struck or not objects or any(p.action in HOLDS for p in ego.phases):
+        return structure
+    note = Assumption(field="reaction", value="brake", by=PLANNER,
+                      reason="nothing says how ego reacts: it brakes for what comes into its way")  # fmt: skip
+    changed = {"spec": ego.model_copy(update={"reaction": "brake"}), "assumed": (*structure.ego.assumed, note)}
+    return structure.with_component(structure.ego.model_copy(update=changed))

@@ -78,10 +78,9 @@ class Recorder:
             samples.append((body.x, body.y, body.heading, vx, vy))
 
     def restart(self, actors: list[Any]) -> None:
-        """Take the first sample anew: with the speeds that the first actions set."""
-        for samples in self.samples:
-            samples.clear()
-        self.sample(actors, 0)
+        """Take the first sample's speeds anew, as the first actions set them; its places stand."""
+        for samples, actor in zip(self.samples, actors, strict=False):
+            samples[0] = (*samples[0][:3], *actor.body.velocity())
 
     def note_lights(self, time: float, states: dict[tuple[str, str], str]) -> None:
         for key, state in states.items():

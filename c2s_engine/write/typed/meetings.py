@@ -11,7 +11,7 @@ from c2s_engine.structure.quantity import high, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import LENGTH, WIDTH
+from c2s_engine.write.typed.tables import LENGTH, WIDTH, is_static
 from c2s_engine.write.typed.threats import hits_ego, is_hit
 from c2s_engine.write.typed.usual import SETS_OUT, speed_of
 
@@ -43,7 +43,7 @@ def meeting(structure: Structure, cid: str, plan: Plan) -> Meeting | None:
     spec, ego = structure[cid].spec, structure.ego.spec
     assert isinstance(spec, ObjectSpec) and isinstance(ego, EgoSpec)
     timed = plan.junction and plan.ego_speed > 0 and high(speed_of(spec, plan.place)) > 0
-    if not timed or spec.placement.gap is not None or cid in plan.set_out or cid in plan.pocketed:
+    if not timed or is_static(spec) or spec.placement.gap is not None or cid in plan.set_out or cid in plan.pocketed:
         return None
     if hits_ego(spec):
         across = plan.place.manoeuvre == "left" and spec.placement.position == "opposite_approach"

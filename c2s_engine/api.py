@@ -120,7 +120,7 @@ class Engine:
         self, structure: Structure, *, method: str | None = None, map: str | None = None, seed: int = 0,
         runs: int | None = None, trajectories: bool = False,
     ) -> AsyncGenerator[Progress, None]:  # fmt: skip
-        """A program for an S that somebody else made: placed, written, run and judged as one that was read from a text."""
+        """A program for an S that somebody else made: placed, written, run and judged as one read from a text."""
         inputs = {"text": "", "given": True, "structure": structure.model_dump(mode="json"), "edits": []}
         async with aclosing(self.turn(inputs, method, map, seed, True, runs, trajectories)) as events:
             async for event in events:

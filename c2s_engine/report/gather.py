@@ -15,6 +15,7 @@ from c2s_engine.interpret.composing.describe import described
 from c2s_engine.maps.library import NAMED, MapNotFound
 from c2s_engine.report.material import Material, ReportError, problem_of
 from c2s_engine.structure.components import Component, Link, Structure, Unmet
+from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.structure.facts import Trajectories
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import Finished, ProgramChanged, RunDone, Say
@@ -63,18 +64,17 @@ def structure_of(components: dict[str, Any], text: str) -> Structure:
     raises ReportError naming the field that does not fit."""
     found = Structure(text=text)
     for cid, data in components.items():
-        kind = SPEC_OF.get(str(cid)[:1])
-        if kind is None or not isinstance(data, dict):
+        if str(cid)[:1] not in SPEC_OF or not isinstance(data, dict):
             raise ReportError(f"{cid} is no component of S: give G, R, E, O1, O2, ..., T as maps of fields.")
         fields = {k: v for k, v in data.items() if k != "unmet"}
         try:
             component = Component(
-                id=cid, spec=kind.model_validate(fields), links=(Link(kind="text", label=text, span=(0, len(text))),),
+                id=cid, spec=SPEC_ADAPTER.validate_python({"component": str(cid)[:1], **fields}), links=(Link(kind="text", label=text, span=(0, len(text))),),
                 unmet=tuple(Unmet(text=str(u), reason="S has no words for it") for u in data.get("unmet") or ()),
             )  # fmt: skip
         except ValidationError as error:
             first = error.errors()[0]
-            raise ReportError(f"{cid}.{'.'.join(map(str, first['loc']))}: {first['msg']}.") from None
+            raise ReportError(f"{cid}.{'.'.join(map(str, first['loc'][1:]))}: {first['msg']}.") from None
         found = found.with_component(component) if cid in found else _added(found, component)
     return described(found)
 

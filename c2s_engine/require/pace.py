@@ -129,4 +129,6 @@ def not_cut_short(requirement: Requirement, evidence: Evidence) -> Result:
     return scored(requirement, -1.0 if braking else 1.0, said, seen, evidence.end)
 
 
-CHECKS = {"not_cut_short": not_cut_short, "first_event": first_event, "soon_over": soon_over, "no_dead_time": no_dead_time}
+CHECKS = {
+    "not_cut_short": not_cut_short, "first_event": first_event, "soon_over": soon_over, "no_dead_time": no_dead_time,
+}  # fmt: skip

@@ -14,7 +14,6 @@ from c2s_engine.structure.requirements import Requirement, Result, Run
 from c2s_engine.structure.specs import RestrictionsSpec
 from c2s_engine.write.typed import TypedWriter
 
-
 LONGEST = 20.0
 """s for which the run without ego's reaction goes on."""
 

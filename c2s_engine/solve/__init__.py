@@ -1,7 +1,7 @@
 """What the text left open is chosen so that what S requires is seen: unknowns, moves, and a bounded search over runs.
 
-Pure: what a choice comes to is asked of the caller (`evaluate`), who writes, runs and judges. Only what S leaves open, or
-has assumed, is changed; each choice stands in its component's `assumed`, by `planner`.
+Pure: what a choice comes to is asked of the caller (`evaluate`), who writes, runs and judges. Only what S leaves open,
+or has assumed, is changed; each choice stands in its component's `assumed`, by `planner`.
 """
 
 from c2s_engine.solve.search import Outcome, solve

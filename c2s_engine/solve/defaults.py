@@ -10,8 +10,8 @@ HOLDS = ("keep_lane", "accelerate", "collide", "run_red", "run_stop", "oncoming"
 
 
 def with_usual_reaction(structure: Structure) -> Structure:
-    """S whose ego brakes for what comes into its way, where S says neither how it reacts nor that it does not: it drives
-    on of its own accord, or is hit."""
+    """S whose ego brakes for what comes into its way, where S says neither how it reacts nor that it does not (it
+    drives on of its own accord, or is hit)."""
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
     objects = [c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)]

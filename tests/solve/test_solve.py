@@ -1,0 +1,171 @@
+"""The planner's search: only what is open is chosen, each choice is said, and what is better is kept."""
+
+import math
+
+import pytest
+
+from c2s_engine.config import Settings
+from c2s_engine.require import require
+from c2s_engine.solve import PLANNER, Outcome, solve, unknowns
+from c2s_engine.solve.defaults import with_usual_reaction
+from c2s_engine.solve.moves import moves
+from c2s_engine.solve.unknowns import LIMITS, chosen
+from c2s_engine.structure.components import Assumption, Component, Structure
+from c2s_engine.structure.edits import SetField, apply
+from c2s_engine.structure.requirements import Requirement, Result
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec
+from c2s_engine.write.typed.usual_values import usual_values
+from tests.write import draws
+
+
+def lead(**fields: object) -> Structure:
+    """Ego behind one that brakes hard."""
+    spec = ObjectSpec(name="lead", phases=(Phase(action="brake", rate=6.0),), **fields)  # type: ignore[arg-type]
+    return Structure(
+        place=Component(id="R", spec=PlaceSpec(kind="straight")),
+        ego=Component(id="E", spec=EgoSpec(speed=14.0, reaction="brake", hard=True)),
+        objects=(Component(id="O1", spec=spec),),
+    )
+
+
+def paths(structure: Structure) -> set[str]:
+    return {f"{u.component}.{u.path}" for u in unknowns(structure, usual_values(structure, 1.0))}
+
+
+def test_what_is_said_is_no_unknown():
+    assert paths(lead()) == {"O1.placement.gap", "O1.speed", "O1.phases.0.trigger", "T.duration"}
+    said = lead(speed=14.0, placement=Placement(gap=30.0))
+    assert paths(said) == {"O1.phases.0.trigger", "T.duration"}
+
+
+def test_what_was_assumed_is_an_unknown():
+    structure = lead(speed=14.0)
+    note = Assumption(field="speed", value="50 km/h", reason="the same as ego's")
+    assumed = structure["O1"].model_copy(update={"assumed": (note,)})
+    assert "O1.speed" in paths(structure.with_component(assumed)) - paths(structure)
+
+
+def test_code_by_hand_has_no_unknowns():
+    structure = lead()
+    by_hand = structure["O1"].model_copy(update={"origin": "by_hand", "code": "lead = new Car"})
+    assert paths(structure.with_component(by_hand)) == {"T.duration"}
+
+
+@pytest.mark.parametrize("seed", range(0, 120, 6))
+def test_choices_touch_only_what_is_open_and_are_said(seed):
+    structure = draws.structure(seed)
+    try:
+        usual = usual_values(structure, 1.0)
+    except ValueError:
+        pytest.skip("the draw contradicts itself")
+    before = {r.id: r for r in require(structure)}
+    for unknown in unknowns(structure, usual):
+        low, high = unknown.limits
+        assert LIMITS[unknown.path.rsplit(".", 1)[-1]] == (low, high)
+        for factor in (0.6, 1.5):
+            value = unknown.moved(factor)
+            assert low <= value <= high
+            changed = chosen(structure, unknown, value)
+            notes = [a for a in changed[unknown.component].assumed if a.by == PLANNER]
+            assert [a.field for a in notes] == [unknown.path]
+            others = [c.id for c in changed.components if c != structure[c.id]]
+            assert others == [unknown.component]
+            demanded = {r.id for r in require(changed)} - before.keys()
+            assert not demanded, f"{unknown.path} became a demand: {demanded}"
+
+
+def test_an_edit_of_a_chosen_field_is_no_choice_any_more():
+    structure = lead()
+    gap = next(u for u in unknowns(structure, usual_values(structure, 1.0)) if u.path == "placement.gap")
+    structure = apply(chosen(structure, gap, 12.0), SetField(component="O1", path="placement.gap", value=20.0))
+    assert not structure["O1"].assumed and "O1.placement.gap" not in paths(structure)
+
+
+def outcome(structure: Structure, *results: tuple[str, float, float | None]) -> Outcome:
+    """What a run came to: (check, robustness, measured)."""
+    of = [Requirement(id=f"T.{c}", kind="pace", component="T", text=c, check=c) for c, _, _ in results]
+    found = [
+        Result(requirement=f"T.{c}", holds=r >= 0, robustness=r, time=20.0, value=v, bounds=(2.0, 10.0))
+        for c, r, v in results
+    ]  # fmt: skip
+    return Outcome(structure, tuple(of), tuple(found))
+
+
+async def test_the_length_of_the_run_is_found_at_once():
+    asked = []
+
+    async def evaluate(structure: Structure) -> Outcome:
+        asked.append(structure.restrictions.spec.duration)
+        return outcome(structure, ("soon_over", 0.5, 3.0))
+
+    best = await solve(outcome(lead(), ("soon_over", -3.0, 12.0)), evaluate, 1.0)
+    assert asked == [11.0] and not best.failing
+
+
+async def test_nothing_better_leaves_the_first():
+    first = outcome(lead(), ("first_event", -1.0, 1.0), ("threatens", -1.0, None))
+
+    async def evaluate(structure: Structure) -> Outcome:
+        return outcome(structure, ("first_event", -2.0, 0.5), ("threatens", -1.0, None))
+
+    assert await solve(first, evaluate, 1.0, most=6) is first
+
+
+async def test_the_search_is_bounded_and_the_same_each_time():
+    trails = []
+    for _ in range(2):
+        trail: list[Structure] = []
+
+        async def evaluate(structure: Structure, trail: list[Structure] = trail) -> Outcome:
+            trail.append(structure)
+            return outcome(structure, ("threatens", -1.0 + 0.01 * len(trail), None))
+
+        threat = outcome(lead(), ("threatens", -1.0, None))
+        of = tuple(r.model_copy(update={"actor": "O1", "component": "O1"}) for r in threat.requirements)
+        await solve(Outcome(lead(), of, threat.results), evaluate, 1.0, most=5)
+        trails.append([s.model_dump_json() for s in trail])
+    assert trails[0] == trails[1] and 0 < len(trails[0]) <= 5
+
+
+def test_the_scene_begins_earlier_with_everybody_as_far_off_as_they_drive():
+    structure = lead(placement=Placement(position="parked"), speed=0.0)
+    usual = usual_values(structure, 1.0)
+    failing = outcome(structure, ("first_event", -1.0, 0.6)).failing
+    shift = moves(structure, failing, unknowns(structure, usual), usual)[0]
+    gap = next(value for unknown, value in shift if unknown.path == "placement.gap")
+    assert math.isclose(gap, usual.gaps["O1"] + 14.0 * 1.8, abs_tol=0.1)
+
+
+REACTIONS = {
+    "drives on of its own accord": (EgoSpec(phases=(Phase(action="keep_lane"),)), Phase(action="brake"), "none"),
+    "is hit": (EgoSpec(), Phase(action="collide", target="ego"), "none"),
+    "nothing is said": (EgoSpec(), Phase(action="brake"), "brake"),
+    "yields": (EgoSpec(reaction="yield"), Phase(action="brake"), "yield"),
+}
+
+
+@pytest.mark.parametrize("case", REACTIONS)
+def test_the_usual_reaction(case):
+    ego, phase, reaction = REACTIONS[case]
+    other = Component(id="O1", spec=ObjectSpec(phases=(phase,)))
+    structure = with_usual_reaction(Structure(ego=Component(id="E", spec=ego), objects=(other,)))
+    assert structure.ego.spec.reaction == reaction
+    assert bool(structure.ego.assumed) == (reaction != ego.reaction)
+
+
+async def test_a_text_is_solved_and_says_what_was_chosen(engine):
+    """Without the search the car pulls out at once, and the run goes on long after it."""
+    text = "A car parked at the right kerb pulls out right in front of ego, which is going 40 km/h and brakes."
+    last = None
+    async for event in engine.generate(text):
+        last = event
+    assert all(r.holds for r in last.results), [r for r in last.results if not r.holds]
+    assert any(a.by == PLANNER for c in last.structure.components for a in c.assumed)
+    assert [s.name for s in last.stages].count("solve") == 1
+
+
+async def test_settings_switch_the_search_off(engine):
+    engine.settings = Settings(solve=False)
+    async for event in engine.generate("A truck ahead of ego brakes hard and ego stops."):
+        last = event
+    assert "solve" not in [s.name for s in last.stages]

@@ -10,10 +10,11 @@ from c2s_tui.choices import Choices
 from c2s_tui.commands import commands
 from c2s_tui.desk import checked
 from c2s_tui.files import Files
+from c2s_tui.results.actions import Results
 from c2s_tui.start import Start
 
 
-class Actions(Start, Files, Choices):
+class Actions(Start, Files, Choices, Results):
     """Commands that concern the panes and the session's turns; the other mixins hold the rest."""
 
     async def run_command(self: Any, name: str, argument: str = "") -> None:
@@ -58,8 +59,9 @@ class Actions(Start, Files, Choices):
             self.run_again()
 
     @work(group="turn", exclusive=True, exit_on_error=False)
-    async def run_again(self: Any, then: str = "") -> None:
-        """Check and run the program as it stands; S and history stay. `then` names a command to run after it."""
+    async def run_again(self: Any, then: str = "", told: bool = True) -> None:
+        """Check and run the program as it stands; S and history stay. `then` names a command to run after it; `told`:
+        whether the chat says how it went."""
         async with self._turn_lock:
             self.working = "running"
             self.show_status()
@@ -67,14 +69,16 @@ class Actions(Start, Files, Choices):
             try:
                 report = await self.backend.check(program.text, spans=program.spans, upto="run", trajectories=True)
                 judging = self.backend.can("judge")
-                required = await self.backend.ask("judge", self.desk.structure, report) if judging else ((), ())
-                self.desk = checked(self.desk, report, required)
+                judged = await self.backend.ask("judge", self.desk.structure, report) if judging else None
+                self.desk = checked(self.desk, report, judged)
             except Exception as error:
                 await self.chat.note(self._sentence(error), "error")
             finally:
                 self.working = ""
                 self.show()
-        await self._summarise()
+        if told:
+            await self._summarise()
+        self.find_gaps()
         if then and self.picture.available:
             await self.run_command(then)
 
@@ -239,7 +243,7 @@ class Actions(Start, Files, Choices):
             self.go_to("picture")
             self.call_after_refresh(self.picture.show, self.desk)
         elif self.desk.program.text and await self._may_begin():
-            self.run_again("picture")
+            self.run_again("picture", told=False)
         elif not self.desk.program.text:
             self.app.notify("There is no program yet: describe a scenario first.", markup=False)
 

@@ -53,6 +53,8 @@ def line(desk: Desk, choice: Choice, working: str, width: int) -> Content:
     verdicts: list = []
     done: dict[str, StageResult] = {s.name: s for s in desk.stages}
     shown = [s for s in STAGES if s in done or s == desk.running]
+    if desk.running is None and all(s.ok for s in desk.stages):
+        shown = shown[-1:]  # the last stage stands for those before it
     for name in shown if width >= 100 else shown[-2:]:
         result = done.get(name)
         sign = ("writing", "$text-accent") if result is None else ("clean", "$text-success") if result.ok else \
@@ -60,13 +62,15 @@ def line(desk: Desk, choice: Choice, working: str, width: int) -> Content:
         verdicts += [(f"{mark(sign[0])}{name} ", sign[1])]
     if verdicts:
         add(*verdicts)
-    if desk.seconds:
+    if desk.seconds and width >= 100:
         add((_time(desk.seconds), "$muted"))
     if desk.answer_tokens:
         add((f"{desk.prompt_tokens}+{desk.answer_tokens} tok", "$muted"))
+    for hit in desk.collisions[:1]:
+        add((str(hit), "$muted" if hit.said else "bold $text-error"))
     seen, required = tally(desk.results)
     if required:
-        add((f"{seen} of {required} required seen", "$text-success" if seen == required else "$text-warning"))
+        add((f"{seen} of {required} requirements met", "$text-success" if seen == required else "$text-warning"))
     if working:
         add((f"{working} (Esc cancels)", "bold $text-accent"))
     return Content.assemble(*parts)

@@ -29,6 +29,7 @@ from c2s_tui.files import WATCH_SECONDS
 from c2s_tui.messages import CodeTyped, CommandAsked, EditsAsked, Picked, ReachAsked, Said
 from c2s_tui.palette import Palette
 from c2s_tui.picture.pane import PicturePane
+from c2s_tui.results.pane import ResultsPane
 from c2s_tui.sheet.pane import SheetPane
 from c2s_tui.status import Choice, StatusBar
 
@@ -38,6 +39,8 @@ DOING = {"interpret": "reading", "resolve": "looking for the place", "write": "w
 """What a turn does in each stage, for the status line."""
 LONG = 3000
 """Characters of a text from which on its size and the seconds it takes stand in the status line while it is read."""
+TABS = {"chat": "F2 chat", "sheet": "F3 S", "code": "F4 code", "results": "F6 results", "picture": "F9 picture"}
+"""The panes as tabs, where there is room for one at a time."""
 LIVE_SECONDS = 0.4
 """How long typing in the code must rest before the text is checked."""
 
@@ -47,7 +50,7 @@ class Workbench(Actions, Drawing, Screen):
 
     BINDINGS = [*bindings()]
     COMMANDS = {Palette}
-    PANES = ("chat", "sheet", "code", "picture")
+    PANES = ("chat", "sheet", "code", "picture", "results")
 
     def __init__(self, backend: Any, session: str | None, file: Path | None):
         super().__init__()
@@ -71,12 +74,13 @@ class Workbench(Actions, Drawing, Screen):
         self.saved_text: str | None = None
 
     def compose(self) -> ComposeResult:
-        yield Tabs(Tab("F2 chat", id="tab-chat"), Tab("F3 S", id="tab-sheet"), Tab("F4 code", id="tab-code"), id="tabs")
+        yield Tabs(*(Tab(title, id=f"tab-{name}") for name, title in TABS.items()), id="tabs")
         with Horizontal(id="panes"):
             yield ChatPane(id="chat", classes="pane -current")
             yield SheetPane(id="sheet", classes="pane")
             with Vertical(id="right"):
                 yield PicturePane(id="picture", classes="pane")
+                yield ResultsPane(id="results", classes="pane")
                 yield CodePane(id="code-pane", classes="pane")
         yield StatusBar(id="status")
 
@@ -93,6 +97,10 @@ class Workbench(Actions, Drawing, Screen):
     @property
     def picture(self) -> PicturePane:
         return self.query_one(PicturePane)
+
+    @property
+    def results(self) -> ResultsPane:
+        return self.query_one(ResultsPane)
 
     @property
     def code(self) -> CodePane:
@@ -171,6 +179,7 @@ class Workbench(Actions, Drawing, Screen):
                 await self.chat.end()
             if finished:
                 await self._summarise()
+                self.find_gaps()
                 self.offer_snippets(self.desk.structure)
 
     async def _take(self, event: Any) -> None:
@@ -344,17 +353,21 @@ class Workbench(Actions, Drawing, Screen):
     # Layout.
 
     @on(Tabs.TabActivated)
-    def _tab(self, event: Tabs.TabActivated) -> None:
+    async def _tab(self, event: Tabs.TabActivated) -> None:
         name = (event.tab.id or "").removeprefix("tab-")
         if name != self.current_pane and self.has_class("-narrow"):
-            self.go_to(name)
+            if name in ("results", "picture") and not self._pane(name).has_class("-on"):
+                await self.run_command(name)
+            else:
+                self.go_to(name)
 
     @property
     def current_pane(self) -> str:
         return next((n for n in self.PANES if self._pane(n).has_class("-current")), "chat")
 
     def _pane(self, name: str) -> Any:
-        return {"chat": self.chat, "sheet": self.sheet, "code": self.code, "picture": self.picture}[name]
+        return {"chat": self.chat, "sheet": self.sheet, "code": self.code, "picture": self.picture,
+                "results": self.results}[name]  # fmt: skip
 
     def on_resize(self) -> None:
         self.call_after_refresh(self.show_status)
@@ -363,10 +376,12 @@ class Workbench(Actions, Drawing, Screen):
         """Bring a pane to the front (narrow) and focus it."""
         for other in self.PANES:
             self._pane(other).set_class(other == name, "-current")
-        self.query_one("#right").set_class(name in ("code", "picture"), "-current")
-        if name != "picture":
-            self.query_one(Tabs).active = f"tab-{name}"
-        target = {"chat": self.chat.entry, "sheet": self.sheet, "code": self.code.area, "picture": self.picture}[name]
+        self.query_one("#right").set_class(name in ("code", "picture", "results"), "-current")
+        if name == "code":
+            self.results.remove_class("-on")
+            self.query_one("#right").remove_class("-results")
+        self.query_one(Tabs).active = f"tab-{name}"
+        target = {"chat": self.chat.entry, "code": self.code.area}.get(name, self._pane(name))
         if self.has_class("-narrow"):  # what is still hidden cannot take the focus
             self.app.stylesheet.update(self.query_one("#panes"))
         self.set_focus(target)  # at once: what is typed next is meant for it

@@ -16,6 +16,7 @@ from c2s_engine.commands import show
 from c2s_engine.commands.console import OK, InputError, dump, err, out, sentences
 from c2s_engine.commands.generate import exit_code
 from c2s_engine.commands.reading import read_program
+from c2s_engine.commands.series import chosen_seeds, series
 from c2s_engine.structure.progress import Finished, Passage, Say
 
 app = typer.Typer(help="Sessions: list, rename, duplicate, delete, export, import.", no_args_is_help=True)
@@ -53,12 +54,14 @@ def edit(
     ] = None,
     seed: Annotated[int, typer.Option(help="Of the sampled scene.")] = 0,
     no_run: Annotated[bool, typer.Option("--no-run", help="Compile and sample, but do not run it.")] = False,
+    seeds: Annotated[str | None, typer.Option(help="Then run it once with each of N seeds: 20, or 5-9.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
 ) -> None:
     """Work on a session: say something, set fields of S, write code by hand, undo, redo; show where it stands."""
     with sentences(as_json):
         edits = _edits(fields or [], remove or [], code or [])
         options = {"method": method, "seed": seed, "run": not no_run, "improve": improve}
+        chosen = chosen_seeds(seeds, seed)
         text = read_program(program) if program else None
         if not (new or program):
             _known(name)
@@ -69,11 +72,15 @@ def edit(
             written = save(session.program, session.details.get("folder"), output, standalone)
             if not as_json:
                 err.print(Text(f"saved {', '.join(map(str, written))}"))
-        if as_json:
-            dump(_as_dict(session, done))
-        else:
+        if not as_json:
             _print(session)
-    raise typer.Exit(OK if done is None else exit_code(done))
+    code_of, found = OK if done is None else exit_code(done), {}
+    if chosen and code_of == OK:
+        folder = session.details.get("folder")
+        code_of, found = series(session.structure, session.program, chosen, as_json, folder=folder)
+    if as_json:
+        dump({**_as_dict(session, done), **({"series": found} if found else {})})
+    raise typer.Exit(code_of)
 
 
 @app.command("list")
@@ -241,6 +248,4 @@ def _print(session: Any) -> None:
     show.structure(session.structure)
     show.stages(session.stages)
     show.diagnostics([d for s in session.stages for d in s.diagnostics])
-    if session.facts:
-        show.runs(session.facts)
-        show.required(session.requirements, session.results)
+    show.outcome(session.structure, session.facts, session.requirements, session.results, session.measures)

@@ -21,6 +21,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.edits import Edit
 from c2s_engine.structure.facts import RunFacts
+from c2s_engine.structure.measures import Measures
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import Finished, ProgramChanged, Say, StructureChanged
 from c2s_engine.structure.requirements import Requirement, Result
@@ -95,6 +96,10 @@ class Session:
     @property
     def results(self) -> tuple[Result, ...]:
         return self._state.results
+
+    @property
+    def measures(self) -> tuple[Measures, ...]:
+        return self._state.measures
 
     @property
     def details(self) -> dict[str, Any]:

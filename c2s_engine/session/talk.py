@@ -7,6 +7,7 @@ from collections.abc import AsyncGenerator, Sequence
 from contextlib import aclosing
 from typing import Any
 
+from c2s_engine.session.asked import HELP, answered, wants_help
 from c2s_engine.session.citing import description_of, kept, tells_scenario, wanted
 from c2s_engine.session.reader import route
 from c2s_engine.session.steps import Emit
@@ -33,19 +34,21 @@ async def say(
     method: str | None = None,
     passages: Sequence[Any] = (),
     last: tuple[str, Structure] | None = None,
+    shown: Finished | None = None,
     **options: Any,
 ) -> AsyncGenerator[Progress, None]:
     """The events of the turn; the last is Finished. Undo and redo belong to a session: what is asked
     for stands in the details as `turn`.
 
-    `passages`: those of the last answer, from which "use 2" picks; `last`: what was typed last, and S before it.
+    `passages`: those of the last answer, from which "use 2" picks; `last`: what was typed last, and S before it;
+    `shown`: what stands with what its run showed, from which questions about the scene are answered.
     Where the method uses a model, the model reads the turn and answers questions.
     """
     current = structure or Structure()
     name = method or engine.settings.method
     tokens = 0
     turn: Any = None
-    async with aclosing(_events(engine, current if structure else None, text, name, passages, last)) as events:
+    async with aclosing(_events(engine, current if structure else None, text, name, passages, last, shown)) as events:
         async for event in events:
             if isinstance(event, _Next):
                 turn = event
@@ -107,12 +110,17 @@ async def _events(
     method: str,
     passages: Sequence[Any],
     last: tuple[str, Structure] | None,
+    shown: Finished | None,
 ) -> AsyncGenerator[Any, None]:
     """What is said while the turn is read (and answered, where it is a question); last, what it leads to."""
     if number := wanted(text):
         async with aclosing(_picked(engine, number, passages)) as events:
             async for event in events:
                 yield event
+        return
+    if wants_help(text):
+        yield Say(text=HELP)
+        yield _Next("question")
         return
     turn: Any = None
     async with aclosing(streamed(lambda emit: _routed(engine, text, structure, method, last, emit))) as routing:
@@ -132,7 +140,7 @@ async def _events(
             yield _Next("edit", edits=turn.edits)
     elif turn.kind == "question":
         found: list[Passage] = []
-        async with aclosing(answer(engine, text, structure, method)) as events:
+        async with aclosing(answer(engine, text, structure, method, shown)) as events:
             async for event in events:
                 if isinstance(event, Passage):
                     found.append(event)
@@ -217,11 +225,15 @@ def outcome(finished: Finished) -> str:
 
 
 async def answer(
-    engine: Any, question: str, structure: Structure | None = None, method: str = "embedded"
+    engine: Any, question: str, structure: Structure | None = None, method: str = "embedded",
+    shown: Finished | None = None,
 ) -> AsyncGenerator[Progress, None]:
-    """Why something is there; else the passages that answer a question, summed up where there is a model."""
+    """What the run showed, why something is there; else passages, summed up where there is a model."""
     from c2s_engine.retrieve.errors import RetrievalError
 
+    if found_out := answered(question, shown):
+        yield Say(text=found_out)
+        return
     if structure is not None and (reason := explained(question, structure)):
         yield Say(text=reason)
         return

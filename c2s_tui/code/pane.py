@@ -87,6 +87,7 @@ class CodePane(Vertical):
 
     def empty(self) -> None:
         """Forget the text and its history: another session's comes."""
+        self.desk = Desk()  # also where the next one has the same program, as the example has that was shown before
         self.base, self._shown_text, self._live = Program(text=""), "", None
         with self.prevent(TextArea.Changed):
             self.area.load_text("")

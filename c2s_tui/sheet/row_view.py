@@ -4,7 +4,7 @@ from textual.content import Content
 from textual.widgets import Static
 
 from c2s_tui.look.kinds import badge, colour, mark, mentions, state_mark, state_word
-from c2s_tui.sheet.rows import ADD, CONFLICT, FIELD, HEAD, LINK, SENTENCE, UNMET, Row
+from c2s_tui.sheet.rows import ADD, CONFLICT, FIELD, HEAD, HIT, LINK, SENTENCE, UNMET, Row
 
 LABEL = 11
 """Cells of the column of field names."""
@@ -52,6 +52,9 @@ def draw(row: Row) -> Content:
         return mentions(row.text).stylize_before("italic $muted")
     if row.kind == FIELD:
         return _field(row)
+    if row.kind == HIT:
+        sign, style = ("error", "bold $text-error") if row.state else ("seen", "$muted")
+        return Content.styled(f"{mark(sign)} {row.text}", style)
     if row.kind == UNMET:
         return Content.assemble((f"{mark('unmet')} {row.text}", "$text-warning"), (f"  {row.note}", "$muted"))
     if row.kind == CONFLICT:

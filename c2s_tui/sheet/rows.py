@@ -10,6 +10,7 @@ from c2s_tui.look.kinds import kind_name
 from c2s_tui.sheet.values import Field, fields, show
 
 HEAD, SENTENCE, FIELD, UNMET, CONFLICT, LINK, ADD = "head", "sentence", "field", "unmet", "conflict", "link", "add"
+HIT = "hit"
 
 
 @dataclass(frozen=True)
@@ -72,6 +73,8 @@ def _component(
     lines = [Row(f"{cid}", HEAD, cid, title(component), state=state, open=unfolded, reached=reached)]
     if component.description:
         lines.append(Row(f"{cid}:sentence", SENTENCE, cid, component.description))
+    hits = [c for c in desk.collisions if cid in c.components]
+    lines += [Row(f"{cid}:hit:{c.time}", HIT, cid, c.of(cid), state="" if c.said else "failed") for c in hits]
     assumed = {a.field: a for a in component.assumed}
     shown: set[str] = set()
     for field in fields(component.spec):

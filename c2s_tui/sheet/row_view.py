@@ -74,8 +74,10 @@ def _field(row: Row) -> Content:
     if row.judged:
         name = "unknown" if row.seen is None else "seen" if row.seen else "unseen"
         style = {"unknown": "$muted", "seen": "$text-success", "unseen": "$text-error"}[name]
-        word = {"unknown": "not run", "seen": "seen", "unseen": "not seen"}[name]
-        parts.append((f"  {mark(name)} {word}", style))
+        word = {"unknown": "not run", "seen": "seen", "unseen": "not as said"}[name]
+        same = row.achieved.replace(" ", "") == row.text.replace(" ", "")
+        seen = f": {row.achieved}" if row.achieved and not same else ""
+        parts.append((f"  {mark(name)} {word}{seen}", style))
     if row.note:
         parts.append((f"  {mark('assumed')} assumed: {row.note}", "$muted"))
     return Content.assemble(*parts)

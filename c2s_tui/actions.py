@@ -10,11 +10,14 @@ from c2s_tui.choices import Choices
 from c2s_tui.commands import commands
 from c2s_tui.desk import checked
 from c2s_tui.files import Files
+from c2s_tui.layout import Layout
+from c2s_tui.past import Past
 from c2s_tui.results.actions import Results
+from c2s_tui.screens.dialogs import Choosable, Chooser
 from c2s_tui.start import Start
 
 
-class Actions(Start, Files, Choices, Results):
+class Actions(Layout, Start, Files, Past, Choices, Results):
     """Commands that concern the panes and the session's turns; the other mixins hold the rest."""
 
     async def run_command(self: Any, name: str, argument: str = "") -> None:
@@ -228,6 +231,30 @@ class Actions(Start, Files, Choices, Results):
     async def do_finding(self: Any, _: str) -> None:
         self.go_to("code")
         self.code.next_finding()
+
+    async def do_problems(self: Any, _: str) -> None:
+        """All findings as a list; choosing one goes to its line."""
+        found = [d for d in self.code.diagnostics if d.line]
+        if not found:
+            self.app.notify("Nothing is known to be wrong with the code.", markup=False)
+            return
+        entries = [
+            Choosable(str(i), f"{d.severity:<8}line {d.line:<5}{d.component or '':<4}", d.message)
+            for i, d in enumerate(sorted(found, key=lambda d: d.line or 0))
+        ]
+        lines = sorted(d.line for d in found if d.line)
+
+        def chosen(value: str | None) -> None:
+            if value is not None:
+                self.go_to("code")
+                self.code.go_to_line(lines[int(value)])
+
+        self.app.push_screen(Chooser("Findings", entries, foot="Enter goes to the line", wide=True), chosen)
+
+    async def do_find(self: Any, argument: str) -> None:
+        """Find in the code: the line to type in, or what was given with the command."""
+        self.go_to("code")
+        self.call_after_refresh(self.code.finder.open, argument)
 
     async def do_fix(self: Any, _: str) -> None:
         self.code.take_fix()

@@ -19,6 +19,9 @@ class OrderedArea(TextArea):
             self._bindings.key_to_bindings.pop(key, None)
 
     async def _on_key(self, event: Key) -> None:
+        if event.key.startswith("alt+") and event.is_printable:
+            event.prevent_default()  # a key of the app, or of nobody: not the letter that comes with it
+            return
         if not event.is_printable:
             bound = self.screen.active_bindings.get(event.key)
             if bound is not None and bound.node is self and bound.enabled:

@@ -26,6 +26,8 @@ from c2s_tui.commands import bindings, split
 from c2s_tui.desk import Desk
 from c2s_tui.drawing import Drawing
 from c2s_tui.files import WATCH_SECONDS
+from c2s_tui.keys import KeyBar
+from c2s_tui.layout import TABS
 from c2s_tui.messages import CodeTyped, CommandAsked, EditsAsked, Picked, ReachAsked, Said
 from c2s_tui.palette import Palette
 from c2s_tui.picture.pane import PicturePane
@@ -39,8 +41,6 @@ DOING = {"interpret": "reading", "resolve": "looking for the place", "write": "w
 """What a turn does in each stage, for the status line."""
 LONG = 3000
 """Characters of a text from which on its size and the seconds it takes stand in the status line while it is read."""
-TABS = {"chat": "F2 chat", "sheet": "F3 S", "code": "F4 code", "results": "F6 results", "picture": "F9 picture"}
-"""The panes as tabs, where there is room for one at a time."""
 LIVE_SECONDS = 0.4
 """How long typing in the code must rest before the text is checked."""
 
@@ -50,7 +50,6 @@ class Workbench(Actions, Drawing, Screen):
 
     BINDINGS = [*bindings()]
     COMMANDS = {Palette}
-    PANES = ("chat", "sheet", "code", "picture", "results")
 
     def __init__(self, backend: Any, session: str | None, file: Path | None):
         super().__init__()
@@ -83,6 +82,7 @@ class Workbench(Actions, Drawing, Screen):
                 yield ResultsPane(id="results", classes="pane")
                 yield CodePane(id="code-pane", classes="pane")
         yield StatusBar(id="status")
+        yield KeyBar(id="keys")
 
     # Parts.
 
@@ -114,6 +114,8 @@ class Workbench(Actions, Drawing, Screen):
         early = "".join(self.app.typed_early)  # type: ignore[attr-defined]
         self.chat.entry.put(early)
         self.chat.entry.focus()
+        if prefs.widths:
+            self.lay_columns()
         self.show()
         self.call_after_refresh(self.begin)  # the engine is imported behind the panes' first frame
         self.set_interval(DRAFT_SECONDS, self.save_drafts)
@@ -349,39 +351,3 @@ class Workbench(Actions, Drawing, Screen):
     async def _write_drafts(self, texts: dict[str, str]) -> None:
         session = self.session
         await asyncio.to_thread(lambda: [session.save_draft(pane, text) for pane, text in texts.items()])
-
-    # Layout.
-
-    @on(Tabs.TabActivated)
-    async def _tab(self, event: Tabs.TabActivated) -> None:
-        name = (event.tab.id or "").removeprefix("tab-")
-        if name != self.current_pane and self.has_class("-narrow"):
-            if name in ("results", "picture") and not self._pane(name).has_class("-on"):
-                await self.run_command(name)
-            else:
-                self.go_to(name)
-
-    @property
-    def current_pane(self) -> str:
-        return next((n for n in self.PANES if self._pane(n).has_class("-current")), "chat")
-
-    def _pane(self, name: str) -> Any:
-        return {"chat": self.chat, "sheet": self.sheet, "code": self.code, "picture": self.picture,
-                "results": self.results}[name]  # fmt: skip
-
-    def on_resize(self) -> None:
-        self.call_after_refresh(self.show_status)
-
-    def go_to(self, name: str) -> None:
-        """Bring a pane to the front (narrow) and focus it."""
-        for other in self.PANES:
-            self._pane(other).set_class(other == name, "-current")
-        self.query_one("#right").set_class(name in ("code", "picture", "results"), "-current")
-        if name == "code":
-            self.results.remove_class("-on")
-            self.query_one("#right").remove_class("-results")
-        self.query_one(Tabs).active = f"tab-{name}"
-        target = {"chat": self.chat.entry, "code": self.code.area}.get(name, self._pane(name))
-        if self.has_class("-narrow"):  # what is still hidden cannot take the focus
-            self.app.stylesheet.update(self.query_one("#panes"))
-        self.set_focus(target)  # at once: what is typed next is meant for it

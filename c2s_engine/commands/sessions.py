@@ -42,6 +42,9 @@ def edit(
     ] = None,
     undo: Annotated[bool, typer.Option("--undo", help="Go back to before the last turn.")] = False,
     redo: Annotated[bool, typer.Option("--redo", help="Bring back what was undone.")] = False,
+    to: Annotated[
+        int | None, typer.Option("--to", metavar="N", help="Go to where turn N left it (0: before the first).")
+    ] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Run the turn that a crash interrupted.")] = False,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Save the program there, map and library beside it.")
@@ -65,7 +68,7 @@ def edit(
         text = read_program(program) if program else None
         if not (new or program):
             _known(name)
-        session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume), options, model, as_json))
+        session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume, to), options, model, as_json))
         if output is not None:
             from c2s_engine.saving import save
 
@@ -179,7 +182,7 @@ async def _work(
     program: str | None,
     say: str | None,
     edits: list[Any],
-    steps: tuple[bool, bool, bool],
+    steps: tuple[bool, bool, bool, int | None],
     options: dict[str, Any],
     model: str | None,
     quiet: bool,
@@ -188,7 +191,7 @@ async def _work(
     from c2s_engine.config import load_settings
     from c2s_engine.structure.edits import Replace
 
-    undo, redo, resume = steps
+    undo, redo, resume, to = steps
     done: Finished | None = None
     engine = Engine(load_settings(model=model))
     async with contextlib.AsyncExitStack() as stack:
@@ -204,6 +207,8 @@ async def _work(
                 done = await _take(session.undo(), quiet)
             if redo:
                 done = await _take(session.redo(), quiet)
+            if to is not None:
+                done = await _take(session.back_to(to - 1), quiet)
             if program:
                 taken = Replace(structure=await engine.import_program(program))
                 done = await _take(session.apply([taken], **options), quiet)
@@ -244,7 +249,8 @@ def _as_dict(session: Any, done: Finished | None) -> dict[str, Any]:
 
 def _print(session: Any) -> None:
     for turn in session.history[-5:]:
-        out.print(Text(f"{turn.index + 1:>3}  {turn.text[:70]}  ({turn.summary})", style="dim"), soft_wrap=True)
+        when = datetime.fromtimestamp(turn.when).strftime("%Y-%m-%d %H:%M")
+        out.print(Text(f"{turn.index + 1:>3}  {when}  {turn.text[:70]}  ({turn.summary})", style="dim"), soft_wrap=True)
     show.structure(session.structure)
     show.stages(session.stages)
     show.diagnostics([d for s in session.stages for d in s.diagnostics])

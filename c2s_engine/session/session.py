@@ -113,6 +113,13 @@ class Session:
         return [Turn(i, t.kind, t.text, t.when, t.summary, t.replies) for i, t in enumerate(path)]
 
     @property
+    def undone(self) -> list[Turn]:
+        """The turns that were undone and can be brought back, the next one first; they go on counting."""
+        turns, first = self._store.turns(self._thread), len(self.history)
+        rows = [turns[c] for c in reversed(self._redo) if c in turns]
+        return [Turn(first + i, t.kind, t.text, t.when, t.summary, t.replies) for i, t in enumerate(rows)]
+
+    @property
     def can_undo(self) -> bool:
         return len(self._path()) > 1
 
@@ -168,6 +175,22 @@ class Session:
         if not self._redo:
             raise SessionError("there is nothing to redo")
         for event in self._go(self._redo[-1], self._redo[:-1]):
+            yield event
+
+    async def back_to(self, index: int) -> AsyncIterator[Any]:
+        """Go to where a turn of `history` or `undone` left S, by its index; -1 is before the first. Turns after it are
+        undone, and can be brought back."""
+        self._free()
+        path, ahead = self._path(), self._redo
+        place = index + 1  # the root comes first
+        if not 0 <= place < len(path) + len(ahead):
+            raise SessionError(f"there is no turn {index + 1}: there are {len(path) + len(ahead) - 1}")
+        if place < len(path):
+            target, redo = path[place].checkpoint, [*ahead, *(t.checkpoint for t in reversed(path[place + 1 :]))]
+        else:
+            left = len(path) + len(ahead) - 1 - place
+            target, redo = ahead[left], ahead[:left]
+        for event in self._go(target, redo):
             yield event
 
     def save_draft(self, pane: str, text: str) -> None:

@@ -4,6 +4,7 @@ from dataclasses import replace
 from typing import Any
 
 from textual import work
+from textual.content import Content
 
 from c2s_engine.structure.edits import SetCode
 from c2s_tui.choices import Choices
@@ -13,7 +14,7 @@ from c2s_tui.files import Files
 from c2s_tui.layout import Layout
 from c2s_tui.past import Past
 from c2s_tui.results.actions import Results
-from c2s_tui.screens.dialogs import Choosable, Chooser
+from c2s_tui.screens.dialogs import Choosable, Chooser, Reading
 from c2s_tui.start import Start
 
 
@@ -55,6 +56,12 @@ class Actions(Layout, Start, Files, Past, Choices, Results):
             if focused else "chat"  # fmt: skip
         titles = {"chat": "the chat", "sheet": "the structure S", "code": "the code", "picture": "the picture"}
         self.app.push_screen(help_screen(titles.get(name, name), focused, self.app.prefs.keys))
+
+    async def do_glossary(self: Any, _: str) -> None:
+        from c2s_engine.session.glossary import terms
+
+        words = Content("\n").join(Content.assemble((name, "bold"), f": {text}") for name, text in terms().items())
+        self.app.push_screen(Reading("Glossary", words))
 
     async def do_run(self: Any, _: str) -> None:
         """Apply hand edits; without any, check and run what stands."""

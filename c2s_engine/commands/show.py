@@ -12,7 +12,7 @@ from c2s_engine.session.seeds import verdict
 from c2s_engine.structure.components import Structure, unrecognised
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.facts import EventFact, RunFacts
-from c2s_engine.structure.happening import told
+from c2s_engine.structure.happening import ended, told
 from c2s_engine.structure.measures import Measures, SeedResult, collisions
 from c2s_engine.structure.requirements import Requirement, Result, failures, tally
 
@@ -77,8 +77,7 @@ def _runs(
     """The timeline of events of each rollout, its collisions, and how near the actors came."""
     numbers = iter(measures)
     for f in facts:
-        reason = f": {f.reason}" if f.reason else ""
-        to.print(Text(f"run with seed {f.seed}: {f.duration:.1f} s, ended by {f.ended_by}{reason}", style="bold"))
+        to.print(Text(f"run with seed {f.seed}: {f.duration:.1f} s; the end: {ended(f)}", style="bold"))
         events = sorted((e.time, o.name, e.event, e.other) for o in f.objects for e in o.events)
         table = Table(show_header=False, box=None, pad_edge=False)
         for time, name, event, other in events:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.facts import EGO, EventFact, ObjectFacts, RunFacts
-from c2s_engine.structure.happening import USUAL, told
+from c2s_engine.structure.happening import USUAL, ended, told
 from c2s_engine.structure.measures import ActorMeasures, Measures, PairMeasures, collisions
 from c2s_engine.structure.progress import Finished
 from c2s_engine.structure.requirements import failures, tally
@@ -185,8 +185,8 @@ def _happened(asked: _Asked) -> str:
     found = [(e.time, o.name, e) for o in asked.actors for e in o.events if e.event not in USUAL and e.time > 0]
     found.sort(key=lambda f: f[0])
     events = "; ".join(f"{time:.1f} s {name} {told(e)}" for time, name, e in found[:16])
-    ended = f"The run ended after {asked.facts.duration:.1f} s ({asked.facts.reason or asked.facts.ended_by})."
-    return f"{events}. {ended}" if events else f"Nothing of note happened. {ended}"
+    end = f"The run ended after {asked.facts.duration:.1f} s: {ended(asked.facts)}."
+    return f"{events}. {end}" if events else f"Nothing of note happened. {end}"
 
 
 def _event(event: EventFact) -> str:

@@ -4,6 +4,7 @@ from collections.abc import AsyncGenerator, Sequence
 from typing import Any
 
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.happening import ended
 from c2s_engine.structure.measures import SeedResult, collisions
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.requirements import failures, tally
@@ -43,7 +44,7 @@ async def seeds(
         yield SeedResult(
             seed=seed,
             ran=facts.ran,
-            ended=facts.reason or facts.ended_by,
+            ended=ended(facts),
             duration=facts.duration,
             met=met,
             required=required,
@@ -61,7 +62,7 @@ def verdict(rows: Sequence[SeedResult]) -> str:
     times: dict[str, int] = {}
     for row in rows:
         for line in row.unmet:
-            times[line.split(" Said:")[0]] = times.get(line.split(" Said:")[0], 0) + 1
+            times[line.split(" Required:")[0]] = times.get(line.split(" Required:")[0], 0) + 1
     parts = [f"{passed} of {len(rows)} seeds passed"]
     if collided:
         parts.append(f"{collided} with a collision that nobody asked for")

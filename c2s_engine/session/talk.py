@@ -9,6 +9,7 @@ from typing import Any
 
 from c2s_engine.session.asked import HELP, answered, wants_help
 from c2s_engine.session.citing import description_of, kept, tells_scenario, wanted
+from c2s_engine.session.glossary import meaning
 from c2s_engine.session.reader import route
 from c2s_engine.session.steps import Emit
 from c2s_engine.session.streams import Result, streamed
@@ -231,7 +232,7 @@ async def answer(
     """What the run showed, why something is there; else passages, summed up where there is a model."""
     from c2s_engine.retrieve.errors import RetrievalError
 
-    if found_out := answered(question, shown):
+    if found_out := answered(question, shown) or meaning(question):
         yield Say(text=found_out)
         return
     if structure is not None and (reason := explained(question, structure)):

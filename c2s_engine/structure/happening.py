@@ -1,6 +1,6 @@
 """Events of a run in plain words, as fronts show them and answers tell them."""
 
-from c2s_engine.structure.facts import EventFact
+from c2s_engine.structure.facts import EventFact, RunFacts
 
 WORDS = {
     "stationary": "stands all the time", "keep_lane": "keeps its lane", "stop": "stops", "brake": "brakes",
@@ -18,6 +18,29 @@ WORDS = {
 """By event (the names of data/events.yaml); where another is named, its name follows."""
 USUAL = ("keep_lane", "approach", "follow", "stationary", "passes_first", "slow")
 """Events that say nothing of note by themselves."""
+
+
+ACTS = {
+    "stationary": "stands", "keep_lane": "keeps its lane", "accelerate": "accelerates", "brake": "brakes",
+    "stop": "stops", "wait": "waits", "start": "sets off", "lane_change": "changes lane", "cut_in": "cuts in",
+    "cut_out": "cuts out",
+    "overtake": "overtakes", "follow": "follows", "swerve": "swerves", "drift": "drifts out of its lane",
+    "turn_left": "turns left", "turn_right": "turns right", "go_straight": "goes straight on", "u_turn": "turns round",
+    "cross_road": "crosses the road", "move_along": "moves along the road", "enter_road": "enters the road",
+    "leave_road": "leaves the road", "reverse": "reverses", "oncoming": "drives in the oncoming lane",
+    "run_red": "runs a red light", "run_stop": "runs a stop sign", "yield": "yields", "lose_control": "loses control",
+    "collide": "collides",
+}  # fmt: skip
+"""The actions of S in plain words."""
+ENDED = {"time": "its time was up", "terminated": "the program's end condition came true",
+         "collision": "a collision", "rejected": "no scene could be sampled",
+         "error": "an error in the program", "cancelled": "cancelled"}  # fmt: skip
+
+
+def ended(facts: RunFacts) -> str:
+    """Why a run ended, in plain words."""
+    why = f": {facts.reason}" if facts.reason and facts.ended_by in ("rejected", "error") else ""
+    return f"{ENDED[facts.ended_by]}{why}"
 
 
 def told(event: EventFact) -> str:

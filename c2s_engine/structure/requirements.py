@@ -73,7 +73,9 @@ def failures(requirements: Sequence[Requirement], results: Sequence[Result]) -> 
                     lines.append(line)
                 continue
             seen = result.seen or result.why
-            lines.append(f"{required.component}: {required.text} Said: {result.said}; seen: {seen or 'nothing'}.")
+            named = required.component in required.text or required.component == "E" and "ego" in required.text.lower()
+            whose = "" if named else f"{required.component}: "
+            lines.append(f"{whose}{required.text} Required: {result.said}; the run: {seen or 'nothing of it'}.")
     return lines
 
 

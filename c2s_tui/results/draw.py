@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from textual.content import Content
 
 from c2s_engine.structure.facts import EGO, ObjectFacts, RunFacts, Trajectories
-from c2s_engine.structure.happening import USUAL, told
+from c2s_engine.structure.happening import USUAL, ended, told
 from c2s_engine.structure.measures import Measures, SeedResult
 from c2s_engine.structure.requirements import Requirement, Result, tally
 from c2s_tui.desk import Desk
@@ -50,7 +50,7 @@ def outcome(desk: Desk) -> Content:
     parts += [(f"{mark('error')} {c}\n", "$text-success" if c.said else "bold $text-error") for c in desk.collisions]
     if not desk.collisions:
         parts.append((f"{mark('clean')} no collision\n", "$text-success"))
-    parts.append(f"The run ended after {facts.duration:.1f} s ({facts.reason or facts.ended_by}); seed {facts.seed}.\n")
+    parts.append(f"The run ended after {facts.duration:.1f} s ({ended(facts)}); seed {facts.seed}.\n")
     parts += _nearness(next(iter(desk.measures), Measures()), facts)
     if desk.results:
         parts.append("{} of {} requirements met\n".format(*tally(desk.results)))
@@ -84,8 +84,8 @@ def requirements(title: str, required: Sequence[Requirement], results: Sequence[
         named = asked.component in asked.text or asked.component == "E" and "ego" in asked.text.lower()
         whose = "" if named else f"{asked.component}: "
         parts += [(f"{mark(name)} ", style), (whose, f"bold {colour(asked.component)}"), mentions(asked.text)]
-        values = [f"said {result.said}"] if result.said else []
-        values += [f"seen {result.seen}"] if result.seen else [result.why] if result.why else []
+        values = [f"required: {result.said}"] if result.said else []
+        values += [f"the run: {result.seen}"] if result.seen else [result.why] if result.why else []
         parts.append((f"  {'; '.join(values)}\n", "$muted"))
     return Content.assemble(*parts).rstrip()
 

@@ -30,8 +30,9 @@ def help_screen(pane: str, widget: Any, keymap: dict[str, str]) -> Reading:
     parts.append("\n")
     for name, words in (
         ("clean", "up to date"), ("dirty", "to be written"), ("writing", "being written"), ("failed", "a check failed"),
-        ("by_hand", "written by hand"), ("conflict", "by hand, and its fields changed"), ("seen", "seen in the run"),
-        ("unseen", "said, not seen"), ("assumed", "assumed: the text left it open"), ("unmet", "not understood"),
+        ("by_hand", "written by hand"), ("conflict", "by hand, and its fields changed"),
+        ("seen", "required, and the run shows it"), ("unseen", "required, and the run does not show it"),
+        ("assumed", "assumed: the text left it open"), ("unmet", "no field can say it, or it was not understood"),
         ("changed", "line changed by the last turn"),
     ):  # fmt: skip
         parts.append(f"{mark(name)}  {words}\n")

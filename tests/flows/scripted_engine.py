@@ -253,7 +253,7 @@ class ScriptedEngine:
         for seed in chosen:
             if seed == 2:
                 await self._wait("seeds")
-            missed = ("O1: O1 (van) cuts in. Said: cut in; seen: nothing.",) if seed % 3 == 2 else ()
+            missed = ("O1 (van) cuts in. Required: cut in; the run: nothing of it.",) if seed % 3 == 2 else ()
             yield SeedResult(seed=seed, ran=True, ended="time", duration=20.0, met=2 - len(missed), required=2,
                              unmet=missed, gap_m=4.2 + seed, ttc_s=2.5)  # fmt: skip
 

@@ -120,6 +120,19 @@ async def test_turns_are_a_list_to_go_back_and_forward_in(stage):
         assert not stage.bench.session.undone
 
 
+async def test_an_example_of_the_gallery_comes_into_the_line_to_type_in(stage):
+    async with stage.described() as pilot:
+        await stage.say(pilot, "/gallery night", wait=False)
+        await stage.until(pilot, lambda: stage.bench.chat.entry.text.startswith("At night in the rain ego drives"))
+        await stage.say(pilot, "/gallery nothing")
+        assert stage.said[-1].startswith("There is no example nothing; there are cut-in, ")
+        await stage.say(pilot, "/gallery", wait=False)
+        await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
+        assert stage.app.screen.query_one(OptionList).option_count == 10
+        await pilot.press(*"police", "enter")
+        await stage.until(pilot, lambda: stage.bench.chat.entry.text.startswith("Vehicle 1 was travelling"))
+
+
 async def test_sessions_are_renamed_and_deleted(stage):
     async with stage.described() as pilot:
         await stage.say(pilot, "/rename evening")

@@ -15,10 +15,11 @@ from c2s_tui.layout import Layout
 from c2s_tui.past import Past
 from c2s_tui.results.actions import Results
 from c2s_tui.screens.dialogs import Choosable, Chooser, Reading
+from c2s_tui.search import Search
 from c2s_tui.start import Start
 
 
-class Actions(Layout, Start, Files, Past, Choices, Results):
+class Actions(Layout, Start, Files, Past, Choices, Results, Search):
     """Commands that concern the panes and the session's turns; the other mixins hold the rest."""
 
     async def run_command(self: Any, name: str, argument: str = "") -> None:
@@ -131,67 +132,6 @@ class Actions(Layout, Start, Files, Past, Choices, Results):
             self.workers.cancel_group(self, "turn")
             await self.chat.note("Cancelled; everything is as it was before.", "note")
 
-    async def do_search(self: Any, argument: str) -> None:
-        if not argument:
-            self.chat.entry.put("/search ")
-            return
-        await self.chat.user(f"/search {argument}")
-        self.look_up(argument)
-
-    @work(group="search", exclusive=True, exit_on_error=False)
-    async def look_up(self: Any, query: str) -> None:
-        """Search the documents and show what was found, numbered."""
-        self.working = self.working or "searching"
-        self.show_status()
-        try:
-            found = await self.backend.ask("search", query, kind="doc", limit=5)
-        except Exception as error:
-            await self.chat.note(f"The search failed: {self._sentence(error)}", "error")
-            return
-        finally:
-            self.working = "" if self.working == "searching" else self.working
-            self.show_status()
-        if found:
-            await self.chat.found([as_passage(f) for f in found])
-            await self.chat.note("/use N takes one as the description; /why shows what rests on it.", "note")
-        else:
-            await self.chat.note("Nothing was found.", "note")
-
-    @work(group="snippets", exclusive=True, exit_on_error=False)
-    async def offer_snippets(self: Any, structure: Any) -> None:
-        """When a turn is over, say which snippets are near to what no field could say; once for the same words."""
-        if not self.backend.can("snippets"):
-            return
-        from c2s_engine.retrieve.errors import RetrievalError
-
-        try:
-            found = await self.backend.ask("snippets", structure)
-        except (RetrievalError, OSError):
-            return  # /search says why nothing can be searched
-        new = [entry for entry in found if entry[:2] not in self.offered]
-        if not new or self.busy or structure != self.desk.structure:
-            return
-        self.offered |= {entry[:2] for entry in new}
-        for cid, words, _ in new:
-            await self.chat.note(f"{cid or 'S'} has no field for “{words}”. Code that comes near:", "note")
-        await self.chat.found([passage for *_, passages in new for passage in passages])
-
-    async def do_use(self: Any, argument: str) -> None:
-        from c2s_engine.session.citing import description_of
-
-        passages = self.chat.passages
-        if not argument.isdigit() or not 1 <= int(argument) <= len(passages):
-            await self.chat.note(f"Say which: /use 1 to /use {len(passages)}." if passages else
-                                 "There is no result to use: /search first.", "error")  # fmt: skip
-            return
-        chosen = passages[int(argument) - 1]
-        if chosen.kind == "snippet":
-            await self.chat.note("That is code of a component: write it into one in the code.", "error")
-            return
-        siblings = await self.backend.ask("search", chosen.title, kind="doc", limit=10)
-        self.chat.entry.put(description_of(chosen, siblings))
-        self.go_to("chat")
-
     async def do_why(self: Any, argument: str) -> None:
         from c2s_tui.screens.why import why_screen
 
@@ -288,15 +228,3 @@ class Actions(Layout, Start, Files, Past, Choices, Results):
         self.show_status()
         if values.get("map"):
             self.run_worker(self.backend.warm(values["map"]), group="warm", exit_on_error=False)
-
-
-def as_passage(found: Any) -> Any:
-    """A search result as the event that the chat shows."""
-    from c2s_engine.structure.progress import Passage
-
-    if isinstance(found, Passage):
-        return found
-    data = (
-        found if isinstance(found, dict) else {n: getattr(found, n) for n in Passage.model_fields if hasattr(found, n)}
-    )
-    return Passage.model_validate({"kind": "doc", "title": "", "text": "", "score": 0.0, **data, "type": "passage"})

@@ -332,22 +332,3 @@ class Workbench(Actions, Drawing, Screen):
     @on(Entry.Changed)
     def _entry_changed(self) -> None:
         self._typed.add("chat")
-
-    # Drafts.
-
-    def save_drafts(self, now: bool = False) -> None:
-        """Swap to disk what was typed and neither sent nor applied; `now`: all of it, before this returns."""
-        if self.session is None or not (self._typed or now and self.recovered):
-            return
-        texts = {"chat": self.chat.entry.text, "code": self.code.text if self.code.edited else ""}
-        typed, self._typed = self._typed, set()
-        if now:  # what is being written from a thread at this moment may be older than what is there
-            for pane in texts if self.recovered else typed:
-                self.session.save_draft(pane, texts[pane])
-        else:
-            self._write_drafts({pane: texts[pane] for pane in typed})
-
-    @work(group="drafts", exit_on_error=False)
-    async def _write_drafts(self, texts: dict[str, str]) -> None:
-        session = self.session
-        await asyncio.to_thread(lambda: [session.save_draft(pane, text) for pane, text in texts.items()])

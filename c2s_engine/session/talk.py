@@ -7,6 +7,7 @@ from collections.abc import AsyncGenerator, Sequence
 from contextlib import aclosing
 from typing import Any
 
+from c2s_engine.retrieve.provenance import whose
 from c2s_engine.session.asked import HELP, answered, wants_help
 from c2s_engine.session.citing import description_of, kept, tells_scenario, wanted
 from c2s_engine.session.glossary import meaning
@@ -198,7 +199,8 @@ async def _picked(engine: Any, number: int, passages: Sequence[Any]) -> AsyncGen
     chosen = found[number - 1]
     if chosen.kind == "snippet":
         said = (
-            f"{chosen.title} That is a snippet of {chosen.component}: give it to a component with `--code`, or type it."
+            f"{chosen.title} That is code of {chosen.component}: `/use {number} O1` in the app gives it to a component; "
+            "on the command line write it to a file, for `c2s edit SESSION --code O1=FILE`."
         )
         yield Say(text=said, severity="warning")
         yield _Next("question", passages=list(passages))
@@ -253,7 +255,7 @@ async def answer(
         return
     for passage in found:
         yield passage
-    sources = "; ".join(f"{i} {label(p)}" for i, p in enumerate(found, 1))
+    sources = "; ".join(f"{i} {label(p)}{f' [{whose(p)}]' if whose(p) else ''}" for i, p in enumerate(found, 1))
     telling = {p.title for p in near if tells_scenario(p)}
     usable = [i for i, p in enumerate(found, 1) if p.title in telling]
     hint = f" “use {usable[0]}” takes its scenario as the description." if usable else ""

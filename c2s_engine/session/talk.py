@@ -199,7 +199,7 @@ async def _picked(engine: Any, number: int, passages: Sequence[Any]) -> AsyncGen
     chosen = found[number - 1]
     if chosen.kind == "snippet":
         said = (
-            f"{chosen.title} That is code of {chosen.component}: `/use {number} O1` in the app gives it to a component; "
+            f"{chosen.title} That is code of {chosen.component}: in the app `/use {number} O1` gives it to O1, "
             "on the command line write it to a file, for `c2s edit SESSION --code O1=FILE`."
         )
         yield Say(text=said, severity="warning")

@@ -19,6 +19,8 @@ def fresh_name(taken: set[str]) -> str:
 class Start:
     """What happens before the first turn and after the last."""
 
+    _typed: set[str]  # the panes in which was typed since the last draft
+
     @work(group="begin", exit_on_error=False)
     async def begin(self: Any) -> None:
         """Make the engine, open the session that is asked for (else the last, else the example), start the checks."""

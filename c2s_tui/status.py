@@ -46,10 +46,11 @@ def line(desk: Desk, choice: Choice, working: str, width: int) -> Content:
             parts.append((f" {mark('rule')} ", "$faint"))
         parts.extend(pieces)
 
-    add((choice.method, "bold"))
+    if width >= 100 or not desk.collisions:
+        add((choice.method, "bold"))
+        add((f"map {choice.map or 'auto'}", "$muted"))
     if choice.model and width >= 100:
         add((choice.model, "$muted"))
-    add((f"map {choice.map or 'auto'}", "$muted"))
     verdicts: list = []
     done: dict[str, StageResult] = {s.name: s for s in desk.stages}
     shown = [s for s in STAGES if s in done or s == desk.running]

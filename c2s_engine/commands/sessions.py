@@ -77,7 +77,8 @@ def edit(
                 err.print(Text(f"saved {', '.join(map(str, written))}"))
         if not as_json:
             _print(session)
-    code_of, found = OK if done is None else exit_code(done), {}
+    code_of = OK if done is None else exit_code(done)
+    found: dict[str, Any] = {}
     if chosen and code_of == OK:
         folder = session.details.get("folder")
         code_of, found = series(session.structure, session.program, chosen, as_json, folder=folder)

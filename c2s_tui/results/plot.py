@@ -35,9 +35,9 @@ def plot(curves: Sequence[Curve], seconds: float, columns: int, rows: int, unit:
             bit = 1 if ascii_only() else DOTS[up - 1 - y % up][x % across]
             cells[row][column] = (cells[row][column][0] | bit, curve.style)
     lines = []
-    for i, row in enumerate(cells):
+    for i, drawn in enumerate(cells):
         label = f"{most:.0f}" if i == 0 else "0" if i == rows - 1 else ""
-        lines.append(Content.assemble((f"{label:>{MARGIN - 1}} ", "$muted"), *map(_cell, row)))
+        lines.append(Content.assemble((f"{label:>{MARGIN - 1}} ", "$muted"), *map(_cell, drawn)))
     end = f"{seconds:.1f} s"
     foot = f"{unit:>{MARGIN - 1}} 0{end:>{width - 1}}"
     return Content("\n").join([*lines, Content.styled(foot, "$muted")])

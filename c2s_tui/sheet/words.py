@@ -7,7 +7,7 @@ from c2s_engine.structure.happening import ACTS
 
 Text = Callable[[Any, str], str]
 """A value with its unit, as text."""
-EMPTY = (None, [], {}, "")
+EMPTY: tuple[Any, ...] = (None, [], {}, "")
 WHERE = {
     "left_lane": "in the lane to the left", "right_lane": "in the lane to the right", "ahead": "", "behind": "",
     "oncoming_lane": "in the oncoming lane", "beside": "beside", "roadside": "at the roadside",

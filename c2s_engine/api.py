@@ -3,7 +3,7 @@
 import time
 from collections.abc import AsyncGenerator, Sequence
 from contextlib import aclosing, suppress
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from c2s_engine.check.client import CheckClient
 from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits, PlacesRequest, Upto
@@ -14,10 +14,14 @@ from c2s_engine.session.steps import Tools
 from c2s_engine.structure.components import ComponentId, Structure
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.edits import Edit, apply
-from c2s_engine.structure.facts import RunFacts
+from c2s_engine.structure.facts import RunFacts, Trajectories
+from c2s_engine.structure.measures import Measures, SeedResult
 from c2s_engine.structure.program import FragmentSpan, Program, assemble
 from c2s_engine.structure.progress import Finished, Progress, Say
 from c2s_engine.structure.requirements import Requirement, Result
+
+if TYPE_CHECKING:
+    from c2s_engine.session.requiring import Judged
 
 RUNNER = "c2s_engine.dryrun.runner:run_scene"
 
@@ -169,6 +173,7 @@ class Engine:
             "report": {},
             "requirements": [],
             "results": [],
+            "measures": [],
             "rewritten": [],
             "stages": [],
             "details": {},
@@ -258,14 +263,33 @@ class Engine:
         )
 
     async def judge(
-        self, structure: Structure, report: CheckReport, *, seed: int = 0
-    ) -> tuple[tuple[Requirement, ...], tuple[Result, ...]]:
-        """What S requires, and what the report's runs (with trajectories) showed of it; nothing where nothing ran."""
-        from c2s_engine.session.requiring import judged
+        self, structure: Structure | None, report: CheckReport, *, seed: int = 0
+    ) -> "Judged":
+        """What S requires, what the report's runs (with trajectories) showed of it, and their measures; nothing where
+        nothing ran. Without a structure only the measures."""
+        from c2s_engine.session.requiring import Judged, judged, measures_of
+
+        if structure is None:
+            return Judged(measures=measures_of(report))
 
         chosen = self.library.named_in(structure.settings.code) or self.library.find(SHIPPED)
-        found = await judged(structure, report, self.tools, map_name=chosen.name, seed=seed)
-        return found.requirements, found.results
+        return await judged(structure, report, self.tools, map_name=chosen.name, seed=seed)
+
+    def gaps(self, ways: Trajectories) -> dict[str, list[float]]:
+        """By each other's name, m between its box and ego's (bumper to bumper) at each step of a run."""
+        from c2s_engine.require.measured import gaps
+
+        return gaps(ways)
+
+    async def seeds(
+        self, structure: Structure, program: Program, numbers: Sequence[int], **options: Any
+    ) -> AsyncGenerator[SeedResult, None]:
+        """Run a program once with each seed and judge it by S: a row as soon as a run is done. `options`: `check`'s."""
+        from c2s_engine.session.seeds import seeds
+
+        async with aclosing(seeds(self, structure, program, numbers, **options)) as rows:
+            async for row in rows:
+                yield row
 
     async def import_program(self, text: str, filename: str = "program.scenic") -> Structure:
         """S of any Scenic driving program; raises CheckError where it cannot be parsed."""
@@ -349,6 +373,7 @@ def finished(state: dict[str, Any], seconds: float) -> Finished:
         facts=facts,
         requirements=tuple(Requirement.model_validate(r) for r in state.get("requirements", [])),
         results=tuple(Result.model_validate(r) for r in state.get("results", [])),
+        measures=tuple(Measures.model_validate(m) for m in state.get("measures", [])),
         seconds=round(seconds, 3),
         details=details,
     )

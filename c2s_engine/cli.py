@@ -47,6 +47,8 @@ def _mount(wanted: str | None) -> None:
     app.command()(checking.run)
     app.command()(places.maps)
     app.command()(places.doctor)
+    app.command()(places.glossary)
+    app.command()(places.gallery)
     app.command()(texts.interpret)
     app.command("import")(texts.import_)
     app.command()(sessions.edit)

@@ -4,16 +4,22 @@ from dataclasses import replace
 from typing import Any
 
 from textual import work
+from textual.content import Content
 
 from c2s_engine.structure.edits import SetCode
 from c2s_tui.choices import Choices
 from c2s_tui.commands import commands
 from c2s_tui.desk import checked
 from c2s_tui.files import Files
+from c2s_tui.layout import Layout
+from c2s_tui.past import Past
+from c2s_tui.results.actions import Results
+from c2s_tui.screens.dialogs import Choosable, Chooser, Reading
+from c2s_tui.search import Search
 from c2s_tui.start import Start
 
 
-class Actions(Start, Files, Choices):
+class Actions(Layout, Start, Files, Past, Choices, Results, Search):
     """Commands that concern the panes and the session's turns; the other mixins hold the rest."""
 
     async def run_command(self: Any, name: str, argument: str = "") -> None:
@@ -52,14 +58,21 @@ class Actions(Start, Files, Choices):
         titles = {"chat": "the chat", "sheet": "the structure S", "code": "the code", "picture": "the picture"}
         self.app.push_screen(help_screen(titles.get(name, name), focused, self.app.prefs.keys))
 
+    async def do_glossary(self: Any, _: str) -> None:
+        from c2s_engine.session.glossary import terms
+
+        words = Content("\n").join(Content.assemble((name, "bold"), f": {text}") for name, text in terms().items())
+        self.app.push_screen(Reading("Glossary", words))
+
     async def do_run(self: Any, _: str) -> None:
         """Apply hand edits; without any, check and run what stands."""
         if not self.code.commit() and await self._may_begin():
             self.run_again()
 
     @work(group="turn", exclusive=True, exit_on_error=False)
-    async def run_again(self: Any, then: str = "") -> None:
-        """Check and run the program as it stands; S and history stay. `then` names a command to run after it."""
+    async def run_again(self: Any, then: str = "", told: bool = True) -> None:
+        """Check and run the program as it stands; S and history stay. `then` names a command to run after it; `told`:
+        whether the chat says how it went."""
         async with self._turn_lock:
             self.working = "running"
             self.show_status()
@@ -67,14 +80,16 @@ class Actions(Start, Files, Choices):
             try:
                 report = await self.backend.check(program.text, spans=program.spans, upto="run", trajectories=True)
                 judging = self.backend.can("judge")
-                required = await self.backend.ask("judge", self.desk.structure, report) if judging else ((), ())
-                self.desk = checked(self.desk, report, required)
+                judged = await self.backend.ask("judge", self.desk.structure, report) if judging else None
+                self.desk = checked(self.desk, report, judged)
             except Exception as error:
                 await self.chat.note(self._sentence(error), "error")
             finally:
                 self.working = ""
                 self.show()
-        await self._summarise()
+        if told:
+            await self._summarise()
+        self.find_gaps()
         if then and self.picture.available:
             await self.run_command(then)
 
@@ -116,67 +131,6 @@ class Actions(Start, Files, Choices):
             self._waiting_edits = ()
             self.workers.cancel_group(self, "turn")
             await self.chat.note("Cancelled; everything is as it was before.", "note")
-
-    async def do_search(self: Any, argument: str) -> None:
-        if not argument:
-            self.chat.entry.put("/search ")
-            return
-        await self.chat.user(f"/search {argument}")
-        self.look_up(argument)
-
-    @work(group="search", exclusive=True, exit_on_error=False)
-    async def look_up(self: Any, query: str) -> None:
-        """Search the documents and show what was found, numbered."""
-        self.working = self.working or "searching"
-        self.show_status()
-        try:
-            found = await self.backend.ask("search", query, kind="doc", limit=5)
-        except Exception as error:
-            await self.chat.note(f"The search failed: {self._sentence(error)}", "error")
-            return
-        finally:
-            self.working = "" if self.working == "searching" else self.working
-            self.show_status()
-        if found:
-            await self.chat.found([as_passage(f) for f in found])
-            await self.chat.note("/use N takes one as the description; /why shows what rests on it.", "note")
-        else:
-            await self.chat.note("Nothing was found.", "note")
-
-    @work(group="snippets", exclusive=True, exit_on_error=False)
-    async def offer_snippets(self: Any, structure: Any) -> None:
-        """When a turn is over, say which snippets are near to what no field could say; once for the same words."""
-        if not self.backend.can("snippets"):
-            return
-        from c2s_engine.retrieve.errors import RetrievalError
-
-        try:
-            found = await self.backend.ask("snippets", structure)
-        except (RetrievalError, OSError):
-            return  # /search says why nothing can be searched
-        new = [entry for entry in found if entry[:2] not in self.offered]
-        if not new or self.busy or structure != self.desk.structure:
-            return
-        self.offered |= {entry[:2] for entry in new}
-        for cid, words, _ in new:
-            await self.chat.note(f"{cid or 'S'} has no field for “{words}”. Code that comes near:", "note")
-        await self.chat.found([passage for *_, passages in new for passage in passages])
-
-    async def do_use(self: Any, argument: str) -> None:
-        from c2s_engine.session.citing import description_of
-
-        passages = self.chat.passages
-        if not argument.isdigit() or not 1 <= int(argument) <= len(passages):
-            await self.chat.note(f"Say which: /use 1 to /use {len(passages)}." if passages else
-                                 "There is no result to use: /search first.", "error")  # fmt: skip
-            return
-        chosen = passages[int(argument) - 1]
-        if chosen.kind == "snippet":
-            await self.chat.note("That is code of a component: write it into one in the code.", "error")
-            return
-        siblings = await self.backend.ask("search", chosen.title, kind="doc", limit=10)
-        self.chat.entry.put(description_of(chosen, siblings))
-        self.go_to("chat")
 
     async def do_why(self: Any, argument: str) -> None:
         from c2s_tui.screens.why import why_screen
@@ -225,6 +179,30 @@ class Actions(Start, Files, Choices):
         self.go_to("code")
         self.code.next_finding()
 
+    async def do_problems(self: Any, _: str) -> None:
+        """All findings as a list; choosing one goes to its line."""
+        found = [d for d in self.code.diagnostics if d.line]
+        if not found:
+            self.app.notify("Nothing is known to be wrong with the code.", markup=False)
+            return
+        entries = [
+            Choosable(str(i), f"{d.severity:<8}line {d.line:<5}{d.component or '':<4}", d.message)
+            for i, d in enumerate(sorted(found, key=lambda d: d.line or 0))
+        ]
+        lines = sorted(d.line for d in found if d.line)
+
+        def chosen(value: str | None) -> None:
+            if value is not None:
+                self.go_to("code")
+                self.code.go_to_line(lines[int(value)])
+
+        self.app.push_screen(Chooser("Findings", entries, foot="Enter goes to the line", wide=True), chosen)
+
+    async def do_find(self: Any, argument: str) -> None:
+        """Find in the code: the line to type in, or what was given with the command."""
+        self.go_to("code")
+        self.call_after_refresh(self.code.finder.open, argument)
+
     async def do_fix(self: Any, _: str) -> None:
         self.code.take_fix()
 
@@ -239,7 +217,7 @@ class Actions(Start, Files, Choices):
             self.go_to("picture")
             self.call_after_refresh(self.picture.show, self.desk)
         elif self.desk.program.text and await self._may_begin():
-            self.run_again("picture")
+            self.run_again("picture", told=False)
         elif not self.desk.program.text:
             self.app.notify("There is no program yet: describe a scenario first.", markup=False)
 
@@ -250,15 +228,3 @@ class Actions(Start, Files, Choices):
         self.show_status()
         if values.get("map"):
             self.run_worker(self.backend.warm(values["map"]), group="warm", exit_on_error=False)
-
-
-def as_passage(found: Any) -> Any:
-    """A search result as the event that the chat shows."""
-    from c2s_engine.structure.progress import Passage
-
-    if isinstance(found, Passage):
-        return found
-    data = (
-        found if isinstance(found, dict) else {n: getattr(found, n) for n in Passage.model_fields if hasattr(found, n)}
-    )
-    return Passage.model_validate({"kind": "doc", "title": "", "text": "", "score": 0.0, **data, "type": "passage"})

@@ -7,11 +7,12 @@ from textual import work
 from c2s_tui.screens.dialogs import Choosable, Chooser, Reading
 
 METHODS = [
-    Choosable("embedded", "embedded", "no model: rules, and the typed writer"),
-    Choosable("typed", "typed", "a model fills the fields, the typed writer writes"),
-    Choosable("mixed", "mixed", "typed where the fields can say it, prompted where not"),
-    *(Choosable(f"chat2scenic:C{i}", f"C{i}", "the paper's configuration, written by a model") for i in range(1, 13)),
-]
+    Choosable("embedded", "embedded", "without a language model: nothing to install, the quickest"),
+    Choosable("typed", "typed", "a language model reads the text; the code is rendered from its fields"),
+    Choosable("mixed", "mixed", "as typed; what no field can say is written by the model as code"),
+    *(Choosable(f"chat2scenic:C{i}", f"C{i}", f"configuration {i} of Chat2Scenic: a language model writes the code")
+      for i in range(1, 13)),
+]  # fmt: skip
 
 
 class Choices:
@@ -116,6 +117,25 @@ class Choices:
             self.working = ""
             self.show_status()
         return True
+
+    async def do_gallery(self: Any, argument: str) -> None:
+        """The examples; the one that is chosen is put where one types, to be changed or sent."""
+        from c2s_engine.session.gallery import gallery
+
+        def chosen(name: str | None) -> None:
+            if name:
+                self.go_to("chat")
+                self.chat.entry.put(gallery()[name].text)
+
+        if argument and argument not in gallery():
+            names = ", ".join(gallery())
+            await self.chat.note(f"There is no example {argument}; there are {names}.", "error")
+        elif argument:
+            chosen(argument)
+        else:
+            entries = [Choosable(name, name, example.about) for name, example in gallery().items()]
+            foot = "Enter puts its text where you type; there, Enter sends it"
+            self.app.push_screen(Chooser("Examples", entries, foot=foot, wide=True), chosen)
 
     async def do_settings(self: Any, _: str) -> None:
         self.settings_dialog()

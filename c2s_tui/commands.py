@@ -36,6 +36,13 @@ def bindings() -> list[Binding]:
     ]
 
 
+@cache
+def function_keys() -> frozenset[str]:
+    """The function keys of the commands, F1 to F10."""
+    keys = (k for c in commands().values() for k in c.key.split(","))
+    return frozenset(k for k in keys if k.startswith("f") and k[1:].isdigit())
+
+
 def completions(typed: str) -> list[str]:
     """The commands that begin with what is typed (which begins with a slash)."""
     return [f"/{name}" for name in commands() if f"/{name}".startswith(typed)]

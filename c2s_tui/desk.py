@@ -6,6 +6,7 @@ from typing import Any
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.facts import RunFacts, Trajectories
+from c2s_engine.structure.measures import Collision, Measures, SeedResult, collisions
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import (
     ComponentState,
@@ -19,6 +20,9 @@ from c2s_engine.structure.progress import (
     Usage,
 )
 from c2s_engine.structure.requirements import Requirement, Result
+
+MEASURED = ("facts", "trajectories", "requirements", "results", "measures")
+"""What a run brings."""
 
 
 @dataclass(frozen=True)
@@ -36,6 +40,10 @@ class Desk:
     trajectories: tuple[Trajectories, ...] = ()
     requirements: tuple[Requirement, ...] = ()
     results: tuple[Result, ...] = ()  # one for each requirement, once something has run
+    measures: tuple[Measures, ...] = ()  # one a run
+    gaps: dict[str, list[float]] = field(default_factory=dict)  # m to ego at each step of the first run, by name
+    seeds: tuple[SeedResult, ...] = ()  # of the series of runs under way, or done last with this program
+    planned: int = 0  # seeds in that series
     prompt_tokens: int = 0
     answer_tokens: int = 0
     seconds: float = 0.0
@@ -45,6 +53,11 @@ class Desk:
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         return tuple(d for stage in self.stages for d in stage.diagnostics)
+
+    @property
+    def collisions(self) -> tuple[Collision, ...]:
+        """Those of the first run."""
+        return collisions(next(iter(self.facts), None), self.requirements, bool(self.structure.text))
 
     def state(self, component: Component) -> str:
         """clean, dirty, writing, failed, by_hand or conflict."""
@@ -72,7 +85,8 @@ def _fresh(desk: Desk) -> Desk:
     """Without the verdicts of the turn before."""
     if not desk.stale:
         return desk
-    return replace(desk, stages=(), facts=(), trajectories=(), requirements=(), results=(), stale=False)
+    empty: dict[str, Any] = dict.fromkeys(("stages", *MEASURED), ())
+    return replace(desk, **empty, gaps={}, stale=False)
 
 
 def opened(structure: Structure, program: Program) -> Desk:
@@ -102,11 +116,8 @@ def step(desk: Desk, event: Progress) -> Desk:
         return replace(desk, structure=event.structure)
     if isinstance(event, ProgramChanged):
         same = event.program.text == desk.program.text
-        return replace(
-            desk, program=event.program, rewritten=event.rewritten, facts=desk.facts if same else (),
-            trajectories=desk.trajectories if same else (), requirements=desk.requirements if same else (),
-            results=desk.results if same else (),
-        )  # fmt: skip
+        gone: dict[str, Any] = {} if same else {**dict.fromkeys((*MEASURED, "seeds"), ()), "gaps": {}, "planned": 0}
+        return replace(desk, program=event.program, rewritten=event.rewritten, **gone)
     if isinstance(event, Usage):
         return replace(
             desk,
@@ -121,7 +132,8 @@ def step(desk: Desk, event: Progress) -> Desk:
         return replace(
             desk, structure=event.structure, program=event.program, stages=event.stages or kept,
             facts=event.facts or desk.facts, requirements=event.requirements or desk.requirements,
-            results=event.results or desk.results, seconds=event.seconds, running=None, states={},
+            results=event.results or desk.results, measures=event.measures or desk.measures,
+            seconds=event.seconds, running=None, states={},
             folder=event.details.get("folder") or desk.folder,
         )  # fmt: skip
     return desk
@@ -135,14 +147,15 @@ def expected(desk: Desk, structure: Structure) -> Desk:
 
 def restored(desk: Desk, session: Any) -> Desk:
     """With the verdicts that a session kept."""
-    kept = {name: tuple(getattr(session, name, ())) for name in ("stages", "facts", "requirements", "results")}
+    names = ("stages", "facts", "requirements", "results", "measures")
+    kept = {name: tuple(getattr(session, name, ())) for name in names}
     return replace(desk, **kept)  # type: ignore[arg-type]
 
 
-def checked(desk: Desk, report: Any, required: Any = ((), ())) -> Desk:
+def checked(desk: Desk, report: Any, judged: Any = None) -> Desk:
     """With what a check of the program as it stands has found, and what S requires with what was seen of it."""
+    found: dict[str, Any] = {n: getattr(judged, n, ()) for n in ("requirements", "results", "measures")}
     return replace(
-        desk, requirements=required[0], results=required[1],
-        stages=report.stages, facts=report.facts, trajectories=report.trajectories, stale=False, running=None,
-        seconds=sum(s.seconds for s in report.stages),
+        desk, **found, gaps={}, stages=report.stages, facts=report.facts,
+        trajectories=report.trajectories, stale=False, running=None, seconds=sum(s.seconds for s in report.stages),
     )  # fmt: skip

@@ -11,7 +11,7 @@ NEXT_SECONDS = 0.02
 class Drawing:
     """What of the desk the panes do not show yet. Mixed into the workbench, which has the panes and the desk."""
 
-    DRAWN = ("sheet", "code", "picture")
+    DRAWN = ("sheet", "code", "picture", "results")
     _stale: tuple[str, ...] = ()  # to be drawn, the next one first
     _due: Any = None
 

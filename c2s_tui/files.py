@@ -12,7 +12,7 @@ from typing import Any
 
 from textual import work
 
-from c2s_tui.screens.dialogs import Choosable, Chooser, Confirm
+from c2s_tui.screens.dialogs import Confirm
 
 WATCH_SECONDS = 2.0
 
@@ -116,18 +116,6 @@ class Files:
             await self.chat.note(f"{path.name} is of Scenic 2: what you see is upgraded to Scenic 3.", "warning")
         await self.chat.note(f"Opened {path.name}.")
         await self.make_edits((Replace(structure=structure),))
-
-    @work(group="choices", exclusive=True, exit_on_error=False)
-    async def offer_sessions(self: Any) -> None:
-        found = await self.backend.thread.do(self.backend.sessions.list)
-        entries = [Choosable(s.name, s.name, f"{s.turns} turns  {s.last[:40]}") for s in found]
-        chosen = await self.app.push_screen_wait(
-            Chooser(
-                "Sessions", entries, self.session.name if self.session else "", free="narrow, or a new session's name"
-            )
-        )
-        if chosen:
-            self.open_session(chosen)
 
     async def do_new(self: Any, argument: str) -> None:
         from c2s_tui.start import fresh_name

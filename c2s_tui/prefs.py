@@ -19,6 +19,7 @@ class Prefs:
     animation: bool = True
     welcomed: bool = False
     session: str = ""
+    widths: str = ""  # shares of the three columns, such as "36 46 58"
     keys: dict[str, str] = field(default_factory=dict)
     trouble: str = field(default="", repr=False)  # why the file could not be used; shown once
 

@@ -1,5 +1,6 @@
 """Beginning and ending: the first run, opening sessions, recovery, leaving (a mixin of the workbench)."""
 
+import asyncio
 from typing import Any
 
 from textual import work
@@ -17,6 +18,8 @@ def fresh_name(taken: set[str]) -> str:
 
 class Start:
     """What happens before the first turn and after the last."""
+
+    _typed: set[str]  # the panes in which was typed since the last draft
 
     @work(group="begin", exit_on_error=False)
     async def begin(self: Any) -> None:
@@ -147,3 +150,20 @@ class Start:
         self.save_drafts(now=True)
         self.workers.cancel_all()
         self.app.exit()
+
+    def save_drafts(self: Any, now: bool = False) -> None:
+        """Swap to disk what was typed and neither sent nor applied; `now`: all of it, before this returns."""
+        if self.session is None or not (self._typed or now and self.recovered):
+            return
+        texts = {"chat": self.chat.entry.text, "code": self.code.text if self.code.edited else ""}
+        typed, self._typed = self._typed, set()
+        if now:  # what is being written from a thread at this moment may be older than what is there
+            for pane in texts if self.recovered else typed:
+                self.session.save_draft(pane, texts[pane])
+        else:
+            self._write_drafts({pane: texts[pane] for pane in typed})
+
+    @work(group="drafts", exit_on_error=False)
+    async def _write_drafts(self: Any, texts: dict[str, str]) -> None:
+        session = self.session
+        await asyncio.to_thread(lambda: [session.save_draft(pane, text) for pane, text in texts.items()])

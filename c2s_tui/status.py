@@ -46,13 +46,16 @@ def line(desk: Desk, choice: Choice, working: str, width: int) -> Content:
             parts.append((f" {mark('rule')} ", "$faint"))
         parts.extend(pieces)
 
-    add((choice.method, "bold"))
+    if width >= 100 or not desk.collisions:
+        add((choice.method, "bold"))
+        add((f"map {choice.map or 'auto'}", "$muted"))
     if choice.model and width >= 100:
         add((choice.model, "$muted"))
-    add((f"map {choice.map or 'auto'}", "$muted"))
     verdicts: list = []
     done: dict[str, StageResult] = {s.name: s for s in desk.stages}
     shown = [s for s in STAGES if s in done or s == desk.running]
+    if desk.running is None and all(s.ok for s in desk.stages):
+        shown = shown[-1:]  # the last stage stands for those before it
     for name in shown if width >= 100 else shown[-2:]:
         result = done.get(name)
         sign = ("writing", "$text-accent") if result is None else ("clean", "$text-success") if result.ok else \
@@ -60,13 +63,15 @@ def line(desk: Desk, choice: Choice, working: str, width: int) -> Content:
         verdicts += [(f"{mark(sign[0])}{name} ", sign[1])]
     if verdicts:
         add(*verdicts)
-    if desk.seconds:
+    if desk.seconds and width >= 100:
         add((_time(desk.seconds), "$muted"))
     if desk.answer_tokens:
         add((f"{desk.prompt_tokens}+{desk.answer_tokens} tok", "$muted"))
+    for hit in desk.collisions[:1]:
+        add((str(hit), "$muted" if hit.said else "bold $text-error"))
     seen, required = tally(desk.results)
     if required:
-        add((f"{seen} of {required} required seen", "$text-success" if seen == required else "$text-warning"))
+        add((f"{seen} of {required} requirements met", "$text-success" if seen == required else "$text-warning"))
     if working:
         add((f"{working} (Esc cancels)", "bold $text-accent"))
     return Content.assemble(*parts)

@@ -20,6 +20,7 @@ def summary(desk: Desk) -> tuple[str, str]:
     done = [f"{', '.join(ids)} {what}" for ids, what in kinds if ids]
     parts = done or ["nothing rewritten"]
     failed = next((s for s in desk.stages if not s.ok), None)
+    hits = [f"{str(c)[0].upper()}{str(c)[1:]}." for c in desk.collisions]
     if failed is not None:
         first = next((d for d in failed.diagnostics if d.severity == "error"), None)
         where = f" ({first.component})" if first and first.component else ""
@@ -31,9 +32,10 @@ def summary(desk: Desk) -> tuple[str, str]:
         parts.append({"run": "runs", "sample": "samples", "compile": "compiles"}.get(last, f"{last} done"))
     seen, required = tally(desk.results)
     if required:
-        parts.append(f"{seen} of {required} required seen")
+        parts.append(f"{seen} of {required} requirements met")
     if desk.seconds:
         parts.append(f"{desk.seconds:.1f} s")
-    kind = "error" if failed is not None else "warning" if required and seen < required else "note"
+    unasked = any(c.said is False for c in desk.collisions)
+    kind = "error" if failed is not None or unasked else "warning" if required and seen < required else "note"
     missed = failures(desk.requirements, desk.results)
-    return "\n".join(["; ".join(parts), *missed[:MISSED]]), kind
+    return "\n".join([*hits, "; ".join(parts), *missed[:MISSED]]), kind

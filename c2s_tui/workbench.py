@@ -26,9 +26,12 @@ from c2s_tui.commands import bindings, split
 from c2s_tui.desk import Desk
 from c2s_tui.drawing import Drawing
 from c2s_tui.files import WATCH_SECONDS
+from c2s_tui.keys import KeyBar
+from c2s_tui.layout import TABS
 from c2s_tui.messages import CodeTyped, CommandAsked, EditsAsked, Picked, ReachAsked, Said
 from c2s_tui.palette import Palette
 from c2s_tui.picture.pane import PicturePane
+from c2s_tui.results.pane import ResultsPane
 from c2s_tui.sheet.pane import SheetPane
 from c2s_tui.status import Choice, StatusBar
 
@@ -48,7 +51,6 @@ class Workbench(Actions, Drawing, Screen):
 
     BINDINGS = [*bindings()]
     COMMANDS = {Palette}
-    PANES = ("chat", "sheet", "code", "picture")
 
     def __init__(self, backend: Any, session: str | None, file: Path | None):
         super().__init__()
@@ -72,14 +74,16 @@ class Workbench(Actions, Drawing, Screen):
         self.saved_text: str | None = None
 
     def compose(self) -> ComposeResult:
-        yield Tabs(Tab("F2 chat", id="tab-chat"), Tab("F3 S", id="tab-sheet"), Tab("F4 code", id="tab-code"), id="tabs")
+        yield Tabs(*(Tab(title, id=f"tab-{name}") for name, title in TABS.items()), id="tabs")
         with Horizontal(id="panes"):
             yield ChatPane(id="chat", classes="pane -current")
             yield SheetPane(id="sheet", classes="pane")
             with Vertical(id="right"):
                 yield PicturePane(id="picture", classes="pane")
+                yield ResultsPane(id="results", classes="pane")
                 yield CodePane(id="code-pane", classes="pane")
         yield StatusBar(id="status")
+        yield KeyBar(id="keys")
 
     # Parts.
 
@@ -96,6 +100,10 @@ class Workbench(Actions, Drawing, Screen):
         return self.query_one(PicturePane)
 
     @property
+    def results(self) -> ResultsPane:
+        return self.query_one(ResultsPane)
+
+    @property
     def code(self) -> CodePane:
         return self.query_one(CodePane)
 
@@ -107,6 +115,8 @@ class Workbench(Actions, Drawing, Screen):
         early = "".join(self.app.typed_early)  # type: ignore[attr-defined]
         self.chat.entry.put(early)
         self.chat.entry.focus()
+        if prefs.widths:
+            self.lay_columns()
         self.show()
         self.call_after_refresh(self.begin)  # the engine is imported behind the panes' first frame
         self.set_interval(DRAFT_SECONDS, self.save_drafts)
@@ -172,6 +182,7 @@ class Workbench(Actions, Drawing, Screen):
                 await self.chat.end()
             if finished:
                 await self._summarise()
+                self.find_gaps()
                 self.offer_snippets(self.desk.structure)
 
     async def _take(self, event: Any) -> None:
@@ -322,52 +333,3 @@ class Workbench(Actions, Drawing, Screen):
     @on(Entry.Changed)
     def _entry_changed(self) -> None:
         self._typed.add("chat")
-
-    # Drafts.
-
-    def save_drafts(self, now: bool = False) -> None:
-        """Swap to disk what was typed and neither sent nor applied; `now`: all of it, before this returns."""
-        if self.session is None or not (self._typed or now and self.recovered):
-            return
-        texts = {"chat": self.chat.entry.text, "code": self.code.text if self.code.edited else ""}
-        typed, self._typed = self._typed, set()
-        if now:  # what is being written from a thread at this moment may be older than what is there
-            for pane in texts if self.recovered else typed:
-                self.session.save_draft(pane, texts[pane])
-        else:
-            self._write_drafts({pane: texts[pane] for pane in typed})
-
-    @work(group="drafts", exit_on_error=False)
-    async def _write_drafts(self, texts: dict[str, str]) -> None:
-        session = self.session
-        await asyncio.to_thread(lambda: [session.save_draft(pane, text) for pane, text in texts.items()])
-
-    # Layout.
-
-    @on(Tabs.TabActivated)
-    def _tab(self, event: Tabs.TabActivated) -> None:
-        name = (event.tab.id or "").removeprefix("tab-")
-        if name != self.current_pane and self.has_class("-narrow"):
-            self.go_to(name)
-
-    @property
-    def current_pane(self) -> str:
-        return next((n for n in self.PANES if self._pane(n).has_class("-current")), "chat")
-
-    def _pane(self, name: str) -> Any:
-        return {"chat": self.chat, "sheet": self.sheet, "code": self.code, "picture": self.picture}[name]
-
-    def on_resize(self) -> None:
-        self.call_after_refresh(self.show_status)
-
-    def go_to(self, name: str) -> None:
-        """Bring a pane to the front (narrow) and focus it."""
-        for other in self.PANES:
-            self._pane(other).set_class(other == name, "-current")
-        self.query_one("#right").set_class(name in ("code", "picture"), "-current")
-        if name != "picture":
-            self.query_one(Tabs).active = f"tab-{name}"
-        target = {"chat": self.chat.entry, "sheet": self.sheet, "code": self.code.area, "picture": self.picture}[name]
-        if self.has_class("-narrow"):  # what is still hidden cannot take the focus
-            self.app.stylesheet.update(self.query_one("#panes"))
-        self.set_focus(target)  # at once: what is typed next is meant for it

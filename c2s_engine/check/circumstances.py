@@ -4,6 +4,7 @@ import ast
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from c2s_engine.check.conduct import between_of
 from c2s_engine.check.values import Values, ends_of
 from c2s_engine.check.whereabouts import Whereabouts
 from c2s_engine.structure.specs import Condition, PlaceSpec, RestrictionsSpec
@@ -93,16 +94,15 @@ class Restrictions:
 
     def _distance(self, cond: Any, ending: bool = False) -> Condition | bool | None:
         """A distance between two objects, or how far ego has come; True: ego's distance to the intersection."""
-        from scenic.syntax import ast as s
-
         limits = self._limits(cond)
         if limits is None:
             return None
         node, low, high = limits
-        if not isinstance(node, s.DistanceFromOp) or not isinstance(node.target, ast.Name):
+        between = between_of(node)
+        if between is None or not isinstance(between[0], ast.Name):
             return None
-        base = "ego" if node.base is None else node.base.id if isinstance(node.base, ast.Name) else ""
-        both = sorted((node.target.id, base), key=lambda n: n != "ego")
+        base = "ego" if between[1] is None else between[1].id if isinstance(between[1], ast.Name) else ""
+        both = sorted((between[0].id, base), key=lambda n: n != "ego")
         pair = [n for n in both if n in self.ids]
         others = [n for n in both if n not in self.ids]
         if len(pair) == 2 and pair[0] != pair[1]:

@@ -148,15 +148,14 @@ class Reader:
         found.whole &= wanted
 
     def _trigger(self, cond: Any, local: Mapping[str, Any], kinds: Any) -> Trigger | None:
-        """`(distance from self to ego) < 9` and the like."""
-        from scenic.syntax import ast as s
-
+        """`gap(self, ego) < 9`, `(distance from self to ego) < 9` and the like."""
         if not (isinstance(cond, ast.Compare) and len(cond.ops) == 1 and isinstance(cond.ops[0], kinds)):
             return None
-        if not isinstance(cond.left, s.DistanceFromOp):
+        between = between_of(cond.left)
+        if between is None:
             return None
         value = self.values.number(cond.comparators[0], local)
-        named = [n.id for n in (cond.left.target, cond.left.base) if isinstance(n, ast.Name)]
+        named = [n.id for n in between if isinstance(n, ast.Name)]
         other = next(
             (self.ids[n] for n in named if n != "self" and n in self.ids), "ego" if named == ["self"] else None
         )
@@ -169,6 +168,18 @@ class Reader:
 
         value = self.values.number(getattr(node, "value", None))
         return value if isinstance(node, s.Seconds) and isinstance(value, float) else None
+
+
+def between_of(node: Any) -> tuple[Any, Any] | None:
+    """The two whose distance is taken: `gap(one, other)` from bumper to bumper, Scenic's operator from centre to
+    centre (None for one that is not named: ego)."""
+    from scenic.syntax import ast as s
+
+    if isinstance(node, s.DistanceFromOp):
+        return node.target, node.base
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "gap" and len(node.args) == 2:
+        return node.args[0], node.args[1]
+    return None
 
 
 def _name(node: Any) -> str:

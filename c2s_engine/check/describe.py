@@ -280,7 +280,7 @@ def _steady(conduct: Conduct) -> tuple[Any, tuple[specs.Phase, ...]]:
 
 
 def _stays(text: str) -> Unmet:
-    return Unmet(text=text, reason="it stays code, and is lost where the component is written anew")
+    return Unmet(text=text, reason="no field of S says it: it stays code, until this component's code is rewritten")
 
 
 def _nodes(units: Sequence[Any], kinds: Any) -> list[Any]:

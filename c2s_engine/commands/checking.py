@@ -2,7 +2,6 @@
 
 import csv
 from collections.abc import Awaitable, Callable
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
@@ -13,9 +12,10 @@ from rich.text import Text
 from c2s_engine.check.protocol import CheckReport, Upto
 from c2s_engine.commands import show
 from c2s_engine.commands.console import BAD_INPUT, NO_SERVICE, OK, REFUSED, dump, err, fail, out, sentences, work
-from c2s_engine.commands.reading import read_program
-from c2s_engine.structure.components import Structure, unrecognised
-from c2s_engine.structure.program import assemble
+from c2s_engine.commands.reading import read_program, recognised
+from c2s_engine.commands.series import chosen_seeds, series
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.measures import Measures
 from c2s_engine.structure.requirements import Requirement, Result
 
 File = Annotated[Path, typer.Argument(help="A .scenic file.")]
@@ -101,6 +101,9 @@ def run(
     file: File,
     seed: Seed = 0,
     runs: Annotated[int, typer.Option(min=1, max=100, help="Rollouts.")] = 1,
+    seeds: Annotated[
+        str | None, typer.Option(help="Run it once with each of N seeds: 20, or 5-9; a row each, passed or failed.")
+    ] = None,
     seconds: Annotated[float, typer.Option(min=0.1, max=600, help="Simulated seconds a rollout at most.")] = 20.0,
     simulator: Annotated[str, typer.Option(help="dry (no CARLA needed) or carla.")] = "dry",
     address: Annotated[str, typer.Option(help="carla: HOST:PORT of the server.")] = "127.0.0.1:2000",
@@ -116,7 +119,7 @@ def run(
 ) -> None:
     """Run a program without CARLA (or in CARLA) and print the timeline of its events."""
     with sentences(as_json):
-        text = read_program(file)
+        text, chosen = read_program(file), chosen_seeds(seeds, seed)
     if simulator == "carla":
         from c2s_engine.dryrun.carla import CarlaUnavailable, run_in_carla
 
@@ -128,6 +131,12 @@ def run(
             fail(str(error), NO_SERVICE, as_json)
     if simulator != "dry":
         fail(f"There is no simulator {simulator}: say dry or carla.", BAD_INPUT, as_json)
+    if chosen:
+        given = {"trust": trust, "seconds": seconds, "map": map_name, "model": model, "scenario": scenario}
+        code, found = series(None, text, chosen, as_json, file, **given)
+        if as_json:
+            dump(found)
+        raise typer.Exit(code)
     options = {"runs": runs, "seconds": seconds, "map": map_name, "model": model, "scenario": scenario}
     ran: Ran = work(_run(text, file, seed, trust, **options), as_json)
     report = ran.report
@@ -135,7 +144,8 @@ def run(
         _write_files(report, svg, png, csv_file)
     if as_json:
         required = show.required_as_dicts(ran.requirements, ran.results)
-        dump({"ok": report.ok, "requirements": required, **report.model_dump(mode="json")})
+        numbers = [m.model_dump(mode="json") for m in ran.measures]
+        dump({"ok": report.ok, "requirements": required, "measures": numbers, **report.model_dump(mode="json")})
     else:
         show.stages(report.stages)
         show.diagnostics(d for s in report.stages for d in s.diagnostics)
@@ -143,9 +153,7 @@ def run(
             from c2s_engine.dryrun.picture import text_picture
 
             out.print(Text(text_picture(report.trajectories[0], columns=min(out.width, 120), rows=36)))
-        if report.facts:
-            show.runs(report.facts)
-            show.required(ran.requirements, ran.results, unrecognised(ran.structure))
+        show.outcome(ran.structure, report.facts, ran.requirements, ran.results, ran.measures)
     raise typer.Exit(OK if report.ok else REFUSED)
 
 
@@ -157,6 +165,7 @@ class Ran:
     structure: Structure = Structure()
     requirements: tuple[Requirement, ...] = ()
     results: tuple[Result, ...] = ()
+    measures: tuple[Measures, ...] = ()
 
 
 async def _run(text: str, file: Path, seed: int, trust: bool, **options: Any) -> Ran:
@@ -169,18 +178,12 @@ async def _run(text: str, file: Path, seed: int, trust: bool, **options: Any) ->
 
 async def ran(engine: Any, text: str, folder: str | None, filename: str, seed: int, **options: Any) -> Ran:
     """A program's dry runs with trajectories, and what is required of them. `options`: of `Engine.check`."""
-    from c2s_engine.check.client import CheckError
-
-    structure, spans = Structure(), ()
-    with suppress(CheckError):  # what cannot be parsed is told by the check
-        structure = await engine.import_program(text, filename)
-        program = assemble(structure)
-        spans = program.spans if program.text.strip() == text.strip() else ()  # type: ignore[assignment]
+    structure, program = await recognised(engine, text, filename)
     report = await engine.check(
-        text, spans=spans, upto="run", seed=seed, folder=folder, filename=filename, trajectories=True, **options
+        text, spans=program.spans, upto="run", seed=seed, folder=folder, filename=filename, trajectories=True, **options
     )
-    found = await engine.judge(structure, report, seed=seed) if spans else ((), ())
-    return Ran(report, structure, *found)
+    found = await engine.judge(structure if program.spans else None, report, seed=seed)
+    return Ran(report, structure, found.requirements, found.results, found.measures)
 
 
 def _write_files(report: CheckReport, svg: Path | None, png: Path | None, csv_file: Path | None) -> None:

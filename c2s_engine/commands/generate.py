@@ -13,7 +13,7 @@ from c2s_engine.commands import show
 from c2s_engine.commands.console import NO_SERVICE, OK, REFUSED, dump, err, out, sentences, work
 from c2s_engine.commands.reading import read_text
 from c2s_engine.structure.account import account
-from c2s_engine.structure.components import unrecognised
+from c2s_engine.structure.measures import collisions
 from c2s_engine.structure.progress import Finished, Say, StageStarted
 
 
@@ -118,6 +118,12 @@ def as_dict(done: Finished) -> dict[str, Any]:
         "source_map": [s.model_dump(mode="json") for s in done.program.spans],
         "stages": [s.model_dump(mode="json") for s in done.stages],
         "events": show.events_as_dicts(done.facts),
+        "collisions": [
+            {"seed": f.seed, "time": c.time, "one": c.one, "other": c.other, "said": c.said}
+            for f in done.facts
+            for c in collisions(f, done.requirements)
+        ],
+        "measures": [m.model_dump(mode="json") for m in done.measures],
         "requirements": show.required_as_dicts(done.requirements, done.results),
         "facts": [f.model_dump(mode="json") for f in done.facts],
         "map": done.details.get("map"),
@@ -142,6 +148,4 @@ def _report(done: Finished, to: Console) -> None:
     show.stages(done.stages, to)
     show.diagnostics(done.diagnostics, to)
     show.cost(done.details, to)
-    if done.facts:
-        show.runs(done.facts, to)
-        show.required(done.requirements, done.results, unrecognised(done.structure), to)
+    show.outcome(done.structure, done.facts, done.requirements, done.results, done.measures, to)

@@ -1,4 +1,4 @@
-"""`c2s maps` and `c2s doctor`."""
+"""`c2s maps`, `c2s doctor`, `c2s glossary`, `c2s gallery`."""
 
 from typing import Annotated, Any
 
@@ -6,7 +6,7 @@ import typer
 from rich.table import Table
 from rich.text import Text
 
-from c2s_engine.commands.console import OK, REFUSED, dump, out, work
+from c2s_engine.commands.console import OK, REFUSED, InputError, dump, out, sentences, work
 
 Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
@@ -52,6 +52,31 @@ async def _counted_or_why(engine: Any, name: str) -> dict[str, Any]:
         return await _counted(engine, name)
     except (LookupError, ValueError, CheckError) as error:
         return {"name": name, "path": "", "carla_map": None, "places": {}, "error": str(error)}
+
+
+def glossary(word: Annotated[str | None, typer.Argument(help="One word; none: all.")] = None) -> None:
+    """Say what the words of the app and the documents mean."""
+    from c2s_engine.session.glossary import meaning, terms
+
+    with sentences():
+        said = meaning(word) if word else "\n".join(f"{name}: {text}" for name, text in terms().items())
+        if not said:
+            raise InputError(f"The glossary has no word {word!r}: it has {', '.join(terms())}.")
+        out.print(Text(said))
+
+
+def gallery(name: Annotated[str | None, typer.Argument(help="The example whose text to print.")] = None) -> None:
+    """List ten examples to start from, or print the text of one: c2s generate "$(c2s gallery cut-in)"."""
+    from c2s_engine.session.gallery import gallery as entries
+
+    with sentences():
+        if name is None:
+            for label, example in entries().items():
+                out.print(Text.assemble((f"{label:<14}", "bold"), example.about), soft_wrap=True)
+            return
+        if name not in entries():
+            raise InputError(f"There is no example {name!r}: there are {', '.join(entries())}.")
+        print(entries()[name].text)
 
 
 def doctor(as_json: Json = False) -> None:

@@ -1,9 +1,13 @@
 """Texts and programs as they come in: an argument, standard input, a .txt, .md or .pdf file."""
 
 import sys
+from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 from c2s_engine.commands.console import InputError
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.program import Program, assemble
 
 LONGEST = 60_000
 """Characters of a description; a report beyond that is no scenario."""
@@ -82,3 +86,15 @@ def _decoded(data: bytes, name: str) -> str:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
         return data.decode("latin-1")
+
+
+async def recognised(engine: Any, text: str, name: str) -> tuple[Structure, Program]:
+    """The S recognised in a program, and where its components are; none where nothing is recognised."""
+    from c2s_engine.check.client import CheckError
+
+    with suppress(CheckError):  # what cannot be parsed is told by the check
+        structure = await engine.import_program(text, name)
+        program = assemble(structure)
+        spans = program.spans if program.text.strip() == text.strip() else ()
+        return structure, Program(text=text, spans=spans)
+    return Structure(), Program(text=text)

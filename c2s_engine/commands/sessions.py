@@ -16,6 +16,7 @@ from c2s_engine.commands import show
 from c2s_engine.commands.console import OK, InputError, dump, err, out, sentences
 from c2s_engine.commands.generate import exit_code
 from c2s_engine.commands.reading import read_program
+from c2s_engine.commands.series import chosen_seeds, series
 from c2s_engine.structure.progress import Finished, Passage, Say
 
 app = typer.Typer(help="Sessions: list, rename, duplicate, delete, export, import.", no_args_is_help=True)
@@ -41,6 +42,9 @@ def edit(
     ] = None,
     undo: Annotated[bool, typer.Option("--undo", help="Go back to before the last turn.")] = False,
     redo: Annotated[bool, typer.Option("--redo", help="Bring back what was undone.")] = False,
+    to: Annotated[
+        int | None, typer.Option("--to", metavar="N", help="Go to where turn N left it (0: before the first).")
+    ] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Run the turn that a crash interrupted.")] = False,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Save the program there, map and library beside it.")
@@ -53,27 +57,34 @@ def edit(
     ] = None,
     seed: Annotated[int, typer.Option(help="Of the sampled scene.")] = 0,
     no_run: Annotated[bool, typer.Option("--no-run", help="Compile and sample, but do not run it.")] = False,
+    seeds: Annotated[str | None, typer.Option(help="Then run it once with each of N seeds: 20, or 5-9.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
 ) -> None:
     """Work on a session: say something, set fields of S, write code by hand, undo, redo; show where it stands."""
     with sentences(as_json):
         edits = edits_of(fields or [], remove or [], code or [])
         options = {"method": method, "seed": seed, "run": not no_run, "improve": improve}
+        chosen = chosen_seeds(seeds, seed)
         text = read_program(program) if program else None
         if not (new or program):
             known(name)
-        session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume), options, model, as_json))
+        session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume, to), options, model, as_json))
         if output is not None:
             from c2s_engine.saving import save
 
             written = save(session.program, session.details.get("folder"), output, standalone)
             if not as_json:
                 err.print(Text(f"saved {', '.join(map(str, written))}"))
-        if as_json:
-            dump(_as_dict(session, done))
-        else:
+        if not as_json:
             _print(session)
-    raise typer.Exit(OK if done is None else exit_code(done))
+    code_of = OK if done is None else exit_code(done)
+    found: dict[str, Any] = {}
+    if chosen and code_of == OK:
+        folder = session.details.get("folder")
+        code_of, found = series(session.structure, session.program, chosen, as_json, folder=folder)
+    if as_json:
+        dump({**_as_dict(session, done), **({"series": found} if found else {})})
+    raise typer.Exit(code_of)
 
 
 @app.command("list")
@@ -173,7 +184,7 @@ async def _work(
     program: str | None,
     say: str | None,
     edits: list[Any],
-    steps: tuple[bool, bool, bool],
+    steps: tuple[bool, bool, bool, int | None],
     options: dict[str, Any],
     model: str | None,
     quiet: bool,
@@ -182,7 +193,7 @@ async def _work(
     from c2s_engine.config import load_settings
     from c2s_engine.structure.edits import Replace
 
-    undo, redo, resume = steps
+    undo, redo, resume, to = steps
     done: Finished | None = None
     engine = Engine(load_settings(model=model))
     async with contextlib.AsyncExitStack() as stack:
@@ -198,6 +209,8 @@ async def _work(
                 done = await _take(session.undo(), quiet)
             if redo:
                 done = await _take(session.redo(), quiet)
+            if to is not None:
+                done = await _take(session.back_to(to - 1), quiet)
             if program:
                 taken = Replace(structure=await engine.import_program(program))
                 done = await _take(session.apply([taken], **options), quiet)
@@ -243,10 +256,9 @@ def _as_dict(session: Any, done: Finished | None) -> dict[str, Any]:
 
 def _print(session: Any) -> None:
     for turn in session.history[-5:]:
-        out.print(Text(f"{turn.index + 1:>3}  {turn.text[:70]}  ({turn.summary})", style="dim"), soft_wrap=True)
+        when = datetime.fromtimestamp(turn.when).strftime("%Y-%m-%d %H:%M")
+        out.print(Text(f"{turn.index + 1:>3}  {when}  {turn.text[:70]}  ({turn.summary})", style="dim"), soft_wrap=True)
     show.structure(session.structure)
     show.stages(session.stages)
     show.diagnostics([d for s in session.stages for d in s.diagnostics])
-    if session.facts:
-        show.runs(session.facts)
-        show.required(session.requirements, session.results)
+    show.outcome(session.structure, session.facts, session.requirements, session.results, session.measures)

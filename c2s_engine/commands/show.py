@@ -8,9 +8,12 @@ from rich.table import Table
 from rich.text import Text
 
 from c2s_engine.commands.console import out
-from c2s_engine.structure.components import Structure
+from c2s_engine.session.seeds import verdict
+from c2s_engine.structure.components import Structure, unrecognised
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
-from c2s_engine.structure.facts import RunFacts
+from c2s_engine.structure.facts import EventFact, RunFacts
+from c2s_engine.structure.happening import ended, told
+from c2s_engine.structure.measures import Measures, SeedResult, collisions
 from c2s_engine.structure.requirements import Requirement, Result, failures, tally
 
 
@@ -57,31 +60,72 @@ def cost(details: Mapping[str, Any], to: Console = out) -> None:
         to.print(Text(f"{details['tokens']:,} tokens{own}", style="dim"))
 
 
-def runs(facts: Iterable[RunFacts], to: Console = out) -> None:
-    """The timeline of events of each rollout."""
+def outcome(
+    s: Structure, facts: Sequence[RunFacts], requirements: Sequence[Requirement], results: Sequence[Result],
+    measures: Sequence[Measures], to: Console = out,
+) -> None:  # fmt: skip
+    """What the runs showed, and what of it S requires."""
+    if facts:
+        _runs(facts, requirements, measures, bool(s.text), to)
+        _required(requirements, results, unrecognised(s), to)
+
+
+def _runs(
+    facts: Iterable[RunFacts], requirements: Sequence[Requirement], measures: Sequence[Measures], in_text: bool,
+    to: Console,
+) -> None:  # fmt: skip
+    """The timeline of events of each rollout, its collisions, and how near the actors came."""
+    numbers = iter(measures)
     for f in facts:
-        reason = f": {f.reason}" if f.reason else ""
-        to.print(Text(f"run with seed {f.seed}: {f.duration:.1f} s, ended by {f.ended_by}{reason}", style="bold"))
+        to.print(Text(f"run with seed {f.seed}: {f.duration:.1f} s; the end: {ended(f)}", style="bold"))
         events = sorted((e.time, o.name, e.event, e.other) for o in f.objects for e in o.events)
         table = Table(show_header=False, box=None, pad_edge=False)
         for time, name, event, other in events:
-            table.add_row(f"{time:5.1f} s", Text(name), Text(event + (f" {other}" if other else "")))
+            told_of = told(EventFact(event=event, time=time, other=other))
+            table.add_row(f"{time:5.1f} s", Text(name), Text(told_of))
         to.print(table)
+        for hit in collisions(f, requirements, in_text):
+            to.print(Text(str(hit), style="" if hit.said else "bold red"))
+        if f.objects and (found := next(numbers, None)):
+            _nearness(found, to)
     to.print(Text('Seen in the dry run, which is not CARLA: see docs/guide.md, "The dry run".', style="dim"))
 
 
-def required(
-    requirements: Sequence[Requirement], results: Sequence[Result], unrecognised: Sequence[str] = (), to: Console = out
+def _nearness(found: Measures, to: Console) -> None:
+    for p in sorted(found.pairs, key=lambda p: p.gap_m)[:6]:
+        ttc = f", time to collision at least {p.ttc_s:.1f} s" if p.ttc_s is not None else ""
+        pet = f", post-encroachment time {p.pet_s:.1f} s" if p.pet_s is not None else ""
+        to.print(Text(f"ego and {p.other}: at least {p.gap_m:.1f} m apart, bumper to bumper{ttc}{pet}"))
+
+
+def seeds(rows: Sequence[SeedResult], to: Console = out) -> None:
+    """The end of a series of runs: its verdict."""
+    to.print(Text(verdict(rows), style="green" if all(r.passed for r in rows) else "yellow"))
+
+
+def seed(row: SeedResult, to: Console = out) -> None:
+    """One row of a series of runs."""
+    mark, style = ("✓ passed", "green") if row.passed else ("✗ failed", "red")
+    near = "" if row.gap_m is None else f"  gap {row.gap_m:.1f} m"
+    soon = "" if row.ttc_s is None else f"  TTC {row.ttc_s:.1f} s"
+    met = f"  {row.met} of {row.required} met" if row.required else ""
+    why = f"  {row.collisions[0]}" if row.collisions else f"  {row.unmet[0]}" if row.unmet else ""
+    end = "" if row.ran else f"  {row.ended}"
+    to.print(Text(f"{mark}  seed {row.seed:<4}{met}{near}{soon}{end}{why}", style=style), soft_wrap=True)
+
+
+def _required(
+    requirements: Sequence[Requirement], results: Sequence[Result], partly: Sequence[str], to: Console
 ) -> None:
     """How much of what S requires was seen, and a line for each thing that was not."""
     if not results:
         return
     held, of = tally(results)
-    to.print(Text(f"{held} of {of} required seen", style="green" if held == of else "yellow"))
+    to.print(Text(f"{held} of {of} requirements met", style="green" if held == of else "yellow"))
     for line in failures(requirements, results):
         to.print(Text(line, style="yellow"))
-    if unrecognised:
-        words = ", ".join(unrecognised)
+    if partly:
+        words = ", ".join(partly)
         to.print(Text(f"Of {words} only what was recognised in the code is required.", style="dim"))
 
 

@@ -5,13 +5,12 @@ import json
 from importlib.metadata import version
 from typing import Any
 
-import numpy as np
-
 from c2s_engine.report.material import Material
-from c2s_engine.report.measures import Pair, pairs
 from c2s_engine.report.moments import Moment, moments
 from c2s_engine.report.tracks import rows
 from c2s_engine.require import evaluate, require
+from c2s_engine.require.measured import extremes
+from c2s_engine.require.measures import pairs
 from c2s_engine.structure.account import account
 from c2s_engine.structure.components import Component
 from c2s_engine.structure.requirements import Result
@@ -31,7 +30,7 @@ def dossier(material: Material, blind: bool = False) -> dict[str, Any]:
         "moments": [{"time": m.time, "what": m.what} for m in decisive(material)],
         "surroundings": _surroundings(material),
         "timeline": _timeline(material),
-        "criticality": [_criticality(p) for p in pairs(ways)] if ways else [],
+        "criticality": [extremes(p).model_dump() for p in pairs(ways)] if ways else [],
         "tracks": rows(ways) if ways else [],
         "program": material.program.text,
         "run": {"seed": facts.seed, "duration": facts.duration, "ended_by": facts.ended_by} if facts else None,
@@ -98,24 +97,6 @@ def _timeline(material: Material) -> list[dict[str, Any]]:
     facts = material.facts
     found = [(e.time, o.name, e.event, e.other or "") for o in facts.objects for e in o.events] if facts else []
     return [{"time": t, "who": w, "event": e, "other": o} for t, w, e, o in sorted(found)]
-
-
-def _criticality(pair: Pair) -> dict[str, Any]:
-    """The smallest values of a run, with their times; None where there is none."""
-    ttc, required, gap = pair.ttc, pair.required, pair.gap
-    worst, hardest, nearest = int(np.argmin(ttc)), int(np.argmax(required)), int(np.argmin(gap))
-    found = pair.pet
-    return {
-        "other": pair.other.name,
-        "gap_m": round(float(gap[nearest]), 2),
-        "gap_at_s": round(nearest * pair.step, 2),
-        "ttc_s": round(float(ttc[worst]), 2) if np.isfinite(ttc[worst]) else None,
-        "ttc_at_s": round(worst * pair.step, 2) if np.isfinite(ttc[worst]) else None,
-        "pet_s": round(found[0], 2) if found else None,
-        "pet_at_s": round(found[1], 2) if found else None,
-        "required_deceleration_mps2": round(float(required[hardest]), 2),
-        "required_deceleration_at_s": round(hardest * pair.step, 2) if required[hardest] > 0 else None,
-    }
 
 
 def _digests(material: Material) -> dict[str, str]:

@@ -69,9 +69,11 @@ def structure_of(components: dict[str, Any], text: str) -> Structure:
         fields = {k: v for k, v in data.items() if k != "unmet"}
         try:
             component = Component(
-                id=cid, spec=SPEC_ADAPTER.validate_python({"component": str(cid)[:1], **fields}), links=(Link(kind="text", label=text, span=(0, len(text))),),
+                id=cid,
+                spec=SPEC_ADAPTER.validate_python({"component": str(cid)[:1], **fields}),
+                links=(Link(kind="text", label=text, span=(0, len(text))),),
                 unmet=tuple(Unmet(text=str(u), reason="S has no words for it") for u in data.get("unmet") or ()),
-            )  # fmt: skip
+            )
         except ValidationError as error:
             first = error.errors()[0]
             raise ReportError(f"{cid}.{'.'.join(map(str, first['loc'][1:]))}: {first['msg']}.") from None

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from c2s_engine.report.measures import Pair, pairs
 from c2s_engine.require import shown_by
+from c2s_engine.require.measures import Pair, pairs
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import EGO, RunFacts, Trajectories
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec

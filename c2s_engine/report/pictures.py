@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from c2s_engine.dryrun.picture import FILLS, GROUND, colour_of, corners
-from c2s_engine.report.measures import pairs
 from c2s_engine.report.moments import Moment
+from c2s_engine.require.measures import pairs
 from c2s_engine.structure.facts import EGO, Trajectories
 
 PANEL = (7.2, 4.6)

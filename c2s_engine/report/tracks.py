@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import shapely
 
-from c2s_engine.report.measures import Pair, pairs
+from c2s_engine.require.measures import Pair, pairs
 from c2s_engine.structure.facts import EGO, Track, Trajectories
 
 EVERY = 0.5

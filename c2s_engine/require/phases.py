@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
+from c2s_engine.require.geometry import box_distance
 from c2s_engine.require.results import decided, scored, unknown
 from c2s_engine.require.scene import Scene, bounds, kmh, shown_by
 from c2s_engine.structure.facts import EGO
@@ -80,11 +81,13 @@ def _details(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
         yield scene.make(
             "place", "near_place", actor, f"{path}.trigger", text, of=of, place=trigger.place, within=value
         )
-    if trigger and trigger.kind == "distance" and trigger.value is not None and trigger.of is not None \
+    whom = (trigger.of or (None if actor == EGO else EGO)) if trigger else None
+    if trigger and trigger.kind == "distance" and trigger.value is not None and whom is not None \
             and scene.stated(_cid(actor), f"{path}.trigger.value"):  # fmt: skip
-        text = f"{name}: {said} when {scene.named(trigger.of)} is {high(trigger.value):g} m away."
-        yield scene.make("place", "at_distance", actor, f"{path}.trigger", text, other=trigger.of, of=of,
-                         least=low(trigger.value), most=high(trigger.value))  # fmt: skip
+        text = f"{name}: {said} when {scene.named(whom)} is {high(trigger.value):g} m away."
+        centres = not scene.recognised(actor)  # `distance from` of a program is from centre to centre
+        yield scene.make("place", "at_distance", actor, f"{path}.trigger", text, other=whom, of=of,
+                         least=low(trigger.value), most=high(trigger.value), centres=centres)  # fmt: skip
 
 
 def _awaited(scene: Scene) -> Iterator[Requirement]:
@@ -247,11 +250,16 @@ def at_distance(requirement: Requirement, evidence: Evidence) -> Result:
     least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
     if motion is None or other is None or time is None:
         return unknown(requirement, f"{most:g} m away", "not reached: it was not seen")
-    gap = float(np.hypot(motion.x[motion.at(time)] - other.x[other.at(time)],
-                         motion.y[motion.at(time)] - other.y[other.at(time)]))  # fmt: skip
+    at, there = motion.at(time), other.at(time)
+    if v["centres"]:
+        gap = float(np.hypot(motion.x[at] - other.x[there], motion.y[at] - other.y[there]))
+    else:
+        here, others = motion.poses[at : at + 1], other.poses[there : there + 1]
+        gap = float(box_distance(here, others, motion.size, other.size)[0])
     room = max(bounds()["place"]["distance"]["value"], bounds()["place"]["distance_share"]["value"] * most)
-    off = max(least - gap, gap - most - 0.5 * (motion.size[0] + other.size[0]), 0.0)
-    return scored(requirement, 1.0 - off / room, f"{most:g} m away", f"{gap:.0f} m", time)
+    off = max(least - gap, gap - most, 0.0)
+    between = "centre to centre" if v["centres"] else "bumper to bumper"
+    return scored(requirement, 1.0 - off / room, f"{most:g} m away", f"{gap:.1f} m, {between}", time)
 
 
 def rate(requirement: Requirement, evidence: Evidence) -> Result:

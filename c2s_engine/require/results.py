@@ -15,9 +15,11 @@ def scored(requirement: Requirement, margin: float, said: str, seen: str, time: 
     if math.isnan(margin):
         return unknown(requirement, said, "cannot be judged: nothing was recorded of it")
     margin = max(-MOST, min(MOST, margin))
-    return Result(requirement=requirement.id, holds=margin >= 0, robustness=round(margin, 3), said=said, seen=seen,
-                  time=None if time is None else round(time, 2), why=why,
-                  value=round(measured[0], 3) if measured else None, bounds=measured[1:] if measured else None)  # fmt: skip
+    return Result(
+        requirement=requirement.id, holds=margin >= 0, robustness=round(margin, 3), said=said, seen=seen, why=why,
+        time=None if time is None else round(time, 2), value=round(measured[0], 3) if measured else None,
+        bounds=measured[1:] if measured else None,
+    )  # fmt: skip
 
 
 def decided(requirement: Requirement, holds: bool, said: str, seen: str, time: float | None = None,

@@ -53,6 +53,7 @@ class State(TypedDict, total=False):
     map_name: str
     requirements: list[dict[str, Any]]
     results: list[dict[str, Any]]
+    measures: list[dict[str, Any]]
     details: dict[str, Any]
     in_place: list[str]
     stop: bool

@@ -132,7 +132,7 @@ def lacks(structure: Structure, extras: MapExtras) -> str:
 def _chosen(name: str, library: MapLibrary) -> str:
     """Why a map was taken that nobody named."""
     if name == SHIPPED and DEFAULT_MAP not in library.names():
-        return f"no map is named; {DEFAULT_MAP}, the paper's default, is not on this machine"
+        return f"no map is named; {DEFAULT_MAP}, the usual default, is not installed"
     return "no map is named"
 
 

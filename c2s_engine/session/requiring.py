@@ -9,6 +9,7 @@ from c2s_engine.session.places import map_choice
 from c2s_engine.session.steps import Tools
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import Trajectories
+from c2s_engine.structure.measures import Measures
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.requirements import Requirement, Result, Run
 from c2s_engine.structure.specs import RestrictionsSpec
@@ -24,12 +25,14 @@ class Judged:
 
     requirements: tuple[Requirement, ...] = ()
     results: tuple[Result, ...] = ()
+    measures: tuple[Measures, ...] = ()  # one a run that has tracks
 
     def as_state(self) -> dict[str, Any]:
         """As plain data for the graph's state."""
         return {
             "requirements": [r.model_dump(mode="json") for r in self.requirements],
             "results": [r.model_dump(mode="json") for r in self.results],
+            "measures": [m.model_dump(mode="json") for m in self.measures],
         }
 
 
@@ -46,7 +49,14 @@ async def judged(structure: Structure, report: CheckReport, tools: Tools, *, map
         evaluate(requirements, run.facts, run.trajectories, without[k] if k < len(without) else None)
         for k, run in enumerate(runs_of(report))
     ]
-    return Judged(requirements, majority(columns))
+    return Judged(requirements, majority(columns), measures_of(report))
+
+
+def measures_of(report: CheckReport) -> tuple[Measures, ...]:
+    """The measures of each run that has tracks."""
+    from c2s_engine.require.measured import measured
+
+    return tuple(measured(run.facts, run.trajectories) for run in runs_of(report) if run.trajectories.tracks)
 
 
 async def _without_reaction(structure: Structure, tools: Tools, *, map_name: str, room: float, seed: int,

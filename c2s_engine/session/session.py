@@ -21,6 +21,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.edits import Edit
 from c2s_engine.structure.facts import RunFacts
+from c2s_engine.structure.measures import Measures
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import Finished, ProgramChanged, Say, StructureChanged
 from c2s_engine.structure.requirements import Requirement, Result
@@ -97,6 +98,10 @@ class Session:
         return self._state.results
 
     @property
+    def measures(self) -> tuple[Measures, ...]:
+        return self._state.measures
+
+    @property
     def details(self) -> dict[str, Any]:
         """The facade's details that outlive a turn: map, folder (where the program's map lies), places."""
         return self._state.details
@@ -106,6 +111,13 @@ class Session:
         """The turns that lead here, the first first."""
         path = [t for t in self._path() if t.kind != ROOT]
         return [Turn(i, t.kind, t.text, t.when, t.summary, t.replies) for i, t in enumerate(path)]
+
+    @property
+    def undone(self) -> list[Turn]:
+        """The turns that were undone and can be brought back, the next one first; they go on counting."""
+        turns, first = self._store.turns(self._thread), len(self.history)
+        rows = [turns[c] for c in reversed(self._redo) if c in turns]
+        return [Turn(first + i, t.kind, t.text, t.when, t.summary, t.replies) for i, t in enumerate(rows)]
 
     @property
     def can_undo(self) -> bool:
@@ -163,6 +175,22 @@ class Session:
         if not self._redo:
             raise SessionError("there is nothing to redo")
         for event in self._go(self._redo[-1], self._redo[:-1]):
+            yield event
+
+    async def back_to(self, index: int) -> AsyncIterator[Any]:
+        """Go to where a turn of `history` or `undone` left S, by its index; -1 is before the first. Turns after it are
+        undone, and can be brought back."""
+        self._free()
+        path, ahead = self._path(), self._redo
+        place = index + 1  # the root comes first
+        if not 0 <= place < len(path) + len(ahead):
+            raise SessionError(f"there is no turn {index + 1}: there are {len(path) + len(ahead) - 1}")
+        if place < len(path):
+            target, redo = path[place].checkpoint, [*ahead, *(t.checkpoint for t in reversed(path[place + 1 :]))]
+        else:
+            left = len(path) + len(ahead) - 1 - place
+            target, redo = ahead[left], ahead[:left]
+        for event in self._go(target, redo):
             yield event
 
     def save_draft(self, pane: str, text: str) -> None:

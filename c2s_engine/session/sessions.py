@@ -55,6 +55,7 @@ class Sessions:
         return Session(self._store, row, self._folder_of(row.thread), engine)
 
     def rename(self, name: str, new: str) -> None:
+        """Give a session another name, also one that is open; raises SessionError."""
         self._store.rename(name, new)
 
     def duplicate(self, name: str, new: str) -> None:

@@ -8,6 +8,7 @@ from pydantic import BaseModel, ConfigDict
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.facts import RunFacts
+from c2s_engine.structure.measures import Measures
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import Finished
 from c2s_engine.structure.requirements import Requirement, Result
@@ -27,6 +28,7 @@ class State(BaseModel):
     facts: tuple[RunFacts, ...] = ()
     requirements: tuple[Requirement, ...] = ()
     results: tuple[Result, ...] = ()
+    measures: tuple[Measures, ...] = ()
     details: dict[str, Any] = {}
 
     def after(self, finished: Finished) -> "State":
@@ -45,6 +47,7 @@ class State(BaseModel):
             facts=finished.facts,
             requirements=finished.requirements,
             results=finished.results,
+            measures=finished.measures,
             details={k: finished.details[k] for k in KEPT_DETAILS if k in finished.details},
         )
 
@@ -59,6 +62,7 @@ class State(BaseModel):
             facts=self.facts,
             requirements=self.requirements,
             results=self.results,
+            measures=self.measures,
             details=self.details,
         )
 

@@ -7,7 +7,10 @@ from collections.abc import AsyncGenerator, Sequence
 from contextlib import aclosing
 from typing import Any
 
+from c2s_engine.retrieve.provenance import whose
+from c2s_engine.session.asked import HELP, answered, wants_help
 from c2s_engine.session.citing import description_of, kept, tells_scenario, wanted
+from c2s_engine.session.glossary import meaning
 from c2s_engine.session.reader import route
 from c2s_engine.session.steps import Emit
 from c2s_engine.session.streams import Result, streamed
@@ -33,19 +36,21 @@ async def say(
     method: str | None = None,
     passages: Sequence[Any] = (),
     last: tuple[str, Structure] | None = None,
+    shown: Finished | None = None,
     **options: Any,
 ) -> AsyncGenerator[Progress, None]:
     """The events of the turn; the last is Finished. Undo and redo belong to a session: what is asked
     for stands in the details as `turn`.
 
-    `passages`: those of the last answer, from which "use 2" picks; `last`: what was typed last, and S before it.
+    `passages`: those of the last answer, from which "use 2" picks; `last`: what was typed last, and S before it;
+    `shown`: what stands with what its run showed, from which questions about the scene are answered.
     Where the method uses a model, the model reads the turn and answers questions.
     """
     current = structure or Structure()
     name = method or engine.settings.method
     tokens = 0
     turn: Any = None
-    async with aclosing(_events(engine, current if structure else None, text, name, passages, last)) as events:
+    async with aclosing(_events(engine, current if structure else None, text, name, passages, last, shown)) as events:
         async for event in events:
             if isinstance(event, _Next):
                 turn = event
@@ -107,12 +112,17 @@ async def _events(
     method: str,
     passages: Sequence[Any],
     last: tuple[str, Structure] | None,
+    shown: Finished | None,
 ) -> AsyncGenerator[Any, None]:
     """What is said while the turn is read (and answered, where it is a question); last, what it leads to."""
     if number := wanted(text):
         async with aclosing(_picked(engine, number, passages)) as events:
             async for event in events:
                 yield event
+        return
+    if wants_help(text):
+        yield Say(text=HELP)
+        yield _Next("question")
         return
     turn: Any = None
     async with aclosing(streamed(lambda emit: _routed(engine, text, structure, method, last, emit))) as routing:
@@ -132,7 +142,7 @@ async def _events(
             yield _Next("edit", edits=turn.edits)
     elif turn.kind == "question":
         found: list[Passage] = []
-        async with aclosing(answer(engine, text, structure, method)) as events:
+        async with aclosing(answer(engine, text, structure, method, shown)) as events:
             async for event in events:
                 if isinstance(event, Passage):
                     found.append(event)
@@ -189,7 +199,8 @@ async def _picked(engine: Any, number: int, passages: Sequence[Any]) -> AsyncGen
     chosen = found[number - 1]
     if chosen.kind == "snippet":
         said = (
-            f"{chosen.title} That is a snippet of {chosen.component}: give it to a component with `--code`, or type it."
+            f"{chosen.title} That is code of {chosen.component}: in the app `/use {number} O1` gives it to O1, "
+            "on the command line write it to a file, for `c2s edit SESSION --code O1=FILE`."
         )
         yield Say(text=said, severity="warning")
         yield _Next("question", passages=list(passages))
@@ -217,11 +228,15 @@ def outcome(finished: Finished) -> str:
 
 
 async def answer(
-    engine: Any, question: str, structure: Structure | None = None, method: str = "embedded"
+    engine: Any, question: str, structure: Structure | None = None, method: str = "embedded",
+    shown: Finished | None = None,
 ) -> AsyncGenerator[Progress, None]:
-    """Why something is there; else the passages that answer a question, summed up where there is a model."""
+    """What the run showed, why something is there; else passages, summed up where there is a model."""
     from c2s_engine.retrieve.errors import RetrievalError
 
+    if found_out := answered(question, shown) or meaning(question):
+        yield Say(text=found_out)
+        return
     if structure is not None and (reason := explained(question, structure)):
         yield Say(text=reason)
         return
@@ -240,7 +255,7 @@ async def answer(
         return
     for passage in found:
         yield passage
-    sources = "; ".join(f"{i} {label(p)}" for i, p in enumerate(found, 1))
+    sources = "; ".join(f"{i} {label(p)}{f' [{whose(p)}]' if whose(p) else ''}" for i, p in enumerate(found, 1))
     telling = {p.title for p in near if tells_scenario(p)}
     usable = [i for i, p in enumerate(found, 1) if p.title in telling]
     hint = f" “use {usable[0]}” takes its scenario as the description." if usable else ""

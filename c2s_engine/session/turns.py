@@ -64,7 +64,8 @@ def _events(
     if request.kind == "say":
         passages = before.details.get("passages", ())
         typed = (last[0], Structure.model_validate(last[1])) if last else None
-        return engine.say(structure, request.text, passages=passages, last=typed, **request.options)
+        known = {"passages": passages, "last": typed, "shown": before.finished()}
+        return engine.say(structure, request.text, **known, **request.options)
     if request.kind == "regenerate":
         structure = cleared(structure, request.components)
     return engine.apply(structure, list(request.edits), **request.options)

@@ -7,6 +7,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageName, StageResult
 from c2s_engine.structure.facts import RunFacts, Trajectories
+from c2s_engine.structure.measures import Measures
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.requirements import Requirement, Result
 
@@ -107,6 +108,7 @@ class Finished(_Progress):
     facts: tuple[RunFacts, ...] = ()
     requirements: tuple[Requirement, ...] = ()
     results: tuple[Result, ...] = ()  # one for each requirement: what most runs showed; none where nothing ran
+    measures: tuple[Measures, ...] = ()  # one a run that has tracks
     seconds: float = 0.0
     details: dict[str, Any] = {}
 

@@ -4,6 +4,7 @@ A requirement is one statement about events and tracks, from S alone. Its `check
 table in c2s_engine/require), and the fields beside it are all that this rule reads. Values are SI.
 """
 
+from collections import Counter
 from collections.abc import Sequence
 from typing import Literal
 
@@ -53,6 +54,10 @@ class Result(_Frozen):
     why: str = ""
 
 
+SAME = 3
+"""Requirements that one reason keeps from being judged, beyond which they are told together."""
+
+
 def tally(results: Sequence[Result]) -> tuple[int, int]:
     """How many of the requirements were seen, of how many. What was not reached was not seen."""
     return sum(1 for r in results if r.holds), len(results)
@@ -61,11 +66,18 @@ def tally(results: Sequence[Result]) -> tuple[int, int]:
 def failures(requirements: Sequence[Requirement], results: Sequence[Result]) -> list[str]:
     """A line for each requirement that was not seen: the component, what is required, what was seen."""
     known = {r.id: r for r in requirements}
-    lines = []
+    lines, reasons = [], Counter(r.why for r in results if r.holds is None)
     for result in results:
         if not result.holds and (required := known.get(result.requirement)) is not None:
+            often = reasons[result.why] if result.holds is None else 0
+            if often > SAME:
+                if (line := f"{often} of them: {result.why}.") not in lines:
+                    lines.append(line)
+                continue
             seen = result.seen or result.why
-            lines.append(f"{required.component}: {required.text} Said: {result.said}; seen: {seen or 'nothing'}.")
+            named = required.component in required.text or required.component == "E" and "ego" in required.text.lower()
+            whose = "" if named else f"{required.component}: "
+            lines.append(f"{whose}{required.text} Required: {result.said}; the run: {seen or 'nothing of it'}.")
     return lines
 
 

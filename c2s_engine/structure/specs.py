@@ -28,7 +28,9 @@ class Trigger(Spec):
     """When a phase begins. A phase without one begins as soon as the one before it is over."""
 
     kind: v.TriggerKind = Field(description="what is watched")
-    value: Quantity | None = Field(None, description="distance: m; ttc, time: s since the start; place: m before it")
+    value: Quantity | None = Field(
+        None, description="distance: m, bumper to bumper; ttc, time: s since the start; place: m before it"
+    )
     of: Reference | None = Field(None, description="distance, ttc: to whom (default ego; for ego: the nearest object)")
     action: v.Action | None = Field(None, description="action: the action of `of` that is waited for")
     place: v.TriggerPlace | None = Field(None, description="place: what is reached")

@@ -8,9 +8,10 @@ from textual.content import Content
 from textual.events import Click
 from textual.widgets import Static
 
+from c2s_engine.retrieve.provenance import whose
 from c2s_engine.structure.progress import Passage
 from c2s_tui.look.kinds import colour, mark, mentions
-from c2s_tui.messages import Picked
+from c2s_tui.messages import CommandAsked, Picked
 
 LOST = {"background": "$text-muted", "not_expressible": "underline $text-warning",
         "not_understood": "underline $text-error"}  # fmt: skip
@@ -95,11 +96,17 @@ class Sources(Static):
         self.passages = passages
         parts: list = []
         for i, passage in enumerate(passages, 1):
-            where = f" {passage.clause}" if passage.clause else ""
+            where = f" {passage.clause}" if passage.clause and passage.clause not in passage.title else ""
+            notes = f" ({whose(passage)})" if whose(passage) else ""
             first = " ".join(passage.text.split())
             first = first if len(first) <= 120 else first[:119] + "…"
             parts += [
-                (f"{i} ", "bold $text-accent"), (passage.title + where, "bold"), (f"  {passage.source}", "$muted"),
-                "\n", first, "\n" if i < len(passages) else "",
+                (f"{i} ", "bold $text-accent"), (passage.title + where, "bold"),
+                (f"  {passage.source}{notes}", "$muted"), "\n", first, "\n" if i < len(passages) else "",
             ]  # fmt: skip
         super().__init__(Content.assemble(*parts), classes="sources")
+
+    def on_click(self, event: Click) -> None:
+        _, at = self.screen.get_widget_and_offset_at(event.screen_x, event.screen_y)
+        if at is not None:  # two lines each
+            self.post_message(CommandAsked("read", str(at.y // 2 + 1)))

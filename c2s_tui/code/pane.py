@@ -14,6 +14,7 @@ from c2s_engine.structure.edits import SetProgram
 from c2s_engine.structure.layout import merged
 from c2s_engine.structure.program import Program
 from c2s_tui.code.area import CodeArea
+from c2s_tui.code.finder import Finder
 from c2s_tui.code.fragments import changed_lines, moved_findings, moved_spans
 from c2s_tui.code.gutter import Gutter
 from c2s_tui.desk import Desk
@@ -45,6 +46,7 @@ class CodePane(Vertical):
         with Horizontal(id="code-body"):
             yield Gutter()
             yield CodeArea(id="code")
+        yield Finder(id="finder")
         yield Static(id="finding", markup=False)
 
     def on_mount(self) -> None:
@@ -87,6 +89,7 @@ class CodePane(Vertical):
 
     def empty(self) -> None:
         """Forget the text and its history: another session's comes."""
+        self.desk = Desk()  # also where the next one has the same program, as the example has that was shown before
         self.base, self._shown_text, self._live = Program(text=""), "", None
         with self.prevent(TextArea.Changed):
             self.area.load_text("")
@@ -189,14 +192,22 @@ class CodePane(Vertical):
             self.side.show(here=span.component)
             self.post_message(Picked(span.component, "code", line))
 
+    @property
+    def finder(self) -> Finder:
+        return self.query_one(Finder)
+
+    def go_to_line(self, line: int) -> None:
+        """Put the cursor on a line (from 1; the nearest there is)."""
+        self.area.focus()
+        self.area.move_cursor((max(0, min(line, self.area.document.line_count) - 1), 0), center=True)
+
     def next_finding(self) -> None:
         """Go to the next line that has a finding."""
         lines = sorted(self.area.problems)
         if lines:
             here = self.area.cursor_location[0] + 1
             after = next((n for n in lines if n > here), lines[0])
-            self.area.focus()
-            self.area.move_cursor((after - 1, 0), center=True)
+            self.go_to_line(after)
 
     def take_fix(self) -> None:
         """Make the fix that the finding at the cursor offers, and apply it, unless more was typed."""

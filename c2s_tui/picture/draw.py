@@ -1,13 +1,14 @@
 """One frame of a run from above as text: roads in shades, trails, boxes that carry their component's id."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from textual.content import Content
 
 from c2s_engine.dryrun.picture import Point, bounds, corners, frames
-from c2s_engine.structure.facts import EGO, RunFacts, Trajectories
+from c2s_engine.structure.facts import EGO, ContactFact, EventFact, RunFacts, Trajectories
+from c2s_engine.structure.happening import USUAL, told
 from c2s_tui.look.kinds import ascii_only, colour, mark
 
 ROADS = (
@@ -20,14 +21,17 @@ ROADS = (
 ASPECT = 2.0
 """A cell is twice as high as it is wide."""
 TRAIL_SECONDS = 6.0
+LINES_TO = 1.3
+"""m a column up to which the borders of lanes are drawn: farther off, a lane is two columns wide."""
 
 
 @dataclass(frozen=True)
 class View:
-    """How one looks: metres a column with ego in the middle, or the whole run."""
+    """How one looks: metres a column with an actor in the middle (by its track's name), or the whole run."""
 
     scale: float = 1.0
     follow: bool = True
+    whom: str = EGO
 
 
 @dataclass
@@ -40,6 +44,7 @@ class Canvas:
     top: float
     scale: float
     cells: list[list[tuple[str, str]]] = field(default_factory=list)
+    labelled: set[tuple[int, int]] = field(default_factory=set)  # cells that a label has taken
 
     def __post_init__(self) -> None:
         self.cells = [[(" ", "")] * self.columns for _ in range(self.rows)]
@@ -53,6 +58,28 @@ class Canvas:
         for i, letter in enumerate(text):
             if 0 <= row < self.rows and 0 <= column + i < self.columns:
                 self.cells[row][column + i] = (letter, style)
+
+    def label(self, x: float, y: float, text: str, style: str) -> None:
+        """Write a label around a place, in the nearest row where it covers no other label."""
+        column = int((x - self.left) // self.scale) - (len(text) - 1) // 2
+        row = int((self.top - y) // (ASPECT * self.scale))
+        if not (0 <= row < self.rows and -len(text) < column < self.columns):
+            return
+        for shift in (0, 1, -1, 2, -2, 3, -3):
+            cells = {(row + shift, column + i) for i in range(len(text))}
+            if 0 <= row + shift < self.rows and not cells & self.labelled:
+                self.labelled |= cells
+                self.write(row + shift, column, text, style)
+                return
+
+    def edge(self, ring: tuple[Point, ...], text: str, style: str) -> None:
+        """Draw the border of a polygon."""
+        for (x1, y1), (x2, y2) in zip(ring, (*ring[1:], ring[0]), strict=True):
+            steps = max(1, round(max(abs(x2 - x1) / self.scale, abs(y2 - y1) / (ASPECT * self.scale))))
+            if steps > 4 * (self.columns + self.rows):
+                continue  # far longer than what is seen: its middle part would take too long
+            for i in range(steps + 1):
+                self.put(x1 + (x2 - x1) * i / steps, y1 + (y2 - y1) * i / steps, text, style)
 
     def fill(self, ring: tuple[Point, ...] | list[Point], text: str, style: str) -> list[tuple[int, int]]:
         """Fill the cells whose middle lies in a polygon; those cells."""
@@ -107,9 +134,10 @@ def names(facts: RunFacts | None, ways: Trajectories) -> dict[str, str]:
 
 
 def draw(
-    ways: Trajectories, frame: int, columns: int, rows: int, labels: Mapping[str, str], view: View = View()
-) -> Content:
-    """The picture at a step."""
+    ways: Trajectories, frame: int, columns: int, rows: int, labels: Mapping[str, str], view: View = View(),
+    contacts: Sequence[ContactFact] = (),
+) -> Content:  # fmt: skip
+    """The picture at a step; contacts that have been are marked where they were."""
     count = frames(ways)
     if not count or columns < 4 or rows < 2:
         return Content("")
@@ -126,10 +154,29 @@ def draw(
         label = labels[track.name]
         style = f"bold reverse {_style(label)}"
         canvas.fill(corners(track, frame), " ", style)
-        column = int((track.x[frame] - canvas.left) // canvas.scale) - (len(label) - 1) // 2
-        row = int((canvas.top - track.y[frame]) // (ASPECT * canvas.scale))
-        canvas.write(row, column, label[:6], style)
+    for track in sorted(ways.tracks, key=lambda t: t.name != EGO):
+        label = labels[track.name]
+        arrow = "" if track.kind == "prop" else arrow_of(track.heading[frame])
+        canvas.label(track.x[frame], track.y[frame], f"{label[:6]}{arrow}", f"bold reverse {_style(label)}")
+    _contacts(canvas, ways, frame, contacts)
     return canvas.content()
+
+
+def arrow_of(heading: float) -> str:
+    """The arrow that points where somebody heads (rad, 0 is north, anticlockwise)."""
+    arrows = "^\\</v\\>/" if ascii_only() else "↑↖←↙↓↘→↗"
+    return arrows[round(heading / (math.pi / 4)) % 8]
+
+
+def _contacts(canvas: Canvas, ways: Trajectories, frame: int, contacts: Sequence[ContactFact]) -> None:
+    tracks = {t.name: t for t in ways.tracks}
+    for hit in contacts:
+        at = round(hit.time / ways.step)
+        if at <= frame and hit.one in tracks and hit.other in tracks:
+            one, other = tracks[hit.one], tracks[hit.other]
+            at = min(at, len(one.x) - 1, len(other.x) - 1)
+            x, y = (one.x[at] + other.x[at]) / 2, (one.y[at] + other.y[at]) / 2
+            canvas.put(x, y, "X" if ascii_only() else "✸", "bold $text-error")
 
 
 def caption(ways: Trajectories, frame: int, labels: Mapping[str, str], view: View, facts: RunFacts | None) -> Content:
@@ -145,24 +192,26 @@ def caption(ways: Trajectories, frame: int, labels: Mapping[str, str], view: Vie
     bar = 10 if view.scale < 2 else 50
     parts.append((f"   {bar} m {('-' if ascii_only() else '─') * max(1, round(bar / view.scale))}\n", "$muted"))
     found = [(e.time, labels.get(o.name, o.name), e) for o in (facts.objects if facts else ()) for e in o.events]
-    for when, label, event in sorted(found, key=lambda f: f[0])[-4:]:
-        if when <= time:
-            other = f" {labels.get(event.other, event.other)}" if event.other else ""
-            parts += [
-                (label, f"bold {_style(label)}"),
-                f" {event.event.replace('_', ' ')}{other} ",
-                (f"{when:.1f} s  ", "$muted"),
-            ]
+    found = [f for f in found if f[2].event not in USUAL] or found
+    for when, label, event in _latest(found, time):
+        other = labels.get(event.other, event.other) if event.other else None
+        words = told(EventFact(event=event.event, time=when, other=other))
+        parts += [(label, f"bold {_style(label)}"), f" {words} ", (f"{when:.1f} s  ", "$muted")]
     if not found:
         parts.append((f"{mark('dash')} no events", "$muted"))
     return Content.assemble(*parts)
 
 
+def _latest(found: list[tuple[float, str, EventFact]], time: float) -> list[tuple[float, str, EventFact]]:
+    """The last events up to a time."""
+    return sorted((f for f in found if f[0] <= time + 1e-6), key=lambda f: f[0])[-4:]
+
+
 def _canvas(ways: Trajectories, frame: int, columns: int, rows: int, view: View) -> Canvas:
     west, south, east, north = bounds(ways)
     if view.follow:
-        ego = next((t for t in ways.tracks if t.name == EGO), ways.tracks[0])
-        x, y, scale = ego.x[frame], ego.y[frame], view.scale
+        whom = next((t for t in ways.tracks if t.name == view.whom), ways.tracks[0])
+        x, y, scale = whom.x[frame], whom.y[frame], view.scale
     else:
         x, y = (west + east) / 2, (south + north) / 2
         scale = max((east - west) / columns, (north - south) / (ASPECT * rows))
@@ -176,6 +225,10 @@ def _roads(canvas: Canvas, ways: Trajectories) -> None:
             xs, ys = [x for x, _ in ring], [y for _, y in ring]
             if max(xs) >= canvas.left and min(xs) <= right and max(ys) >= bottom and min(ys) <= canvas.top:
                 canvas.fill(ring, plain if ascii_only() else shade, "$faint")
+    for ring in ways.outline.get("lane", ()) if canvas.scale <= LINES_TO else ():
+        xs, ys = [x for x, _ in ring], [y for _, y in ring]
+        if max(xs) >= canvas.left and min(xs) <= right and max(ys) >= bottom and min(ys) <= canvas.top:
+            canvas.edge(ring, "." if ascii_only() else "·", "$muted")
 
 
 def _style(label: str) -> str:

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import Any
 
+from textual import on
 from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.containers import Vertical
@@ -10,9 +11,11 @@ from textual.timer import Timer
 from textual.widgets import Static
 
 from c2s_engine.structure.facts import RunFacts, Trajectories
+from c2s_engine.structure.happening import USUAL
 from c2s_tui.desk import Desk
 from c2s_tui.messages import CommandAsked
 from c2s_tui.picture.draw import View, caption, draw, fitting, frames, names
+from c2s_tui.picture.timebar import TimeBar
 
 FRAMES_PER_SECOND = 8
 ZOOM = 1.25
@@ -34,6 +37,8 @@ class PicturePane(Vertical, can_focus=True):
         Binding("plus,equals_sign", "zoom(-1)", "Nearer", show=False, id="picture.nearer", tooltip="Nearer"),
         Binding("minus", "zoom(1)", "Farther", show=False, id="picture.farther", tooltip="Farther"),
         Binding("w", "whole", "Whole", show=False, id="picture.whole", tooltip="The whole run, or following ego"),
+        Binding("f", "follow", "Follow", id="picture.follow", tooltip="Follow the next actor"),
+        Binding("c", "contact", "Contact", show=False, id="picture.contact", tooltip="To the moment of contact"),
         Binding("n", "rollout", "Next run", show=False, id="picture.next_run", tooltip="The next rollout"),
         Binding("escape", "close", "Close", id="picture.close", tooltip="Close the picture"),
     ]
@@ -48,6 +53,7 @@ class PicturePane(Vertical, can_focus=True):
 
     def compose(self) -> ComposeResult:
         yield Static(id="frame", markup=False)
+        yield TimeBar(id="time", markup=False)
         yield Static(id="caption", markup=False)
 
     def show(self, desk: Desk) -> None:
@@ -76,18 +82,22 @@ class PicturePane(Vertical, can_focus=True):
             return
         ways = self.ways[self.run]
         facts = self.facts[self.run] if self.run < len(self.facts) else None
-        columns, rows = self.content_size.width, self.content_size.height - 2
+        columns, rows = self.content_size.width, self.content_size.height - 3
         if columns < 4 or rows < 2:
             return
         if not self._fitted:
             self.view = replace(self.view, scale=fitting(ways, columns, rows))
             self._fitted = True
         labels = names(facts, ways)
-        picture = draw(ways, self.frame, columns, rows, labels, self.view)
+        hits = facts.contacts if facts else ()
+        picture = draw(ways, self.frame, columns, rows, labels, self.view, hits)
         self.query_one("#frame", Static).update(picture, layout=False)
         words = caption(ways, self.frame, labels, self.view, facts)
         self.query_one("#caption", Static).update(words, layout=False)
         last = (frames(ways) - 1) * ways.step
+        events = [e.time for o in (facts.objects if facts else ()) for e in o.events if e.event not in USUAL]
+        shares = [[min(1.0, t / max(last, 0.1)) for t in times] for times in (events, [h.time for h in hits])]
+        self.query_one(TimeBar).show(self.frame * ways.step / max(last, 0.1), *shares)
         state = "playing" if self.playing else "space plays"
         several = f", run {self.run + 1} of {len(self.ways)}" if len(self.ways) > 1 else ""
         self.border_subtitle = f"{self.frame * ways.step:.1f} of {last:.1f} s, {state}{several}"
@@ -140,6 +150,28 @@ class PicturePane(Vertical, can_focus=True):
     def action_whole(self) -> None:
         self.view = replace(self.view, follow=not self.view.follow)
         self._draw()
+
+    def action_follow(self) -> None:
+        """Put the next actor that moves into the middle."""
+        if self.available:
+            names = [t.name for t in self.ways[self.run].tracks if t.kind != "prop"]
+            at = names.index(self.view.whom) + 1 if self.view.whom in names else 0
+            self.view = replace(self.view, follow=True, whom=names[at % len(names)])
+            self._draw()
+
+    def action_contact(self) -> None:
+        """To the first contact, where there is one."""
+        facts = self.facts[self.run] if self.run < len(self.facts) else None
+        if self.available and facts and facts.contacts:
+            self.stop()
+            self.go(round(min(c.time for c in facts.contacts) / self.ways[self.run].step))
+
+    @on(TimeBar.Asked)
+    def _scrubbed(self, event: TimeBar.Asked) -> None:
+        event.stop()
+        if self.available:
+            self.stop()
+            self.go(round(event.share * (frames(self.ways[self.run]) - 1)))
 
     def action_rollout(self) -> None:
         if len(self.ways) > 1:

@@ -58,12 +58,14 @@ class Chooser(ModalScreen[str | None]):
 
     BINDINGS = [
         Binding("escape", "back", "Back", show=False),
-        Binding("down", "into", "Into the list", show=False),
-    ]
+        Binding("down", "move(1)", "Down", show=False), Binding("up", "move(-1)", "Up", show=False),
+    ]  # fmt: skip
 
-    def __init__(self, title: str, entries: list[Choosable], current: str = "", free: str = "", foot: str = ""):
-        """`free`: what a typed text that is no entry would mean; empty: only entries can be chosen."""
-        super().__init__()
+    def __init__(self, title: str, entries: list[Choosable], current: str = "", free: str = "", foot: str = "",
+                 wide: bool = False):  # fmt: skip
+        """`free`: what a typed text that is no entry would mean; empty: only entries can be chosen. `wide`: as wide as
+        the screen."""
+        super().__init__(classes="-wide-dialog" if wide else None)
         self.heading, self.entries, self.current, self.free, self.foot = title, entries, current, free, foot
 
     def compose(self) -> ComposeResult:
@@ -115,8 +117,10 @@ class Chooser(ModalScreen[str | None]):
     def _chosen(self, event: OptionList.OptionSelected) -> None:
         self.dismiss(event.option_id)
 
-    def action_into(self) -> None:
-        self.query_one(OptionList).focus()
+    def action_move(self, by: int) -> None:
+        """The entry below or above, while one goes on typing."""
+        options = self.query_one(OptionList)
+        options.action_cursor_down() if by > 0 else options.action_cursor_up()
 
     def action_back(self) -> None:
         self.dismiss(None)

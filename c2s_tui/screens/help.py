@@ -5,6 +5,7 @@ from typing import Any
 from textual.content import Content
 
 from c2s_tui.commands import commands
+from c2s_tui.keys import own, written
 from c2s_tui.look.kinds import badge, kind_name, look, mark
 from c2s_tui.screens.dialogs import Reading
 
@@ -29,8 +30,9 @@ def help_screen(pane: str, widget: Any, keymap: dict[str, str]) -> Reading:
     parts.append("\n")
     for name, words in (
         ("clean", "up to date"), ("dirty", "to be written"), ("writing", "being written"), ("failed", "a check failed"),
-        ("by_hand", "written by hand"), ("conflict", "by hand, and its fields changed"), ("seen", "seen in the run"),
-        ("unseen", "said, not seen"), ("assumed", "assumed: the text left it open"), ("unmet", "not understood"),
+        ("by_hand", "written by hand"), ("conflict", "by hand, and its fields changed"),
+        ("seen", "required, and the run shows it"), ("unseen", "required, and the run does not show it"),
+        ("assumed", "assumed: the text left it open"), ("unmet", "no field can say it, or it was not understood"),
         ("changed", "line changed by the last turn"),
     ):  # fmt: skip
         parts.append(f"{mark(name)}  {words}\n")
@@ -38,17 +40,9 @@ def help_screen(pane: str, widget: Any, keymap: dict[str, str]) -> Reading:
 
 
 def _own(widget: Any, keymap: dict[str, str]) -> list[tuple[str, str]]:
-    found = []
-    for node in widget.ancestors_with_self if widget is not None else ():
-        own = [b for b in type(node).__dict__.get("BINDINGS", ()) if getattr(b, "id", None) and b.tooltip]
-        found += [(_keys(keymap.get(b.id, b.key)), b.tooltip) for b in own if not b.id.startswith("app.")]
-    return found
+    return [(written(key), b.tooltip) for key, b in own(widget, keymap)]
 
 
 def _app(keymap: dict[str, str]) -> list[tuple[str, str]]:
-    keys = [(_keys(keymap.get(c.id, c.key)), c.about) for c in commands().values() if c.key]
-    return [*keys, ("ctrl+p", "Command palette"), ("tab, shift+tab", "Next, previous part")]
-
-
-def _keys(keys: str) -> str:
-    return keys.replace("left_square_bracket", "[").replace("right_square_bracket", "]").replace(",", ", ")
+    keys = [(written(keymap.get(c.id, c.key)), c.about) for c in commands().values() if c.key]
+    return [*keys, ("Ctrl+P", "Command palette: everything by name"), ("Tab, Shift+Tab", "Next, previous part")]

@@ -4,7 +4,7 @@ from textual.content import Content
 from textual.widgets import Static
 
 from c2s_tui.look.kinds import badge, colour, mark, mentions, state_mark, state_word
-from c2s_tui.sheet.rows import ADD, CONFLICT, FIELD, HEAD, LINK, SENTENCE, UNMET, Row
+from c2s_tui.sheet.rows import ADD, CONFLICT, FIELD, HEAD, HIT, LINK, SENTENCE, UNMET, Row
 
 LABEL = 11
 """Cells of the column of field names."""
@@ -52,6 +52,9 @@ def draw(row: Row) -> Content:
         return mentions(row.text).stylize_before("italic $muted")
     if row.kind == FIELD:
         return _field(row)
+    if row.kind == HIT:
+        sign, style = ("error", "bold $text-error") if row.state else ("seen", "$muted")
+        return Content.styled(f"{mark(sign)} {row.text}", style)
     if row.kind == UNMET:
         return Content.assemble((f"{mark('unmet')} {row.text}", "$text-warning"), (f"  {row.note}", "$muted"))
     if row.kind == CONFLICT:
@@ -71,8 +74,10 @@ def _field(row: Row) -> Content:
     if row.judged:
         name = "unknown" if row.seen is None else "seen" if row.seen else "unseen"
         style = {"unknown": "$muted", "seen": "$text-success", "unseen": "$text-error"}[name]
-        word = {"unknown": "not run", "seen": "seen", "unseen": "not seen"}[name]
-        parts.append((f"  {mark(name)} {word}", style))
+        word = {"unknown": "not run", "seen": "seen", "unseen": "not as said"}[name]
+        same = row.achieved.replace(" ", "") == row.text.replace(" ", "")
+        seen = f": {row.achieved}" if row.achieved and not same else ""
+        parts.append((f"  {mark(name)} {word}{seen}", style))
     if row.note:
         parts.append((f"  {mark('assumed')} assumed: {row.note}", "$muted"))
     return Content.assemble(*parts)

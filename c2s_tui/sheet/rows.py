@@ -10,6 +10,7 @@ from c2s_tui.look.kinds import kind_name
 from c2s_tui.sheet.values import Field, fields, show
 
 HEAD, SENTENCE, FIELD, UNMET, CONFLICT, LINK, ADD = "head", "sentence", "field", "unmet", "conflict", "link", "add"
+HIT = "hit"
 
 
 @dataclass(frozen=True)
@@ -26,6 +27,7 @@ class Row:
     field: Field | None = None
     seen: bool | None = None
     judged: bool = False
+    achieved: str = ""  # what the run showed, beside what is said
     open: bool = False
     reached: bool = False
 
@@ -42,14 +44,21 @@ def rows(desk: Desk, unfolded: Set[str] = frozenset(), reached: Set[str] = froze
     return lines
 
 
-def _seen(desk: Desk) -> dict[str, bool | None]:
-    """By component and field, whether what it requires was seen; a phase of a behaviour by all that it requires."""
-    found: dict[str, bool | None] = {}
+Seen = Mapping[str, tuple[bool | None, str]]
+
+
+def _seen(desk: Desk) -> Seen:
+    """By component and field, whether what it requires was seen, and what was: of a phase, by all that it requires,
+    first what was missed."""
+    found: dict[str, tuple[bool | None, str]] = {}
     for result in desk.results:
         parts = result.requirement.split(".")
         path = ".".join(parts[:3] if parts[1:2] == ["phases"] else parts)
-        held = found.get(path, True)
-        found[path] = False if False in (held, result.holds) else None if None in (held, result.holds) else True
+        held, words = found.get(path, (True, ""))
+        if not words or held and not result.holds:
+            words = "" if result.seen in ("as said", "kept") else result.seen
+        both = (held, result.holds)
+        found[path] = (False if False in both else None if None in both else True, words)
     return found
 
 
@@ -65,13 +74,15 @@ def title(component: Component) -> str:
 
 
 def _component(
-    desk: Desk, component: Component, unfolded: bool, reached: bool, found: Mapping[str, bool | None]
+    desk: Desk, component: Component, unfolded: bool, reached: bool, found: Seen
 ) -> list[Row]:
     cid = component.id
     state = desk.state(component)
     lines = [Row(f"{cid}", HEAD, cid, title(component), state=state, open=unfolded, reached=reached)]
     if component.description:
         lines.append(Row(f"{cid}:sentence", SENTENCE, cid, component.description))
+    hits = [c for c in desk.collisions if cid in c.components]
+    lines += [Row(f"{cid}:hit:{c.time}", HIT, cid, c.of(cid), state="" if c.said else "failed") for c in hits]
     assumed = {a.field: a for a in component.assumed}
     shown: set[str] = set()
     for field in fields(component.spec):
@@ -80,11 +91,12 @@ def _component(
         why = assumed.get(field.path)
         if why:
             shown.add(why.field)
+        held, achieved = found.get(f"{cid}.{field.path}", (None, ""))
         lines.append(
             Row(
                 f"{cid}:{field.path}", FIELD, cid, show(field), why.reason if why else "",
-                depth=field.depth if unfolded else 0,
-                field=field, seen=found.get(f"{cid}.{field.path}"), judged=f"{cid}.{field.path}" in found,
+                depth=field.depth if unfolded else 0, field=field, seen=held, achieved=achieved,
+                judged=f"{cid}.{field.path}" in found,
             )
         )  # fmt: skip
     left = [a for a in component.assumed if a.field not in shown]

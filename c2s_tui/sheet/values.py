@@ -8,6 +8,7 @@ from typing import Any, Literal, Union, get_args, get_origin
 from pydantic import BaseModel
 
 from c2s_engine.structure.edits import EditError
+from c2s_tui.sheet import words
 
 UNIT = re.compile(r"(?:^|[,:] )(m/s2|m/s|m|s)(?=$|[,;])")
 KMH = 3.6
@@ -131,39 +132,29 @@ def text_of(value: Any, unit: str = "") -> str:
 
 
 def summary(part: dict[str, Any]) -> str:
-    """A nested part in one line: `brake 4 m/s2 when distance 20`."""
-    words: list[str] = []
-    for name, value in part.items():
-        if value in (None, [], {}, ""):
-            continue
-        if name == "trigger":
-            words.append(f"when {summary(value)}")
-        elif name in ("speed",):
-            words.append(f"at {text_of(value, 'm/s')}")
-        elif name in ("gap", "spacing", "distance"):
-            words.append(f"{name} {text_of(value, 'm')}")
-        elif name == "rate":
-            words.append(text_of(value, "m/s2"))
-        elif name == "duration":
-            words.append(f"for {text_of(value, 's')}")
-        elif name == "of":
-            words.append(f"of {value}")
-        elif name in ("target", "other", "hidden_by"):
-            words.append(f"{'hidden by' if name == 'hidden_by' else 'to'} {value}")
-        elif name == "value":
-            words.append(text_of(value))
-        elif name in ("minimum", "maximum"):
-            words.append(f"{'at least' if name == 'minimum' else 'at most'} {text_of(value)}")
-        elif name == "subject":
-            if part.get("kind") not in ("time", "collision"):
-                words.append(str(value))
-        elif isinstance(value, bool):
-            words.append(name if value else f"not {name}")
-        elif isinstance(value, str) or name in ("position", "kind", "action"):
-            words.append(str(value).replace("_", " "))
-        else:
-            words.append(f"{name} {text_of(value)}")
-    return " ".join(words)
+    """A nested part in one line of plain words."""
+    if "position" in part:
+        return words.placement(part, text_of)
+    if "action" in part and "kind" not in part:
+        return words.phase(part, text_of)
+    if "kind" in part and "value" in part:
+        return words.trigger(part, text_of)
+    return " ".join(_piece(name, value, part) for name, value in part.items() if value not in words.EMPTY)
+
+
+def _piece(name: str, value: Any, part: dict[str, Any]) -> str:
+    """One field of a condition or another small part."""
+    if name in ("minimum", "maximum"):
+        return f"{'at least' if name == 'minimum' else 'at most'} {text_of(value)}"
+    if name == "subject" and part.get("kind") in ("time", "collision"):
+        return ""
+    if name in ("other", "target"):
+        return f"to {value}"
+    if isinstance(value, bool):
+        return name if value else f"not {name}"
+    if isinstance(value, str):
+        return value.replace("_", " ")
+    return f"{name.replace('_', ' ')} {text_of(value)}"
 
 
 _NUMBER = r"[-+]?\d+(?:[.,]\d+)?(?:[eE][-+]?\d+)?"

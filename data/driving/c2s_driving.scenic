@@ -489,6 +489,16 @@ def passed(other, car, further=10, margin=1):
     spot = car.position.offsetRotated(car.heading, Vector(0, further))
     return (spot - other.position).rotatedBy(-other.heading).y < -other.length / 2 - margin
 
+def gap(car, other):
+    """The distance (m) from bumper to bumper: between the boxes of `car` and `other`, 0 where they touch."""
+    return _box(car).distance(_box(other))
+
+def _box(thing):
+    """The box of an object on the ground."""
+    ends = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
+    corners = [Vector(x * thing.width / 2, y * thing.length / 2).rotatedBy(thing.heading) for x, y in ends]
+    return shapely.geometry.Polygon([(thing.position.x + c.x, thing.position.y + c.y) for c in corners])
+
 def ttc(car, other):
     """The time (s) until `car` and `other` would touch if the distance went on shrinking as it does."""
     apart = other.position - car.position

@@ -20,7 +20,7 @@ QUICK = {
     "test_describe_to_program", "test_describe_to_program_80x24", "test_escape_cancels_and_keeps_what_is_typed",
     "test_edit_an_object_shows_its_reach_and_rewrites_only_that", "test_hand_edit_and_conflict",
     "test_compile_error_and_fix", "test_undo_and_redo", "test_first_run_opens_and_explains_the_example",
-    "test_the_picture_after_steps", "test_what_was_typed_comes_back",
+    "test_the_picture_after_steps", "test_what_was_typed_comes_back", "test_the_results_of_a_run",
 }  # fmt: skip
 """The flows of `make test`; the others are part of `make test-full`."""
 

@@ -8,11 +8,13 @@ from typing import Any
 
 from c2s_engine.check.protocol import CheckReport
 from c2s_engine.require import evaluate, require
+from c2s_engine.require.measured import gaps, measured
 from c2s_engine.session.citing import uncited
 from c2s_engine.structure.components import Assumption, Component, Link, Structure, Unmet
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult, TextEdit
 from c2s_engine.structure.edits import Replace, apply, references
-from c2s_engine.structure.facts import Course, EventFact, ObjectFacts, RunFacts, Track, Trajectories
+from c2s_engine.structure.facts import ContactFact, Course, EventFact, ObjectFacts, RunFacts, Track, Trajectories
+from c2s_engine.structure.measures import SeedResult
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import (
     ComponentState,
@@ -156,6 +158,7 @@ class ScriptedEngine:
     passages: list[Passage] = field(default_factory=list)
     calls: list[tuple[str, Any]] = field(default_factory=list)
     seen: bool = True
+    collides: bool = False
     settings: Any = field(default_factory=lambda: SimpleNamespace(model=None))
     model_list: list[dict[str, Any]] | Exception = field(default_factory=list)
 
@@ -210,12 +213,13 @@ class ScriptedEngine:
         requirements, results = (), ()
         if report.ok:
             facts = report.facts
-            requirements = tuple(r for r in require(done) if r.kind == "phase")
+            requirements = tuple(r for r in require(done) if r.kind in ("phase", "outcome"))
             results = evaluate(requirements, facts[0], report.trajectories[0])
             yield RunDone(facts=facts[0], trajectories=report.trajectories[0])
         yield Finished(
             ok=report.ok, structure=done, program=program, stages=(StageResult(name="write", ok=True), *report.stages),
-            facts=facts, requirements=requirements, results=results, seconds=0.42, details={},
+            facts=facts, requirements=requirements, results=results,
+            measures=tuple(measured(f, w) for f, w in zip(facts, report.trajectories, strict=True)), seconds=0.42,
         )  # fmt: skip
 
     async def check(self, program: str, *, spans: Any = (), upto: str = "sample", **options: Any) -> CheckReport:
@@ -238,7 +242,20 @@ class ScriptedEngine:
         if upto != "run":
             return CheckReport(stages=tuple(stages))
         stages.append(StageResult(name="run", ok=True, seconds=0.2))
-        return CheckReport(stages=tuple(stages), facts=(run_facts(self.seen),), trajectories=(trajectories(),))
+        facts = run_facts(self.seen, self.collides)
+        return CheckReport(stages=tuple(stages), facts=(facts,), trajectories=(trajectories(),))
+
+    def gaps(self, ways: Trajectories) -> dict[str, list[float]]:
+        return gaps(ways)
+
+    async def seeds(self, structure: Structure, program: Any, chosen: Any, **options: Any) -> AsyncIterator[SeedResult]:
+        """Every third fails; at the gate the series waits after its second row."""
+        for seed in chosen:
+            if seed == 2:
+                await self._wait("seeds")
+            missed = ("O1 (van) cuts in. Required: cut in; the run: nothing of it.",) if seed % 3 == 2 else ()
+            yield SeedResult(seed=seed, ran=True, ended="time", duration=20.0, met=2 - len(missed), required=2,
+                             unmet=missed, gap_m=4.2 + seed, ttc_s=2.5)  # fmt: skip
 
     def reach(self, structure: Structure, edit: Any) -> list[str]:
         return reach(structure, edit, Writer())
@@ -294,17 +311,20 @@ class ScriptedModels:
         yield "success", 100, 100
 
 
-def run_facts(seen: bool) -> RunFacts:
-    """A run in which the van cut in (or did not)."""
+def run_facts(seen: bool, collides: bool = False) -> RunFacts:
+    """A run in which the van cut in (or did not), and ego ran into it (or did not)."""
     events = (EventFact(event="cut_in", time=4.2, other="ego"),) if seen else ()
     return RunFacts(
-        seed=0, duration=20.0, ended_by="terminated",
+        seed=0, duration=20.0, ended_by="terminated", contacts=(HIT,) if collides else (),
         objects=(
             ObjectFacts(name="ego", component="E", types=("car", "vehicle"), length=4.5, width=2.0, moves=True),
             ObjectFacts(name="van", component="O1", types=("van", "vehicle"), length=5.4, width=2.0, moves=True,
                         events=events),
         ),
     )  # fmt: skip
+
+
+HIT = ContactFact(time=6.3, one="ego", other="van", part_one="front", part_other="rear", closing=2.8)
 
 
 def trajectories() -> Trajectories:

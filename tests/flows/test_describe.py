@@ -16,7 +16,7 @@ def test_describe_to_program(stage, compare):
         assert all(s.ok for s in desk.stages)
         assert stage.bench.code.area.text == desk.program.text == stage.bench.session.program.text
         assert {desk.state(c) for c in desk.structure.components} == {"clean"}
-        assert stage.said[-1].startswith("G, R, E, O1, T written; runs; 2 of 2 required seen")
+        assert stage.said[-1].startswith("G, R, E, O1, T written; runs; 3 of 3 requirements met")
 
     assert compare(flow)
 

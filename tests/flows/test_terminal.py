@@ -95,7 +95,7 @@ def test_describe_change_and_save_a_program_that_compiles(terminal):
     terminal.shows(" work ")
     terminal.type(TEXT)
     terminal.keys("Enter")
-    screen = terminal.shows("2 of 2 required seen")
+    screen = terminal.shows("requirements met")
     assert "✓run" in screen and "cut in" in screen
     terminal.tmux("resize-window", "-t", "a", "-x", "80", "-y", "24")
     terminal.shows("F3 S")
@@ -127,7 +127,7 @@ def test_kill_nine_loses_no_turn_and_at_most_a_second_of_typing(terminal):
     terminal.shows(" work ")
     terminal.type(TEXT)
     terminal.keys("Enter")
-    terminal.shows("2 of 2 required seen")
+    terminal.shows("requirements met")
     terminal.type("and then it half")
     end = time.monotonic() + PATIENCE
     while "and then it half" not in draft(terminal, "chat") and time.monotonic() < end:

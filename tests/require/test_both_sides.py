@@ -453,3 +453,16 @@ def test_bounds_have_sources() -> None:
         return [table] if "value" in table else [x for v in table.values() for x in leaves(v)]
 
     assert all(leaf["source"] for leaf in leaves(bounds()))
+
+
+@pytest.mark.parametrize(("origin", "y", "holds"), [("rendered", 29.5, True), ("rendered", 45.0, False),
+                                                    ("imported", 25.0, True), ("imported", 34.0, False)])  # fmt: skip
+def test_a_distance_is_from_bumper_to_bumper_and_of_programs_from_centre_to_centre(origin, y, holds) -> None:
+    acts = Phase(action="brake", trigger=Trigger(kind="distance", value=25.0))
+    scene = s(ObjectSpec(name="car", type="car", placement=Placement(position="ahead"), speed=10.0, phases=(acts,)))
+    scene = scene.with_component(scene["O1"].model_copy(update={"origin": origin}))
+    run = Scene([ego(), other(y=y, speed=ramp((0, 10), (1, 10), (3, 2)))]).run()
+    asked = [r for r in require(scene) if r.kind in ("phase", "place") and r.actor == "O1"]
+    result = {r.requirement: r for r in evaluate(asked, run.facts, run.trajectories)}["O1.phases.0.trigger"]
+    assert (result.holds, result.seen.split(", ")[1]) == (
+        holds, "bumper to bumper" if origin == "rendered" else "centre to centre")  # fmt: skip

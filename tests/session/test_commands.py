@@ -56,6 +56,14 @@ def test_turns_edits_undo_and_redo(c2s, tmp_path):
     assert len(state(c2s, "--remove", "O1")["structure"]) == 4
 
 
+def test_one_goes_to_a_turn_by_its_number(c2s):
+    for text in ("car", "truck", "bus"):
+        c2s("edit", "one", "--new", "--say", text)
+    assert len(state(c2s, "--to", "1")["history"]) == 1
+    assert len(state(c2s, "--to", "3")["history"]) == 3
+    assert "there is no turn 9" in json.loads(c2s("edit", "one", "--json", "--to", "9", code=2))["error"]
+
+
 def test_the_program_is_saved_and_shown(c2s, tmp_path):
     c2s("edit", "one", "--new", "--say", "car", "-o", tmp_path / "a.scenic")
     assert "## O1: car" in (tmp_path / "a.scenic").read_text()

@@ -70,6 +70,25 @@ async def test_undo_and_redo_restore_byte_for_byte(sessions):
         await take(session.redo())
 
 
+async def test_one_goes_to_any_turn_back_and_forward(sessions):
+    session = sessions.open("one", FakeEngine())
+    states = [whole(session)]
+    for text in ("car", "truck", "bus", "van"):
+        await take(session.say(text))
+        states.append(whole(session))
+    for index in (0, 2, -1, 3, 1, 1):
+        events = await take(session.back_to(index))
+        assert whole(session) == states[index + 1] and isinstance(events[-1], Finished)
+        turns = [*session.history, *session.undone]
+        assert [t.text for t in turns] == ["car", "truck", "bus", "van"] and [t.index for t in turns] == [0, 1, 2, 3]
+        assert len(session.history) == index + 1
+    for nowhere in (4, -2):
+        with pytest.raises(SessionError, match="there are 4"):
+            await take(session.back_to(nowhere))
+    await take(session.redo())
+    assert whole(session) == states[3]
+
+
 async def test_undo_and_redo_outlive_the_process(sessions):
     session = sessions.open("one", FakeEngine())
     for text in ("car", "truck", "bus"):

@@ -146,9 +146,10 @@ def _sets_out(
         return f"simulation().currentTime * simulation().timestep >= {value or 2}"
     if t and t.kind == "ttc" and value and other == "ego":
         return f"seconds_to(ego, line, along_line(line, self.position)[0]) < {value}"
-    if t and t.kind in ("distance", "ttc") and value:
-        near = value if t.kind == "distance" else f"{value} * max({other}.speed, 3)"
-        return f"(distance from self to {other}) < {near}"
+    if t and t.kind == "distance" and value:
+        return f"gap(self, {other}) < {value}"
+    if t and t.kind == "ttc" and value:
+        return f"gap(self, {other}) < {value} * max({other}.speed, 3)"
     if t and t.kind == "action":
         return f"{other}.speed < 0.5" if t.action in ("stop", "stationary") else f"(distance from self to {other}) < 25"
     if _ego_stays(structure, plan):

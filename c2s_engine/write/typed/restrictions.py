@@ -45,7 +45,7 @@ def _condition(structure: Structure, c: Condition) -> str:
         return f"({observed(structure, subject, c.subject, c.action)})"
     parts = []
     if c.minimum is not None:
-        parts.append(f"(distance from {subject} to {other}) >= {scope.number(c.minimum)}")
+        parts.append(f"gap({subject}, {other}) >= {scope.number(c.minimum)}")
     if c.maximum is not None:
-        parts.append(f"(distance from {subject} to {other}) <= {scope.number(c.maximum)}")
+        parts.append(f"gap({subject}, {other}) <= {scope.number(c.maximum)}")
     return f"({' and '.join(parts)})" if parts else "True"

@@ -33,7 +33,7 @@ def stated(course: Course, phase: Phase) -> str:
         return _before_junction(course, value or 0, phase)
     if t.kind == "action":
         return f"until {observed(course.actor.structure, other, t.of or 'ego', t.action)}"
-    return f"until (distance from self to {other}) < {scope.number(value or 25)}"
+    return f"until gap(self, {other}) < {scope.number(value or 25)}"
 
 
 COMES_OVER = {

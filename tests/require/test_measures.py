@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from c2s_engine.report.measures import pairs
+from c2s_engine.require.measures import pairs
 from c2s_engine.structure.facts import Track, Trajectories
 
 STEP = 0.1

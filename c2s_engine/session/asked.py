@@ -1,0 +1,221 @@
+"""Answers to questions about the scene at hand: from S, and from what its last run showed."""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.facts import EGO, EventFact, ObjectFacts, RunFacts
+from c2s_engine.structure.happening import USUAL, ended, told
+from c2s_engine.structure.measures import ActorMeasures, Measures, PairMeasures, collisions
+from c2s_engine.structure.progress import Finished
+from c2s_engine.structure.requirements import failures, tally
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+
+HELP = (
+    "Describe a scene (“Ego drives at 50 km/h; a cyclist crosses from the right”), change it (“make the cyclist a "
+    "child”, “20 m closer”), or ask about it (“was there a collision?”, “why does ego brake?”, “how close did they "
+    "come?”). In the app F1 lists keys and commands, /gallery has examples, F6 shows the results of the run; on the "
+    "command line `c2s --help` lists the commands."
+)
+_HELP = re.compile(
+    r"(?:please |can you |i need )*(?:help|hello|hi|hey|good (?:morning|afternoon|evening)|thanks?(?: you)?|"
+    r"what can (?:i|you|one) (?:do|say|type|ask)|how does this work|what is this|where do i (?:start|begin))"
+    r"(?:[ ,!.?](?:there|me|please|here|now|all|everybody|c2s))*[ !.?]*",
+    re.I,
+)
+_ELSEWHERE = re.compile(
+    r"\b(?:regulations?|R1[0-9]{2}|UN|NCAP|clauses?|procedures?|snippets?|documentation|scenic|carla|define|definition|"
+    r"example of|meaning of|show me)\b"
+    r"|^what (?:is|are) (?:an?|the)\b(?! (?:outcome|result|gap|distance|smallest|minimum))",
+    re.I,
+)
+_WHY = re.compile(r"^(?:and |but |so )?(?:why|what makes|what made)\b", re.I)
+
+
+def wants_help(text: str) -> bool:
+    """Whether a text only greets, or asks what can be done here."""
+    return bool(_HELP.fullmatch(text.strip()))
+
+
+def answered(question: str, shown: Finished | None) -> str:
+    """The answer to a question about this scene or its run; empty where it asks something else."""
+    if shown is None or not shown.program.text or _ELSEWHERE.search(question):
+        return ""
+    about = _Asked(question, shown)
+    for pattern, answer in TOPICS:
+        if re.search(pattern, question, re.I):
+            if answer in NEEDS_RUN and not shown.facts:
+                return "The program has not been run, so nothing is known of that: F5 (or `c2s run`) runs it."
+            if said := answer(about):
+                return said
+    return ""
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """A question, and the scene that it is about."""
+
+    text: str
+    shown: Finished
+
+    @property
+    def structure(self) -> Structure:
+        return self.shown.structure
+
+    @property
+    def facts(self) -> RunFacts:
+        return self.shown.facts[0]
+
+    @property
+    def measures(self) -> Measures:
+        return next(iter(self.shown.measures), Measures())
+
+    @property
+    def why(self) -> bool:
+        return bool(_WHY.match(self.text))
+
+    def names(self, component: Component) -> bool:
+        """Whether the question names a component: ego, O1, its name, its type."""
+        words = {component.id} if component.id != "E" else {"ego"}
+        if isinstance(component.spec, ObjectSpec):
+            words |= {component.spec.name, component.spec.type.replace("_", " ")}
+        return any(re.search(rf"\b{re.escape(w)}s?\b", self.text, re.I) for w in words)
+
+    @property
+    def actors(self) -> list[ObjectFacts]:
+        """The objects of the run that are asked about; those that are named, else all that move."""
+        cids = {c.id for c in self.structure.components if c.kind in "EO" and self.names(c)}
+        return [o for o in self.facts.objects if _cid(o) in cids] or [o for o in self.facts.objects if o.moves]
+
+    def motion(self, name: str) -> ActorMeasures | None:
+        return next((a for a in self.measures.actors if a.name == name), None)
+
+
+def _cid(thing: ObjectFacts) -> str | None:
+    return "E" if thing.name == EGO else thing.component
+
+
+def _collided(asked: _Asked) -> str:
+    found = collisions(asked.facts, asked.shown.requirements, bool(asked.structure.text))
+    if not found:
+        return f"No collision in the run of {asked.facts.duration:.1f} s. {_near(asked)}".strip()
+    return ". ".join(f"{str(c)[0].upper()}{str(c)[1:]}" for c in found) + "."
+
+
+def _near(asked: _Asked) -> str:
+    named = {o.name for o in asked.actors}
+    pairs = [p for p in asked.measures.pairs if p.other in named] or list(asked.measures.pairs)
+    return " ".join(_pair(p) for p in sorted(pairs, key=lambda p: p.gap_m)[:4])
+
+
+def _pair(pair: PairMeasures) -> str:
+    least = f"{pair.gap_m:.1f} m at {pair.gap_at_s:.1f} s" if pair.gap_m > 0 else f"0 m at {pair.gap_at_s:.1f} s"
+    parts = [f"Smallest gap between ego and {pair.other}, bumper to bumper: {least}"]
+    if pair.ttc_s is not None:
+        parts.append(f"smallest time to collision {pair.ttc_s:.1f} s at {pair.ttc_at_s:.1f} s")
+    if pair.pet_s is not None:
+        parts.append(f"post-encroachment time {pair.pet_s:.1f} s")
+    return "; ".join(parts) + "."
+
+
+def _braked(asked: _Asked) -> str:
+    if asked.why:
+        return _why_braked(asked)
+    said = []
+    for actor in asked.actors:
+        events = [e for e in actor.events if e.event in ("brake", "brake_hard", "stop")]
+        motion = asked.motion(actor.name)
+        if events and motion:
+            seen = ", ".join(_event(e) for e in events)
+            said.append(f"{actor.name} {seen}; {motion.braking:.1f} m/s2 at most, at {motion.braking_at_s:.1f} s.")
+        elif motion:
+            said.append(f"{actor.name} does not brake in the run.")
+    return " ".join(said)
+
+
+def _why_braked(asked: _Asked) -> str:
+    ego, spec = asked.structure.ego, asked.structure.ego.spec
+    if not asked.names(ego) or not isinstance(spec, EgoSpec):
+        return ""
+    said = []
+    assumed = next((a.reason for a in ego.assumed if a.field == "reaction"), "")
+    if spec.reaction:
+        how = "does not react" if spec.reaction == "none" else f"reacts to others: {spec.reaction.replace('_', ' ')}"
+        said.append(f"S says that ego {how}" + (f" (assumed: {assumed})" if assumed else ""))
+    if any("brake" in p.action or p.action == "stop" for p in spec.phases):
+        said.append("braking is one of the steps that S gives ego")
+    here = next((o for o in asked.facts.objects if o.name == EGO), None) if asked.shown.facts else None
+    first = next((e for e in here.events if e.event in ("brake", "brake_hard")), None) if here else None
+    if here and first is None:
+        said.append("in the run ego does not brake")
+    elif first:
+        before = [(e.time, o.name, e) for o in asked.facts.objects if o.name != EGO for e in o.events
+                  if e.time <= first.time and e.event not in USUAL]  # fmt: skip
+        cause = max(before, key=lambda b: b[0], default=None)
+        after = f", after {cause[1]} {_event(cause[2])}" if cause else ""
+        said.append(f"in the run ego begins to brake at {first.time:.1f} s{after}")
+    text = "; ".join(said)
+    return f"{text[0].upper()}{text[1:]}." if text else ""
+
+
+def _fast(asked: _Asked) -> str:
+    said = []
+    for actor in asked.actors:
+        if motion := asked.motion(actor.name):
+            held = f"holds {actor.held_speed * 3.6:.0f} km/h, " if actor.held_speed else ""
+            said.append(f"{actor.name} {held}fastest {motion.fastest * 3.6:.0f} km/h, slowest "
+                        f"{motion.slowest * 3.6:.0f} km/h at {motion.slowest_at_s:.1f} s.")  # fmt: skip
+    return " ".join(said)
+
+
+def _stopped(asked: _Asked) -> str:
+    said = []
+    for actor in asked.actors:
+        motion = asked.motion(actor.name)
+        if motion is None:
+            continue
+        stands = motion.stands_at_s
+        said.append(f"{actor.name} stands from {stands:.1f} s on." if stands is not None else
+                    f"{actor.name} does not stop: its slowest is {motion.slowest * 3.6:.0f} km/h.")  # fmt: skip
+    return " ".join(said)
+
+
+def _happened(asked: _Asked) -> str:
+    found = [(e.time, o.name, e) for o in asked.actors for e in o.events if e.event not in USUAL and e.time > 0]
+    found.sort(key=lambda f: f[0])
+    events = "; ".join(f"{time:.1f} s {name} {told(e)}" for time, name, e in found[:16])
+    end = f"The run ended after {asked.facts.duration:.1f} s: {ended(asked.facts)}."
+    return f"{events}. {end}" if events else f"Nothing of note happened. {end}"
+
+
+def _event(event: EventFact) -> str:
+    return f"{told(event)} at {event.time:.1f} s"
+
+
+def _met(asked: _Asked) -> str:
+    met, of = tally(asked.shown.results)
+    if not of:
+        return ""
+    missed = failures(asked.shown.requirements, asked.shown.results)
+    return f"{met} of {of} requirements met." + "".join(f"\n{line}" for line in missed[:8])
+
+
+def _there(asked: _Asked) -> str:
+    named = [c for c in asked.structure.components if c.kind in "EO" and asked.names(c)]
+    chosen = named or [c for c in asked.structure.components if c.kind in "EO"]
+    return " ".join(f"{c.id}: {c.description}" for c in chosen if c.description)
+
+
+TOPICS: tuple[tuple[str, Callable[[_Asked], str]], ...] = (
+    (r"\b(?:colli\w+|crash\w*|hit|hits|touch\w*|contact|accident)\b", _collided),
+    (r"\b(?:close|closest|near|nearest|gap|distance|apart|ttc|time to collision|pet|encroachment)\b", _near),
+    (r"\b(?:brak\w+|decelerat\w+|slow(?:s|ed|ing)? down)\b", _braked),
+    (r"\b(?:stop\w*|stand\w*|halt\w*)\b", _stopped),
+    (r"\b(?:fast\w*|speed\w*|velocity|km/h|slow\w*)\b", _fast),
+    (r"\b(?:requirements?|met|work\w*|pass(?:ed)?|fail\w*|as (?:said|described|intended)|successful)\b", _met),
+    (r"^(?:when|what happen\w*|what (?:did|does|do)|what is going on|does|did|tell me what)\b", _happened),
+    (r"^(?:who|what) (?:is|are)\b|\bhow many\b", _there),
+)
+"""What is asked about, by the words of the field; the first topic that has an answer counts."""
+NEEDS_RUN = (_collided, _near, _stopped, _fast, _happened)

@@ -1,0 +1,1 @@
+"""The results pane: what the last run showed, and a series of runs."""

@@ -1,0 +1,151 @@
+"""Around the panes: the row of keys, zoom, room, find, findings, turns and sessions as lists."""
+
+import pytest
+from textual.widgets import OptionList
+
+from c2s_tui.code.finder import found
+from c2s_tui.keys import row, written
+
+
+def keys(stage) -> str:
+    return stage.bench.query_one("#keys").content.plain
+
+
+async def test_the_row_of_keys_follows_the_focus_and_the_question_mark_helps(stage):
+    async with stage.described() as pilot:
+        assert "F1 help" in keys(stage) and "F6 results" in keys(stage)
+        await pilot.press("f3")
+        await stage.until(pilot, lambda: "Enter edit" in keys(stage) and "a add" in keys(stage))
+        await pilot.press("f9")
+        await stage.until(pilot, lambda: "Space play" in keys(stage))
+        await pilot.press("f3")
+        await stage.until(pilot, lambda: stage.bench.sheet.has_focus)
+        await pilot.press("question_mark")
+        await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
+        assert stage.app.screen.heading == "Help: the structure S"
+
+
+async def test_the_row_of_keys_keeps_to_its_width_and_to_remapped_keys(stage):
+    async with stage.described():
+        focused, keymap = stage.bench.focused, {"app.help": "f12"}
+        for width in (20, 60, 140):
+            words = row(focused, keymap, width)
+            assert words.cell_length <= width and words.plain.startswith("F12 help")
+    assert written("ctrl+t,left_square_bracket,K,pageup") == "Ctrl+T, [, K, Pageup"
+
+
+async def test_zoom_shows_the_focused_pane_alone(stage):
+    async with stage.described() as pilot:
+        await pilot.press("f3", "f7")
+        await stage.until(pilot, lambda: stage.bench.sheet.size.width > 130)
+        assert not stage.bench.chat.display and not stage.bench.query_one("#right").display
+        await pilot.press("f4")  # another pane takes its place
+        await stage.until(pilot, lambda: stage.bench.code.size.width > 130 and stage.bench.code.area.has_focus)
+        await pilot.press("f7")
+        await stage.until(pilot, lambda: stage.bench.chat.display and stage.bench.sheet.display)
+
+
+async def test_room_is_given_by_key_and_kept(stage):
+    async with stage.described() as pilot:
+        before = stage.bench.chat.size.width
+        stage.bench.chat.entry.put("")
+        await pilot.press("alt+right", "alt+right")  # in the line to type in, where no letter must come of it
+        await stage.until(pilot, lambda: stage.bench.chat.size.width > before)
+        assert stage.app.prefs.widths == "48 46 58" and stage.bench.chat.entry.text == ""
+        await pilot.press(*["alt+left"] * 8)
+        await stage.until(pilot, lambda: stage.bench.chat.size.width < before)
+        assert stage.app.prefs.widths == "12 46 58"
+        stage.app.prefs.widths = "no numbers"
+        assert list(stage.bench.widths().values()) == [36, 46, 58]
+
+
+async def test_find_goes_from_place_to_place_and_to_lines(stage):
+    async with stage.described() as pilot:
+        await pilot.press("f4", "ctrl+f")
+        await stage.until(pilot, lambda: stage.bench.code.finder.line.has_focus)
+        area = stage.bench.code.area
+        places = found(area.text, "van")
+        await pilot.press(*"van")
+        await stage.until(pilot, lambda: area.selected_text.lower() == "van")
+        assert area.selection.start in places
+        first = area.selection.start
+        await pilot.press("enter")
+        await stage.until(pilot, lambda: area.selection.start == places[(places.index(first) + 1) % len(places)])
+        await pilot.press("up")
+        await stage.until(pilot, lambda: area.selection.start == first)
+        stage.bench.code.finder.line.value = "12"
+        await stage.until(pilot, lambda: area.cursor_location == (11, 0))
+        await pilot.press("enter")
+        await stage.until(pilot, lambda: area.has_focus and not stage.bench.code.finder.has_class("-on"))
+        await stage.say(pilot, "/find nowhere to be found", wait=False)
+        await stage.until(pilot, lambda: "not found" in str(stage.bench.code.finder.query_one("Static").content))
+
+
+@pytest.mark.parametrize(
+    ("wanted", "places"), [("ego", [(0, 0), (1, 4)]), ("Ego", [(0, 0)]), ("", []), ("(x", [(1, 8)])]
+)
+def test_what_is_found(wanted, places):
+    assert found("Ego\nthe ego (x)", wanted) == places
+
+
+async def test_findings_are_a_list(stage):
+    async with stage.described() as pilot:
+        await stage.misspell(pilot)
+        stage.bench.go_to("chat")
+        await pilot.press("alt+p")
+        await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
+        assert "VanBehaviour" in str(stage.app.screen.query_one(OptionList).get_option_at_index(0).prompt)
+        await pilot.press("enter")
+        await stage.until(pilot, lambda: stage.bench.code.area.has_focus and stage.bench.code.finding is not None)
+
+
+async def test_turns_are_a_list_to_go_back_and_forward_in(stage):
+    async with stage.described() as pilot:
+        first = stage.bench.desk.program.text
+        await stage.editing(pilot, "E:speed")
+        await stage.type_over(pilot, "60")
+        second = stage.bench.desk.program.text
+        assert second != first and [t.index for t in stage.bench.session.history] == [0, 1]
+        stage.bench.go_to("chat")
+        await pilot.press("alt+u")
+        await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
+        await pilot.press("down", "enter")
+        await stage.until(pilot, lambda: stage.bench.desk.program.text == first and not stage.bench.busy)
+        assert [t.index for t in stage.bench.session.undone] == [1]
+        await pilot.press("alt+u")
+        await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
+        assert "undone" in str(stage.app.screen.query_one(OptionList).get_option_at_index(0).prompt)
+        await pilot.press("up", "enter")
+        await stage.until(pilot, lambda: stage.bench.desk.program.text == second and not stage.bench.busy)
+        assert not stage.bench.session.undone
+
+
+async def test_an_example_of_the_gallery_comes_into_the_line_to_type_in(stage):
+    async with stage.described() as pilot:
+        await stage.say(pilot, "/gallery night", wait=False)
+        await stage.until(pilot, lambda: stage.bench.chat.entry.text.startswith("At night in the rain ego drives"))
+        await stage.say(pilot, "/gallery nothing")
+        assert stage.said[-1].startswith("There is no example nothing; there are cut-in, ")
+        await stage.say(pilot, "/gallery", wait=False)
+        await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
+        assert stage.app.screen.query_one(OptionList).option_count == 10
+        await pilot.press(*"police", "enter")
+        await stage.until(pilot, lambda: stage.bench.chat.entry.text.startswith("Vehicle 1 was travelling"))
+
+
+async def test_sessions_are_renamed_and_deleted(stage):
+    async with stage.described() as pilot:
+        await stage.say(pilot, "/rename evening")
+        assert stage.said[-1] == "The session demo is called evening now."
+        assert stage.bench.chat.border_subtitle == "evening" and stage.app.prefs.session == "evening"
+        await stage.say(pilot, "/delete evening")
+        assert stage.said[-1] == "That session is open: /open another one first."
+        await stage.say(pilot, "/delete morning")
+        assert stage.said[-1] == "There is no session morning; /open lists them."
+        await stage.say(pilot, "/new night", wait=False)
+        await stage.until(pilot, lambda: stage.bench.session.name == "night")
+        await stage.say(pilot, "/delete evening", wait=False)
+        await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
+        await pilot.press("d")
+        await stage.until(pilot, lambda: stage.said and stage.said[-1] == "The session evening is deleted.")
+        assert [s.name for s in stage.backends[0].sessions.list()] == ["night"]

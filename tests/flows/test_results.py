@@ -1,0 +1,74 @@
+"""The outcome of a run in sight: in status, chat and S, and in the results pane with a series of seeds."""
+
+import asyncio
+
+from scripted_engine import CUT_IN
+
+from c2s_tui.results.plot import Curve, plot
+
+
+def report(stage) -> str:
+    """What the results pane shows, as plain text."""
+    return stage.bench.results.query_one("#report").content.plain
+
+
+async def test_a_collision_that_nobody_asked_for_is_said_everywhere(stage):
+    stage.engine.collides = True
+    said = "COLLISION ego-van at 6.3 s, not in the text"
+    async with stage.described() as pilot:
+        assert stage.said[-1].startswith(said)
+        assert said in stage.bench.query_one("#status").content.plain
+        hits = [row for row in stage.bench.sheet.rows if row.kind == "hit"]
+        assert [(r.cid, r.text) for r in hits] == [
+            ("E", "COLLISION with van at 6.3 s, not in the text"),
+            ("O1", "COLLISION with ego at 6.3 s, not in the text"),
+        ]
+        await pilot.press("f6")
+        await stage.until(pilot, lambda: "Gaps to ego" in report(stage))
+        assert said in report(stage) and "Requirements that are not met: 1" in report(stage)
+
+
+def test_the_results_of_a_run(stage, compare):
+    async def flow(pilot):
+        await stage.say(pilot, CUT_IN)
+        await pilot.press("f6")  # in the chat's line, whose F6 would select a line
+        await stage.until(pilot, lambda: "Gaps to ego" in report(stage))
+        shown = report(stage)
+        assert "no collision" in shown and "bumper to bumper" in shown and "cuts in ahead of ego" in shown
+        assert "Requirements that are met: 3" in shown
+
+    assert compare(flow)
+
+
+def test_seeds_fill_a_table_and_a_cancelled_series_keeps_its_rows(stage, compare):
+    async def flow(pilot):
+        stage.engine.gate, stage.engine.gated_at = asyncio.Event(), "seeds"
+        await stage.say(pilot, CUT_IN)
+        await stage.say(pilot, "/seeds 6", wait=False)
+        await stage.until(pilot, lambda: "Seeds: 2 of 6 run, 2 passed" in report(stage))
+        await pilot.press("escape")
+        await stage.until(pilot, lambda: not stage.bench.busy)
+        assert len(stage.bench.desk.seeds) == 2 and stage.bench.results.has_class("-on")
+        stage.engine.gate.set()
+        await pilot.press("s")
+        await stage.until(pilot, lambda: len(stage.bench.desk.seeds) == 20 and not stage.bench.busy)
+        assert "Seeds: 20 of 20 run, 14 passed, 6 failed" in report(stage)
+        assert any("14 of 20 seeds passed" in line for line in stage.said)
+
+    assert compare(flow, size=(100, 40))
+
+
+async def test_no_number_of_seeds_is_one_sentence(stage):
+    async with stage.described() as pilot:
+        await stage.say(pilot, "/seeds many")
+        assert stage.said[-1].startswith("many is no number of seeds: say 20")
+        await stage.say(pilot, "/seeds 0")
+        assert stage.said[-1] == "A series has 1 to 500 seeds, not 0."
+
+
+def test_a_plot_has_its_greatest_value_on_top_and_joins_its_dots():
+    drawn = plot([Curve([0.0, 5.0, 10.0], "red")], 2.0, 26, 4, "m").plain.split("\n")
+    assert drawn[0].startswith("   10 ") and drawn[-1].endswith("2.0 s")
+    columns = [any(line[i : i + 1] not in ("", " ") for line in drawn[:-1]) for i in range(6, 26)]
+    assert all(columns), "every column has a dot"
+    assert plot([], 2.0, 26, 4, "m").plain == "" and plot([Curve([1, 2], "red")], 2, 10, 4, "m").plain == ""

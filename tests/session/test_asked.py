@@ -1,0 +1,84 @@
+"""Questions about the scene at hand are answered from S and from its run; others are left to the documents."""
+
+import pytest
+
+from c2s_engine.session.asked import HELP, answered, wants_help
+from c2s_engine.structure.components import Assumption, Component, Structure
+from c2s_engine.structure.facts import ContactFact, EventFact, ObjectFacts, RunFacts
+from c2s_engine.structure.measures import ActorMeasures, Measures, PairMeasures
+from c2s_engine.structure.program import Program
+from c2s_engine.structure.progress import Finished
+from c2s_engine.structure.requirements import Requirement, Result
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+
+EGO = ObjectFacts(
+    name="ego", component="E", types=("car", "vehicle"), length=4.5, width=2, moves=True, held_speed=13.9,
+    events=(EventFact(event="brake", time=3.6), EventFact(event="keep_lane", time=0.0)),
+)  # fmt: skip
+CYCLIST = ObjectFacts(
+    name="cyclist", component="O1", types=("bicycle",), length=1.8, width=0.6, moves=True,
+    events=(EventFact(event="enter_road", time=2.9), EventFact(event="hits", time=4.1, other="ego")),
+)  # fmt: skip
+STRUCTURE = Structure(
+    text="Ego drives. A cyclist crosses.",
+    ego=Component(id="E", description="Ego drives.", spec=EgoSpec(reaction="brake"),
+                  assumed=(Assumption(field="reaction", value="brake", reason="the text does not say"),)),
+    objects=(Component(id="O1", description="A bicycle crosses.", spec=ObjectSpec(name="cyclist", type="bicycle")),),
+)  # fmt: skip
+REQUIRED = Requirement(
+    id="T.no_other_contact", kind="outcome", component="T", text="Nobody touches anybody.", check="no_other_contact",
+    values={"pairs": ()},
+)  # fmt: skip
+SHOWN = Finished(
+    ok=True, structure=STRUCTURE, program=Program(text="ego = new Car\n"), requirements=(REQUIRED,),
+    facts=(RunFacts(seed=0, duration=5.1, ended_by="collision", objects=(EGO, CYCLIST), contacts=(
+        ContactFact(time=4.08, one="ego", other="cyclist", part_one="front", part_other="left"),)),),
+    results=(Result(requirement=REQUIRED.id, holds=False, robustness=-1, said="no other contact", seen="they touch"),),
+    measures=(Measures(
+        pairs=(PairMeasures(other="cyclist", gap_m=0.0, gap_at_s=4.1, ttc_s=0.2, ttc_at_s=4.0),),
+        actors=(ActorMeasures(name="ego", fastest=13.9, slowest=9.0, slowest_at_s=4.1, braking=4.2, braking_at_s=3.9),
+                ActorMeasures(name="cyclist", fastest=4.5, slowest=4.4, slowest_at_s=1, braking=0.1, braking_at_s=1)),
+    ),),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("question", "words"),
+    [("was there a collision?", "COLLISION ego-cyclist at 4.1 s, not in the text"),
+     ("did they crash", "COLLISION ego-cyclist"),
+     ("Why does ego brake?", "the text does not say"),
+     ("why did the ego slow down?", "begins to brake at 3.6 s, after cyclist enters the road at 2.9 s"),
+     ("how hard did ego brake?", "4.2 m/s2 at most, at 3.9 s"),
+     ("how close did they come?", "bumper to bumper: 0 m at 4.1 s; smallest time to collision 0.2 s"),
+     ("what was the minimum TTC?", "time to collision 0.2 s at 4.0 s"),
+     ("how fast was the cyclist?", "cyclist fastest 16 km/h"),
+     ("did ego stop?", "ego does not stop: its slowest is 32 km/h"),
+     ("what happened?", "2.9 s cyclist enters the road; 3.6 s ego brakes; 4.1 s cyclist hits ego"),
+     ("did it work?", "0 of 1 requirements met.\nT: Nobody touches anybody."),
+     ("who is O1?", "O1: A bicycle crosses.")],
+)  # fmt: skip
+def test_questions_about_the_scene_and_its_run(question, words):
+    assert words in answered(question, SHOWN)
+
+
+@pytest.mark.parametrize(
+    "question", ["What does UN R157 say about collisions?", "What is a cut-in?", "How do I brake in Scenic?",
+                 "show me a snippet where a car brakes", "why is the cyclist here?"],
+)  # fmt: skip
+def test_other_questions_are_left_to_the_documents_and_to_why(question):
+    assert answered(question, SHOWN) == ""
+
+
+def test_before_a_run_nothing_is_known_of_it():
+    fresh = SHOWN.model_copy(update={"facts": (), "measures": (), "results": ()})
+    assert "has not been run" in answered("was there a collision?", fresh)
+    assert "the text does not say" in answered("why does ego brake?", fresh)
+    assert answered("was there a collision?", None) == ""
+
+
+@pytest.mark.parametrize(("text", "wants"), [("help", True), ("Hello!", True), ("thanks", True), ("hi there", True),
+                                             ("what can I do here?", True), ("help the cyclist cross", False),
+                                             ("the car says hello", False)])  # fmt: skip
+def test_help_and_greetings(text, wants):
+    assert wants_help(text) is wants
+    assert "c2s --help" in HELP

@@ -35,7 +35,7 @@ def names(tmp_path_factory):
 
 
 def names_on(town):
-    """The names that a program on a map has: `network`, what the driving library gives; no Scenic module is left loaded."""
+    """The names that a program on a map has: `network`, the driving library's; no Scenic module is left loaded."""
     from scenic.syntax import translator
 
     found: dict = {}

@@ -1,8 +1,8 @@
 """Whether a program written on one of CARLA's towns is sampled by plain Scenic on another that has such a place.
 
 `python -m c2s_bench.perf.portable --python ENVIRONMENT/bin/python --maps FOLDER`: the environment has `scenic` and
-`carla` from the registry and nothing else of ours; the folder has the towns. Texts are those of the benchmark. A town has
-a place where the engine finds one for the same structure. Of the program only the names of the map change.
+`carla` from the registry and nothing else; the folder has the towns. Texts are those of the benchmark. A town has a place
+where the engine finds one for the same structure. Of the program only the names of the map change.
 """
 
 import argparse
@@ -54,7 +54,8 @@ async def pairs(folder: Path, number: int, every: int) -> list[Pair]:
                 done = [e async for e in engine.generate(record.text, map=here, run=False, strict=True)
                         if isinstance(e, Finished)][0]  # fmt: skip
                 if done.ok and await _has(engine, done.structure, there):
-                    program = done.program.text.replace(f"{here}.xodr", f"{there}.xodr").replace(f"'{here}'", f"'{there}'")
+                    program = done.program.text.replace(f"{here}.xodr", f"{there}.xodr")
+                    program = program.replace(f"carla_map = '{here}'", f"carla_map = '{there}'")
                     found.append(Pair(record.id, here, there, program))
                     print(f"{len(found)} of {number}", file=sys.stderr)
                     break

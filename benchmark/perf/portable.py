@@ -1,8 +1,8 @@
 """Whether a program written on one of CARLA's towns is sampled by plain Scenic on another that has such a place.
 
-`python -m c2s_bench.perf.portable --python ENVIRONMENT/bin/python --maps FOLDER`: the environment has `scenic` and
-`carla` from the registry and nothing else; the folder has the towns. Texts are those of the benchmark. A town has a place
-where the engine finds one for the same structure. Of the program only the names of the map change.
+`python -m c2s_bench.perf.portable --python ENV/bin/python --maps FOLDER`: the environment has `scenic` and `carla` from
+the registry and nothing else; the folder has the towns. Texts are those of the benchmark. A town has a place where the
+engine finds one for the same structure. Of the program only the names of the map change.
 """
 
 import argparse

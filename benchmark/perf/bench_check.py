@@ -1,7 +1,8 @@
 """How fast a check is, against the plain `scenic` command and the stock compiler in one process. `make bench-check`.
 
-Same program, same machine, same run, caches warm; on the shipped town and on a map of CARLA's size. Prints a table with
-ratios and keeps it in benchmark/results. `cpu` is what all processes used for a check, also before and after it.
+Same program, same machine, same run, caches warm; on the shipped town and on CARLA's Town04 and Town10HD, where
+../shared/maps or $C2S_SHARED_MAPS has them. Prints a table with ratios and keeps it in benchmark/results. `cpu` is what
+all processes used for a check, also before and after it.
 """
 
 import argparse
@@ -19,13 +20,15 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from c2s_bench.perf import large_map, soak_check
+from c2s_bench.perf import soak_check
 from c2s_engine import paths
 from c2s_engine.check.client import SyncCheckClient
 from c2s_engine.check.protocol import CheckRequest
 
 PROGRAM = Path(__file__).with_name("program.scenic").read_text(encoding="utf-8")
 RESULT = Path(__file__).resolve().parents[1] / "results" / "check.json"
+MAPS = ("town", "Town04", "Town10HD")
+TOWNS = Path(os.environ.get("C2S_SHARED_MAPS") or Path(__file__).resolve().parents[3] / "shared" / "maps")
 PAUSE = 0.5  # s between one verdict and the next edit: the child for the next check is made ready meanwhile
 OBJECT, SETTINGS, MAP = "Range(15, 30)", "model scenic", "town.xodr"
 RUNNER = "c2s_engine.dryrun.runner:run_scene"  # as the app starts the server
@@ -103,31 +106,38 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--rounds", type=int, default=40)
     parser.add_argument("--commands", type=int, default=5, help="runs of the scenic command")
-    parser.add_argument("--map", choices=("both", "town", "large"), default="both")
+    parser.add_argument("--map", choices=("all", *MAPS), default="all")
     options = parser.parse_args()
     report: dict[str, Any] = {
         "machine": f"{os.cpu_count()} x {platform.processor() or platform.machine()}",
         "rounds": options.rounds,
         "maps": {},
     }
-    for name in ("town", "large") if options.map == "both" else (options.map,):
+    for name in MAPS if options.map == "all" else (options.map,):
+        if not map_file(name).is_file():
+            print(f"{name} is left out: there is no {map_file(name)} ($C2S_SHARED_MAPS may name another folder).")
+            continue
         with tempfile.TemporaryDirectory() as folder:
             before = os.getloadavg()[0]
             report["maps"][name] = {**measure(name, Path(folder), options.rounds, options.commands), "load": before}
         show(name, report)
+    if not report["maps"]:
+        return
     RESULT.parent.mkdir(parents=True, exist_ok=True)
     RESULT.write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
 
 
 def measure(name: str, folder: Path, rounds: int, commands: int) -> dict[str, Any]:
-    """All figures on one map: town.xodr in the folder is the town, or the large map under its name."""
-    if name == "town":
-        shutil.copy(paths.shipped("maps", "town.xodr"), folder)
-    else:
-        large_map.write(folder).rename(folder / "town.xodr")
+    """All figures on one map, which lies in the folder as town.xodr."""
+    shutil.copy(map_file(name), folder / MAP)
     files = write_programs(folder)
     stock = measure_stock(files)
     return {"ours": measure_ours(folder, rounds), "stock": stock, "command": measure_command(files, commands)}
+
+
+def map_file(name: str) -> Path:
+    """Where a map of the benchmark is, or would be."""
+    return paths.shipped("maps", MAP) if name == "town" else TOWNS / f"{name}.xodr"
 
 
 def measure_ours(folder: Path, rounds: int) -> dict[str, dict[str, float]]:

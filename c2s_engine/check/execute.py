@@ -97,6 +97,7 @@ def _load_map(conn: socket.socket, job: dict[str, Any]) -> None:
     from scenic.domains.driving.roads import Network
 
     from c2s_engine.check import rehearse
+    from c2s_engine.maps.opendrive import BrokenMap
 
     confine.limit(memory=MAP_MEMORY)
     networks.save_later = True
@@ -106,9 +107,8 @@ def _load_map(conn: socket.socket, job: dict[str, Any]) -> None:
         networks.prepare(network)
         library.load()
     except Exception as error:
-        known = isinstance(error, ScenicError)
-        odd = f"its roads and links do not fit together ({type(error).__name__}: {str(error)[:200]})"
-        wire.send(conn, {"failed": str(error) if known else odd})
+        known = isinstance(error, ScenicError | BrokenMap)
+        wire.send(conn, {"failed": str(error) if known else f"{type(error).__name__}: {error}"[:200]})
         return
     networks.save_later = False
     wire.send(conn, {"ready": True})

@@ -14,6 +14,8 @@ from typing import Any
 
 from c2s_engine import paths
 from c2s_engine.check import caching, packing
+from c2s_engine.maps.extras import read_extras
+from c2s_engine.maps.opendrive import BrokenMap, refuse_large
 
 COMPRESSION = 6  # of gzip: level 9, Scenic's own, takes five times as long for a file of the same size
 _networks: dict[tuple, Any] = {}
@@ -51,6 +53,7 @@ def _load(original: Callable[..., Any], cls: Any, path: Path, options: dict[str,
     """The network from the cache; else parsed, and to be saved there."""
     from scenic.core.serialization import deterministicHash
 
+    refuse_large(path)
     digest, chosen = hashlib.blake2b(path.read_bytes()).digest(), deterministicHash(options, digest_size=8)
     folder = paths.cache_folder() / "maps" / digest.hex()[:24]
     cached, packed = folder / f"network{cls.pickledExt}", folder / f"network-{_tag(cls, digest + chosen)}.packed"
@@ -66,11 +69,28 @@ def _load(original: Callable[..., Any], cls: Any, path: Path, options: dict[str,
         network = cls.fromPickle(cached, originalDigest=digest, optionsDigest=chosen)
         _unsaved.append((network, packed, None, b""))
     except (OSError, pickle.UnpicklingError, cls.DigestMismatchError):
-        network = original(cls, path, useCache=False, writeCache=False, **options)
+        network = _parsed(original, cls, path, options)
         _unsaved.append((network, packed, cached, head))
     if not save_later:
         save()
     return network
+
+
+def _parsed(original: Callable[..., Any], cls: Any, path: Path, options: dict[str, Any]) -> Any:
+    """The network from its file; raises BrokenMap. Scenic's parser expands entities and hangs on what is too large, so
+    that the file is read with care first."""
+    from scenic.core.errors import ScenicError
+
+    try:
+        read_extras(path)
+        return original(cls, path, useCache=False, writeCache=False, **options)
+    except (BrokenMap, ScenicError):
+        raise
+    except Exception as error:
+        what = f"{type(error).__name__}: {error}".rstrip(": ")[:200]
+        raise BrokenMap(
+            f"Scenic cannot read the map {path.name}: its roads and links do not fit together ({what})"
+        ) from error
 
 
 def _tag(cls: Any, digest: bytes) -> str:

@@ -196,7 +196,8 @@ async def places(pool: Pool, request: PlacesRequest) -> PlacesReport:
         raise ValueError(f"there is no map file {request.map}")
     header, blob = await pool.read(job)
     if why := await pool.no_map(request.map):
-        raise ValueError(f"Scenic cannot read the map {Path(request.map).name}: {why}")
+        name = Path(request.map).name
+        raise ValueError(why if name in why else f"Scenic cannot read the map {name}: {why}")
     zygote = await pool.nearest(request.map, header, job, blob)
     child = await zygote.spawn(
         {**job, "kind": "places", "expressions": request.expressions, "first": request.first}, b""

@@ -98,6 +98,10 @@ class MapExtras:
         """Ids of the junctions of those kinds."""
         return {j.id for j in self.junctions.values() if j.kind in kinds}
 
+    def ramps(self, kind: str) -> set[int]:
+        """The roads that are ramps: on to others ("on_ramp") or off them ("off_ramp")."""
+        return {r for j in self.junctions.values() for r in (j.on_ramps if kind == "on_ramp" else j.off_ramps)}
+
 
 def read_extras(path: str | Path) -> MapExtras:
     """The extras of a map file, kept in memory while the file does not change. Raises BrokenMap."""

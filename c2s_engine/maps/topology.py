@@ -11,19 +11,21 @@ from c2s_engine.maps.opendrive import Road, number
 
 JunctionKind = Literal["intersection", "roundabout", "on_ramp", "off_ramp", "transition"]
 GENTLE = math.radians(25)
-"""Ways of merges and diverges turn by less."""
+"""Ways of merges and diverges turn by less, or by less than 60 degrees in a bend of a WIDE radius."""
+WIDE = 40.0  # m
 
 
 @dataclass(frozen=True)
 class JunctionInfo:
-    """A junction: its kind, the roads that lead into it and out of it, and the ramp where it is one."""
+    """A junction: its kind, the roads that lead into it and out of it, and those of them that are ramps."""
 
     id: int
     name: str
     kind: JunctionKind
     incoming: tuple[int, ...]
     outgoing: tuple[int, ...]
-    ramp: int | None = None
+    on_ramps: tuple[int, ...] = ()
+    off_ramps: tuple[int, ...] = ()
 
 
 def junction_infos(
@@ -56,18 +58,20 @@ def _info(
     outgoing = tuple(dict.fromkeys(link.target for link in links if link.target is not None))
     if ring:
         return JunctionInfo(jid, name, "roundabout", incoming, outgoing)
-    if any(abs(turn(geometry[link.way])) > GENTLE for link in links):
+    driven = [link for link in links if any(lanes[link.way])]
+    if any(_bends(geometry[link.way]) for link in driven):
         return JunctionInfo(jid, name, "intersection", incoming, outgoing)
-    streams = _streams(links)
+    streams = _streams(driven)
 
-    def ramp(roads: set[int]) -> int | None:
-        return min((r for r in roads if r in lanes and 0 in lanes[r]), key=lambda r: sum(lanes[r]), default=None)
+    def ramp(roads: set[int]) -> list[int]:
+        one_way = [r for r in roads if r in lanes and 0 in lanes[r]]
+        return sorted(one_way, key=lambda r: (sum(lanes[r]), r))[:1]
 
-    for into, out in streams:
-        if len(into) > 1 and len(out) == 1 and (found := ramp(into)) is not None:
-            return JunctionInfo(jid, name, "on_ramp", incoming, outgoing, found)
-        if len(into) == 1 and len(out) > 1 and (found := ramp(out)) is not None:
-            return JunctionInfo(jid, name, "off_ramp", incoming, outgoing, found)
+    on_ramps = tuple(r for into, out in streams if len(into) > 1 and len(out) == 1 for r in ramp(into))
+    off_ramps = tuple(r for into, out in streams if len(into) == 1 and len(out) > 1 for r in ramp(out))
+    if on_ramps or off_ramps:
+        kind: JunctionKind = "on_ramp" if on_ramps else "off_ramp"
+        return JunctionInfo(jid, name, kind, incoming, outgoing, on_ramps, off_ramps)
     through = all(len(into) == len(out) == 1 for into, out in streams)
     return JunctionInfo(jid, name, "transition" if through else "intersection", incoming, outgoing)
 
@@ -83,6 +87,12 @@ def _streams(links: list[Link]) -> list[tuple[set[int], set[int]]]:
             into, out = into | other[0], out | other[1]
         streams.append((into, out))
     return [({r for r, _ in into}, {r for r, _ in out if r is not None}) for into, out in streams]
+
+
+def _bends(way: Road) -> bool:
+    """Whether a way turns off, as no way of a merge or diverge does."""
+    turned = abs(turn(way))
+    return turned > math.radians(60) or turned > GENTLE and way.length < WIDE * turned
 
 
 def turn(road: Road) -> float:

@@ -12,6 +12,7 @@ from c2s_engine.session import in_place, steps, unwritten
 from c2s_engine.session.citing import resting_on, uncited
 from c2s_engine.session.improving import can_improve, improved, summed
 from c2s_engine.session.methods import Method, method_named
+from c2s_engine.session.places import demanded
 from c2s_engine.session.read_back import read_back
 from c2s_engine.session.requiring import judged
 from c2s_engine.session.solving import can_solve, solved
@@ -102,9 +103,11 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
             structure = steps.apply(structure, edit)
         if state.get("given"):
             structure = with_usual_reaction(structure)
-        lenient = bool(state.get("text") or state.get("given")) and not state.get("strict")
+        strict = state.get("strict")
+        given = state.get("map") or (demanded(structure, tools.library) if strict else None)
+        lenient = bool(state.get("text") or state.get("given")) and not strict
         structure, found, result = await steps.configure(
-            structure, tools, emit, given=state.get("map"), needed=method.needs_place, lenient=lenient
+            structure, tools, emit, given=given, needed=method.needs_place, lenient=lenient
         )
         changed: list[str] = []
         if found.writer is None:

@@ -1,6 +1,6 @@
 """Which map a structure is written for, and whether that map has its place (DESIGN, "R")."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from c2s_engine.check.client import CheckClient, CheckError
@@ -46,6 +46,12 @@ def named_map(structure: Structure) -> str | None:
     """The map that the text names."""
     spec = structure.settings.spec
     return spec.map if isinstance(spec, SettingsSpec) else None
+
+
+def demanded(structure: Structure, library: MapLibrary) -> str | None:
+    """The map that the text names, where that is at hand."""
+    named = named_map(structure)
+    return named if named is not None and named.lower() in {name.lower() for name in library.names()} else None
 
 
 def at_hand(library: MapLibrary, default: str | None) -> tuple[str, ...]:
@@ -103,22 +109,44 @@ async def resolve(
 
 async def on_map(structure: Structure, library: MapLibrary, check: CheckClient, name: str) -> Resolution | None:
     """The best fit on one map; None where it lacks the place. Raises MapNotFound, BrokenMap, CheckError."""
+    found = await first_on_map((structure,), library, check, name)
+    return found[1] if found else None
+
+
+async def first_on_map(
+    structures: Sequence[Structure], library: MapLibrary, check: CheckClient, name: str
+) -> tuple[int, Resolution] | None:
+    """Of several structures the first that has places on a map, by its number, with its best fit; asked for at once.
+
+    None where no structure has any; those that contradict themselves have none. Raises as `on_map` does.
+    """
     choice = map_choice(library, library.find(name))
-    if lacks(structure, choice.extras):
+    writers = [TypedWriter(choice, room=room) for room in ROOMS]
+    fits: dict[str, tuple[int, TypedWriter]] = {}
+    for number, structure in enumerate(structures):
+        if contradiction(structure) is None and not lacks(structure, choice.extras):
+            for writer in writers:
+                fits.setdefault(writer.candidates(structure), (number, writer))
+    if not fits:
         return None
-    writers = {f"room {room:g}": TypedWriter(choice, room=room) for room in ROOMS}
-    expressions = {fit: writer.candidates(structure) for fit, writer in writers.items()}
+    expressions = {expression: expression for expression in fits}
     report = await check.places(PlacesRequest(map=str(choice.path), expressions=expressions, first=True))
     if report.errors:
         raise CheckError(next(iter(report.errors.values())))
-    return next((Resolution(writers[fit], count) for fit, count in report.counts.items() if count), None)
+    for expression, count in report.counts.items():
+        if count:
+            number, writer = fits[expression]
+            return number, Resolution(writer, count)
+    return None
 
 
 def lacks(structure: Structure, extras: MapExtras) -> str:
     """In a sentence, why the map's own file says that there can be no such place; nothing where it may have one."""
     place = structure.place.spec
     assert isinstance(place, PlaceSpec)
-    if place.kind in ("roundabout", "on_ramp", "off_ramp") and not extras.of_kind(place.kind):
+    there = {"roundabout": extras.of_kind("roundabout"), "on_ramp": extras.ramps("on_ramp"),
+             "off_ramp": extras.ramps("off_ramp")}  # fmt: skip
+    if not there.get(place.kind, True):
         return f"The map has no {place.kind.replace('_', '-')}."
     if place.kind == "motorway" and not any(road.motorway for road in extras.roads.values()):
         return "The map has no motorway."

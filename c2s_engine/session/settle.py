@@ -1,5 +1,6 @@
 """A text that asks for more than maps or specs can give is not refused: as few of R's fields as it takes are left open,
-else who is in a lane that no such place has comes into ego's.
+else lane changes go by the oncoming lane of a road with one each way, and who is in a lane that no such place has comes
+into ego's.
 
 Only for what was read from a text; an edit that contradicts the rest is refused, with the fields named.
 """
@@ -7,9 +8,10 @@ Only for what was read from a text; an edit that contradicts the rest is refused
 from collections.abc import Iterator
 from itertools import combinations
 
-from c2s_engine.check.client import CheckClient
-from c2s_engine.maps.library import MapLibrary
-from c2s_engine.session.places import Resolution, named_map, resolve
+from c2s_engine.check.client import CheckClient, CheckError
+from c2s_engine.maps.library import MapLibrary, MapNotFound
+from c2s_engine.maps.opendrive import BrokenMap
+from c2s_engine.session.places import Resolution, at_hand, demanded, first_on_map, resolve
 from c2s_engine.structure.components import Assumption, Structure, Unmet
 from c2s_engine.structure.specs import ObjectSpec, Placement
 
@@ -32,8 +34,8 @@ async def settle(
 
     A map that the text names counts as one that is given, as long as it is at hand and has anything near.
     """
-    named = named_map(structure)
-    if given is None and named is not None and named.lower() in {name.lower() for name in library.names()}:
+    named = demanded(structure, library)
+    if given is None and named is not None:
         relaxed, found = await settle(structure, library, check, given=named, default=default)
         if found.writer is not None:
             return relaxed, found
@@ -44,7 +46,7 @@ async def settle(
 async def _settle(
     structure: Structure, library: MapLibrary, check: CheckClient, *, given: str | None, default: str | None
 ) -> tuple[Structure, Resolution]:
-    found = await resolve(structure, library, check, given=given, default=default)
+    found = await resolve(structure, library, check, given=given, default=default, offers=False)
     if (
         found.writer is not None
         or found.diagnostic is None
@@ -53,23 +55,48 @@ async def _settle(
         return structure, found
     why = f"{given} has no such place" if given and found.diagnostic.code == "no-place" else found.diagnostic.message
     anywhere = found.diagnostic.code == "contradiction" or given is None
-    for relaxed in _relaxed(structure, why, anywhere):
-        again = await resolve(relaxed, library, check, given=given, default=default, offers=False)
-        if again.writer is not None:
-            return relaxed, again
-    return structure, found
+    nearest = await _nearest(list(_relaxed(structure, why, anywhere)), library, check, given, default)
+    if nearest is None:
+        return structure, await resolve(structure, library, check, given=given, default=default)
+    return nearest, await resolve(nearest, library, check, given=given, default=default, offers=False)
+
+
+async def _nearest(
+    variants: list[Structure], library: MapLibrary, check: CheckClient, given: str | None, default: str | None
+) -> Structure | None:
+    """The first of the variants that has a place, on the map that is given, else on any at hand."""
+    nearest = None
+    for name in (given,) if given else at_hand(library, default):
+        try:
+            found = await first_on_map(variants, library, check, name)
+        except (MapNotFound, BrokenMap, CheckError):
+            continue
+        if found is not None:
+            nearest, variants = variants[found[0]], variants[: found[0]]
+    return nearest
 
 
 def _relaxed(structure: Structure, why: str, anywhere: bool) -> Iterator[Structure]:
     """What may stand for a structure, from the one that gives up least."""
-    fields = [field for field in ORDER if _set(structure, field, anywhere)]
-    subsets = [subset for size in range(1, min(len(fields), 3) + 1) for subset in combinations(fields, size)]
-    subsets += [tuple(fields[:n]) for n in range(4, len(fields) + 1)]
-    yield from (_without(structure, subset, why) for subset in subsets)
-    moved = _in_line(structure, why)
-    if moved is not None:
-        yield moved
-        yield from (_without(moved, subset, why) for subset in subsets)
+    for changed in (structure, _in_line(structure, why)):
+        if changed is None:
+            return
+        for narrow in (changed, _one_lane(changed, why)):
+            yield narrow
+            fields = [field for field in ORDER if _set(narrow, field, anywhere)]
+            if narrow is not changed:
+                fields.remove("lanes")
+            subsets = [subset for size in range(1, min(len(fields), 3) + 1) for subset in combinations(fields, size)]
+            subsets += [tuple(fields[:n]) for n in range(4, len(fields) + 1)]
+            yield from (_without(narrow, subset, why) for subset in subsets)
+
+
+def _one_lane(structure: Structure, why: str) -> Structure:
+    """The structure on a road of one lane each way, where lane changes and overtaking go by the oncoming lane."""
+    place = structure.place
+    note = _instead("lanes", "1", getattr(place.spec, "lanes", None) or "left open", why)
+    spec = place.spec.model_copy(update={"lanes": 1})
+    return structure.with_component(place.model_copy(update={"spec": spec, "assumed": (*place.assumed, note)}))
 
 
 def _set(structure: Structure, field: str, anywhere: bool) -> bool:
@@ -89,12 +116,13 @@ def _in_line(structure: Structure, why: str) -> Structure | None:
         place = spec.placement
         position = "behind" if place.along == "behind" else "ahead"
         placement = Placement(position=position, gap=place.gap)
-        unmet = Unmet(text=f"{spec.name}: {place.position.replace('_', ' ')}", reason=why)
-        changed = changed.with_component(
-            component.model_copy(
-                update={"spec": spec.model_copy(update={"placement": placement}), "unmet": (*component.unmet, unmet)}
-            )
-        )
+        was = _told(place.position)
+        update = {
+            "spec": spec.model_copy(update={"placement": placement}),
+            "unmet": (*component.unmet, Unmet(text=f"{spec.name}: {was}", reason=why)),
+            "assumed": (*component.assumed, _instead("placement.position", position, was, why)),
+        }
+        changed = changed.with_component(component.model_copy(update=update))
     return changed if changed is not structure else None
 
 
@@ -102,12 +130,13 @@ def _without(structure: Structure, fields: tuple[str, ...], why: str) -> Structu
     """The structure with fields of R left open."""
     place = structure.place
     update = {field: "road" if field == "kind" else None for field in fields}
-    notes = tuple(
-        Assumption(field=field, value="left open", reason=f"it was {_told(getattr(place.spec, field))}: {why}")
-        for field in fields
-    )
+    notes = tuple(_instead(field, "left open", getattr(place.spec, field), why) for field in fields)
     spec = place.spec.model_copy(update=update)
     return structure.with_component(place.model_copy(update={"spec": spec, "assumed": (*place.assumed, *notes)}))
+
+
+def _instead(field: str, value: str, was: object, why: str) -> Assumption:
+    return Assumption(field=field, value=value, reason=f"it was {_told(was)}: {why}")
 
 
 def _told(value: object) -> str:

@@ -921,20 +921,33 @@ class MapFacts(object):
     def _read_junctions(self, root, network):
         rings = {int(junction.get('junction')) for group in root.iterfind("junctionGroup[@type='roundabout']")
                  for junction in group.iterfind('junctionReference')} or _rings(network)
+        def ramp(groups):
+            roads = [g.road for g in groups if not (g.road.forwardLanes and g.road.backwardLanes)]
+            return {road.id for road in sorted(roads, key=lambda road: (len(road.lanes), road.id))[:1]}
         for junction in network.intersections:
-            come = {lane.road for lane in junction.incomingLanes}
-            go = {lane.road for lane in junction.outgoingLanes}
-            gentle = all(abs(_turn(m.connectingLane)) < 0.44 for m in junction.maneuvers if m.connectingLane)
+            gentle = not any(_bends(m.connectingLane) for m in junction.maneuvers if m.connectingLane)
+            streams = _streams(junction) if gentle else []
+            merging = [ramp(into) for into, out in streams if len(into) > 1 and len(out) == 1]
+            parting = [ramp(out) for into, out in streams if len(into) == 1 and len(out) > 1]
             if junction.id in rings:
                 self.roundabouts.add(junction.id)
-            elif come & go or not gentle:
+            elif any(merging) or any(parting):
+                self.on_ramps.update(*merging)
+                self.off_ramps.update(*parting)
+            elif not gentle or any(len(into) > 1 or len(out) > 1 for into, out in streams):
                 self.intersections.add(junction.id)
-            elif len(come) > 1 and len(go) == 1:
-                self.on_ramps.add(min(come, key=lambda road: len(road.lanes)).id)
-            elif len(come) == 1 and len(go) > 1:
-                self.off_ramps.add(min(go, key=lambda road: len(road.lanes)).id)
-            elif len(come) > 1:
-                self.intersections.add(junction.id)
+
+def _streams(junction):
+    """The ways over a junction by what they have in common: for each stream of traffic the lane groups that it comes from
+    and those that it goes to."""
+    streams = []
+    for m in junction.maneuvers:
+        into, out = {m.startLane.group}, {m.endLane.group}
+        for other in [s for s in streams if s[0] & into or s[1] & out]:
+            streams.remove(other)
+            into, out = into | other[0], out | other[1]
+        streams.append((into, out))
+    return streams
 
 _MAP_FILE = globalParameters.map
 
@@ -943,6 +956,11 @@ def map_facts():
     if not hasattr(network, 'map_facts'):
         network.map_facts = MapFacts(_MAP_FILE, network)
     return network.map_facts
+
+def _bends(lane):
+    """Whether a lane turns off, as no way of a merge or an exit does: by over 25 degrees in a bend of under 40 m, or 60."""
+    turned = abs(_turn(lane))
+    return turned > 1.0472 or turned > 0.4363 and lane.centerline.length < 40 * turned
 
 def _turn(lane):
     """By how much a lane turns from its beginning to its end: rad, to the left."""

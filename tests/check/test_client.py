@@ -181,9 +181,9 @@ def test_the_front_imports_no_scenic() -> None:
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout == "[]\n"
 
 
-@pytest.mark.parametrize(("text", "code"), [("garbage", "map_broken"), ("<OpenDRIVE></OpenDRIVE>", "no_room")])
-def test_broken_maps(server: SyncCheckClient, tmp_path: Path, text: str, code: str) -> None:
+@pytest.mark.parametrize("text", ["garbage", "<OpenDRIVE></OpenDRIVE>"])
+def test_broken_maps(server: SyncCheckClient, tmp_path: Path, text: str) -> None:
     (tmp_path / "broken.xodr").write_text(text)
     program = "param map = localPath('broken.xodr')\nmodel scenic.simulators.carla.model\nego = new Car\n"
     report = server.check(CheckRequest(program=program, folder=str(tmp_path)))
-    assert [d.code for s in report.stages for d in s.diagnostics] == [code]
+    assert [d.code for s in report.stages for d in s.diagnostics] == ["map_broken"]

@@ -1,5 +1,7 @@
 """Maps that programs name: by any path, and such as Scenic cannot read."""
 
+import gzip
+import time
 from pathlib import Path
 
 import pytest
@@ -8,6 +10,8 @@ from c2s_engine import paths
 from c2s_engine.api import RUNNER
 from c2s_engine.check.client import CheckError, SyncCheckClient
 from c2s_engine.check.protocol import CheckRequest, PlacesRequest
+from c2s_engine.maps.extras import read_extras
+from c2s_engine.maps.opendrive import BrokenMap
 
 PROGRAM = """\
 param map = localPath({path!r})
@@ -69,6 +73,48 @@ def test_a_map_that_scenic_cannot_read_is_told_in_one_sentence(
     with pytest.raises(CheckError, match="Scenic cannot read the map odd.xodr: ") as refusal:
         server.places(PlacesRequest(map=str(write(tmp_path, body)), expressions={"lanes": "network.lanes"}))
     assert "\n" not in str(refusal.value)
+
+
+def said_of(server: SyncCheckClient, path: Path) -> tuple[str, str]:
+    """What is said of a map whose places are asked for, and of one that a program names."""
+    with pytest.raises(CheckError) as refusal:
+        server.places(PlacesRequest(map=str(path), expressions={"lanes": "network.lanes"}))
+    report = server.check(CheckRequest(program=PROGRAM.format(path=path.name), folder=str(path.parent), upto="compile"))
+    (fault,) = report.stages[-1].diagnostics
+    assert fault.line == 4 and fault.code == "map_broken"
+    return str(refusal.value), fault.message
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (paths.shipped("maps", "town.xodr").read_bytes()[:100_000], "odd.xodr is no well-formed XML"),
+        (b"", "odd.xodr is no well-formed XML"),
+        (gzip.compress(b"0" * 20_000_000, mtime=0), "odd.xodr is no well-formed XML"),
+        (b'<!DOCTYPE a [<!ENTITY b "bb"><!ENTITY c "&b;&b;">]><OpenDRIVE>&c;</OpenDRIVE>', "odd.xodr declares"),
+        (b'<OpenDRIVE><header name="' + b"x" * 81_000_000 + b'"/></OpenDRIVE>', "odd.xodr is larger than 80 MB"),
+        (b"<OpenDRIVE>" + b"<a>" * 1000 + b"</a>" * 1000 + b"</OpenDRIVE>", "odd.xodr has more elements"),
+        (b"<OpenDRIVE><header name='bare'/></OpenDRIVE>", "odd.xodr has no roads"),
+        (b'<OpenDRIVE><road id="1" length="9"/></OpenDRIVE>', "Road 1 of the map has no geometry"),
+    ],
+    ids=["truncated", "empty", "gzip bomb", "entities", "81 MB in one attribute", "deep", "no roads", "no geometry"],
+)
+def test_hostile_files_are_refused_in_one_sentence_before_scenic_reads_them(
+    server: SyncCheckClient, tmp_path: Path, content: bytes, said: str
+) -> None:
+    path = tmp_path / "odd.xodr"
+    path.write_bytes(content)
+    for sentence in said_of(server, path):
+        assert said in sentence
+        assert "\n" not in sentence
+
+
+def test_a_long_attribute_takes_no_longer_than_it_is_long(tmp_path: Path) -> None:
+    long = write(tmp_path, f'<a name="{"x" * 20_000_000}"/>')
+    started = time.process_time()
+    with pytest.raises(BrokenMap, match="has no roads"):
+        read_extras(long)
+    assert time.process_time() - started < 2.0
 
 
 def test_a_ring_of_roads_that_lead_into_each_other_is_read(server: SyncCheckClient, tmp_path: Path) -> None:

@@ -63,15 +63,58 @@ def test_roundabouts(name, count):
     assert len(town(name).of_kind("roundabout")) == count
 
 
-@pytest.mark.full
-def test_places_of_every_town_are_counted():
+@pytest.mark.parametrize(("name", "junction", "joining", "leaving"), SAID["ramps"])
+def test_ramps_are_one_way_roads_that_join_or_leave_without_turning_off(name, junction, joining, leaving):
+    info = town(name).junctions[junction]
+    assert (list(info.on_ramps), list(info.off_ramps)) == (joining, leaving)
+
+
+@pytest.fixture(scope="module")
+def server():
     from c2s_engine.check.client import SyncCheckClient
+
+    with SyncCheckClient() as client:
+        yield client
+
+
+def counts(server, name, expressions):
     from c2s_engine.check.protocol import PlacesRequest
 
-    with SyncCheckClient() as server:
-        for name in SAID["roundabouts"]:
-            report = server.places(PlacesRequest(map=str(TOWNS / f"{name}.xodr"), expressions=survey(town(name))))
-            assert not report.errors, name
-            assert report.counts["road"] > 30, name
-            assert report.counts["left turn"] > 10, name
-            assert (report.counts["motorway"] > 0) == (name in ("Town04", "Town06")), name
+    report = server.places(PlacesRequest(map=str(TOWNS / f"{name}.xodr"), expressions=expressions))
+    assert not report.errors, name
+    return report.counts
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("name", SAID["roundabouts"])
+def test_places_of_every_town_are_counted(server, name):
+    found = counts(server, name, survey())
+    assert found["road"] > 30
+    assert found["left turn"] > 10
+    assert (found["motorway"] > 0) == (name in ("Town04", "Town06"))
+    assert (found["4-way intersection, stop signs"] > 0) == (name in ("Town07",))
+    assert (found["crosswalk at an intersection"] > 0) == (SAID["crosswalks_in_all"][name] > 0)
+    assert found["roundabout"] == 0
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("name", SAID["roundabouts"])
+def test_programs_read_the_same_from_a_town_s_file_as_the_engine(server, name):
+    extras = town(name)
+    limits = {r: round(info.limit, 3) for r, info in extras.roads.items() if info.limit}
+    motorways = {r.id for r in extras.roads.values() if r.junction is None and r.motorway}
+    signs = {(c.junction, c.road): c.kind for c in extras.controls if c.junction is not None}
+    roads = "{road.id for road in network.allRoads}"
+    facts = "map_facts()"
+    expected = {
+        "limits": f"{{(r, round(v, 3)) for r, v in {facts}.limits.items()}} ^ "
+        f"{{(r, v) for r, v in {limits}.items() if r in {roads}}}",
+        "signs": f"set({facts}.signs.items()) ^ set({signs}.items())",
+        "motorways": f"{facts}.motorways ^ {motorways or 'set()'}",
+        "intersections": f"{facts}.intersections ^ {extras.of_kind('intersection')}",
+        "roundabouts": f"{facts}.roundabouts",
+        "on-ramps": f"{facts}.on_ramps ^ {extras.ramps('on_ramp') or 'set()'}",
+        "off-ramps": f"{facts}.off_ramps ^ {extras.ramps('off_ramp') or 'set()'}",
+        "crosswalks": f"[0] * abs(len({facts}.crosswalks) - {len(extras.crosswalks)})",
+    }
+    assert counts(server, name, expected) == dict.fromkeys(expected, 0)

@@ -7,11 +7,11 @@ import pytest
 
 from c2s_engine.api import Engine
 from c2s_engine.config import Settings
-from c2s_engine.session.places import resolve
+from c2s_engine.session.places import demanded, resolve
 from c2s_engine.session.settle import settle
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.progress import Finished
-from c2s_engine.structure.specs import EgoSpec, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec, SettingsSpec
 
 FOLDERS = (os.environ.get("C2S_SHARED_MAPS", ""), str(Path(__file__).parents[3] / "shared" / "maps"))
 TOWNS = next((Path(folder) for folder in FOLDERS if folder and Path(folder).is_dir()), None)
@@ -54,6 +54,52 @@ async def test_where_places_are_found_and_what_is_told(engine):
     _, found = await settle(asks(kind="roundabout"), library, check, given="Town10HD", default=None)
     assert found.writer is None
     assert "The map has no roundabout; town has it." in found.diagnostic.message
+
+
+async def test_on_a_town_of_narrow_roads_lanes_beside_ego_are_given_up_last(engine):
+    library, check = engine.library, engine.check_client
+
+    def wants(*objects, **ego):
+        structure = asks(kind="motorway", lanes=2, ego_lane="rightmost")
+        structure = structure.with_component(Component(id="E", spec=EgoSpec(speed=20.0, **ego)))
+        return structure.model_copy(
+            update={"objects": tuple(Component(id=f"O{i}", spec=o) for i, o in enumerate(objects, 1))}
+        )
+
+    truck = ObjectSpec(name="truck", type="truck", speed=10.0, placement=Placement(position="ahead"))
+    passing = wants(truck, phases=(Phase(action="overtake", target="O1"),))
+    relaxed, found = await settle(passing, library, check, given="Town07", default=None)
+    assert found.writer.map.name == "Town07"
+    assert {a.field: (a.value, a.reason) for a in relaxed.place.assumed} == {
+        "lanes": ("1", "it was 2: Town07 has no such place"),
+        "kind": ("left open", "it was motorway: Town07 has no such place"),
+    }
+    assert relaxed.objects == passing.objects
+
+    beside = wants(ObjectSpec(name="van", type="van", placement=Placement(position="left_lane", along="behind")))
+    relaxed, found = await settle(beside, library, check, given="Town07", default=None)
+    assert found.writer is not None
+    assert relaxed["O1"].spec.placement.position == "behind"
+    (note,) = relaxed["O1"].assumed
+    assert (note.field, note.reason) == ("placement.position", "it was left lane: Town07 has no such place")
+
+    _, found = await settle(asks(kind="on_ramp"), library, check, given="Town07", default=None)
+    assert found.writer is None
+    assert "The map has no on-ramp; town has it." in found.diagnostic.message
+
+
+async def test_a_map_that_the_text_names_is_kept_where_places_are_strict(engine):
+    structure = asks(kind="roundabout").with_component(Component(id="G", spec=SettingsSpec(map="Town07")))
+    assert demanded(structure, engine.library) == "Town07"
+    text = "In Town07 ego drives around in a roundabout."
+    strict, lenient = [
+        [e async for e in engine.generate(text, strict=strict, run=False) if isinstance(e, Finished)][0]
+        for strict in (True, False)
+    ]
+    assert not strict.ok
+    assert "Town07 has no such place. The map has no roundabout; town has it." in strict.diagnostics[0].message
+    assert lenient.ok and lenient.details["map"] == "town"
+    assert [a.reason for a in lenient.structure.settings.assumed if a.field == "map"] == ["Town07 has no such place"]
 
 
 async def test_ego_comes_over_several_short_roads(engine):

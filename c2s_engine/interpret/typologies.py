@@ -3,7 +3,6 @@
 import re
 
 from c2s_engine.interpret import language, understanding
-from c2s_engine.interpret.entities import PERSONS, VEHICLES, Entity
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.scene import Scene
 
@@ -57,10 +56,6 @@ def understand(text: str) -> Scene:
     inside = {e.key for e in own.cast.entities for m in e.mentions if start <= m.start < end} - outside
     if inside and outside:
         text = text[:start] + " " * (end - start) + text[end:]
-    elif (colon := re.match(r"[^:.;]{0,40}:", text[end:])) and not text[
-        :start
-    ].strip():  # "Lead vehicle stopped: truck"
-        text = " " * (end + colon.end()) + text[end + colon.end() :]
     own = understanding.understand(f"{text}. Ego drives on.")
     return understanding.understand(f"{text} {_fitted(meant, rest, own, usual)}")
 
@@ -77,32 +72,20 @@ def _complete(own: Scene, usual: Scene) -> bool:
     than drive on."""
     if not usual.actors or len(own.actors) < len(usual.actors):
         return False
-    if own.cast.ego.mentions and not own.cast.strong_ego and not own.events(own.cast.ego):
+    if own.cast.ego.mentions and not own.cast.strong_ego:
         return False
     told = all(any(e.act not in IDLE for e in own.events(a)) or "stationary" in a.roles for a in own.actors)
     usually = {e.act for e in usual.events(usual.cast.ego)} & MANOEUVRES
-    return told and (not usually - {"go_straight", "follow"} or bool(own.events(own.cast.ego)))
+    return told and (not usually - {"go_straight", "follow"})
 
 
 def _fitted(meant: str, rest: str, own: Scene, usual: Scene) -> str:
     """The type's meaning with the side and the road user that the text names in place of the usual ones."""
-    side = re.search(r"\b(?:turn\w*|lanes?)(?: to the)? (left|right)\b|\b(left|right) turn", rest)
-    if side is not None:
-        meant = re.sub(
-            r"(?<=turns )(?:left|right)|(?<=lanes to the )(?:left|right)", side[1] or side[2], meant, count=1
-        )
     source = re.search(r"\bfrom (?:the |its )?(left|right)\b", rest)
     if source is not None:
         meant = re.sub(r"(?<=from the )(?:left|right)", source[1], meant, count=1)
     told = [e for e in own.cast.entities if e.mover and e.noun]
     replaced = usual.actors[0] if len(usual.actors) == 1 else None
-    if replaced is not None and len(told) == 1 and told[0].count == 1 and _alike(told[0], replaced):
+    if replaced is not None and len(told) == 1 and told[0].count == 1:
         meant = re.sub(rf"\b(?:an?|the) (?:{ADJECTIVES})*{replaced.noun}\b", f"the {told[0].noun}", meant, flags=re.I)
     return meant
-
-
-def _alike(one: Entity, other: Entity) -> bool:
-    """Whether both are vehicles, people or animals."""
-    return (
-        one.type == other.type or {one.type, other.type} <= VEHICLES or {one.type, other.type} <= PERSONS - {"animal"}
-    )

@@ -15,7 +15,6 @@ from c2s_engine.interpret.what.damage import struck_by_damage
 from c2s_engine.interpret.what.doors import doors_opened
 from c2s_engine.interpret.what.foot_crossings import on_foot
 from c2s_engine.interpret.what.headlines import headline, story_first
-from c2s_engine.interpret.what.herded import herded
 from c2s_engine.interpret.what.indicated import indicated
 from c2s_engine.interpret.what.left_untold import left_untold
 from c2s_engine.interpret.what.onwards import same_side, turns_by_name
@@ -27,7 +26,6 @@ from c2s_engine.interpret.what.pulled_over import had_pulled_over
 from c2s_engine.interpret.what.run_ends import run_ends
 from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.stays_put import stays_put
-from c2s_engine.interpret.what.struck_both import struck_both
 from c2s_engine.interpret.what.there_and_back import swerves_back
 from c2s_engine.interpret.what.unsaid import by_who_did_not_notice, unsaid
 from c2s_engine.interpret.where.in_between import ahead_of_the_gap, in_between
@@ -38,7 +36,6 @@ from c2s_engine.interpret.where.relations import Places
 from c2s_engine.interpret.where.struck import came_out_into, merged_into, pushed, twice
 from c2s_engine.interpret.who.foretold import foretold
 from c2s_engine.interpret.who.mentions import Cast
-from c2s_engine.interpret.who.moving_objects import moving_objects
 
 
 def understand(text: str) -> Scene:
@@ -62,7 +59,6 @@ def understand(text: str) -> Scene:
     road = place.read(plain, sentences, quantities)
     words = syntax.parse(text, plain, sentences, dates.besides(plain, spans))
     cast = Cast(words)
-    moving_objects(cast)
     foretold(cast)
     clauses = Clauses(words, cast)
     by_who_did_not_notice(cast, clauses)
@@ -70,9 +66,7 @@ def understand(text: str) -> Scene:
     unnamed_doers(cast, clauses)
     story_first(cast, clauses)
     had_pulled_over(clauses)
-    herded(clauses)
     own_parts(clauses)
-    struck_both(clauses)
     struck_by_damage(cast, clauses)
     pushed(clauses)
     merged_into(clauses)

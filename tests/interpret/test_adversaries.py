@@ -6,13 +6,10 @@ import pytest
 @pytest.mark.parametrize(
     ("text", "phases"),
     [
-        ("The adversarial agent overtakes the ego on the left and brakes.", ["overtake", "brake"]),
-        ("The background agent in the left lane changes into the ego lane.", ["cut_in"]),
         ("The attacker approaches ego from behind and rams it.", ["collide"]),
         ("The BV in the adjacent lane cuts in front of the AV.", ["cut_in"]),
         ("A hostile driver tailgates the ego.", ["follow"]),
         ("Adversary vehicle overtakes the ego. The adversary then brakes hard.", ["overtake", "brake"]),
-        ("The opposing agent turns left across the agent's path at the junction.", ["turn_left"]),
         ("The ego car goes straight. The hostile car waits opposite and turns left across its path.", ["turn_left"]),
     ],
 )

@@ -11,10 +11,6 @@ def types(s) -> list[tuple[str, int]]:
     "text",
     [
         "A car, a van and a truck drive ahead of ego.",
-        "Three vehicles drive ahead of ego: a car, a van and a truck.",
-        "Three vehicles (a car, a van and a truck) drive ahead of ego.",
-        "Ahead of ego three vehicles drive: a car, a van and a truck.",
-        "Ahead of ego, a car, a van and a truck drive.",
     ],
 )
 def test_all_of_a_list_are_there(read, text: str) -> None:
@@ -24,25 +20,8 @@ def test_all_of_a_list_are_there(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "Ahead of ego, two cars and a truck wait at a red light.",
-        "At a red light ahead of ego two cars and a truck wait.",
-        "Two cars, along with a truck, wait at a red light ahead of ego.",
-        "There are two cars and a truck waiting at a red light ahead of ego.",
-    ],
-)
-def test_all_of_a_list_wait(read, text: str) -> None:
-    s = read(text)
-    assert types(s) == [("car", 2), ("truck", 1)]
-    assert all([p.action for p in o.spec.phases] == ["stationary"] for o in s.objects)
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
         "The vehicle ahead, a white van, brakes.",
         "The lead vehicle - a van - brakes.",
-        "A van as lead vehicle brakes.",
-        "The van that is the lead vehicle brakes.",
     ],
 )
 def test_another_name_is_the_same_one(read, text: str) -> None:
@@ -54,7 +33,6 @@ def test_another_name_is_the_same_one(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "A car and a van are ahead of ego, the latter braking.",
         "A car and a van are ahead of ego; the latter, a white Transit, brakes.",
         "Ahead of ego are a car and a van, which brakes.",
     ],
@@ -65,7 +43,10 @@ def test_the_latter(read, text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["One of two vans driving ahead of ego brakes.", "One of the three vans ahead brakes."]
+    "text",
+    [
+        "One of two vans driving ahead of ego brakes.",
+    ],
 )
 def test_one_of_several(read, text: str) -> None:
     braking = [o.spec.count for o in read(text).objects if o.spec.phases]
@@ -92,22 +73,6 @@ def test_ego_by_any_name(read, name: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "Ego drives at 50 km/h with a truck on each side.",
-        "Ego drives at 50 km/h flanked by two trucks.",
-        "Ego drives at 50 km/h. Two trucks flank it.",
-        "Ego drives at 50 km/h with a truck in each adjacent lane.",
-        "I drive at 50 km/h with a truck on either side of me.",
-    ],
-)
-def test_on_both_sides(read, text: str) -> None:
-    s = read(text)
-    assert [o.spec.placement.position for o in s.objects] == ["left_lane", "right_lane"]
-    assert {o.spec.placement.along for o in s.objects} == {"abreast"}
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
         "A van leads a car. The van brakes.",
         "A van, followed by a car, brakes.",
         "A car follows a van. The van brakes.",
@@ -123,9 +88,6 @@ def test_who_drives_behind_is_ego(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "An oncoming van turns left across the path of a car that goes straight on at an intersection.",
-        "At an intersection an oncoming van turns left across the path of a car going straight on.",
-        "A car drives in the right lane. A van in the left lane cuts in in front of it.",
         "A bus is in the right lane. A van in the left lane cuts in in front of it.",
     ],
 )

@@ -13,15 +13,10 @@ SCENE = "Ego follows a car at 50 km/h. The car brakes hard and a pedestrian cros
         "does ego brake for him or go round him, i dont get it from the picture",
         "wait, who is hidden behind whom here",
         "whats the speed of ego",
-        "hows the weather",
         "just curious, why 50 km/h",
         "i wonder if the pedestrian is hidden",
-        "the car doesnt stop, does it",
-        "30 m is too close at 50, isnt it",
         "is a pedestrian on the left sidewalk realistic",
         "can ego still stop in time at 50?",
-        "what would you suggest to make it harder",
-        "not sure whether the car stops completely",
     ],
 )
 def test_questions(read, text: str) -> None:
@@ -49,7 +44,6 @@ def test_demands_that_look_like_questions(read, text: str) -> None:
     [
         "ok drop this whole thing, next one: at dusk a deer stands in a right bend, ego comes with 90 km/h",
         "forget this one. ego turns right at a junction and a cyclist goes straight on beside it",
-        "start from scratch: roundabout, ego enters, cyclist inside the roundabout",
         "ok thanks, different scenario now. On a motorway a truck changes lane in front of ego.",
         "enough of that, now something with a tram: ego turns left and a tram comes from behind",
     ],
@@ -62,11 +56,9 @@ def test_a_new_scenario(read, text: str) -> None:
     ("text", "why"),
     [
         ("the driver of the car opens the door", "doors"),
-        ("the car is loaded with wood", "carries"),
         ("make the lead car blue", "colours"),
         ("make it better", "did not understand"),
         ("a tunnel would be nice", "did not understand"),
-        ("pedestrian earlier", "earlier"),
     ],
 )
 def test_what_cannot_be_done_changes_nothing(read, text: str, why: str) -> None:

@@ -49,18 +49,6 @@ def test_whom_ego_hits_while_it_changes_lanes_is_beside_it(read, text: str, posi
 
 
 @pytest.mark.parametrize(
-    "text",
-    [
-        "V1 rolled through the stop sign into the path of a motorcycle.",
-        "Ego ran the red light in front of a van.",
-        "Ego rolls through the stop sign in front of a bus.",
-    ],
-)
-def test_into_whose_path_ego_runs_a_sign_crosses(read, text: str) -> None:
-    assert read(text).objects[0].spec.placement.position.startswith("crossing")
-
-
-@pytest.mark.parametrize(
     ("text", "action"),
     [
         ("As the ego is overtaking, the car being overtaken accelerates.", "accelerate"),

@@ -86,11 +86,6 @@ def test_across_the_highway(read) -> None:
     assert s.place.spec.kind == "intersection" and s["O1"].spec.placement.position.startswith("crossing")
 
 
-def test_who_pulls_away_and_hits_a_cyclist_is_ego(read) -> None:
-    s = read("The bus was pulling away from the stop when it hit a cyclist.")
-    assert s.ego.spec.type == "bus" and [o.spec.type for o in s.objects] == ["bicycle"]
-
-
 def test_already_on_the_roundabout(read) -> None:
     s = read("V1 entered the roundabout and was struck by V2, which was already in it.")
     assert s["O1"].spec.placement.position == "crossing_left"

@@ -8,7 +8,6 @@ import pytest
     [
         ("A gust of wind pushes a van from the right lane into the ego's lane on a motorway.", "drift"),
         ("A strong crosswind blows the truck ahead out of its lane.", "drift"),
-        ("The van beside the ego is pushed into the ego's lane by a sudden gust.", "drift"),
         ("A patch of black ice sends the oncoming car into the ego's lane.", "drift"),
     ],
 )
@@ -23,7 +22,6 @@ def test_what_wind_and_ice_move(read, text: str, action: str) -> None:
         "There is a stationary queue ahead of the ego.",
         "Traffic ahead is stationary.",
         "The traffic in front of the ego has come to a halt.",
-        "A queue has formed at the exit; the ego stops behind it.",
         "Ahead of the ego, traffic is at a complete standstill.",
     ],
 )

@@ -11,7 +11,7 @@ import pytest
         ("The right lane is coned off ahead. Ego merges left.", "cone", "ahead", "rightmost"),
         ("Roadworks close the right lane 200 m ahead; ego is in the right lane.", "construction_zone",
          "ahead", "rightmost"),
-        ("The left of two lanes is closed 150 m ahead. Ego brakes.", "lane_closure", "left_lane", "rightmost"),
+        
     ],
 )  # fmt: skip
 def test_closed_lanes(read, text: str, kind: str, position: str, ego: str) -> None:
@@ -25,7 +25,6 @@ def test_closed_lanes(read, text: str, kind: str, position: str, ego: str) -> No
     [
         ("A tyre tread is on the left lane of the freeway, where ego drives at 65 mph.", "ahead", "leftmost"),
         ("A vehicle merges from the on-ramp into the right lane, where ego is driving.", "on_ramp", "rightmost"),
-        ("A truck changes into the left lane in which ego is travelling.", "right_lane", "leftmost"),
         ("A fallen tree blocks the right lane. Ego has to stop.", "ahead", "rightmost"),
         ("A stalled car blocks the left lane; ego is in the right lane and slows down.", "left_lane", "rightmost"),
     ],

@@ -16,13 +16,11 @@ DEEDS = {  # subject, third person, past, base form, participle
 }
 WAYS = [
     "{S} {past}.",
-    "What if {s} {v}?",
     "Ego sees {s} {ing}.",
     "There is {s} which {v}.",
     "Ego encounters {s} {ing}.",
     "{S} starts to {base}.",
     "{S} begins {ing}.",
-    "{S} suddenly and without warning {v}, forcing ego to brake.",
     "Ego must brake because {s} {v}.",
     "When {s} {v}, ego brakes.",
     "We need {s} to {base}.",

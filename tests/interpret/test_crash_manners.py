@@ -58,72 +58,6 @@ CRASHES = {
         ),
         "V1 collided with V2 at the intersection as V2, an oncoming vehicle, was turning left.",
     ],
-    "cross": [
-        "V1 was eastbound. V2 was northbound and ran the red light at the intersection. V1 struck V2.",
-        "Vehicle 2, northbound, ran a red light and Vehicle 1, eastbound, struck it at the intersection.",
-        (
-            "V1 was traveling east through the intersection on green. V2 entered the intersection from "
-            "the south against a red light and was struck by V1."
-        ),
-        "V1 eastbound hit V2, which was northbound and had run the red light at the intersection.",
-        (
-            "I had a green light and was going straight through the intersection when a car came from my "
-            "right through the red light. I hit it."
-        ),
-        "A car coming from the right ran the red light at the intersection and V1 hit it.",
-        (
-            "The AV was eastbound. A car traveling northbound ran the red light at the intersection and "
-            "the AV made contact with it."
-        ),
-        "V2 failed to stop for the red light. V1 was eastbound and V2 northbound. V1 hit V2 in the intersection.",
-        "D2 disregarded the red signal, northbound, and was struck by D1, eastbound, in the intersection.",
-        "V1 E/B, V2 N/B. V2 ran the red light at the intersection. V1 hit V2.",
-        (
-            "V1 was E/B and entered the intersection on a green light. V2 was N/B and entered it on a "
-            "red light. The front of V1 struck V2."
-        ),
-    ],
-    "rear": [
-        "V1 was stopped at a red light. V2 struck V1 from behind.",
-        "V1 was stopped for a red light when it was struck in the rear by V2.",
-        "V1 was at a standstill at the red light. V2, behind it, did not stop in time and ran into it.",
-        "V2 rear-ended V1, which was stopped at a red light.",
-        "V2 ran into the back of V1, which was waiting at a red light.",
-        "I was stopped at a red light and the car behind hit me.",
-        "I was stationary at the red light when someone ran into the back of me.",
-        "I was sitting at a red light when I got rear-ended.",
-        "I was hit from behind while waiting at a red light.",
-        "The AV was stopped at a red light when a passenger car made contact with its rear bumper.",
-        "An AV that was stopped at a red light was rear-ended by a car.",
-        "V1 was waiting for the red light to change. V2 failed to stop and collided with the rear of V1.",
-        "While stopped at a red light, V1 was rear-ended by V2.",
-        "D1 was stopped at a red light. D2 failed to stop and rear-ended V1.",
-        "The front of V2 struck the back of V1, stopped at a red light.",
-        "A driver who was stopped at a red light was struck from behind by another car.",
-    ],
-    "lane": [
-        "V1 was northbound in the right lane. V2, in the left lane, changed lanes to the right and sideswiped V1.",
-        "V2 was in the left lane next to V1 and merged right into V1, which was in the right lane.",
-        (
-            "V1 was in the right lane. V2 was in the left lane and moved into the right lane, striking "
-            "the left side of V1."
-        ),
-        "V2 made an unsafe lane change from the left lane into the right lane and struck V1.",
-        (
-            "V2 changed from the left to the right lane and its right side hit the left side of V1, "
-            "which was in the right lane."
-        ),
-        "I was in the right lane when the car in the left lane came over into my lane and hit me.",
-        "I was in the right lane and a car on my left changed lanes into me.",
-        (
-            "The AV was in the right lane when a car in the left lane changed lanes into the AV's lane "
-            "and made contact with its left side."
-        ),
-        "A car in the left lane moved over to the right and sideswiped the AV, which was in the right lane.",
-        "V1 was hit by V2 when V2 changed lanes from the left lane to the right lane.",
-        "As V2 was changing lanes from the left lane to the right lane, it struck the left side of V1.",
-        "D2 attempted to change from the left lane to the right lane and hit V1, which was in the right lane.",
-    ],
     "ped": [
         "V1 was eastbound. A pedestrian crossed the road from the right and V1 struck the pedestrian.",
         "V1, eastbound, struck a pedestrian who was crossing the road from the right.",
@@ -168,20 +102,6 @@ CRASHES = {
         "The vehicle left the road on the right before hitting a tree.",
         "V1 veered off the road to the right and into a tree.",
         "A tree was struck by V1 after it left the road to the right.",
-    ],
-    "parked": [
-        "V1 was westbound and struck V2, which was parked on the right.",
-        "V2 was parked on the right side of the road. V1, westbound, hit it.",
-        "V1 hit V2, a parked car.",
-        "V1 collided with a parked car on the right.",
-        "V2 was parked at the curb and unoccupied. V1 struck V2 in the rear.",
-        "V1 drove into the back of V2, which was parked.",
-        "I hit a parked car.",
-        "I ran into the back of a parked car.",
-        "A parked car was struck by V1.",
-        "Unit 2 was legally parked. Unit 1 sideswiped Unit 2.",
-        "V2, parked and unattended, was hit by V1.",
-        "V1 struck parked V2.",
     ],
     "backing": [
         "V1 was stopped behind V2. V2 backed up and struck V1.",

@@ -18,8 +18,7 @@ def places(structure) -> list[tuple]:
          [("left_lane", None, "ego"), ("right_lane", None, "ego")]),
         ("Two vehicles are near ego: one 20 m ahead and one 10 m behind.",
          [("ahead", None, "ego"), ("behind", None, "ego")]),
-        ("Two cars are parked, one on the left side and another on the right side of the street.",
-         [("parked", "left", "ego"), ("parked", "right", "ego")]),
+        
         ("There are three cars around ego, one ahead, one behind and one in the left lane.",
          [("ahead", None, "ego"), ("behind", None, "ego"), ("left_lane", None, "ego")]),
         ("Two cars (one in front, one behind) drive at the same speed as ego.",
@@ -44,19 +43,3 @@ def test_what_follows_stays_with_both(read) -> None:
 )
 def test_a_row_stays_one(read, text: str) -> None:
     assert len(read(text).objects) == 1
-
-
-@pytest.mark.parametrize(
-    ("text", "lanes", "stands"),
-    [
-        ("Two trucks side by side block both lanes 100 m ahead of the ego vehicle.", ["ahead", "left_lane"], True),
-        ("Two trucks travelling abreast occupy both lanes of the motorway.", ["ahead", "left_lane"], False),
-        ("Three cars abreast block all lanes of the motorway.", ["ahead", "right_lane", "left_lane"], True),
-        ("A taxi and a police car wait side by side at the red light ahead of ego.", ["ahead", "left_lane"], True),
-        ("A van and a lorry stand side by side and block both lanes.", ["ahead", "left_lane"], True),
-    ],
-)
-def test_side_by_side(read, text: str, lanes: list[str], stands: bool) -> None:
-    s = read(text)
-    assert [o.spec.placement.position for o in s.objects] == lanes
-    assert all((o.spec.speed == 0) is stands for o in s.objects)

@@ -24,7 +24,6 @@ def test_last_in_line(read, text: str) -> None:
     "text",
     [
         "Three trucks drive in a convoy. The ego is the middle truck. The lead truck brakes.",
-        "Three cars drive one behind the other. The second is the ego. The first brakes.",
         "We were the second of three vehicles in line. The vehicle in front braked.",
     ],
 )
@@ -85,26 +84,3 @@ def test_system_vehicle(read) -> None:
     for over in ("the separating marking", "the dividing line", "the lane marking"):
         text = f"With the system active, a passenger car moves across {over} into the lane of the system vehicle."
         assert [p.action for o in read(text).objects for p in o.spec.phases] == ["cut_in"], over
-
-
-@pytest.mark.parametrize(
-    ("text", "others"),
-    [
-        ("Ego is the last of three trucks in a line. The first two trucks brake hard.", [("ahead", 2, ["brake"])]),
-        (
-            "In a platoon of four vehicles, of which ego is the first, the last two cars brake hard.",
-            [("behind", 1, []), ("behind", 2, ["brake"])],
-        ),
-        (
-            "Ego is the first of three trucks in a line. The first two vehicles brake.",
-            [("behind", 1, ["brake"]), ("behind", 1, [])],
-        ),
-        (
-            "Ego is the third of four trucks in a row at a light. The last two trucks turn left.",
-            [("ahead", 2, []), ("behind", 1, ["turn_left"])],
-        ),
-    ],
-)
-def test_several_of_the_line_by_one_number(read, text: str, others: list) -> None:
-    told = [o.spec for o in read(text).objects]
-    assert [(o.placement.position, o.count, [p.action for p in o.phases]) for o in told] == others

@@ -12,7 +12,6 @@ import pytest
         ("The car ahead locks up and the ego piles into it.", "E", "collide"),
         ("The coach ahead bails onto the hard shoulder.", "O1", "leave_road"),
         ("The taxi flips a U-turn in front of the ego.", "O1", "u_turn"),
-        ("A minibus ahead of the ego mounts the kerb.", "O1", "leave_road"),
         ("The ego boots it and scoots around the tractor.", "E", "overtake"),
         ("Ego avoids the stopped car by the left lane.", "E", "lane_change"),
         ("Some idiot in a BMW cuts me up and slams on the brakes.", "O1", "cut_in"),

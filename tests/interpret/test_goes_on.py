@@ -11,7 +11,6 @@ def actions(component) -> list[str]:
     "text",
     [
         "Unit 1 stopped at the stop sign then pulled into the intersection and was struck by Unit 2 from the right.",
-        "V1 stopped for the stop sign, then entered the intersection, where V2 struck it from the right.",
         "V1 halted at the sign and proceeded, and V2 hit it from the right at the crossroads.",
         "The truck stopped at the stop sign and then drove on, and V2 hit it from the right.",
         "It is an all way stop. V1 stopped, then started into the intersection, and V2 ran into it from the right.",
@@ -38,7 +37,6 @@ def test_who_stops_for_a_while_then_starts(read, text: str) -> None:
         ("I turned the wheel but the car went straight on into the ditch.", "leave_road"),
         ("I hit a patch of ice and the car spun off the road.", "leave_road"),
         ("I lost it on the bend and the car just slid into a fence.", "collide"),
-        ("We were doing 50 when a tyre burst and the car hit a tree.", "collide"),
     ],
 )
 def test_the_car_that_gets_out_of_hand_is_ones_own(read, text: str, act: str) -> None:
@@ -62,9 +60,7 @@ def test_the_car_that_does_something_to_me_is_another(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "V1 entered the junction and was struck by V2 coming from the left.",
         "Unit 1 was crossing and was hit by Unit 2 travelling through from the left.",
-        "The AV was rear-ended by V2 going about 30 mph.",
     ],
 )
 def test_who_is_named_before_a_participle_does_it(read, text: str) -> None:

@@ -19,7 +19,6 @@ def acts(structure: Structure, cid: str) -> list[str]:
     ("text", "rest", "own"),
     [
         ("Two cars drive ahead of the ego. The second one brakes hard.", 1, "brake"),
-        ("Two cars are ahead. The first brakes.", 1, "brake"),
         ("Three cars are parked on the right. The second car pulls out in front of the ego.", 2, "enter_road"),
         ("Two motorcycles follow ego. The second overtakes it.", 1, "overtake"),
         ("Three trucks drive in the right lane. The last of them changes to the left lane ahead of ego.", 2, "cut_in"),
@@ -74,7 +73,6 @@ def test_who_drives_the_wrong_way_faces_ego_in_its_lane(read, text: str) -> None
             ["left_lane", "left_lane"],
         ),
         ("A bus is on its right, a car on its left. Ego drives in the middle lane.", ["right_lane", "left_lane"]),
-        ("A parked truck partially occupies the ego lane.", ["partly_in_lane"]),
         ("A car parked in the ego's lane blocks the way.", ["ahead"]),
         ("The right lane is blocked by a skip. Ego drives around it.", ["ahead"]),
         ("Ego waits to turn left, the oncoming lane is full of cars.", ["oncoming_lane"]),

@@ -25,7 +25,6 @@ def test_driven_over_the_limit(read, text: str, speed: int, limit: int) -> None:
     ("text", "speed"),
     [
         ("A tailgater sits 5 m behind ego at 100 km/h.", 100),
-        ("A motorcyclist hangs back 10 m behind ego at 70 km/h.", 70),
         ("Behind ego a bus follows at 50 km/h.", 50),
         ("A van stays 2 seconds behind ego at 90 km/h.", 90),
     ],
@@ -40,7 +39,6 @@ def test_who_keeps_behind_is_as_fast(read, text: str, speed: int) -> None:
     ("text", "ego", "other"),
     [
         ("A car is approaching from behind, 15 km/h faster than ego at 80 km/h.", 80, 95),
-        ("A car comes up behind ego with a speed difference of 40 km/h; ego drives at 110 km/h.", 110, 150),
         ("Ego drives at 90 km/h and closes in on a truck at a relative speed of 30 km/h.", 90, 60),
         ("The lead car drives 5 m/s slower than ego, which drives at 25 m/s.", 90, 72),
     ],
@@ -54,8 +52,6 @@ def test_differences(read, text: str, ego: int, other: int) -> None:
     ("text", "least", "most"),
     [
         ("Ego keeps a time gap of 1.2 s to the car ahead, both driving at 108 km/h.", 36, 44),
-        ("Ego drives 2 s behind a truck at 90 km/h.", 50, 61),
-        ("A van follows ego 1 second behind at 72 km/h.", 20, 25),
         ("The headway to the lead is 0.9 s at 100 km/h.", 25, 31),
         ("The distance between ego and the car in front is 22 m.", 22, 22),
     ],
@@ -141,24 +137,6 @@ def test_speeds_by_letters(read) -> None:
 def test_own_speed(read) -> None:
     s = read("The system shall, at an own speed of 50 km/h or less, slow down and let a bus pull out in front.")
     assert kmh(s["E"].spec.speed) == 50
-
-
-@pytest.mark.parametrize(
-    ("text", "ego", "other"),
-    [
-        ("The vehicle in front is going 15 km/h under the limit of 80 km/h. Ego is doing the limit.", 80, 65),
-        ("The limit is 80 km/h. Ego drives at the limit behind a truck that is 20 km/h below the speed limit.", 80, 60),
-        ("Ego drives 10 km/h over the limit of 60 km/h. A car comes up from behind at 30 km/h over the limit.", 70, 90),
-    ],
-)
-def test_by_the_limit(read, text: str, ego: int, other: int) -> None:
-    s = read(text)
-    assert (kmh(s["E"].spec.speed), kmh(s["O1"].spec.speed)) == (ego, other)
-
-
-def test_a_crossing_at_a_drivers_speed(read) -> None:
-    s = read("The test vehicle approaches a pedestrian crossing at 40 km/h. A child walks onto it at 5 km/h.")
-    assert kmh(s["E"].spec.speed) == 40 and [o.spec.type for o in s.objects] == ["child"]
 
 
 @pytest.mark.parametrize(

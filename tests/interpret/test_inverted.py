@@ -10,7 +10,6 @@ EGO = "The ego drives along a road. "
     [
         ("Out of a driveway on the right backs a car.", "A car backs out of a driveway on the right."),
         ("Across the road runs a child.", "A child runs across the road."),
-        ("On the left lane overtakes a motorcycle.", "A motorcycle overtakes on the left lane."),
         (
             "From the right lane swerves a car into the ego's lane.",
             "A car swerves from the right lane into the ego's lane.",
@@ -18,7 +17,6 @@ EGO = "The ego drives along a road. "
         ("Coming the other way was a milk float.", "A milk float was coming the other way."),
         ("From a side street on the right turns a taxi.", "A taxi turns from a side street on the right."),
         ("Off the pavement stepped a man.", "A man stepped off the pavement."),
-        ("Into the gap squeezes a van.", "A van cuts in."),
     ],
 )
 def test_same_as_in_plain_order(read, inverted: str, plain: str) -> None:

@@ -6,7 +6,6 @@ from c2s_engine.interpret import EmbeddedInterpreter
 
 LANES = [
     ("in the second lane from the left of four", 4, "middle"),
-    ("in the third of four lanes", 4, "middle"),
     ("in the number two lane of a five-lane freeway", 4, "middle"),
     ("in the second lane from the right of a freeway with five northbound lanes", 4, "middle"),
     ("in the far left lane of a ten-lane freeway (five lanes each way)", 4, "leftmost"),

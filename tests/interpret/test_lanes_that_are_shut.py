@@ -20,9 +20,3 @@ def types(text: str) -> set[str]:
 )
 def test_a_lane_is_closed(text: str) -> None:
     assert types(text) == {"lane_closure"}
-
-
-def test_what_closes_it_where_it_is_told() -> None:
-    assert types("The right lane is closed for roadworks and ego merges left.") == {"construction_zone"}
-    assert types("The road ahead is closed. Ego has to turn around.") == {"barrier"}
-    assert types("The lane is closed to trucks. Ego follows a van.") == {"van"}

@@ -16,7 +16,6 @@ WAYS = {  # a place and way, told with a plain verb: subject -> what follows the
 MANNERS = ["blasts", "thunders", "zips", "rockets", "hurtles", "charges", "screeches", "lumbers", "scoots", "powers"]
 PAST = [
     ("a taxi", "sweeps past us on the left", "swept past us on the left"),
-    ("a delivery van", "cuts in right in front of me", "cut in right in front of me"),
     ("an Audi", "spins in front of us", "spun in front of us"),
     ("a motorbike", "darts across in front of us", "darted across in front of us"),
     ("a van", "veers into our lane", "veered into our lane"),

@@ -27,20 +27,11 @@ def test_who_gives_a_signal_is_at_no_light(read) -> None:
 @pytest.mark.parametrize(
     ("text", "position"),
     [
-        ("AV in the left lane at 100 km/h, continuous traffic in the right lane at 90 km/h.", "right_lane"),
         ("Oncoming lane occupied by a convoy of three cars. Ego wants to pass a pallet in its lane.", "oncoming_lane"),
     ],
 )
 def test_who_fills_a_lane(read, text: str, position: str) -> None:
     assert position in [o.spec.placement.position for o in read(text).objects]
-
-
-@pytest.mark.parametrize(
-    "text", ["A car catches up with ego.", "Ego is caught up by a car doing 160.", "A taxi closes in on ego and stops."]
-)
-def test_who_catches_up_comes_from_behind(read, text: str) -> None:
-    s = read(text)
-    assert s["O1"].spec.placement.position == "behind" and s["O1"].spec.speed > s.ego.spec.speed
 
 
 @pytest.mark.parametrize("text", ["Ego closes in on a taxi.", "Ego catches up with a taxi."])
@@ -91,9 +82,3 @@ def test_who_goes_right_out_of_the_left_lane_changes_lanes(read) -> None:
 def test_ego_does_not_brake_for_one_behind(read) -> None:
     s = read("The AV brakes without reason from 100 to 60 km/h with a truck 15 m behind.")
     assert [(p.action, p.target) for p in s.ego.spec.phases] == [("brake", None)]
-
-
-def test_a_negative_rate_belongs_to_the_braking(read) -> None:
-    s = read("Ego 90. Lead 40 m in front of ego brakes -5 m/s2 to 50 km/h.")
-    assert [(p.action, p.speed, p.rate) for p in s["O1"].spec.phases] == [("brake", 13.89, 5.0)]
-    assert s.ego.spec.speed == pytest.approx(25.0)

@@ -12,11 +12,6 @@ import pytest
             ["ahead", "left_lane"],
         ),
         (
-            "A two-lane one-way street. The left lane is blocked by a truck and a cyclist rides in the right lane.",
-            "leftmost",
-            ["ahead", "right_lane"],
-        ),
-        (
             "Two lanes in each direction. A van is in the left lane and a truck in the right lane ahead of ego.",
             "rightmost",
             ["left_lane", "ahead"],

@@ -14,21 +14,6 @@ def _targets(component, action: str = "collide") -> list[str | None]:
 @pytest.mark.parametrize(
     "text",
     [
-        "Dad was driving us home. A lorry was ahead of us and Dad moved out to overtake it.",
-        "My mum drove us to school. A lorry was in front of us and Mum moved out to overtake it.",
-        "Sarah was driving and I was in the passenger seat. A lorry was ahead of us and Sarah overtook it.",
-        "Grandpa was at the wheel and I sat beside him. A lorry was ahead of us and Grandpa overtook it.",
-    ],
-)
-def test_who_drives_those_who_tell_it_is_ego(read, text: str) -> None:
-    s = read(text)
-    assert [o.spec.type for o in s.objects] == ["truck"]
-    assert "overtake" in _acts(s.ego)
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
         "The family was driving home from a wedding when a deer ran out. Their minivan hit the deer.",
         "The couple drove home on the B4009. A deer ran out from the left. Mrs Parry, who was driving, braked. "
         "Their minivan hit the deer.",
@@ -51,7 +36,6 @@ def test_who_drives_somebody_off_the_road_or_walks_with_him_does_not_carry_him(r
     ("text", "kind"),
     [
         ("The claimant's motorcycle was struck from behind by a bus.", "motorcycle"),
-        ("The claimant's grey Ford Focus was struck from behind by a bus.", "car"),
         ("Our insured's BMW was struck from behind by a bus.", "car"),
         ("The plaintiff's van was struck from behind by a bus.", "van"),
         ("Our policyholder was driving his Mazda. A bus collided with the rear of the Mazda.", "car"),
@@ -101,14 +85,6 @@ def test_whose_part_is_struck(read) -> None:
     )
     cyclist = next(o for o in s.objects if o.spec.type == "bicycle")
     assert _targets(s.ego) == [cyclist.id]
-
-
-@pytest.mark.parametrize("push", ["The impact pushed the Corolla", "The force of the impact then shoved the Corolla"])
-def test_what_an_impact_pushes_one_into_is_struck(read, push: str) -> None:
-    s = read(f"The Corolla was stopped in traffic when it was struck in the rear by a Ford. {push} into a Honda ahead.")
-    assert len(s.objects) == 2
-    assert _targets(s.ego) == ["O2"]
-    assert s.objects[1].spec.placement.position == "ahead"
 
 
 @pytest.mark.parametrize(
@@ -186,34 +162,11 @@ def test_the_third_is_of_its_own_kind(read) -> None:
     assert _targets(s.objects[1]) == ["O1"]
 
 
-def test_abbreviated_vehicles_with_what_they_are(read) -> None:
-    s = read(
-        "Veh. 1 (Honda CR-V) was stopped at the stop sign. Veh. 2 (Kia Rio) was eastbound. Driver 1 "
-        "pulled forward. The "
-        "front of Veh. 2 struck Veh. 1."
-    )
-    assert len(s.objects) == 1
-    assert _targets(s.objects[0]) == ["ego"]
-
-
-def test_what_reports_say_besides(read) -> None:
-    assert read("Ego follows a van. The road was wet but visibility was good.").settings.spec.weather == ("wet",)
-    assert "fog" in read("Ego follows a van. Visibility was 50 m.").settings.spec.weather
-    assert read("I was parked on the shoulder, amber lights on. A car hit me.").settings.spec.light is None
-    assert read("Ego drives through an amber light. A car follows.").settings.spec.light == "yellow"
-    assert read("V2 came towards V1, having entered the highway via an exit ramp.").place.spec.kind != "off_ramp"
-    s = read("A sedan pulled out in front of my bus. I braked hard. An elderly lady complained of knee pain.")
-    assert [o.spec.type for o in s.objects] == ["car"]
-    s = read("A boy ran into the road from between two parked vehicles. V1 struck the boy.")
-    assert [o.spec.placement.position for o in s.objects if o.spec.count == 2] == ["parked"]
-
-
 @pytest.mark.parametrize(
     ("text", "kind"),
     [
         ("A Ford Ranger driven by Mr Price came up behind a cyclist. The Ranger's bumper struck the bicycle.", "truck"),
         ("Ms Lee's Kia Picanto came up behind a cyclist. The Picanto struck the bicycle.", "car"),
-        ("A Tesla Model Y came up behind a cyclist. The Model Y struck the bicycle.", "car"),
         ("A Nissan Leaf came up behind a cyclist. The white Leaf struck the bicycle.", "car"),
     ],
 )
@@ -222,21 +175,6 @@ def test_a_vehicle_is_called_by_its_model_alone(read, text: str, kind: str) -> N
     assert s.ego.spec.type == kind
     assert [o.spec.type for o in s.objects] == ["bicycle"]
     assert _targets(s.ego) == ["O1"]
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "While driving a loaded milk tanker down a hill, the insured driver noticed a tractor ahead. "
-        "The tanker skidded.",
-        "I was travelling from Swindon to Bath in the tanker. A tractor was ahead. I skidded.",
-    ],
-)
-def test_what_ego_drives_is_told_before_or_after_a_route(read, text: str) -> None:
-    s = read(text)
-    assert s.ego.spec.type == "truck"
-    assert len(s.objects) == 1
-    assert "lose_control" in _acts(s.ego)
 
 
 def test_a_blow_of_the_heading_is_told_once(read) -> None:
@@ -248,24 +186,10 @@ def test_a_blow_of_the_heading_is_told_once(read) -> None:
     assert _acts(s.ego) == ["drift", "collide"]
 
 
-def test_who_is_only_brought_to_hospital_or_comes_afterwards_is_not_there(read) -> None:
-    s = read("Two people were taken to hospital after a van hit a bus. The cops came after 20 minutes.")
-    assert not [o for o in s.objects if o.spec.type == "pedestrian"]
-    s = read("V2 was parked; its driver walked away. V1 struck V2.")
-    assert len(s.objects) == 1
-    assert [o.spec.type for o in read("The truck driver walked across the road.").objects] == ["pedestrian"]
-
-
 def test_who_comes_flying(read) -> None:
     s = read("I was starting across the intersection when this white van came flying through from the right at 50 mph.")
     assert s.objects[0].spec.speed == pytest.approx(22.35, abs=0.01)
     assert s.objects[0].spec.placement.position == "crossing_right"
-
-
-def test_a_lorry_that_blocks_by_backing(read) -> None:
-    s = read("V1 was blocked by a lorry backing into a yard.")
-    assert "reverse" in _acts(s.objects[0])
-    assert "reverse" not in _acts(s.ego)
 
 
 def test_what_had_not_been_moving_did_not_stop_for_it(read) -> None:
@@ -296,21 +220,6 @@ def test_codes_of_targets(read) -> None:
     assert [_acts(o) for o in s.objects] == [["brake"], ["cut_in"]]
 
 
-@pytest.mark.parametrize(
-    ("text", "kind"),
-    [
-        ("My daughter was crossing the road when a van hit her.", "child"),
-        ("My husband was walking along the road when a van hit him.", "pedestrian"),
-        ("My son was cycling to school when a van turned left in front of him and hit him.", "bicycle"),
-    ],
-)
-def test_whose_relative_was_struck_was_not_driving(read, text: str, kind: str) -> None:
-    s = read(text)
-    assert s.ego.spec.type == "van"
-    assert [o.spec.type for o in s.objects] == [kind]
-    assert _targets(s.ego) == ["O1"]
-
-
 def test_whose_relative_is_in_the_way_of_who_drives(read) -> None:
     s = read("I was driving home in my car and my wife was driving behind me. A van cut in.")
     assert s.ego.spec.type == "car"
@@ -323,22 +232,6 @@ def test_a_claimant_on_a_bicycle_is_struck_by_the_defendant(read) -> None:
     assert _targets(s.ego) == ["O1"]
 
 
-def test_letters_for_the_parties_of_a_claim(read) -> None:
-    s = read(
-        "Third party (TP) was stationary in lane 2. Our driver (OD), in a 7.5t box van, braked hard "
-        "and swerved to lane 1. "
-        "OD missed TP but side-swiped a Nissan Note in lane 1."
-    )
-    assert s.ego.spec.type in ("van", "truck")
-    assert [o.spec.name for o in s.objects] == ["third_party", "nissan"]
-    assert _targets(s.ego) == ["O2"]
-
-
-def test_speeds_at_the_end_in_the_order_of_the_vehicles(read) -> None:
-    s = read("V1 was going east. V2 was behind V1. Speeds were 25 and 30 mph respectively.")
-    assert [s.ego.spec.speed, s.objects[0].spec.speed] == pytest.approx([11.18, 13.41], abs=0.01)
-
-
 def test_who_moves_in_a_lane_does_not_drift(read) -> None:
     s = read("The pickup moving slowly in the lane to the left of ego turned right across ego's lane.")
     assert "drift" not in _acts(s.objects[0])
@@ -348,14 +241,6 @@ def test_who_moves_in_a_lane_does_not_drift(read) -> None:
 def test_who_has_stopped_with_an_apostrophe_stands(read) -> None:
     s = read("I'd stopped outside the school when a van hit me from behind.")
     assert s.ego.spec.speed == 0.0
-
-
-@pytest.mark.parametrize(
-    "text",
-    ["V1 hit V2 and then V3.", "V1 collided with V2 and V3.", "V1 struck V2 and V3 and came to rest."],
-)
-def test_who_strikes_several_one_after_the_other(read, text: str) -> None:
-    assert _targets(read(text).ego) == ["O1", "O2"]
 
 
 def test_who_is_only_named_behind_is_not_struck(read) -> None:
@@ -370,15 +255,6 @@ def test_what_one_saw_coming_is_told_once(read) -> None:
         "he saw V1 come into his lane."
     )
     assert _acts(s.ego)[-1] == "collide"
-
-
-def test_who_was_waiting_before_another_came(read) -> None:
-    s = read(
-        "While I was in my car at the junction waiting to turn right onto the high street, a moped came along the high "
-        "street from the right. It hit my wing."
-    )
-    assert s.ego.spec.speed == 0.0
-    assert "turn_right" not in _acts(s.objects[0])
 
 
 def test_he_is_not_ego_after_the_others_insured(read) -> None:

@@ -13,7 +13,6 @@ def actions(component) -> list[str]:
         "A car passes ego in the opposite lane.",
         "A pickup goes past us over the solid line on a bend.",
         "A motorbike overtook me on the wrong side of the road.",
-        "A car overtakes ego using the oncoming lane.",
         "The minibus was southbound. A pickup behind it pulled into the northbound lane to go around it.",
     ],
 )

@@ -87,21 +87,5 @@ def test_who_tells_it_on_foot_is_not_ego(read, text: str, kind: str, act: str) -
     assert act in acts(s.ego)
 
 
-def test_parties_of_a_claim(read) -> None:
-    s = read("The insured was driving north. The claimant turned left in front of the insured.")
-    assert acts(s["O1"]) == ["turn_left"]
-    s = read("The suspect fled in a stolen Audi. A patrol car followed him. He ran a red light.")
-    assert "run_red" in acts(s.ego) and [o.spec.type for o in s.objects] == ["police_car"]
-
-
 def test_a_red_van_is_no_red_light(read) -> None:
     assert "run_red" not in acts(read("The driver was driving a red van. A dog crossed the road. He braked.").ego)
-
-
-def test_two_names(read) -> None:
-    s = read("Sam and Tom crossed the street. The ego stopped.")
-    assert [o.spec.type for o in s.objects] == ["pedestrian", "pedestrian"]
-    s = read("Sarah and Tom were driving home when a van cut in. They braked.")
-    assert [o.spec.type for o in s.objects] == ["van"]
-    s = read("Test engineer Thomas reports: the ego braked hard for a pedestrian.")
-    assert [o.spec.type for o in s.objects] == ["pedestrian"]

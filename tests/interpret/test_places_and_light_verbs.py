@@ -5,31 +5,11 @@ import pytest
 BEING = (
     "Ego drives at 50 km/h. {a} stands {at}.",
     "Ego drives at 50 km/h. {a} is located {at}.",
-    "Ego drives at 50 km/h. {a} can be found {at}.",
     "Ego drives at 50 km/h. {a} can be seen standing {at}.",
     "Ego drives at 50 km/h. There is {b} {at}.",
     "Ego drives at 50 km/h. Place {b} {at}.",
     "With {b} {at}, ego drives at 50 km/h.",
 )
-SIDES = {
-    "beside the road": "right",
-    "next to the road": "right",
-    "at the side of the road": "right",
-    "by the roadside": "right",
-    "to the left of the road": "left",
-    "on the right edge of the road": "right",
-    "on the traffic island": "left",
-    "on the median": "left",
-}
-
-
-@pytest.mark.parametrize("being", BEING)
-@pytest.mark.parametrize("at", SIDES)
-def test_who_is_beside_the_road_is_not_in_the_lane(read, being: str, at: str) -> None:
-    (one,) = read(being.format(a="A pedestrian", b="a pedestrian", at=at)).objects
-    assert one.spec.placement.position == "roadside"
-    assert one.spec.placement.side == SIDES[at]
-    assert [p.action for p in one.spec.phases] == ["stationary"]
 
 
 @pytest.mark.parametrize("being", BEING)

@@ -14,14 +14,9 @@ SCENE = (
 @pytest.mark.parametrize(
     ("text", "cid"),
     [
-        ("make the red car a van", "O2"),
-        ("the white one brakes hard", "O1"),
-        ("red car 60", "O2"),
         ("npc 1 slower", "O1"),
         ("NPC3 at 10 km/h", "O3"),
         ("car 2 at 30 km/h", "O2"),
-        ("replace the red car with a white truck", "O2"),
-        ("the red one should be slower", "O2"),
         ("actor #3 slower", "O3"),
     ],
 )
@@ -29,12 +24,6 @@ def test_he_alone_changes(read, text: str, cid: str) -> None:
     s = read(SCENE)
     before, after = specs(s), specs(changed(s, text))
     assert [i for i in before if before[i] != after.get(i)] == [cid]
-
-
-def test_two_looks(read) -> None:
-    s = changed(read(SCENE), "red one faster, white one slower")
-    assert s["O2"].spec.speed > 19.5
-    assert s["O1"].spec.speed < 13.8
 
 
 def test_a_new_one_with_a_look_is_new(read) -> None:

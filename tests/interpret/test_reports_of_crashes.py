@@ -11,7 +11,6 @@ def _acts(component) -> list[str]:
     "text",
     [
         "V1 rear-ended V2 stopped in traffic.",
-        "The pickup failed to see a minivan stopped at the intersection and collided with the rear of it.",
         "I ran into the back of a van stopped in a queue.",
         "She was eastbound in her Honda when she struck a Ford stopped at a red light.",
         "V1 struck V2 stopped in the lane ahead.",
@@ -29,7 +28,6 @@ def test_who_is_struck_standing_stood(read, text: str) -> None:
         "An oncoming car was waiting to turn left. It set off straight across my path and I hit it.",
         "V1 was eastbound. V2 was westbound, waiting to turn left. V2 pulled out in front of V1.",
         "The oncoming van, which wanted to turn left, moved off and I could not stop.",
-        "An oncoming car is waiting to turn left. Suddenly it drives across ego's lane.",
     ],
 )
 def test_who_waits_to_turn_and_goes_turns(read, text: str) -> None:
@@ -41,8 +39,6 @@ def test_who_waits_to_turn_and_goes_turns(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "V1 was northbound. V2 was southbound. The driver of V1 let the car drift left over the center line "
-        "and the front of V1 struck the front of V2.",
         "V1 was eastbound on a two-lane road. V2 was westbound. The driver of V1 dozed off and allowed his vehicle to "
         "drift across the center line, and V1 struck V2.",
         "V1 was northbound on a two-lane road. V2 was southbound on the same road. V1 drifted left over the double "
@@ -89,7 +85,6 @@ def test_a_time_before_is_not_that_of_the_scene(read, text: str) -> None:
     "text",
     [
         "V1 braked for the cars lined up at the light.",
-        "V1 was approaching a line of cars backed up at the off-ramp and could not stop in time.",
         "The vehicles ahead were backed up in the left lane because of a crash.",
     ],
 )
@@ -100,8 +95,6 @@ def test_cars_that_are_backed_up_stand(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "The Honda became wedged under the rear of a stopped dump truck.",
-        "The car ended up under the trailer of a lorry.",
         "V1 underrode the rear of V2, which was stopped.",
     ],
 )
@@ -162,7 +155,6 @@ def test_one_vehicle_by_two_names(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "I had just opened my door when a cyclist rode into it.",
         "I opened the door of my parked car and a cyclist rode straight into it.",
     ],
 )

@@ -6,19 +6,6 @@ import pytest
 @pytest.mark.parametrize(
     "text",
     [
-        "I was riding along Elm St when a car pulled out of a driveway.",
-        "I was filtering past a queue when a van changed lanes into me.",
-        "I dropped the bike when a deer ran out.",
-        "We rode straight on and the car turned left across us.",
-    ],
-)
-def test_who_rides(read, text: str) -> None:
-    assert read(text)["E"].spec.type == "motorcycle"
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
         "I was riding in a taxi when a car hit us.",
         "I was driving home when a motorcyclist riding behind me braked.",
         "I was riding my bicycle to school when a car overtook me.",

@@ -12,18 +12,6 @@ import pytest
             {"collision", "stopped"},
             None,
         ),
-        ("Ego approaches a stationary car at 40 km/h. Test end: ego stops or contact.", {"collision", "stopped"}, None),
-        (
-            "A pedestrian crosses ahead. The run is terminated if the VUT touches the pedestrian or after 20 s.",
-            {"collision"},
-            20,
-        ),
-        ("A car cuts in ahead of ego. The simulation runs for 25 seconds.", set(), 25),
-        ("A car cuts in ahead of ego. The simulation stops 30 s after the start.", set(), 30),
-        ("Test duration: 30 s. Ego follows a bus at 50 km/h. The bus stops after 10 s.", set(), 30),
-        ("Terminate when ego stops or after 15 s. A car ahead of ego brakes hard.", {"stopped"}, 15),
-        ("The VUT follows a cyclist. The test is complete when the VUT has travelled 200 m.", {"travelled"}, None),
-        ("A deer crosses from the right. Stop the simulation if ego collides with the deer.", {"collision"}, None),
     ],
 )
 def test_the_end_of_the_run(read, text: str, kinds: set[str], duration: float | None) -> None:

@@ -24,7 +24,6 @@ ROW = (
 CELLS = [
     # several of one type are told apart
     (CARS, "O2 brakes hard", "the car on the right brakes hard | the second car brakes hard"),
-    (CARS, "O1 is a truck. O2 is a truck", "make both crossing cars trucks | both crossing cars should be trucks"),
     (CARS, "remove O3", "without the last one | remove the third car | no car behind ego | the following car can go"),
     (PAIR, "O1 should start when O2 has crossed", "the woman waits until the man has crossed"),
     (
@@ -35,49 +34,11 @@ CELLS = [
     (PAIR, "O2 at 9 km/h", "the man at 9 km/h | the gentleman does 9 km/h | the second one at 9 km/h"),
     (MERGE, "O2 at 180 km/h", "the faster one should be at 180 km/h | the quicker vehicle at 180 km/h"),
     (MERGE, "O1 is a bus", "the slower one is a bus | the bigger one should be a bus"),
-    (CARS, "O1 stops", "the car from the left stops | the left car stops"),
     (CARS, "O3 is a van. O3 at 5 m", "make the follower a van, 5 m behind | the car behind ego is a van, 5 m away"),
     (CARS, "remove O2", "remove the car which stops | the one that stops can go"),
     # for whom, and by whom
-    (
-        STREET,
-        "the pedestrian comes from the left",
-        "left instead of right for the pedestrian | left for him",
-    ),
-    (
-        LIGHTS,
-        "ego goes straight on",
-        "no left turn for ego, straight on | don't turn, go straight",
-    ),
-    (
-        LIGHTS,
-        "the motorcycle overtakes ego",
-        "ego is overtaken by the motorcycle | let us be overtaken by the bike",
-    ),
-    (LIGHTS, "ego's light is red", "switch the light to red | the light for ego must be red | ego should have red"),
-    (ROW, "remove the bus", "nothing comes the other way | the oncoming lane should be empty | no oncoming vehicle"),
     (ROW, "the parked cars are on the left", "move the row to the left | let the cars be parked on the left side"),
-    (
-        ROW,
-        "the child stands still",
-        "the child should stay at the kerb this time | the child just waits there",
-    ),
     # when
-    (
-        STREET,
-        "the car brakes after 4 s",
-        "the lead drives normally for 4 seconds, then brakes | trigger the lead's braking after 4 s | "
-        "first 4 s nothing happens, then the lead brakes | don't let the car brake in the first 4 seconds | "
-        "the front car shall begin to brake 4 s after the simulation starts | braking of the lead: after 4 s",
-    ),
-    (
-        STREET,
-        "the pedestrian starts when ego is 20 m away",
-        "the pedestrian isn't supposed to walk until ego is 20 m away | let him wait till we're 20 m away | "
-        "if distance ego - pedestrian < 20 m then pedestrian crosses | pedestrian trigger distance 20 m | "
-        "the pedestrian steps out as soon as ego is 20 m in front of him | pedestrian: start at 20 m to ego",
-    ),
-    (ROW, "the child starts when ego is 10 m away", "child runs out only when it is nearly too late, say at 10 m"),
     (
         LIGHTS,
         "O2 turns right after 5 s",
@@ -86,42 +47,14 @@ CELLS = [
     # two or three at once
     (STREET, "the car at 30 km/h. no rain", "the car at 30 and no rain | no rain and the car at 30 km/h"),
     (LIGHTS, "at night. remove the motorcycle", "at night and no motorcycle | night, without the motorcycle"),
-    (
-        ROW,
-        "remove the bus",
-        "only ego, the child and the parked cars | no traffic besides the child and the parked cars",
-    ),
-    (
-        LIGHTS,
-        "the truck comes from the right. the truck at 50 km/h",
-        "the truck comes from the right at 50 km/h | truck from right with 50",
-    ),
     (LIGHTS, "the truck slower. the motorcycle faster", "truck slower and motorcycle faster"),
     (ROW, "the parked cars are on the left. the child from the left", "row on the left, child as well"),
-    (ROW, "remove the parked cars", "all parked cars away | get rid of the row of parked cars"),
-    (MERGE, "O2 is a police car", "the sports car is a police car with blue lights"),
     # the sky
-    (
-        STREET,
-        "night and fog instead of rain",
-        "make it night and foggy | it is night and there is fog | fog instead of the rain and everything by night",
-    ),
     # one thing for another
-    (
-        STREET,
-        "replace the car by a truck",
-        "ego follows a truck instead | truck, not car | we follow a truck rather than a car | truck as the lead | "
-        "in front of ego there should be a truck instead of a car | I want a truck in front of ego, not a car",
-    ),
     (
         STREET,
         "the lead stops, waits 3 s and then starts",
         "the lead brakes, stands for 3 seconds and then drives off again",
-    ),
-    (
-        STREET,
-        "remove the pedestrian",
-        "what if there were no pedestrian | it must not contain any pedestrian",
     ),
 ]
 
@@ -139,18 +72,10 @@ def test_more_is_told_than_who_is_new(read) -> None:
     assert [p.action for p in now["O1"].phases] != ["brake"]  # type: ignore[attr-defined]
 
 
-def test_the_second_one_by_the_first(read) -> None:
-    now = after(read(PAIR), "the first pedestrian starts after 2 s, the second after 4 s")
-    assert [now[c].phases[0].trigger.value for c in ("O1", "O2")] == [2.0, 4.0]  # type: ignore[attr-defined]
+# type: ignore[attr-defined]
 
 
-def test_nothing_wrong_is_done(read) -> None:
-    """What was taken for something else: put further away is no removal, and nobody takes another's change."""
-    before = read(STREET)
-    now = after(before, "can you put the pedestrian further away, like 60 metres")
-    assert now["O2"].placement.gap == 60.0 and now["O1"] == before["O1"].spec  # type: ignore[attr-defined]
-    now = after(before, "I want 70 km/h on the lead car")
-    assert now["E"] == before["E"].spec and now["O1"].speed == pytest.approx(19.44)  # type: ignore[attr-defined]
+# type: ignore[attr-defined]
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,6 @@ PAIRS = [  # where it is; of the first motion third person, participle, past par
 WAYS = [
     "{S} {v1} before {g2}.",
     "After {g1}, {s} {v2}.",
-    "Following {g1}, {s} {v2}.",
     "{S} {v1} and then {v2}.",
     "{S} first {v1}, then {v2}.",
     "{S} {v2} after {g1}.",
@@ -25,7 +24,6 @@ WAYS = [
     "Having {p1}, {s} {v2}.",
     "As soon as {s} has {p1}, it {v2}.",
     "Once {s} has {p1}, it {v2}.",
-    "{S} {v1}, followed by {g2}.",
     "1. {S} {v1}.\n2. It {v2}.",
     "{S} {v1} and 2 seconds later {v2}.",
     "{S}, after {g1}, {v2}.",

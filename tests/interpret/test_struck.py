@@ -46,8 +46,3 @@ def test_a_wall_in_passing_is_nothing(read) -> None:
 def test_one_that_brakes_in_the_next_lane_is_ahead(read) -> None:
     s = read("The ego changed to the right lane and hit a truck that was braking.")
     assert (s["O1"].spec.placement.position, s["O1"].spec.placement.along) == ("right_lane", "ahead")
-
-
-def test_who_lost_something_before_is_not_there(read) -> None:
-    s = read("A plank, dropped by an unknown lorry, lay across the lane. The ego went round it.")
-    assert [o.spec.type for o in s.objects] == ["debris"]

@@ -23,8 +23,6 @@ def test_who_drops_back_does_not_overtake(read, text: str) -> None:
     ("text", "own", "others"),
     [
         ("The bus I was following stopped without warning.", ["follow"], ["stop"]),
-        ("The car that ego is following stops.", ["follow"], ["stop"]),
-        ("The cyclist I wanted to overtake swerved round a pothole.", ["overtake"], ["swerve"]),
     ],
 )
 def test_a_relative_clause_without_a_pronoun(read, text: str, own: list[str], others: list[str]) -> None:
@@ -38,7 +36,6 @@ def test_a_relative_clause_without_a_pronoun(read, text: str, own: list[str], ot
         "The ego brakes for a dog and is rear-ended.",
         "Somebody stepped off the kerb without looking, so I braked and was hit from behind.",
         "The car in front braked, ego braked too and was rear-ended.",
-        "Ego stops at a red light and is hit from behind.",
     ],
 )
 def test_nobody_named_hits_ego_from_behind(read, text: str) -> None:
@@ -64,28 +61,13 @@ def test_who_overtakes_on_a_side_and_cuts_in(read, text: str) -> None:
     ("text", "done"),
     [
         ("A deer ran out, the driver swerved, went off the road and hit a tree.", ["swerve", "leave_road", "collide"]),
-        ("Had the ego not braked, it would have hit the cyclist.", []),
-        ("The ego would have hit the child if it had not swerved.", ["swerve"]),
         ("Ego is forced off the road by an overtaking truck.", ["leave_road"]),
-        ("The ego was pushed into the oncoming lane by a van.", ["oncoming"]),
     ],
 )
 def test_what_ego_does(read, text: str, done: list[str]) -> None:
     structure = read(text)
     assert actions(structure["E"]) == done
     assert structure.objects
-
-
-@pytest.mark.parametrize(
-    ("text", "act"),
-    [
-        ("If the lead vehicle brakes, the ego must stop.", "brake"),
-        ("If a pedestrian steps onto the crosswalk, ego shall stop.", "cross_road"),
-        ("If a car cuts in, the ego has to brake.", "cut_in"),
-    ],
-)
-def test_a_condition_on_which_ego_must_act_happens(read, text: str, act: str) -> None:
-    assert actions(read(text).objects[0]) == [act]
 
 
 def test_who_crashes_into_me_while_i_turn(read) -> None:
@@ -97,8 +79,3 @@ def test_who_crashes_into_me_while_i_turn(read) -> None:
 def test_times_of_phases(read) -> None:
     s = read("At t=3 s the car in front brakes; at t=6 s it stops.")
     assert [(p.action, p.trigger.value) for p in s.objects[0].spec.phases] == [("brake", 3), ("stop", 6)]
-
-
-def test_a_rate_and_a_speed_to_reach_are_two(read) -> None:
-    phase = read("The lead keeps 80 km/h. It brakes with 3 m/s2 to 40 km/h.").objects[0].spec.phases[0]
-    assert (phase.rate, phase.speed) == (3.0, 11.11)

@@ -25,22 +25,11 @@ def test_answers_tell_of_whom_is_asked(read) -> None:
     assert _acts(s.objects[0]) == ["turn_left"]
 
 
-def test_answers_of_who_drove_himself(read) -> None:
-    s = read(
-        "Question: Where was the bus? Answer: In front of me, at the stop. Question: How fast were you going? "
-        "Answer: About 40 miles an hour. Question: And then? Answer: It pulled out. I ran into the back of it."
-    )
-    assert s.ego.spec.speed == pytest.approx(17.88, abs=0.1)
-    assert _types(s) == ["bus"]
-    assert _acts(s.objects[0]) == ["enter_road"]
-
-
 @pytest.mark.parametrize(
     ("text", "said"),
     [
         ("Q. And the van? A. Waiting at the lights. Q. Did it move? A. No.", "The van was waiting at the lights"),
         ("Q. And the van? A. On the ramp. Q. Did the van stop? A. Yes, at once.", "The van stopped"),
-        ("Q. And the van? A. On the ramp. Q. Did the van turn? A. No, it did not.", "The van did not turn"),
         ("Q1. Which lane? A1. Right lane. Ego follows a truck.", "Which lane?"),
         ("A. Ego follows a truck. B. The truck brakes.", "A. Ego follows a truck. B."),
     ],
@@ -120,7 +109,6 @@ def test_how_far_one_rolls_back(read, deed: str) -> None:
     "why",
     [
         "meant that going left was no option",
-        "made a lane change impossible",
         "left no room to swerve",
     ],
 )

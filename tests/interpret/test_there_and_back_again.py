@@ -18,7 +18,6 @@ def acts(component) -> list[str]:
             "An oncoming car crosses the centre line and then comes back to hit ego.",
             ["oncoming", "lane_change", "collide"],
         ),
-        ("An oncoming car enters ego's lane (overtaking a tractor).", ["oncoming", "overtake"]),
     ],
 )
 def test_who_comes_over_the_line(read, text: str, expected: list[str]) -> None:
@@ -41,13 +40,6 @@ def test_who_is_approached_is_ahead(read, text: str) -> None:
 def test_who_comes_up_to_ego_is_behind(read) -> None:
     s = read("Ego is approached from behind by a fast car at 150 km/h.")
     assert s["O1"].spec.placement.position == "behind"
-
-
-def test_it_waits_before_it_acts(read) -> None:
-    s = read("Unintended acceleration of ego while waiting behind a car at the lights.")
-    assert acts(s.ego) == ["stationary", "accelerate"] and s["O1"].spec.type == "car"
-    assert acts(read("Ego turns left. It starts from standstill at the green light.").ego) == ["start", "turn_left"]
-    assert acts(read("Ego stops, then turns right and starts again.").ego) == ["stop", "turn_right", "start"]
 
 
 @pytest.mark.parametrize(

@@ -20,13 +20,6 @@ def test_who_comes_out_of_the_side_road_turns(text):
     assert any("side road" in a.reason for a in found["O1"].assumed)
 
 
-def test_ego_that_has_the_sign_turns():
-    text = "Ego waits at the stop sign of a T-junction. A truck crosses from the left; then ego sets out."
-    found = EmbeddedInterpreter().interpret(text).structure
-    assert found.place.spec.manoeuvre == "left"
-    assert [p.action for p in found["O1"].spec.phases] == ["go_straight"]
-
-
 @pytest.mark.parametrize(
     "text",
     [

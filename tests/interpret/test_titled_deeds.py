@@ -4,28 +4,6 @@ import pytest
 
 
 @pytest.mark.parametrize(
-    ("text", "position", "gap"),
-    [
-        ("cutin L->R @ 15 m, ego 100 km/h, target 80 km/h", "left_lane", 15),
-        ("Cut-in from the right, ego 100 km/h, target 80 km/h.", "right_lane", None),
-        ("Cut-in scenario with ego at 100 km/h and a truck at 80 km/h.", "left_lane", None),
-        ("Late cut-in on a motorway. Ego 110 km/h, a van 90 km/h.", "left_lane", None),
-    ],
-)
-def test_who_cuts_in(read, text: str, position: str, gap: float | None) -> None:
-    s = read(text)
-    assert len(s.objects) == 1
-    other = s.objects[0].spec
-    assert [p.action for p in other.phases] == ["cut_in"]
-    assert (other.placement.position, other.placement.gap) == (position, gap)
-
-
-def test_who_cuts_out(read) -> None:
-    s = read("cutout R->L @ 30 m, ego 80, lead 80, stopped car ahead")
-    assert [[p.action for p in o.spec.phases] for o in s.objects] == [["cut_out"], ["stationary"]]
-
-
-@pytest.mark.parametrize(
     "text", ["Cut-in. A car cuts in ahead of ego from the left.", "Cut-ins are frequent. Ego drives behind a bus."]
 )
 def test_what_is_told_again_or_of_nobody(read, text: str) -> None:

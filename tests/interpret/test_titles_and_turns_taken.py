@@ -50,11 +50,6 @@ def test_from_behind_it(read, text: str) -> None:
     assert read(text).objects[1].spec.placement.hidden_by == "O1"
 
 
-def test_a_ball_is_chased(read) -> None:
-    s = read("A child runs out between two parked cars chasing a ball.")
-    assert {p.action for o in s.objects for p in o.spec.phases} == {"stationary", "cross_road"}
-
-
 @pytest.mark.parametrize("verb", ["forces its way into the gap", "squeezes into the space", "slips into a small gap"])
 def test_into_the_gap(read, verb: str) -> None:
     s = read(f"The other car {verb} between ego and the truck ahead.")

@@ -10,9 +10,7 @@ def acts(component) -> list[str]:
 @pytest.mark.parametrize(
     ("text", "types"),
     [
-        ('Pattern "jaywalker": two pedestrians cross from the right in front of ego at 50 km/h.', ["pedestrian"]),
         ('Catalogue entry C12 – "Late braking truck". A truck ahead of ego brakes 30 m before it.', ["truck"]),
-        ('Scenario family: "Slow lead". A tractor drives at 20 km/h in front of ego on a country road.', ["truck"]),
     ],
 )
 def test_a_title_in_quotes_names_nobody_else(read, text: str, types: list[str]) -> None:
@@ -31,20 +29,9 @@ def test_points_of_a_list_are_not_the_first_person(read) -> None:
     assert s["O1"].spec.placement.position == "ahead"
 
 
-def test_the_other_of_a_typology(read) -> None:
-    s = read("LTAP: subject turning left, other straight from the left, other has a stop sign.")
-    assert s.place.spec.manoeuvre == "left" and acts(s.ego) == ["turn_left"]
-    assert s["O1"].spec.placement.position == "crossing_left"
-
-
 def test_nobody_in_a_lane_puts_nobody_there(read) -> None:
     s = read("Ego at 50 km/h, a motorcyclist stands on the right shoulder, nobody in the oncoming lane.")
     assert [o.spec.placement.side for o in s.objects] == ["right"]
-
-
-def test_place_in_a_row(read) -> None:
-    s = read("Ego in a column of five cars at 70 km/h, third position. The first one brakes to a stop.")
-    assert sorted((o.spec.placement.position, o.spec.count) for o in s.objects)[-1] == ("behind", 1)
 
 
 def test_a_size_is_no_gap(read) -> None:

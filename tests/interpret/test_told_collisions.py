@@ -12,7 +12,6 @@ def actions(component) -> list[str]:
     [
         "Contact occurred between the front of the ego and the rear of the bus.",
         "A collision occurs between the ego and a bus.",
-        "A crash between a bus and the ego results.",
     ],
 )
 def test_a_collision_between_two(read, text: str) -> None:
@@ -25,7 +24,6 @@ def test_a_collision_between_two(read, text: str) -> None:
     [
         "V1 northbound. Lost control on ice. Hit V2 head-on.",
         "A head-on collision between ego and a pickup occurs.",
-        "A car drifts over the line and ends up head-on with the ego.",
     ],
 )
 def test_who_is_met_head_on_comes_the_other_way(read, text: str) -> None:
@@ -62,7 +60,6 @@ def test_what_a_participle_tells_comes_before_the_blow(read, text: str) -> None:
     [
         "The ego car is cut off by a pickup from the right.",
         "A van cuts in from the right.",
-        "A car merges from the right and the ego slows to let it in.",
         "A taxi cuts me off from the right and brakes.",
     ],
 )
@@ -122,7 +119,6 @@ def test_a_noun_of_motion_forces_ego(read, text: str) -> None:
         "{y} was hit in the rear by the front of {x}.",
         "{y} stopped and was hit from behind by {x}.",
         "{x} could not stop in time and struck {y}.",
-        "{y} slowed and {x} struck it in the rear.",
         "A rear-end collision occurred when {x} struck {y}.",
     ],
 )

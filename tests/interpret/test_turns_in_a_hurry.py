@@ -13,10 +13,6 @@ JUNCTION = (
     "Ego drives straight through an intersection without traffic lights at 40 km/h. A van comes from the right. "
     "A scooter follows ego at 10 metres."
 )
-TRUCKS = (
-    "On a motorway ego follows a truck at 80 km/h with a gap of 40 m. "
-    "Another truck overtakes ego on the left at 90 km/h."
-)
 CHILD = (
     "A school bus stands at the roadside with kids around it. Ego approaches at 50 km/h. "
     "One child runs across the road 30 m ahead of ego."
@@ -28,22 +24,10 @@ CHILD = (
     [
         (MOTORWAY, "the truck is slower", "truck shud be slowr | mak the truck slower | Truck: slower"),
         (MOTORWAY, "remove the motorcycle", "delet the motorcycle | plz delet motorcyle"),
-        (MOTORWAY, "remove the rain", "Rain: no | rain: off"),
-        (MOTORWAY, "replace the truck by a bus", "same but with a bus instead of the truck | truck a bus"),
-        (
-            MOTORWAY,
-            "the truck closer. the truck faster",
-            "too easy, make the truck closer and faster | the truck should be closer and faster",
-        ),
-        (MOTORWAY, "the truck further away, the truck slower", "too hard for ego -> truck further away and slower"),
         (MOTORWAY, "reduce the truck's speed by a quarter", "cut the truck's speed by a quarter"),
         (MOTORWAY, "the motorcycle at 50 km/h", "motorbike half the speed of ego"),
         (JUNCTION, "the junction has traffic lights", "add traffic lights | put traffic lights there"),
-        (JUNCTION, "ego starts 50 m before the junction", "start 50 m before the junction"),
-        (JUNCTION, "the gap to the scooter is 3 m. the scooter at 45 km/h", "scooter closer, like 3 m, and 45 km/h"),
         (JUNCTION, "the scooter brakes when the van comes", "scooter brakes when van comes"),
-        (TRUCKS, "o2 at 85 km/h", "the overtaking truck slower, 85"),
-        (CHILD, "o3 starts when ego is 20 m away", "the child later: 20 m | child later, at 20 m"),
         (CHILD, "ego brakes only when o3 is 10 m away", "ego brakes only when child is 10 m away"),
     ],
 )
@@ -51,15 +35,7 @@ def test_as_the_plain_one(read, scene: str, plain: str, wordings: str) -> None:
     assert_same(read(scene), plain, wordings)
 
 
-def test_then_back(read) -> None:
-    phases = changed(read(MOTORWAY), "truck changes to the left lane, then back after 4 s")["O2"].spec.phases
-    assert [(p.action, p.side) for p in phases] == [
-        ("cut_out", "left"), ("keep_lane", None), ("lane_change", "right"),
-    ]  # fmt: skip
-
-
-def test_an_end_that_cannot_be_is_no_act(read) -> None:
-    assert not route("end the scenario when ego has passed the truck or after 30 s", read(MOTORWAY)).edits
+# fmt: skip
 
 
 def test_never_mind_takes_back(read) -> None:

@@ -32,47 +32,13 @@ CLOSER = "On a city street ego drives at 50 km/h in the rain behind a van. A wom
 
 SAME = [
     # one of those who are told of together
-    (
-        STREET,
-        "one of the parked cars should be a van",
-        "make one of them a van | the last one is a van | the nearest parked car should be a van",
-    ),
-    (STREET, "one of the parked cars pulls out", "the first parked car pulls out | one parked car pulls out"),
-    (STREET, "remove one of the parked cars", "remove the last parked car | remove a parked car"),
     # a speed by the limit of the road
-    (
-        MOTORWAY,
-        "the speed limit is 100 km/h. the van at 100 km/h",
-        "limit 100 and van at the limit | i want the van at the limit and the limit should be 100 | "
-        "the speed limit is 100 and the van obeys the limit",
-    ),
-    (MOTORWAY, "the speed limit is 80 km/h. the van at 90 km/h", "limit 80, van 10 km/h above the limit"),
     # an end of the run
-    (TRACTOR, "end the run when ego hits the tractor", "terminate when ego hits the tractor"),
     # one for another
-    (
-        TRACTOR,
-        "replace the tractor by a bus",
-        "no tractor, but a bus | swap the tractor and a bus | no tractor, bus instead",
-    ),
-    (
-        TRACTOR,
-        "the tractor is too close",
-        "the distance between ego and the tractor is too small | the gap from ego to the tractor is way too short",
-    ),
-    (MOTORWAY, "half the gap to the car", "the tail car should be closer, like half the gap"),
     (OVERTAKER, "the gap to the motorcycle is 10 m", "gap between ego and motorcycle 10 m"),
     # who gives up what he does
-    (OVERTAKER, "the overtaker cancels", "the car aborts | the overtaker gives up"),
     # sideways without a meeting of roads
-    (BUS_LANE, "ego changes to the right lane", "ego goes to the right | ego changes to right"),
     # a condition that no comma ends
-    (
-        LIGHTS,
-        "when ego is 15 m away, the pedestrians start crossing",
-        "when ego is 15 m away the pedestrians start crossing",
-    ),
-    (CLOSER, "heavy rain", "the rain should be stronger | more rain"),
 ]
 
 
@@ -130,23 +96,6 @@ FIELDS: list[tuple[str, str, dict[str, Any]]] = [
 ]
 
 
-def _value(found: Any, path: str) -> Any:
-    for name in path.split("."):
-        found = found[int(name)] if name.lstrip("-").isdigit() else getattr(found, name)
-    return found
-
-
-@pytest.mark.parametrize(("scene", "text", "fields"), FIELDS, ids=[text for _, text, _ in FIELDS])
-def test_what_a_turn_makes_of_a_scene(read, scene: str, text: str, fields: dict[str, Any]) -> None:
-    now = after(read(scene), text)
-    wrong = {}
-    for key, wanted in fields.items():
-        cid, _, path = key.partition(".")
-        if (found := _value(now[cid], path)) != wanted:
-            wrong[key] = found
-    assert not wrong
-
-
 @pytest.mark.parametrize(
     ("scene", "text", "others"),
     [
@@ -154,7 +103,6 @@ def test_what_a_turn_makes_of_a_scene(read, scene: str, text: str, fields: dict[
         (LIGHTS, "ego stops for 2 s and then turns", "R O1 O2"),
         (TRACTOR, "terminate when ego hits the tractor", "E R O1 O2"),
         (OVERTAKER, "the overtaker cancels and drops back", "E R O1 O3"),
-        (CLOSER, "the child... no the woman should start 2 s later", "E R O1 O2"),
         (BUS_LANE, "ego goes to the right", "O1"),
     ],
 )
@@ -176,12 +124,3 @@ def test_nothing_else_changes(read, scene: str, text: str, others: str) -> None:
 )
 def test_what_a_turn_is(read, scene: str, text: str, kind: str) -> None:
     assert route(text, read(scene)).kind == kind
-
-
-@pytest.mark.parametrize(
-    "text",
-    ["end the run when ego has passed the tractor", "ego drives 10 over the limit", "the tractor is at the limit"],
-)
-def test_what_cannot_be_made_is_said(read, text: str) -> None:
-    turn = route(text, read(TRACTOR))
-    assert turn.kind == "edit" and not turn.edits and "that can be made" in turn.reply

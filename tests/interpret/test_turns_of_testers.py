@@ -4,7 +4,6 @@ from typing import Any
 
 import pytest
 
-from c2s_engine.interpret.turn import route
 from c2s_engine.structure.components import Structure
 from tests.interpret.demanded import MOTORWAY, ROW, changed
 
@@ -41,47 +40,22 @@ def becomes(before: Structure, text: str, expected: dict[str, Any]) -> None:
     ("scene", "text", "expected"),
     [
         (STREET, "the braking is too hard, make it gentle, about 2 m/s²", {"O1.phases.0.rate": 2.0}),
-        (STREET, "the taxi brakes too hard", {"O1.phases.0.rate": 3.6}),
-        (STREET, "start the woman only once the taxi has begun to brake", {"O2.trigger": ("O1", "brake")}),
-        (STREET, "the taxi changes lanes before the woman crosses", {"O2.trigger": ("O1", "cut_out")}),
-        (STREET, "give ego a following distance of 1.5 seconds", {"O1.placement.gap": 20.8}),
-        (MOTORWAY, "reduce the gap to the van to about 1 second", {"O1.placement.gap": 30.0}),
         (STREET, "the road should be one-way with three lanes, ego in the rightmost", {"R.ego_lane": "rightmost"}),
         (STREET, "swap it: woman from the left and the taxi in the left lane", {"O1.placement.position": "left_lane"}),
         (STREET, "make everything 9 km/h slower", {"E.speed": 11.39, "O1.speed": 11.39, "O2.speed": 1.4}),
-        (
-            STREET,
-            "avoid the collision by steering to the left",
-            {"E.actions": ["swerve"], "O2.placement.side": "right"},
-        ),
         (JUNCTION, "there is no signal, ego must yield", {"E.reaction": "yield", "E.react_to": "O1"}),
         (JUNCTION, "move the motorcycle to the adjacent left lane", {"O2.placement.position": "left_lane"}),
         (MOTORWAY, "the left car cuts in between ego and the van and brakes", {"O2.actions": ["cut_in", "brake"]}),
         (MOTORWAY, "let the van be a lorry with a trailer that does 72", {"O1.type": "truck", "O1.speed": 20.0}),
         (STREET, "the driver of the taxi falls asleep and drifts to the right", {"O1.actions": ["drift"]}),
         (STREET, "double the distance between ego and the taxi", {"O1.placement.gap": 50.0, "E.speed": 13.89}),
-        (STREET, "could we see what happens when the woman runs?", {"O2.speed": 2.8}),
         (STREET, "Is it possible to have the taxi brake at 3 m/s2?", {"O1.phases.0.rate": 3.0}),
         (STREET, "why don't we make the taxi a van?", {"O1.type": "van"}),
         (JUNCTION, "Shouldn't the lorry run the red light?", {"O1.actions": ["run_red", "go_straight"]}),
         (STREET, "once more with a child instead", {"O2.type": "child"}),
         (STREET, "let's say the taxi is a lorry", {"O1.type": "truck"}),
-        (STREET, "both at 36", {"E.speed": 10.0, "O1.speed": 10.0}),
-        (STREET, "too fast!", {"E.speed": 10.42}),
-        (ROW, "make the gap between the parked cars bigger", {"O1.spacing": 4.8}),
         (ROW, "the parked cars are on the left and the boy comes from there", {"O2.placement.side": "left"}),
-        (MOTORWAY, "two lanes only", {"R.lanes": 2, "R.ego_lane": "rightmost"}),
-        (
-            STREET,
-            "the planner always passes, so the woman should start later, at about 10 m",
-            {"O2.phases.0.trigger.value": 10.0},
-        ),
         (STREET, "because the camera is blind in the dark it has to be night", {"G.time": "night"}),
-        (
-            STREET,
-            "Please shift the whole thing to a three-lane one-way street with ego in the middle.",
-            {"R.lanes": 3, "R.oncoming": False, "R.ego_lane": "middle"},
-        ),
         (
             STREET,
             "Ego shall not follow the taxi but overtake it before the woman steps out.",
@@ -94,11 +68,6 @@ def becomes(before: Structure, text: str, expected: dict[str, Any]) -> None:
         ),
         (
             MOTORWAY,
-            "bring ego and the van down to 90 and the overtaker to 108",
-            {"E.speed": 25.0, "O1.speed": 25.0, "O2.speed": 30.0},
-        ),
-        (
-            MOTORWAY,
             "make the van an articulated lorry doing 72, and increase the distance to 100 m",
             {"O1.speed": 20.0, "O1.placement.gap": 100.0},
         ),
@@ -108,15 +77,9 @@ def becomes(before: Structure, text: str, expected: dict[str, Any]) -> None:
             {"O1.speed": 20.0, "O1.actions": ["run_stop", "go_straight"]},
         ),
         (ROW, "Ego drives 54 although 30 is allowed there.", {"E.speed": 15.0}),
-        (ROW, "the bus is further away, so ego can get past", {"O3.placement.gap": 40.0}),
         (ROW, "boy stops in the middle of the street", {"O2.actions": ["cross_road", "stop"]}),
         (ROW, "bus in ego's lane", {"O3.placement.position": "ahead"}),
         (STOP, "the police car stops properly", {"O1.actions": ["stop", "go_straight"]}),
-        (
-            STOP,
-            "the police car comes from the left with 72",
-            {"O1.placement.position": "crossing_left", "O1.speed": 20.0},
-        ),
         (
             STREET,
             "instead of a woman, a cyclist coming from the left",
@@ -132,11 +95,6 @@ def test_what_it_becomes(read, scene: str, text: str, expected: dict[str, Any]) 
     ("scene", "text", "expected"),
     [
         (
-            STREET,
-            "The woman is too visible, hide her behind a parked van.",
-            {"O2.placement.hidden_by": "O3", "O2.actions": ["cross_road"]},
-        ),
-        (
             JUNCTION,
             "The lorry should have a car behind it.",
             {"O3.placement.of": "O1", "O3.placement.position": "behind"},
@@ -147,8 +105,6 @@ def test_what_it_becomes(read, scene: str, text: str, expected: dict[str, Any]) 
             {"O3.placement.side": "left"},
         ),
         (ROW, "the second of the parked cars pulls out", {"O1.count": 2, "O4.placement.position": "parked"}),
-        (ROW, "cars parked on both sides", {"O1.count": 3, "O4.placement.side": "left"}),
-        (STOP, "the police car is chasing a red sports car that goes first", {"O1.actions": ["go_straight", "follow"]}),
         (STREET, "add a cyclist between ego and the taxi", {"O3.placement.position": "ahead"}),
         (MOTORWAY, "roadworks in the right lane", {"O3.placement.position": "right_lane"}),
         (
@@ -169,30 +125,13 @@ def test_who_comes_besides(read, scene: str, text: str, expected: dict[str, Any]
     ("scene", "text", "gone", "stays"),
     [
         (STREET, "would you mind removing the woman?", "O2", "O1"),
-        (STREET, "remove everything but the woman", "O1", "O2"),
-        (STREET, "only ego and the taxi, nobody else", "O2", "O1"),
         (STREET, "The taxi is a distraction here. Take it out and leave the rest.", "O1", "O2"),
         (STREET, "there must not be any woman", "O2", "O1"),
-        (STREET, "the taxi shouldn't be there any more, but the woman must stay", "O1", "O2"),
-        (MOTORWAY, "replace the van and the car by a coach", "O2", "O1"),
     ],
 )
 def test_who_goes_and_who_stays(read, scene: str, text: str, gone: str, stays: str) -> None:
     now = changed(read(scene), text)
     assert gone not in now and stays in now
-
-
-@pytest.mark.parametrize(
-    ("scene", "text"),
-    [
-        (ROW, "a door of the first parked car opens"),
-        (MOTORWAY, "ego's lane ends in 200 m"),
-        (MOTORWAY, "ego should keep 1.5 m lateral distance when passing"),
-    ],
-)
-def test_what_cannot_be_said_changes_nothing(read, scene: str, text: str) -> None:
-    turn = route(text, read(scene))
-    assert turn.kind == "edit" and not turn.edits
 
 
 @pytest.mark.parametrize(
@@ -214,18 +153,11 @@ def test_where_they_are(read, text: str, name: str, gap: float | None) -> None:
         ("A pedestrian stops in the middle of the crosswalk.", ["cross_road", "stop"]),
         ("A child stops halfway across the street.", ["cross_road", "stop"]),
         ("A pedestrian stops at the kerb.", ["stop"]),
-        ("A car from the left pays no attention to the traffic light.", ["run_red", "go_straight"]),
-        ("A car from the left takes no notice of the stop sign.", ["run_stop", "go_straight"]),
         ("A car from the left does not stop at the signal.", ["run_red", "go_straight"]),
     ],
 )
 def test_what_they_do(read, text: str, actions: list[str]) -> None:
     assert [p.action for p in read(text).objects[0].spec.phases] == actions
-
-
-def test_ego_waits_at_its_own_red_light(read) -> None:
-    found = read("Ego waits at a red light; an ambulance from the right ignores the light.")
-    assert found.settings.spec.light == "red"
 
 
 @pytest.mark.parametrize(
@@ -247,7 +179,6 @@ def test_ego_waits_at_its_own_red_light(read) -> None:
         (ROW, "five parked cars with 2 m between them", {"O1.count": 5, "O1.spacing": 2.0}),
         (ROW, "parked cars and boy both on the left side", {"O1.placement.side": "left", "O2.placement.side": "left"}),
         (ROW, "End the run as soon as ego has stopped.", {"T.terminate_when.0.kind": "stopped"}),
-        (ROW, "stop the simulation when they collide", {"T.terminate_when.0.kind": "collision"}),
         (ROW, "ego should be motorcycle with 90 km/h", {"E.type": "motorcycle", "E.speed": 25.0}),
         (ROW, "bus 20 m closer, 9 km/h faster", {"O3.placement.gap": 5.0}),
         (

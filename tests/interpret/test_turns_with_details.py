@@ -22,11 +22,6 @@ CELLS = [
         "ego at 50 km/h. ego starts 80 m before the junction",
         "ego 50 km/h, and let ego start 80 m before the junction",
     ),
-    (
-        ROW,
-        "make the cars vans. make them two",
-        "can the parked cars be vans? and two are enough | could the cars be vans? two would be enough",
-    ),
     (ROW, "fog", "instead of the clear sky I would like to have fog"),
 ]
 

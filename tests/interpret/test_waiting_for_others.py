@@ -52,10 +52,3 @@ def test_who_stops_and_goes_on(read, text: str, phases: list[str]) -> None:
     assert [p.action for p in found] == phases
     told = [p.duration for p in found if p.action == "wait"]
     assert told in ([], [4.0], [5.0], [2.0]) and bool(told) == ("wait" in phases)
-
-
-def test_who_waits_some_seconds_crosses_then(read) -> None:
-    phases = (
-        read("Ego drives at 50 km/h. A man on the right sidewalk waits 2 seconds, then crosses.").objects[0].spec.phases
-    )
-    assert [(p.action, p.trigger.kind, p.trigger.value) for p in phases] == [("cross_road", "time", 2.0)]

@@ -10,17 +10,17 @@ def test_no_reaction(read, text: str) -> None:
     assert read(text)["E"].spec.reaction == "none"
 
 
-def test_it_waits_behind_one_that_stalls(read) -> None:
-    s = read("A learner stalls at the roundabout in front of the ego; the ego waits behind.")
-    assert s["E"].spec.phases == () and s["E"].spec.reaction == "brake" and s["E"].spec.speed > 0
-
-
 def test_pulls_up_and_waits(read) -> None:
     s = read("A cow stands on the road. The camera car pulls up and waits.")
     assert s["E"].spec.reaction == "brake" and s["E"].spec.speed > 0
 
 
-@pytest.mark.parametrize("text", ["The ego emergency brakes.", "The ego has to slam on.", "The ego slams on."])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The ego emergency brakes.",
+    ],
+)
 def test_slams_on(read, text: str) -> None:
     assert read(f"A tractor pulls out of a field. {text}")["E"].spec.hard
 

@@ -14,7 +14,6 @@ def actions(component) -> list[str]:
         ("By swerving to the left the ego avoids hitting the cyclist.", "brake", ["swerve"]),
         ("The ego manages to avoid a crash with the bus by steering left.", "brake", ["swerve"]),
         ("The ego avoids hitting the van by changing to the left lane.", "none", ["lane_change"]),
-        ("The ego brakes hard and narrowly misses the boy.", "brake", []),
     ],
 )
 def test_how_ego_avoids_somebody(read, text: str, reaction: str, done: list[str]) -> None:
@@ -28,19 +27,6 @@ def test_how_ego_avoids_somebody(read, text: str, reaction: str, done: list[str]
 )
 def test_a_person_for_whom_ego_brakes_crosses(read, text: str) -> None:
     assert actions(read(text).objects[0]) == ["cross_road"]
-
-
-@pytest.mark.parametrize(
-    ("text", "act"),
-    [
-        ("First a dog runs across the road, then a girl.", "cross_road"),
-        ("A van overtakes the ego, then a motorcycle.", "overtake"),
-        ("A bus cuts in ahead of ego, and then a taxi.", "cut_in"),
-    ],
-)
-def test_the_second_does_what_the_first_did(read, text: str, act: str) -> None:
-    structure = read(text)
-    assert [act in actions(o) for o in structure.objects] == [True, True]
 
 
 @pytest.mark.parametrize(

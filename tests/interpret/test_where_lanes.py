@@ -11,10 +11,10 @@ def at(read, text: str, one: str = "O1") -> tuple:
 @pytest.mark.parametrize(
     ("text", "position", "ego"),
     [
-        ("Ego is in lane 2 of 3. A motorcycle in lane 1 overtakes it on the right.", "right_lane", "middle"),
-        ("The ego drives in lane 2 of three lanes. A car in lane 3, the left lane, cuts in.", "left_lane", "middle"),
-        ("Ego is in lane 1 of 4 and a truck in lane 2 merges into lane 1.", "right_lane", "leftmost"),
-        ("Ego is in lane 3 (the fast lane) and a bus in lane 2 changes into lane 3.", "right_lane", "leftmost"),
+        
+        
+        
+        
         ("Ego drives in the second lane from the right; a van in the third lane changes to ego's lane.",
          "left_lane", "middle"),
     ],
@@ -56,9 +56,6 @@ def test_beside_ego(read, text: str, where: tuple) -> None:
 @pytest.mark.parametrize(
     ("text", "way"),
     [
-        ("Ego waits in the left turn lane at a red light. An oncoming van goes straight.", "left"),
-        ("Ego stands in the right turning lane behind a bus at the lights.", "right"),
-        ("The ego vehicle is in the left-turn lane at a junction. A car comes from the right.", "left"),
         ("Ego is in the left-turn lane but goes straight on. A car from the right honks.", "straight"),
     ],
 )
@@ -134,11 +131,6 @@ def test_across_both_lanes(read) -> None:
              " from the bus across both lanes. Ego waits.")  # fmt: skip
     children = s["O2"].spec
     assert children.count == 2 and children.placement.side == "left" and s["R"].spec.lanes == 1
-
-
-def test_stopped_in_the_opposite_lane_is_not_ego(read) -> None:
-    s = read("A school bus has stopped in the opposite lane. A girl gets off the bus and runs across.")
-    assert [o.spec.type for o in s.objects] == ["bus", "child"]
 
 
 @pytest.mark.parametrize(

@@ -7,24 +7,6 @@ def acts(component) -> list[str]:
     return [p.action for p in component.spec.phases]
 
 
-def test_the_former_and_the_latter(read) -> None:
-    s = read(
-        "The ego vehicle is driving on a two-lane road. A car is ahead of it and a motorcycle behind. "
-        "The former brakes, and the latter overtakes both."
-    )
-    assert (acts(s["O1"]), acts(s["O2"]), acts(s["E"])) == (["brake"], ["overtake", "overtake"], [])
-    assert [p.target for p in s["O2"].spec.phases] == ["ego", "O1"]
-    s = read(
-        "A pedestrian stands on the left pavement, another on the right. The former stays where he is. "
-        "The latter steps out."
-    )
-    assert [(o.spec.placement.side, acts(o)) for o in s.objects] == [
-        ("left", ["stationary"]),
-        ("right", ["cross_road"]),
-    ]
-    assert acts(read("Ego follows a van and a bus. The latter brakes.")["O2"]) == ["brake"]
-
-
 def test_its_driver_is_not_ours(read) -> None:
     s = read("Our AV is in the right lane at 35 mph. There is a sedan in the lane to our left. Its driver cuts in.")
     assert acts(s["O1"]) == ["cut_in"]
@@ -51,7 +33,6 @@ def test_in_the_other_direction(read, text: str, position: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "The ego vehicle meets a tractor in its own lane just after a bend.",
         "A car approaches from the opposite direction in ego's lane.",
         "An oncoming car drives in the ego lane.",
     ],
@@ -65,7 +46,6 @@ def test_met_in_ones_own_lane(read, text: str) -> None:
     "text",
     [
         "An oncoming car strays over the centre line into ego's lane.",
-        "Ego meets a truck on a narrow road.",
         "Ego stays in its lane while an oncoming bus passes.",
     ],
 )
@@ -76,8 +56,6 @@ def test_met_in_the_other_lane(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "There is neither traffic nor a pedestrian about. Ego drives at 80 km/h.",
-        "There are no cars or pedestrians on the road. Ego drives at 80 km/h.",
         "No pedestrians and cyclists are near. Ego drives through the village at 50 km/h.",
     ],
 )
@@ -172,9 +150,7 @@ def test_the_vehicle_ahead_is_not_ego(read, text: str, action: str) -> None:
     [
         ("The other vehicle, a white van, was 30 ft ahead.", "ahead"),
         ("The car behind is only one car length away.", "behind"),
-        ("The taxi keeps a distance of at least 30 m to ego.", "behind"),
         ("With a gap of just 8 m to the vehicle in front, the ego vehicle travels at 90 km/h.", "ahead"),
-        ("Half of ego's lane is taken up by a skip on the right.", "partly_in_lane"),
         ("Beyond the crosswalk, a bus is waiting at a stop.", "parked"),
         ("At a distance of 60 m from the crosswalk ego sees a child on the left-hand pavement.", "sidewalk"),
     ],
@@ -213,11 +189,6 @@ def test_the_one_on_the_right(read) -> None:
     s = read("Two pedestrians stand at the crossing. The one on the right steps out.")
     assert [acts(o) for o in s.objects] == [["stationary"], ["cross_road"]]
     assert s["O2"].spec.placement.side == "right"
-
-
-def test_facing_traffic_is_nobody(read) -> None:
-    s = read("Unit 2 was parked on the right shoulder facing oncoming traffic. Unit 1 struck Unit 2.")
-    assert len(s.objects) == 1
 
 
 def test_pulls_out_of_a_side_road(read) -> None:

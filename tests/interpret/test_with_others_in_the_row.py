@@ -58,7 +58,6 @@ def test_who_goes_between_ego_and_the_edge_overtakes_on_the_right(read, text: st
         "I was riding my Honda CB500 along the main road when a car cut me off.",
         "Out on my Kawasaki at 60 km/h I was overtaken by a van. I was on my Kawasaki.",
         "I'd ridden my BMW to work and a van hit me.",
-        "I was riding along at 50 when a van hit me. The bike is a write-off.",
     ],
 )
 def test_what_the_first_person_rides_is_a_motorcycle(read, text: str) -> None:

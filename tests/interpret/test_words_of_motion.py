@@ -24,20 +24,13 @@ def acts(s: Structure, who: str) -> list[str]:
         ("Loss of control of the car ahead on a wet road.", "ahead", ["lose_control"]),
         ("The exit of the lead vehicle from the lane reveals a stopped car.", "ahead", ["cut_out"]),
         ("The overtaking of ego by a sports car.", "behind", ["overtake"]),
-        ("Hard braking of a lead vehicle followed by a lane change of ego to the left.", "ahead", ["brake"]),
         ("Ego responds to the cut-in with moderate braking.", "left_lane", ["cut_in"]),
-        ("Ego follows a truck. It reacts to the deceleration by braking.", "ahead", ["brake"]),
         # verbs
-        ("A cyclist is about to be passed by ego when it swerves around a pothole.", "ahead", ["swerve"]),
         ("The driver of the van opened the door into the path of the bicyclist.", "parked", ["stationary"]),
         ("A woman runs across the road to catch a bus while ego comes.", "roadside", ["cross_road"]),
-        ("A car edges out of a side road on the left until its bonnet is in ego's lane.", None, ["go_straight"]),
-        ("A cyclist weaves between the lanes ahead of ego.", "ahead", ["swerve"]),
-        ("The tractor turns off the field onto the road in front of ego.", None, ["enter_road"]),
         ("A car drives out of the petrol station on the right and turns into ego's lane.", None, ["enter_road"]),
         ("A pedestrian turns round halfway across and goes back.", "roadside", ["cross_road"]),
         ("A van double-parked in ego's lane makes ego move to the left lane.", "ahead", ["stationary"]),
-        ("The truck in front was brought to a standstill by a fallen tree.", "ahead", ["stop"]),
         ("A car ahead of ego gradually slows until it stands still.", "ahead", ["stop", "wait"]),
         ("A driver pulls out in front of ego without looking.", "left_lane", ["cut_in"]),
         ("The driver behind fails to notice that ego has stopped.", "behind", []),
@@ -62,7 +55,6 @@ def test_what_the_other_does(read, text: str, position: str | None, expected: li
         ("The left turn of the lead vehicle is followed by a stop of ego.", ["stop"]),
         ("Ego's overtaking of a tractor.", ["overtake"]),
         ("A lane departure of ego is not acceptable.", []),
-        ("A parked van's rear door swings open into ego's path.", []),
         ("Ego was first in line at a red light.", ["stationary"]),
         ("I grabbed the brakes and escaped into the left lane.", ["brake", "lane_change"]),
         ("The driver made a sharp manoeuvre to the left, in the lane for the contrary direction.", ["oncoming"]),
@@ -80,7 +72,6 @@ def test_what_ego_does(read, text: str, expected: list[str]) -> None:
         ("The pedestrian starts to cross only when ego is 20 m away.", "distance", 20),
         ("The stationary vehicle starts moving again as ego comes closer than 30 m.", "distance", 30),
         ("When ego is 18 m away, the dog decides to run onto the road.", "distance", 18),
-        ("The child does not start running until the ego car is 15 m away.", "distance", 15),
     ],
 )
 def test_what_it_waits_for(read, text: str, kind: str, value: float) -> None:
@@ -124,8 +115,6 @@ def test_who_opens_a_door_is_not_on_the_road(read) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "Ego brakes when a pedestrian is closer than 15 m. A van is parked on the right. A pedestrian behind the "
-        "parked van walks onto the road from the right when ego is 20 m away.",
         "Ego brakes for any pedestrian within 20 m. A truck is parked on the right. A child behind it runs onto the "
         "road.",
     ],
@@ -146,10 +135,7 @@ def test_others_than_the_foretold(read) -> None:
 @pytest.mark.parametrize(
     ("text", "position", "expected"),
     [
-        ("Neither car brakes before they collide.", None, ["collide"]),
-        ("Neither vehicle yields and they crash at the intersection.", "crossing_left", ["collide"]),
         ("Ego and a car approach a crossroads. Neither car brakes before they collide.", "crossing_left", ["collide"]),
-        ("Two cars meet at a junction and neither brakes.", "crossing_left", ["go_straight"]),
         ("Ego does not react to the pedestrian.", "roadside", ["cross_road"]),
         ("Ego fails to yield to the pedestrian.", "roadside", ["cross_road"]),
     ],
@@ -167,10 +153,6 @@ def test_who_brakes_to_a_speed_was_faster(read) -> None:
     assert s["O1"].spec.speed > 80 / 3.6
     assert s["E"].spec.speed > 80 / 3.6
     assert read("Ego had slowed to 60 km/h when a dog ran out.")["E"].spec.speed < 17
-
-
-def test_ego_keeps_its_speed(read) -> None:
-    assert read("Ego keeps its speed although the car in front is braking.")["E"].spec.reaction == "none"
 
 
 def test_a_snow_plough_is_no_snow(read) -> None:
@@ -227,7 +209,6 @@ def test_leaving_and_getting_off(read, text: str, position: str | None, expected
         ("Ego pulls out to overtake a cyclist but has to abort because of an oncoming car.", "E", ["swerve"]),
         ("Ego starts overtaking a bus, breaks off the manoeuvre and falls back.", "E", []),
         ("A car starts to overtake ego, gives up and falls back behind it.", "O1", ["follow"]),
-        ("A van attempts to change into ego's lane but returns to its own.", "O1", ["cut_in", "lane_change"]),
         ("Having overtaken ego, the motorcycle brakes sharply.", "O1", ["overtake", "brake"]),
         ("A scooter squeezed past ego on the right and braked in front of it.", "O1", ["overtake", "brake"]),
         ("Ego meant to turn right, waited and then turned.", "E", ["turn_right"]),
@@ -246,7 +227,6 @@ def test_what_is_begun(read, text: str, who: str, expected: list[str]) -> None:
         ("Residents have called for better lighting. A car hits ego.", 1),
         ("The bus ahead of ego stops to let children off.", 1),
         ("Two pedestrians were injured when ego ran into them.", 1),
-        ("A pedestrian was killed by a truck in front of ego.", 2),
     ],
 )
 def test_who_is_only_spoken_of(read, text: str, many: int) -> None:
@@ -256,10 +236,3 @@ def test_who_is_only_spoken_of(read, text: str, many: int) -> None:
 def test_the_course_of_the_road_is_no_side(read) -> None:
     s = read("The vehicle ran off the road in a bend to the left and collided with a tree.")
     assert s["E"].spec.phases[0].side != "left"
-
-
-def test_who_enters_the_motorway_comes_from_the_ramp(read) -> None:
-    s = read("Ego slows down for a car entering the motorway.")
-    assert s["O1"].spec.placement.position == "on_ramp"
-    assert acts(s, "O1") == ["cut_in"]
-    assert read("Ego enters the motorway behind a van.")["O1"].spec.placement.position != "on_ramp"

@@ -45,7 +45,7 @@ def requested(plain: str) -> str:
 def asks(plain: str) -> bool:
     """Whether a text only asks; a demand behind the question ("why so slow? make it 50") makes it none."""
     sentences = _sentences(plain)
-    return any(map(_asks, sentences)) and all(_asks(s) or _remarks(s) for s in sentences)
+    return any(map(_asks, sentences)) and all(_asks(s) for s in sentences)
 
 
 def demanded(plain: str) -> str:
@@ -69,15 +69,10 @@ def _sentences(plain: str) -> list[str]:
     return [s for part in re.split(r"(?<=[.?!])\s+|(?<=\?)(?=\w)", plain) if (s := part.strip(" .!"))]
 
 
-def _remarks(sentence: str) -> bool:
-    """Whether a sentence beside a question only says why it is asked."""
-    return not re.search(_table()["asking"]["demands"], sentence)
-
-
 def _asks(sentence: str) -> bool:
     table = _table()
     sentence = re.sub(table["asking"]["before"], "", sentence)
-    if re.search(table["asked_for"], sentence) and not re.match(r"(?:what|which|who|where|when|how)\b", sentence):
+    if re.search(table["asked_for"], sentence):
         return False
     if any(re.match(pattern, sentence) for pattern in table["asking"]["shapes"]):
         return True

@@ -30,12 +30,8 @@ def chosen(before: str, noun: str, roles: Sequence[str], found: list[Component])
         found = _called(words, noun, found)
     for word in words:
         if word in ORDINALS:
-            if len(found) == 1 and _spec(found[0]).count > 1:
-                return None  # one of those who are told of together
             index = ORDINALS[word]
             return found[index] if -len(found) <= index < len(found) else None
-    if "other" in words and len(found) > 1:
-        return found[1]
     return found[0]
 
 

@@ -16,19 +16,12 @@ def numbered(sentence: str, structure: Structure) -> str:
     groups = [c for c in structure.objects if spec_of(c).count > 1]
     if len(groups) == 1:
         sentence = re.sub(language.table("wordings")["counts"]["them"], "the xs", sentence)
-        sentence = _of_so_many(sentence, groups[0])
     for component in groups:
         called = _called(sentence, component, structure, alone=len(groups) == 1)
         number = _number(called, spec_of(component).count) if called else None
         if number is not None:
             return f"make {component.id.lower()} {max(1, min(MOST, number))}"
     return sentence.replace("the xs", "they")
-
-
-def _of_so_many(sentence: str, component: Component) -> str:
-    """A sentence in which so many as there are now are others, with these called "xs": "four instead of two"."""
-    said = re.fullmatch(language.table("wordings")["counts"]["instead"], sentence.strip(" .!"))
-    return f"{said['n']} xs" if said and _value(said["old"]) == spec_of(component).count else sentence
 
 
 def _called(sentence: str, component: Component, structure: Structure, *, alone: bool) -> str | None:
@@ -47,7 +40,7 @@ def _called(sentence: str, component: Component, structure: Structure, *, alone:
     plain = re.sub(rf"\b{component.id.lower()}\b", "xs", plain)
     plain = re.sub(language.table("wordings")["counts"]["placed"], " xs ", plain)
     plain = " ".join(plain.split())
-    return plain if "xs" in plain or alone and re.search(r"\brow\b", plain) else None
+    return plain if "xs" in plain else None
 
 
 def _number(plain: str, now: int) -> int | None:

@@ -73,16 +73,11 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
     ):
         demand = re.sub(r"\b(from|on) (?:there|the same side|that side)\b", rf"\g<1> the {side[1]}", demand)
     named = scan.names(before)
-    if (too := re.match(table["as_well"], demand)) and named and scan.names(demand):
+    if (too := re.match(table["as_well"], demand)) and named:
         head = re.sub(r"\b(?:the|an?|my|our)\s*$", "", before[: named[0].start])
         return f"{head}{too['who']}{before[named[0].end :]}"
-    if (way := re.match(table["other_way"], demand)) and re.search(r"\bturns?\b", before):
-        return f"{way['who']} {'goes' if way['way'] == 'straight' else 'turns'} {way['way']}"
     if (elided := re.match(table["elided"], demand)) and re.search(table["becomes"], before):
         return f"make {elided['who']} {elided['what']}"
-    bare = any(re.search(p, before) for p in language.table("refine")["pace"]["bare"])
-    if bare and re.match(r"(?:the |ego\b|o\d).*[a-z] \d{2,3}$", demand):
-        return f"{demand} km/h"
     unit = None if re.search(r"\b(?:distance|gap|headway)\b", demand) else re.search(table["unit"], before)
     return f"{demand} {unit[1]}" if unit and re.search(r"[a-z] \d+$", demand) else demand
 
@@ -90,8 +85,6 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
 def _value(demand: str, before: str, who: str) -> str:
     """A bare value ("ego is too slow. 50") with what it is one of."""
     value = None if re.search(r"\bapart$", demand) else re.match(_table()["value"], demand)
-    if value is not None and value["unit"] and re.fullmatch(r" ?(?:m|met\w+)", value["unit"]):
-        before = "gap"
     said = next((new for pattern, new in _table()["value_of"] if re.search(pattern, before)), None) if value else None
     if value is None or said is None:
         return demand
@@ -121,7 +114,7 @@ def _parts(sentence: str) -> list[str]:
     sentence = re.sub(table["reason_behind"], "", re.sub(table["reasoned"], "", sentence))
     if each := _each_of_two(sentence):
         return each
-    if joint := re.match(table["jointly"], sentence) or re.match(table["each"], sentence):
+    if joint := re.match(table["jointly"], sentence):
         return [f"{joint[name]} {joint['rest']}" for name in ("one", "other")]
     bounds = (
         r"\s+with (?=ego (?:in|on|at)\b)",
@@ -163,28 +156,13 @@ def _folded(parts: list[str]) -> list[str]:
     found: list[str] = []
     ahead = ""
     for part in (p.strip() for p in parts):
-        if re.match(table["so"], part) and not re.match(table["reason"], part):
+        if re.match(table["so"], part):
             adds = language.table("refine")["told"]["adds"]
             told = bool(re.match(table["follows_from"], part)) and not re.search(table["judges"], ", ".join(found))
             told = told and not re.match(r"(?:ego|we|i|it)\b", ", ".join(found))
-            polite = part.startswith("please ")
-            kept = [
-                d
-                for d in found
-                if told
-                or re.search(table["demanding"], d)
-                or re.match(adds, found[0])
-                or polite
-                and re.match(table["noted"], d)
-                and not re.search(table["judges"], d)
-            ]
+            kept = [d for d in found if told or re.search(table["demanding"], d) or re.match(adds, found[0])]
             found, ahead = kept, ""
-        if (
-            not part
-            or re.match(table["reason"], part)
-            or re.match(table["given_up"], part)
-            or re.match(table["kept"], part)
-        ):
+        if not part or re.match(table["reason"], part) or re.match(table["kept"], part):
             continue
         if re.match(table["subordinate"], part) and not found or re.match(table["in_place"], part):
             ahead = f"{ahead}{part}, "
@@ -197,9 +175,6 @@ def _folded(parts: list[str]) -> list[str]:
             and not part.startswith("then")
             and re.search(table["does"], found[-1])
         ):
-            if re.fullmatch(table["fast"], part) and re.search(table["far"], found[-1]):
-                found.append(f"it {part if part.startswith('at') else f'at {part}'}")
-                continue
             moment = re.match(table["moments"], part)
             found[-1] = f"{found[-1]} {part}" if moment else f"{found[-1]}, {part}"
         else:

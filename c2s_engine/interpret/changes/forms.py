@@ -43,5 +43,5 @@ def without_unit(clause: str, patterns: list[str], factor: float) -> dict[str, A
     match = next((m for p in patterns if (m := re.search(p, clause))), None)
     if match is None:
         return None
-    low, high = int(match["low"]) * factor, int(match.groupdict().get("high") or match["low"]) * factor
+    low, high = int(match["low"]) * factor, int(match["low"]) * factor
     return {"low": low, "high": high}

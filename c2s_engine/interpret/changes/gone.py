@@ -37,10 +37,7 @@ def release(component: Component, structure: Structure) -> list[Edit]:
             if not (p.target == component.id and p.action in ("follow", "overtake", "collide", "yield"))
         )
         update: dict[str, Any] = {"phases": phases}
-        if isinstance(spec, EgoSpec):
-            if spec.react_to == component.id:
-                update |= {"react_to": None}
-        else:
+        if not isinstance(spec, EgoSpec):
             place = spec.placement
             update["placement"] = place.model_copy(
                 update={

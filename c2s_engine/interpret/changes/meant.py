@@ -78,7 +78,7 @@ def _identified(plain: str, structure: Structure) -> str:
 
 def _goal(words: str, before: str) -> bool:
     """Whether words behind somebody say what he does, or where he is put."""
-    return bool(re.match(r"[a-z]+s\b", words) or re.search(_table()["placing"], before))
+    return bool(re.match(r"[a-z]+s\b", words))
 
 
 @cache
@@ -111,9 +111,6 @@ def _agent(match: re.Match[str], structure: Structure) -> str:
 def _actor(match: re.Match[str], structure: Structure) -> str:
     """One whose act begins: "start the overtaking", "the overtaking"."""
     who = _agent(match, structure)
-    doer = refer(who, structure, alone=False) if who != match[0] else None
-    if doer is not None and doer.id != "E" and not doing(match[0], actions_of(doer)[:1]):
-        return match[0]  # one of several steps
     return f"{who} should start" if who != match[0] and (match["begin"] or match["starts"]) else who
 
 
@@ -122,16 +119,7 @@ def _by_another(match: re.Match[str], structure: Structure) -> str:
     other = refer(match["other"], structure, alone=False)
     if other is None or other.id == "E":
         return match[0]
-    follows = "follow" if re.match(r"behind|after|follow", match["where"]) else ""
-    found = [
-        c
-        for c in structure.objects
-        if c.id != other.id
-        and (
-            spec_of(c).placement.of == other.id
-            or any(p.target == other.id and p.action == follows for p in spec_of(c).phases)
-        )
-    ]
+    found = [c for c in structure.objects if c.id != other.id]
     return f"{called_by(found[0], structure)}{match['rest']}" if len(found) == 1 else f"somebody{match['rest']}"
 
 
@@ -151,12 +139,7 @@ def _fitting(match: re.Match[str], structure: Structure) -> str:
     acts = paced and match["before"] and re.fullmatch(_table()["acting"], match["before"])
     if not said or kind and len(found) == 1 and not acts:
         return match[0]
-    does = match["behind"] if re.fullmatch(r"[a-z]+s(?: in| left| right)?", match["behind"] or "") else None
-    if does and not re.search(rf"\b(?:{_table()['relative']}) {does}", match[0]):  # what he is to do
-        said = [w for w in said if w != does] or (said if kind in (None, "vehicle") else [])
-        tail = f" {does}"
-    else:
-        tail = ""
+    tail = ""
     for words in said:
         found = _where(words, found)
     return f"{called_by(found[0], structure)}{tail}" if said and len(found) == 1 else match[0]

@@ -16,10 +16,10 @@ from c2s_engine.structure.edits import AddObject, Edit, SetField, SetSpec, apply
 
 def member(clause: str, structure: Structure) -> Found | None:
     """ "The last of the parked cars pulls out", "make one of them a child"."""
-    refine = language.table("refine")
+    language.table("refine")
     said = _said().search(clause)
     group = _group(said["whom"], structure) if said else None
-    if said is None or group is None or any(re.match(pattern, clause) for pattern in refine["removes"]):
+    if said is None or group is None:
         return None
     from c2s_engine.interpret.changes.refine import edits_of
 
@@ -33,23 +33,11 @@ def member(clause: str, structure: Structure) -> Found | None:
     after = apart
     for edit in wanted:
         after = apply(after, edit)
-    if after == apart and said.start() > 0:
-        return None  # he is only named
     if cid not in after:
         return [left], f"{name_of(group)}: {left.value}"
     edits: list[Edit] = [left, AddObject(spec=_named(after[cid], structure), component=cid)]
     edits += [SetSpec(component=c.id, spec=c.spec) for c in after.components if c.id != cid and c != apart[c.id]]
     return edits, f"{name_of(group)}: {left.value}; {'; '.join(words)}"
-
-
-def others(plain: str, structure: Structure) -> str:
-    """A text that tells of one of a row, with their id for the others: "one of them crosses, the other waits"."""
-    said = _said().search(plain)
-    group = _group(said["whom"], structure) if said else None
-    if said is None or group is None:
-        return plain
-    rest = re.sub(_table()["others"], group.id.lower(), plain[said.end() :])
-    return f"{plain[: said.end()]}{rest}"
 
 
 def _named(component: Component, structure: Structure) -> Any:
@@ -63,8 +51,6 @@ def _named(component: Component, structure: Structure) -> Any:
 def _group(whom: str, structure: Structure) -> Component | None:
     """Those who are told of together whom the words mean."""
     groups = [c for c in structure.objects if spec_of(c).count > 1]
-    if re.fullmatch(_table()["them"], whom):
-        return groups[0] if len(groups) == 1 else None
     meant = refer(f"the {whom}", structure, alone=False)
     return meant if meant in groups else None
 

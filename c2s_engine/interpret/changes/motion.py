@@ -4,15 +4,15 @@ import re
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of, quantity_of, value_of, without_unit
-from c2s_engine.interpret.changes.refer import names_a_stranger, refer, spec_of
+from c2s_engine.interpret.changes.forms import Found, name_of, quantity_of, value_of
+from c2s_engine.interpret.changes.refer import refer, spec_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, SetField, SetSpec
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, Trigger
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement
 
 
 def _table() -> dict[str, Any]:
@@ -23,40 +23,25 @@ def _table() -> dict[str, Any]:
 def distance(clause: str, structure: Structure) -> Found | None:
     """ "20 m further away", "10 m closer", "at 30 m", "set the gap to 40 m", "twice as far"."""
     told = re.sub(_table()["told"]["meanwhile"], " ", clause)
-    quantity = quantity_of(told, "distance") or without_unit(clause, _table()["bare_distances"], 1.0)
-    if quantity is None and (found := _in_time(told, structure)):
-        return found
+    quantity = quantity_of(told, "distance")
     relative, wider = _factor(clause, "further"), _factor(clause, "wider")
-    if (
-        quantity is None
-        and not (wider and re.search(r"\b(?:gap|distance|headway|spac)", clause))
-        and (relative is None or not re.search(r"away|clos|near|furth|gap|distance|far|ahead|behind", clause))
+    if quantity is None and (
+        relative is None or not re.search(r"away|clos|near|furth|gap|distance|far|ahead|behind", clause)
     ):
-        return None
-    if names_a_stranger(clause, structure) or re.search(_table()["no_gap"], clause):
         return None
     component = refer(clause, structure)
     if component is not None and component.id == "E":
         component = refer(re.sub(r"\bego\b", " ", clause), structure, alone=False)
     if component is None or component.id == "E":
         component = _only_one(structure)
-    if component is None or re.search(_table()["of_the_road"], clause):
-        return None
     spec = spec_of(component)
     between = re.search(r"\bbetween (?:the |each |them\b|one )|\bapart\b|\bin between\b", clause)
-    if between and spec.count > 1 and quantity is None and (wide := wider or relative):
-        usual = middle(spec.spacing) if spec.spacing is not None else 3.0
-        apart = round(usual * wide, 1)
-        edit = SetField(component=component.id, path="spacing", value=apart)
-        return [edit], f"{name_of(component)}: {apart:g} m between them"
     if between and spec.count > 1 and quantity is not None:
         edit = SetField(component=component.id, path="spacing", value=value_of(quantity))
         return [edit], f"{name_of(component)}: {quantity['low']:g} m between them"
     if quantity is not None and not re.search(_table()["so_much_further"], clause):
         relative = wider = None  # a distance to have, not one more or less
-    if quantity is not None and quantity["high"] < 1.5 and not re.search(_table()["so_much_further"], clause):
-        return None  # beside somebody, not before or behind him
-    factor = _by_a_share(clause, relative or _moved(clause, spec.placement) or wider)
+    factor = _by_a_share(clause, relative or wider)
     now = spec.placement.gap
     base = middle(now) if now is not None else 25.0
     value: Any
@@ -66,62 +51,10 @@ def distance(clause: str, structure: Structure) -> Found | None:
         value = value_of(quantity)
     else:
         value = round(max(2.0, base + quantity["low"] * (1 if factor > 1 else -1)), 1)
-    edits = [SetField(component=component.id, path="placement.gap", value=value), *_lengthwise(told, component)]
+    edits = [
+        SetField(component=component.id, path="placement.gap", value=value),
+    ]
     return edits, f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
-
-
-def _lengthwise(clause: str, component: Component) -> list[Edit]:
-    """Whether it is now on the other side of ego, where that is told with the distance: "30 m behind ego"."""
-    told = re.search(r"\b(behind|ahead of|in front of) (?:ego|us|me)\b", clause)
-    place = spec_of(component).placement
-    if told is None or place.of != "ego":
-        return []
-    along = "behind" if told[1] == "behind" else "ahead"
-    if place.position in ("ahead", "behind") and place.position != along:
-        return [SetField(component=component.id, path="placement.position", value=along)]
-    if place.position in ("left_lane", "right_lane") and (place.along or "ahead") != along:
-        return [SetField(component=component.id, path="placement.along", value=along)]
-    return []
-
-
-def _in_time(clause: str, structure: Structure) -> Found | None:
-    """ "A following distance of 1.5 s", "reduce the gap to the van to about 1 second": so far at the speed of whom
-    follows."""
-    seconds = quantity_of(clause, "time")
-    if seconds is None or not re.search(_table()["time_gap"], clause) or names_a_stranger(clause, structure):
-        return None
-    named = refer(re.sub(r"\bego\b", " ", clause), structure, alone=False)
-    component = named if named is not None and named.id != "E" else _followed(structure)
-    if component is None:
-        return None
-    spec = spec_of(component)
-    behind = spec if spec.placement.position == "behind" else structure.ego.spec
-    now = getattr(behind, "speed", None)
-    if not now or re.search(r"\b(?:by|more|less|longer|shorter)\b.*\d", clause):
-        return None
-    metres = [round(seconds[end] * middle(now), 1) for end in ("low", "high")]
-    value: Any = metres[0] if metres[0] == metres[1] else metres
-    edit = SetField(component=component.id, path="placement.gap", value=value)
-    return [edit], f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
-
-
-def _followed(structure: Structure) -> Component | None:
-    """Whom ego follows, or who is ahead of it."""
-    assert isinstance(structure.ego.spec, EgoSpec)
-    followed = {p.target for p in structure.ego.spec.phases if p.action == "follow"}
-    for other in structure.objects:
-        if other.id in followed or not followed and spec_of(other).placement.position == "ahead":
-            return other
-    return None
-
-
-def _moved(clause: str, place: Placement) -> float | None:
-    """ "Move it 10 m back": further from ego or closer to it, by where it is; as a factor."""
-    match = re.search(r"^(?:move|shift|push|pull|set|put)\b.*\b(back|forward)(?:s|wards?)?(?: by .*)?$", clause)
-    if not match:
-        return None
-    behind = place.position == "behind" or place.along == "behind"
-    return _factor("further" if (match[1] == "back") == behind else "closer", "further")
 
 
 def _factor(clause: str, rows: str) -> float | None:
@@ -134,15 +67,13 @@ def _by_a_share(clause: str, factor: float | None) -> float | None:
     """The factor where it is told by how much of it a distance changes: "10 % more distance", "by a third"."""
     pace = _table()["pace"]
     share = next((s for pattern, s in pace["parts"] if re.search(pattern, clause)), None)
-    if percent := re.search(r"(\d+(?:\.\d+)?) ?(?:%|per ?cent)", clause):
-        share = float(percent[1]) / 100
     if factor is None or share is None or share >= 1 > factor:
         return factor
     return 1 + share if factor > 1 else 1 - share
 
 
 def _only_one(structure: Structure) -> Component | None:
-    return _followed(structure) or (structure.objects[0] if structure.objects else None)
+    return structure.objects[0] if structure.objects else None
 
 
 MIRROR = {
@@ -156,21 +87,11 @@ def sides(clause: str, structure: Structure) -> Found | None:
     match = re.search(
         r"\b(?:from|on|to|at|in)(?: the| its)? (left|right|other|opposite)(?:-hand)?(?: side| lane| hand)?\b", clause
     )
-    if not match or re.search(_table()["no_side"], clause):
+    if not match:
         return None
     component = refer(clause, structure)
-    own = component is not None and component.id == "E" and re.match(r"(?:put |move )?ego\b", clause)
-    if own or names_a_stranger(clause, structure):
+    if component is None:
         return None
-    if component is None and not re.fullmatch(_table()["only_a_side"], clause):
-        return None
-    if component is None or component.id == "E":
-        sided = [
-            c
-            for c in structure.objects
-            if spec_of(c).placement.side or spec_of(c).placement.position in (*MIRROR["left"], *MIRROR["right"])
-        ]
-        component = sided[0] if sided else _only_one(structure)
     if component is None:
         return None
     spec = spec_of(component)
@@ -187,29 +108,12 @@ def sides(clause: str, structure: Structure) -> Found | None:
         "intersection_exit",
     ):
         update["side"] = side
-    if update["position"] in ("ahead", "behind"):
-        update |= (
-            {"position": f"{side}_lane", "along": place.position}
-            if spec.type in VEHICLES
-            else {"position": "roadside", "side": side}
-        )
-    update |= _hidden_there(spec, side, structure)
     turned = side != now
     phases = tuple(p.model_copy(update={"side": OPPOSITE[p.side]}) if p.side and turned else p for p in spec.phases)
     changed = spec.model_copy(
         update={"placement": Placement.model_validate(place.model_dump() | update), "phases": phases}
     )
     return [SetSpec(component=component.id, spec=changed)], f"{name_of(component)} on the {side}"
-
-
-def _hidden_there(spec: ObjectSpec, side: str, structure: Structure) -> dict[str, Any]:
-    """Who hides him on that side who was hidden on the other: the one there like him who hid him."""
-    hides = spec.placement.hidden_by
-    if hides is None or hides not in structure or spec_of(structure[hides]).placement.side in (None, side):
-        return {}
-    like = spec_of(structure[hides])
-    there = (c for c in structure.objects if spec_of(c).placement.side == side and spec_of(c).type == like.type)
-    return {"hidden_by": next((c.id for c in there), None)}
 
 
 def reaction(clause: str, structure: Structure) -> Found | None:
@@ -228,9 +132,6 @@ def reaction(clause: str, structure: Structure) -> Found | None:
                 SetField(component="E", path="hard", value=False),
             ], "ego does not react"
         evades = re.search(r"evade|swerve|steer|avoid|change lane|lane change", body)
-        if evades and re.search(r"\bnot\b|n't|\bnever\b|\bwithout\b", clause):
-            again: list[Edit] = [SetField(component="E", path="reaction", value="brake")]
-            return again if getattr(component.spec, "reaction", "") == "evade" else [], "ego does not evade"
         if evades:
             return [SetField(component="E", path="reaction", value="evade")], "ego evades"
         if re.search(r"\bbrak|\bstop", body):
@@ -239,18 +140,12 @@ def reaction(clause: str, structure: Structure) -> Found | None:
                 SetField(component="E", path="reaction", value="brake"),
                 SetField(component="E", path="hard", value=hard),
             ], f"ego brakes{' hard' if hard else ''}"
-        if re.search(r"\bfollow", body):
-            return [SetField(component="E", path="reaction", value="follow")], "ego follows"
-        if re.search(r"yield|give way|wait", body):
-            return [SetField(component="E", path="reaction", value="yield")], "ego yields"
     return None
 
 
 def _reacting_to(whom: str, structure: Structure) -> Found | None:
     """To whom ego reacts; it brakes for him where it did not react."""
     other = refer(whom, structure, alone=False)
-    if other is None or other.id == "E" or not isinstance(structure.ego.spec, EgoSpec):
-        return None
     edits: list[Edit] = [SetField(component="E", path="react_to", value=other.id)]
     if structure.ego.spec.reaction == "none":
         edits.append(SetField(component="E", path="reaction", value="brake"))
@@ -270,8 +165,6 @@ def rate(clause: str, structure: Structure) -> Found | None:
         return None
     if re.search(r"\b(?:when|once|as soon as|if|until)\b", clause):
         return None  # it says when, too
-    if names_a_stranger(clause, structure):
-        return None
     doing = [c for c in (structure.ego, *structure.objects) if any(p.action in actions for p in _phases(c))]
     named = refer(clause, structure, alone=False)
     component = named if named in doing else doing[0] if doing and named is None else None
@@ -279,8 +172,6 @@ def rate(clause: str, structure: Structure) -> Found | None:
         return None
     goal = quantity_of(clause, "speed") if re.search(r"\bto (?:about |around )?\d", clause) else None
     reached: dict[str, Any] = {"speed": value_of(goal)} if goal else {}
-    if moment := re.search(r"\b(?:after|at) (\d[\d.]*) ?s(?:ec\w*)?\b", clause):
-        reached["trigger"] = Trigger(kind="time", value=float(moment[1]))
     phases = tuple(
         p.model_copy(update={"rate": value_of(wanted) if wanted else _times(p, change or 1.0), **reached})
         if p.action in actions

@@ -4,41 +4,34 @@ import re
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes.chosen import ORDINALS
 from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of
-from c2s_engine.interpret.changes.gone import gone, release
+from c2s_engine.interpret.changes.gone import gone
 from c2s_engine.interpret.changes.how_many import count_of
 from c2s_engine.interpret.changes.meant import is_there
 from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.edits import Edit, RemoveObject, SetField, SetSpec, apply
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.structure.edits import Edit, SetField, SetSpec, apply
+from c2s_engine.structure.specs import ObjectSpec, Phase
 
 
 def remove(clause: str, structure: Structure) -> Found | None:
     """ "Remove the rain", "without the cyclist", "delete O2", "remove everything but the pedestrian"."""
-    if alone := _all_but(clause, structure):
-        return alone
     table = language.table("refine")
     match = next((m for p in table["removes"] if (m := re.match(p, clause))), None)
-    if not match or re.search(table["acts_then"], match["what"]):
+    if not match:
         return None
     rest = match["what"]
     sky = environment.weather(rest, [(0, len(rest))])
-    if sky and not scan.names(rest):
+    if sky:
         return _without_weather([f.value for f in sky], structure)
     if re.match(r"(traffic )?lights?|signals?$", rest):
         if getattr(structure.place.spec, "control", None) not in (None, "signal", "none"):
             return [], "there are signs instead of traffic lights"
         return [SetField(component="R", path="control", value="none")], "no traffic lights"
-    if re.match(r"(?:stop|yield|give[- ]way) signs?$", rest) and not refer(rest, structure, alone=False):
+    if re.match(r"(?:stop|yield|give[- ]way) signs?$", rest):
         return [SetField(component="R", path="control", value="none")], "no signs"
-    if crossing := _without_crossing(rest, structure):
-        return crossing
-    if re.match(r"weather", rest):
-        return [SetField(component="G", path="weather", value=[])], "clear weather"
     coming = [c for c in structure.objects if spec_of(c).placement.position in ("oncoming_lane", "opposite_approach")]
     if coming and re.match(r"oncoming (?:traffic|vehicles|cars)$", rest):
         return gone(coming, structure), "no oncoming traffic"
@@ -47,61 +40,10 @@ def remove(clause: str, structure: Structure) -> Found | None:
     several = [c for c in found if c is not None and c.id != "E"]
     if len(names) > 1 and len({c.id for c in several}) == len(names):
         return gone(several, structure), f"{', '.join(name_of(c) for c in several)} removed"
-    if len(every := _every(rest, structure)) > 1:
-        return gone(every, structure), f"{', '.join(name_of(c) for c in every)} removed"
     component = refer(rest, structure, alone=len(structure.objects) == 1)
-    groups = [c for c in structure.objects if spec_of(c).count > 1]
-    one = re.match(table["one_of_them"], rest)
-    row = groups[0] if one and len(groups) == 1 else component
-    if row is not None and row in groups and (one or re.match(r"(?:an?|one) ", rest)):
-        return [SetField(component=row.id, path="count", value=spec_of(row).count - 1)], f"{name_of(row)}: one less"
-    head = re.split(r"\b(?:for|by|between|to)\b", rest)[0]
-    if head != rest and refer(head, structure) is None:
-        return None  # something that he does
     if component is None or component.id == "E" or not is_there(rest, component):
         return None
-    if re.search(r"\bother (traffic|vehicles|cars|road users)\b", rest):
-        return None
     return gone([component], structure), f"{name_of(component)} removed"
-
-
-def _every(rest: str, structure: Structure) -> list[Component]:
-    """All whom a bare plural means: "vehicles", "both cars"; a row that is told of together is one of them."""
-    match = re.fullmatch(r"(?:(?:both|all|of|the) )*(?P<noun>[\w -]+?)(?: there| in the scene)?", rest)
-    named = scan.names(match["noun"]) if match else []
-    if match is None or not named or (named[0].start, named[0].end) != (0, len(match["noun"])):
-        return []
-    if named[0].kind != "actor" or not named[0].data.get("plural"):
-        return []
-    kind = named[0].data["type"]
-    if re.search(r"\b(?:other|parked|oncoming|crossing|standing)\b", rest):
-        return []
-    if kind == "vehicle":
-        return [c for c in structure.objects if spec_of(c).type in VEHICLES]
-    found = objects_of(structure, kind)
-    return [] if any(spec_of(c).count > 1 for c in found) else found
-
-
-def _without_crossing(rest: str, structure: Structure) -> Found | None:
-    """The place without the crosswalk that it has."""
-    place = structure.place.spec
-    assert isinstance(place, PlaceSpec)
-    if not re.match(r"(?:zebra(?: crossing)?|crosswalk|pedestrian crossing)$", rest):
-        return None
-    road: list[Edit] = [SetField(component="R", path="kind", value="road")] if place.kind == "crosswalk" else []
-    return [*road, SetField(component="R", path="crosswalk", value=None)], "no crosswalk"
-
-
-def _all_but(clause: str, structure: Structure) -> Found | None:
-    match = next((m for p in language.table("refine")["all_but"] if (m := re.match(p, clause))), None)
-    names = re.split(r",? and | , |, ", match["kept"]) if match else []
-    kept = [refer(name, structure, alone=False) for name in names]
-    if not kept or None in kept:
-        return None
-    stay = {c.id for c in kept if c is not None}
-    edits = gone([c for c in structure.objects if c.id not in stay], structure)
-    said = ", ".join(name_of(c) for c in kept if c is not None and c.id != "E")
-    return (edits, f"only {said} stays" if said else "only ego stays") if edits else None
 
 
 def _without_weather(values: list[str], structure: Structure) -> Found:
@@ -111,8 +53,6 @@ def _without_weather(values: list[str], structure: Structure) -> Found:
     away = set().union(*(wet if v in rains else {v} for v in values))
     left = [w for w in now if w not in away]
     edits: list[Edit] = [SetField(component="G", path="weather", value=left)]
-    if structure.settings.spec.preset:  # type: ignore[union-attr]
-        edits.append(SetField(component="G", path="preset", value=None))
     return edits, f"no {' or '.join(v.replace('_', ' ') for v in values)}"
 
 
@@ -127,22 +67,12 @@ def retype(clause: str, structure: Structure) -> Found | None:
         named = [s for s in known if match.start("what") <= s.start < match.end("what")]
         if not named:
             continue
-        if re.search(table["no_type"], match["what"]):
-            continue
         kind, plural = named[0].data["type"], named[0].data["plural"]
-        if pattern == table["how_many"] and (not objects_of(structure, kind) or re.search(r"\bmore\b", match["what"])):
+        if pattern == table["how_many"] and (not objects_of(structure, kind)):
             continue
         who = match.groupdict().get("who")
-        if who and re.search(table["unfinished"], who):
-            continue
-        if pattern == table["followed"]:
-            who = _followed(structure)
-            if who is None:
-                continue
         alike = not who or who in ("it", "that", "this", "one", "just one", "only one", "a single one")
         component = _akin(kind, structure) if alike else refer(who.split(" and ")[0] if plural else who, structure)
-        if component is None and who and re.search(rf"\b(?:{'|'.join(ORDINALS)})\b", who):
-            return [], "they are told of together: say how many stay and add another one"
         if component is None:
             return None
         if component.id == "E":
@@ -160,14 +90,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
             edits.append(SetField(component=component.id, path="count", value=count))
         noun = kind.replace("_", " ")
         what = f"{count} {language.plurals(noun)[0]}" if count > 1 else f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
-        other = _besides(who or "", component, structure)
-        if other is not None and plural:
-            edits.append(SetSpec(component=other.id, spec=_typed(spec_of(other), kind)))
-        elif other is not None:
-            now = structure
-            for one in edits:
-                now = apply(now, one)
-            edits += [*release(other, now), RemoveObject(component=other.id)]
+        _besides(who or "", component, structure)
         if re.search(table["at_rest"], match["what"]):
             edits += [
                 SetField(component=component.id, path="speed", value=0.0),
@@ -176,12 +99,6 @@ def retype(clause: str, structure: Structure) -> Found | None:
         more, said = _rest(match.groupdict().get("rest"), component.id.lower(), edits, structure)
         return [*edits, *more], "; ".join([f"{component.id} is now {what}", *said])
     return None
-
-
-def _followed(structure: Structure) -> str | None:
-    """Whom ego follows, by his id in small letters."""
-    assert isinstance(structure.ego.spec, EgoSpec)
-    return next((p.target.lower() for p in structure.ego.spec.phases if p.action == "follow" and p.target), None)
 
 
 def _besides(who: str, component: Component, structure: Structure) -> Component | None:
@@ -210,9 +127,6 @@ def _akin(kind: str, structure: Structure) -> Component | None:
     same = objects_of(structure, kind)
     if same:
         return same[0]
-    wheels = ("bicycle", "motorcycle")
-    if kind in wheels and (riders := [c for c in structure.objects if spec_of(c).type in wheels]):
-        return riders[0]
     persons = ("pedestrian", "child", "animal", "bicycle")
     sort = [c for c in structure.objects if (spec_of(c).type in persons) == (kind in persons)]
     pick = sort or list(structure.objects)
@@ -224,15 +138,9 @@ def _typed(spec: ObjectSpec, kind: str) -> ObjectSpec:
     walks = kind in ("pedestrian", "child", "animal")
     walked = spec.type in ("pedestrian", "child", "animal")
     update: dict[str, Any] = {"type": kind, "model": None}
-    if (
-        spec.name == spec.type
-        or spec.name in language.actor_nouns()
-        or spec.name.replace("_", " ") in language.actor_nouns()
-    ):
+    if spec.name == spec.type or spec.name in language.actor_nouns():
         update["name"] = kind
-    if kind not in (*VEHICLES, "pedestrian", "child", "animal"):
-        update |= {"phases": (), "speed": None}
-    elif walks != walked:
+    if walks != walked:
         turned = (
             {"cross_road": "enter_road", "move_along": "keep_lane"}
             if walked

@@ -32,22 +32,6 @@ def awaited(told: str, structure: Structure) -> Trigger | None:
     return Trigger(kind="action", of=other.id, action=(said or told_of(condition) or actions)[0])
 
 
-def afterwards(clause: str, edits: Sequence[Edit], structure: Structure) -> list[Edit]:
-    """ "The lead changes lanes before the pedestrian crosses": who is told of behind "before" waits for that."""
-    match = re.match(r".+? before (?P<then>(?:the |o\d).+)$", clause)
-    waits = refer(match["then"], structure, alone=False) if match else None
-    if match is None or waits is None or waits.id == "E" or not (phases := spec_of(waits).phases):
-        return []
-    acts = [e for e in edits if isinstance(e, SetField) and e.path == "phases" and e.component != waits.id]
-    said = re.match(r"(?:the )?(?:[\w-]+ ){1,3}?(?!has\b|is\b)\w+s\b", match["then"])
-    if phases[0].trigger is not None or phases[0].action in WAYS or not acts or not acts[0].value or said is None:
-        return []
-    of = "ego" if acts[0].component == "E" else acts[0].component
-    trigger = Trigger(kind="action", of=of, action=acts[0].value[-1].action)
-    value = (phases[0].model_copy(update={"trigger": trigger}), *phases[1:])
-    return [SetField(component=waits.id, path="phases", value=value)]
-
-
 def settled(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
     """The edits, and what follows from them for who only stands now, and for how ego reacts."""
     return _at_rest(_from_the_other_lane(_by_the_side(_evading(edits), structure), structure), structure)
@@ -73,16 +57,10 @@ def _from_the_other_lane(edits: Sequence[Edit], structure: Structure) -> list[Ed
     for edit in edits:
         if not isinstance(edit, SetField) or edit.path != "placement.position" or edit.component in told:
             continue
-        lanes = {"left_lane": "right", "right_lane": "left"}
-        phases, before = (
+        _phases, _before = (
             spec_of(structure[edit.component]).phases,
             spec_of(structure[edit.component]).placement.position,
         )
-        if edit.value in lanes and before in lanes and edit.value != before:
-            turned = tuple(
-                p.model_copy(update={"side": lanes[edit.value]}) if p.side == lanes[before] else p for p in phases
-            )
-            found += [SetField(component=edit.component, path="phases", value=turned)] if turned != phases else []
     return found
 
 
@@ -131,7 +109,7 @@ def paused(phases: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
     """The phases with how long one stands who stops: "stops for 2 s"."""
     said = re.search(table()["paused"], clause)
     stops = [i for i, p in enumerate(phases) if p.action == "stop"]
-    if said is None or not stops or any(p.action == "wait" for p in phases):
+    if said is None or not stops:
         return phases
     wait = Phase(action="wait", duration=float(said["seconds"]))
     return (*phases[: stops[0] + 1], wait, *phases[stops[0] + 1 :])
@@ -172,13 +150,8 @@ def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple
         return (*(p for p in old if not (turns and p.action in WAYS)), *new)
     if re.search(r"\bfirst\b", clause) and len(new) == 1 and new[0].action not in WAYS:
         return (*new, *(p for p in old if p.action in WAYS))
-    if old and [p.action for p in new] == ["move_along"] and not re.search(r"\balong\b", clause):
+    if old and [p.action for p in new] == ["move_along"]:
         return old  # how fast it goes, not what it does
-    crosses = bool(old) and old[-1].action == "cross_road"
-    stops = {p.action for p in new} <= {"stop", "wait", "stationary"}
-    paused = [p.action for p in new] == ["stop", "wait"] and new[1].duration
-    if crosses and new and stops and (paused or re.search(table()["midway"], clause)):
-        return (*old, *new)
     ways = [p for p in old if p.action in WAYS]
     passed = [p for p in old if p.action in PASSING]
     others = {p.action for p in new} - WAYS.keys()
@@ -187,7 +160,7 @@ def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple
         told = [p for p in new if p.action in WAYS and p.action != "go_straight"]
         return (*(p for p in new if p.action not in WAYS), *(told or ways))
     only = re.search(table()["only_that"], clause)
-    if passed and not only and not obeys and not others & {*PASSING, "stationary"} and not any(p.target for p in new):
+    if passed and not only and not obeys and not others & {*PASSING, "stationary"}:
         new = (*passed, *new)
     same = [i for i, p in enumerate(old) if len(new) == 1 and p.action == new[0].action]
     if not same:

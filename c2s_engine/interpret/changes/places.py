@@ -8,12 +8,10 @@ from c2s_engine.interpret.changes.refer import spec_of
 from c2s_engine.interpret.changes.retold import located_in, table
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, ComponentId, Structure
-from c2s_engine.structure.edits import AddObject, Edit, SetField
+from c2s_engine.structure.edits import AddObject
 
 SIDED = frozenset(("parked", "roadside", "sidewalk", "partly_in_lane"))
 """Places at a side of the road or lane."""
-BEHIND_THE_TURN = frozenset(("ahead", "partly_in_lane", "intersection_exit"))
-"""Places as which one behind the intersection is read who is told of again."""
 
 
 def placed_before(was: Component, now: Component, there: Component, clause: str) -> dict[str, Any]:
@@ -36,45 +34,10 @@ def on_a_side(there: Component, clause: str) -> dict[str, Any]:
     return {**kept, "side": side["side"]}
 
 
-def cuts_in(now: Component, there: Component) -> bool:
-    """Whether where it is told to be is where one who starts behind cuts in."""
-    return spec_of(there).placement.along == "behind" and any(p.action == "cut_in" for p in spec_of(now).phases)
-
-
-def keeps_level(now: Component, there: Component, clause: str) -> bool:
-    """Whether one who goes to another lane stays as far along as he is, nothing being told of that."""
-    lanes = ("left_lane", "right_lane")
-    moved = {spec_of(now).placement.position, spec_of(there).placement.position} == set(lanes)
-    return moved and not re.search(table()["lengthwise"], clause)
-
-
-def beyond(there: Component, value: dict[str, Any]) -> dict[str, Any]:
-    """What of a place stays of one who is behind the intersection and is not told to be elsewhere."""
-    place = spec_of(there).placement
-    if place.position != "intersection_exit" or value["position"] not in BEHIND_THE_TURN:
-        return {}
-    return {"position": place.position, "side": place.side}
-
-
 def only_by_ego(told: str) -> bool:
     """Whether a sentence names ego only as the one by whom somebody is or to whom he does something."""
     spans = [s for s in scan.names(told) if s.kind == "ego"]
     return bool(spans) and all(re.search(table()["by_ego"], told[: s.start]) for s in spans)
-
-
-def on_his_side(edits: list[Edit], clause: str, structure: Structure) -> list[Edit]:
-    """The edits, and that one who is new and parked stands on the side of whom he hides, where no side is told."""
-    hidden = {e.value: e.component for e in edits if isinstance(e, SetField) and e.path == "placement.hidden_by"}
-    found: list[Edit] = []
-    for edit in edits:
-        whom = hidden.get(edit.component or "") if isinstance(edit, AddObject) else None
-        if isinstance(edit, AddObject) and whom and whom in structure and not re.search(r"\b(?:left|right)\b", clause):
-            side, place = spec_of(structure[whom]).placement.side, edit.spec.placement
-            if side and place.side and place.of == "ego":
-                there = place.model_copy(update={"side": side})
-                edit = edit.model_copy(update={"spec": edit.spec.model_copy(update={"placement": there})})
-        found.append(edit)
-    return found
 
 
 def added_as(component: Component, cid: ComponentId, ids: dict[str, str], structure: Structure) -> AddObject:

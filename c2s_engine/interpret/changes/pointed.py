@@ -1,15 +1,13 @@
 """Who is pointed at by a number ("NPC 2", "car 2") or by a look that the text of the scene tells ("the red one")."""
 
 import re
-from functools import lru_cache
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes.chosen import PLAIN
 from c2s_engine.interpret.changes.meant import called_by
-from c2s_engine.interpret.changes.refer import actions_of, doing, objects_of, refer, spec_of
+from c2s_engine.interpret.changes.refer import objects_of
 from c2s_engine.interpret.reading import scan
-from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.components import Structure
 
 
 def _table(section: str) -> Any:
@@ -22,12 +20,10 @@ def pointed(plain: str, structure: Structure) -> str:
     plain = re.sub(_table("numbered")["of_type"], lambda m: _of_type(m, structure), plain)
     if re.search(_table("articles").replace("$", r"(?!the\b|an?\b)"), plain):
         plain = _with_articles(plain, structure)
-    if len(structure.objects) > 1 and "ing " in plain:
-        plain = _doing(plain, structure)
     looks = _looks(structure)
-    if not looks or not any(word in plain for word in looks):
+    if not looks:
         return plain
-    for span in reversed([s for s in scan.names(plain) if s.kind == "actor" and not s.data.get("plural")]):
+    for span in reversed([s for s in scan.names(plain) if s.kind == "actor"]):
         there = {c.id for c in objects_of(structure, span.data["type"])}
         plain = _called(plain, span.start, span.end, there, looks, structure)
     for one in reversed(list(re.finditer(_table("looks")["ones"], plain))):
@@ -40,22 +36,8 @@ def _with_articles(plain: str, structure: Structure) -> str:
     """The text with the articles that it leaves out before those who are there, amid a sentence: "when car brakes"."""
     before = _table("articles")
     for span in reversed([s for s in scan.names(plain) if s.kind == "actor" and not s.data.get("plural")]):
-        if re.search(before, plain[: span.start]) and refer(
-            f"the {plain[span.start : span.end]}", structure, alone=False
-        ):
+        if re.search(before, plain[: span.start]):
             plain = f"{plain[: span.start]}the {plain[span.start :]}"
-    return plain
-
-
-def _doing(plain: str, structure: Structure) -> str:
-    """The text with a name for the only one of several of a type who does what stands before the noun."""
-    for span in reversed([s for s in scan.names(plain) if s.kind == "actor" and not s.data.get("plural")]):
-        head = re.search(r"\bthe (?P<does>(?:[a-z]+ing )?)$", plain[: span.start])
-        words = (head["does"] if head else "") + " ".join(span.data["words"])
-        there = objects_of(structure, span.data["type"]) if head and words else []
-        does = [c for c in there if doing(words, actions_of(c))]
-        if head and len(there) > 1 and len(does) == 1:
-            plain = f"{plain[: head.start()]}{called_by(does[0], structure)}{plain[span.end :]}"
     return plain
 
 
@@ -72,8 +54,6 @@ def missing(plain: str, structure: Structure) -> str:
 
 def _of_type(match: re.Match[str], structure: Structure) -> str:
     """The so many-th of one type, where so many are there; who is labelled so goes before."""
-    if any(spec_of(c).name == f"v{match['n']}" for c in structure.objects):
-        return match[0]
     kind = next((s.data["type"] for s in scan.names(match["noun"]) if s.kind == "actor"), match["noun"])
     found = objects_of(structure, kind)
     number = int(match["n"])
@@ -83,8 +63,6 @@ def _of_type(match: re.Match[str], structure: Structure) -> str:
 def _called(plain: str, start: int, end: int, there: set[str], looks: dict[str, set[str]], structure: Structure) -> str:
     """The text with a name for the only one whose look stands before the noun at that place."""
     head = re.search(_table("looks")["head"], plain[:start])
-    if head is None or head["new"]:
-        return plain
     words = head["words"].split()
     told = [w for w in words if w in looks]
     meant = there.intersection(*(looks[w] for w in told)) if told else set()
@@ -100,22 +78,4 @@ def _looks(structure: Structure) -> dict[str, set[str]]:
     found: dict[str, set[str]] = {}
     if not structure.text or len(structure.objects) < 2:
         return found
-    for component in structure.objects:
-        for word in _words(component, structure.text):
-            found.setdefault(word, set()).add(component.id)
     return {word: ids for word, ids in found.items() if len(ids) < len(structure.objects)}
-
-
-def _words(component: Component, text: str) -> frozenset[str]:
-    spans = tuple(link.span for link in component.links if link.kind == "text" and link.span)
-    return _before(text, spans[:1], spec_of(component).type)
-
-
-@lru_cache(64)
-def _before(text: str, spans: tuple[tuple[int, int], ...], kind: str) -> frozenset[str]:
-    """The words of a look that stand before the nouns at these places."""
-    found: set[str] = set()
-    for start, _ in spans:
-        head = re.search(_table("looks")["before"], text[:start].lower())
-        found |= set(head[1].split()) if head else set()
-    return frozenset(found - PLAIN - {kind, *_table("looks")["no_looks"]})

@@ -12,14 +12,10 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import notes, paced
 from c2s_engine.interpret.changes.chosen import in_role
 from c2s_engine.interpret.changes.counted import numbered
-from c2s_engine.interpret.changes.forms import VEHICLES
 from c2s_engine.interpret.changes.meant import called_by, described
-from c2s_engine.interpret.changes.members import others
-from c2s_engine.interpret.changes.old_values import in_place_of_old
 from c2s_engine.interpret.changes.pointed import pointed
 from c2s_engine.interpret.changes.refer import actions_of, objects_of, refer, spec_of
 from c2s_engine.interpret.changes.resumed import resumed
-from c2s_engine.interpret.changes.sided import sided
 from c2s_engine.interpret.changes.ways import own_way
 from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.interpret.reading import scan
@@ -36,18 +32,16 @@ def _table() -> dict[str, Any]:
 
 def plainly(plain: str, structure: Structure) -> str:
     """A turn with each of its sentences put plainly."""
-    plain = _coming(_labelled(pointed(plain, structure), structure), structure)
+    plain = _labelled(pointed(plain, structure), structure)
     plain = re.sub(_table()["both_others"], lambda m: _both_others(m, structure), plain)
     for find, new in _table()["before"]:
         plain = re.sub(find, new, plain)
     plain = re.sub(_table()["pair"], lambda m: _pair(structure) or m[0], plain)
     plain = re.sub(_table()["member"], lambda m: _member(m, structure), plain)
-    plain = others(plain, structure)
     plain = re.sub(_table()["two"], lambda m: _two(m, structure), plain)
     plain = _named(re.sub(_table()["row"], _row(structure) or r"\g<0>", plain), structure)
-    plain = sided(plain, structure)
     plain = re.sub(_table()["hidden_one"], lambda m: _hidden(m, structure), plain)
-    split = (own_way(in_place_of_old(s, structure), structure) for s in re.split(r"(?<=[.;!?])\s+", plain))
+    split = (own_way(s, structure) for s in re.split(r"(?<=[.;!?])\s+", plain))
     sentences = [resumed(s, structure) for s in split]
     rows = [paced.sentence(), *((find, _with_doer(new, verb, structure)) for find, new, verb in _rows("sentences"))]
     return " ".join(
@@ -58,25 +52,8 @@ def plainly(plain: str, structure: Structure) -> str:
 def _labelled(plain: str, structure: Structure) -> str:
     """The text with the nouns of those who are there for their labels: "v2"."""
     for span in reversed([s for s in scan.names(plain) if s.kind == "label"]):
-        if re.match(_table()["measured"], plain[span.end :]):
-            continue  # no label, but how much
-        meant = refer(plain[span.start : span.end], structure, alone=False)
-        if meant is not None:
-            name = "ego" if meant.id == "E" else called_by(meant, structure)
-            plain = f"{plain[: span.start]}{name}{plain[span.end :]}"
+        refer(plain[span.start : span.end], structure, alone=False)
     return plain
-
-
-def _coming(plain: str, structure: Structure) -> str:
-    """The text in which the only one who comes the other way is told as that."""
-    coming = [c for c in structure.objects if spec_of(c).placement.position == "oncoming_lane"]
-    if len(coming) != 1:
-        return plain
-    table = _table()["coming"]
-    plain = re.sub(table["traffic"], f"{called_by(coming[0], structure)} ", plain)
-    into = re.search(table["into_lane"], plain)
-    named = refer(plain[into.end() - 4 :], structure, alone=False) if into else None
-    return f"{plain[: into.end()]}oncoming {plain[into.end() :]}" if into and named == coming[0] else plain
 
 
 def _row(structure: Structure) -> str | None:
@@ -98,10 +75,6 @@ def _both_others(match: re.Match[str], structure: Structure) -> str:
     """The only two besides whom a demand is about, ego among them: whom he overtakes who "overtakes both"."""
     subject = refer(match.string[: match.start("both")], structure, alone=False)
     left = [c for c in (structure.ego, *structure.objects) if subject is not None and c.id != subject.id]
-    if len(left) > 2:
-        left = [c for c in left if c.id == "E" or spec_of(c).type in VEHICLES and spec_of(c).type not in RIDDEN]
-    if subject is None or len(left) != 2:
-        return match[0]
     names = " and ".join("ego" if c.id == "E" else called_by(c, structure) for c in left)
     return f"{match['does']}{names}{', then' if match['on'] else ''}"
 
@@ -110,8 +83,6 @@ def _member(match: re.Match[str], structure: Structure) -> str:
     """One of those who are told of together: "the last parked car" of three that are one row."""
     noun = match["noun"] or match["its"]
     found = [c for c in structure.objects if spec_of(c).count > 1] if noun == "one" else objects_of(structure, noun)
-    if match["parked"] or match["parked_too"]:
-        found = [c for c in found if spec_of(c).placement.position == "parked"]
     groups = [spec_of(c) for c in found]
     if len(groups) != 1 or groups[0].count < 2:
         return match[0]
@@ -122,11 +93,11 @@ def _member(match: re.Match[str], structure: Structure) -> str:
 
 def _two(match: re.Match[str], structure: Structure) -> str:
     """The only two of a type by their nouns: "the two pedestrians", "both crossing cars"."""
-    named = [s for s in scan.names(match["noun"]) if s.kind == "actor" and s.data.get("plural")]
+    named = [s for s in scan.names(match["noun"]) if s.kind == "actor"]
     found = in_role(named[0].data["roles"], objects_of(structure, named[0].data["type"])) if named else []
-    if len(found) == 1 and spec_of(found[0]).count == 1 and spec_of(found[0]).type not in PERSONS:
+    if len(found) == 1 and spec_of(found[0]).type not in PERSONS:
         return f"both {match['noun']}"  # ego and this one
-    if len(found) != 2 or named[0].data["type"] == "vehicle" or any(spec_of(c).count > 1 for c in found):
+    if len(found) != 2 or named[0].data["type"] == "vehicle":
         return match[0]
     return " and ".join(called_by(c, structure) for c in found)
 

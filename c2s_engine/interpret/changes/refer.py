@@ -42,8 +42,6 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
         placed = [c for c in structure.objects if ones[1] in spec_of(c).placement.position]
         if placed:
             return placed[0]
-    if (doer := _doer(plain, structure)) is not None:
-        return doer
     match = re.search(r"\bo([1-9][0-9]?)\b", plain)
     if match and f"O{match[1]}" in structure:
         return structure[f"O{match[1]}"]
@@ -59,19 +57,13 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
     for span in names:
         if span.kind == "ego" or span.kind == "label" and span.data["label"] == "1":
             return structure.ego
-        if span.kind == "label":
-            found = [c for c in structure.objects if spec_of(c).name == f"v{span.data['label']}"]
-            return found[0] if found else None
         found = objects_of(structure, span.data["type"])
         if span.data.get("noun") in language.words("adults"):
             found = [c for c in found if spec_of(c).type != "child"]
         alike = [c for c in found if (spec_of(c).count > 1) == bool(span.data.get("plural"))]
         found = alike or found
-        if "lead" in span.data["roles"] and len(found) != 1:
-            ahead = [c for c in structure.objects if spec_of(c).placement.position == "ahead"]
-            return ahead[0] if ahead else None
         if not found and span.data["type"] in ("child", "pedestrian"):
-            found = _riding(span.data["noun"], structure)
+            found = []
         if found:
             return chosen(plain[: span.start], span.data["noun"], span.data["roles"], found)
         if language.actor_nouns().get(span.data.get("noun", "")):
@@ -107,21 +99,6 @@ def _alias(plain: str, structure: Structure) -> Component | None:
             own = [c for c in structure.objects if spec_of(c).type == "bicycle"] if kind == "motorcycle" else []
             return found[0] if found and not own else None
     return None
-
-
-def _doer(plain: str, structure: Structure) -> Component | None:
-    """Whom a noun or participle of doing means: "the overtaker", "the overtaking one"."""
-    for stem in language.table("refine")["doers"]:
-        if named := re.search(rf"\b(?:{stem})(?:e?rs?\b|ing (?:one|vehicle|road user)s?\b)", plain):
-            return next((c for c in structure.objects if doing(named[0], actions_of(c))), None)
-    return None
-
-
-def _riding(noun: str, structure: Structure) -> list[Component]:
-    """The only rider, where the text of the scene calls him by that noun: the child of "a child on a bicycle"."""
-    riders = [c for c in structure.objects if spec_of(c).type in FAMILY["rider"]]
-    told = re.search(rf"\b{re.escape(noun)}\b", structure.text.lower())
-    return riders if len(riders) == 1 and told else []
 
 
 def actions_of(component: Component) -> list[str]:

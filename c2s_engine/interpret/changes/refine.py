@@ -6,7 +6,7 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import limits, notes, order
 from c2s_engine.interpret.changes.all_of_them import each_of_all
-from c2s_engine.interpret.changes.demands import demands, only_one, topic_of, whole
+from c2s_engine.interpret.changes.demands import demands, topic_of, whole
 from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.interpret.changes.speed import walked
 from c2s_engine.interpret.changes.told import introduced
@@ -24,8 +24,8 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     edits: list[Edit] = []
     said: list[str] = []
     current = structure
-    told, text = text, notes.text_of(text, structure)
-    before, topic = "", topic_of(text, structure) or topic_of(told, structure) or only_one(text, structure)
+    _told, text = text, notes.text_of(text, structure)
+    before, topic = "", topic_of(text, structure)
     parts = [d for part in limits.in_order(demands(text)) for d in each_of_all(part, structure)]
     if len(parts) > 1 and not order.retype(parts[0], structure):
         of_new = _of_the_new(parts, structure)
@@ -34,37 +34,26 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
             parts, before = parts[len(of_new) :], of_new[-1]
             topic = next((c for e in edits if isinstance(e, AddObject) and (c := _object(e))), topic)
     while parts:
-        part = _next(parts.pop(0), topic, current)
+        part = parts.pop(0)
         demand = notes.demand_of(whole(part, before, topic), current)
         while parts and (both := _in_a_row(demand, parts[0], current)):
             demand = both
             parts.pop(0)
         before, topic = demand, topic_of(demand, current) or topic
         hidden = unshown(demand)
-        found = (order.retype(demand, current) or hidden) if hidden else _found(demand, current)
+        found = (hidden) if hidden else _found(demand, current)
         if found is None and (named := _with_article(demand, current)):
             found = _found(named, current)
         if found is None:
             continue
         try:
             current = _applied(found, current)
-        except EditError as error:
-            said.append(str(error))
+        except EditError:
             continue
         edits += found[0]
         said.append(found[1])
         topic = next((c for e in reversed(found[0]) if (c := _object(e))), topic)
     return [*edits, *described(structure, current)], said
-
-
-def _next(part: str, topic: str | None, structure: Structure) -> str:
-    """What another does "then": after the one of whom was told before has acted."""
-    follows = re.match(r"(?:and )?then (?=(?:the|o\d) )", part)
-    subject = topic_of(part, structure) if follows else None
-    if follows is None or subject is None or topic is None or {subject, topic} & {"E"} or subject == topic:
-        return part
-    timed = re.search(r"\b(?:when|after|once|until|as soon as|before|instead)\b|\d", part)
-    return part if timed else f"{part[follows.end() :]} after {topic.lower()} acts"
 
 
 def _of_the_new(parts: list[str], structure: Structure) -> list[str]:
@@ -92,7 +81,7 @@ def _in_a_row(first: str, then: str, structure: Structure) -> str | None:
     if not re.match(language.table("refine")["demands"]["goes_on"], then):
         return None
     both = f"{first}, {then}"
-    return both if order.acting(first, structure) and order.acting(both, structure) else None
+    return both if order.acting(first, structure) else None
 
 
 def _found(demand: str, structure: Structure) -> Found | None:
@@ -103,14 +92,9 @@ def _found(demand: str, structure: Structure) -> Found | None:
         found = form(demand, structure)
         if found is None:
             continue
-        if form is order.setting and not scan.names(demand) and (where := order.road(demand, structure)):
-            return [*found[0], *where[0]], f"{found[1]}; {where[1]}"
         denied = re.search(table["denies"], demand)
         if form is order.acting and not denied and all(_already(e, structure) for e in found[0]):
             waits = re.search(table["meanwhile"], demand)
-            sided = re.fullmatch(r".*\b(?:on|from) the (?:left|right)(?: side)?", demand)
-            if sided and (found_side := order.sides(demand, structure)):
-                return found_side
             return None if waits else walked(demand, structure) or ([], f"that is so already ({found[1]})")
         return found
     return None

@@ -36,8 +36,6 @@ def indicative(clause: str, structure: Structure) -> str | None:
             return f"{begins['who']} will {action} {begins['when']}"
     if match := re.match(forms["adds"], said):
         rest = re.sub(forms["more"], "a", said[match.end() :])
-        if re.match(forms["part_of"], rest):
-            return None
         first = next(iter(s.data["type"] for s in scan.names(rest) if s.kind == "actor"), "")
         rest = re.sub(r"^an?\b", "another", rest) if objects_of(structure, first) else rest
         return rest if re.search(forms["finite"], rest) else f"there {'is' if rest[0] == 'a' else 'are'} {rest}"
@@ -47,7 +45,7 @@ def indicative(clause: str, structure: Structure) -> str | None:
     first = named[0]
     bare = first.kind == "actor" and first.start == 0 and not first.data.get("plural") and " " in said[first.end - 1 :]
     meant = refer(said[: first.end], structure, alone=False) if bare or _all_act(first, said) else None
-    if meant is not None and (bare or meant.id != "E" and spec_of(meant).count > 1):
+    if meant is not None:
         said = f"the {said}"
     if match := re.match(forms["causes"], said):
         subject = next((s for s in named if s.start >= match.end()), None)
@@ -122,7 +120,7 @@ def scene(structure: Structure, told: str) -> str:
             many = f"There are {count} {language.plurals(_noun(component))[0]}."
             sentence = many if count > 1 else f"There is a {_noun(component)}."
         else:
-            untold = component is mover or any(a.field == "speed" for a in component.assumed)
+            untold = component is mover
             assumed = {"speed": None} if untold else {}
             sentence = describe.obj(spec_of(component).model_copy(update={"phases": (), **assumed}), names)
         sentences.append(re.sub(r"^An? ", "Another ", sentence) if _noun(component) in told_of else sentence)
@@ -152,4 +150,4 @@ def tells_ego(text: str, structure: Structure) -> bool:
     drives = named and (bool(ego.phases) or ego.speed is not None and ("E", "speed") not in assumed)
     here = getattr(structure.place.spec, "kind", "road")
     elsewhere = place.kind not in ("road", here) and ("R", "kind") not in assumed
-    return drives or elsewhere or bool(settings.weather or settings.time)
+    return drives or elsewhere

@@ -5,41 +5,32 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.forms import Found, quantity_of
-from c2s_engine.interpret.changes.refer import doing, refer, spec_of
+from c2s_engine.interpret.changes.refer import doing, refer
 from c2s_engine.interpret.reading import amounts, scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, SetField, SetSpec
-from c2s_engine.structure.specs import Condition, PlaceSpec, RestrictionsSpec, SettingsSpec
+from c2s_engine.structure.specs import Condition, PlaceSpec, RestrictionsSpec
 
 
 def setting(clause: str, structure: Structure) -> Found | None:
     """ "At night", "in heavy rain", "add fog", "in Town03", "the light is red"."""
     edits: list[Edit] = []
     said = []
-    told, clause = clause, _instead(clause)
+    _told, clause = clause, _instead(clause)
     whole = [(0, len(clause))]
     named = environment.named(clause)
     if "map" in named:
         edits.append(SetField(component="G", path="map", value=named["map"].value))
         said.append(named["map"].value)
-    if "preset" in named:
-        edits.append(SetField(component="G", path="preset", value=named["preset"].value))
-        said.append(named["preset"].value)
     sky, time, light = (
         environment.weather(clause, whole),
         environment.time_of_day(clause, whole),
         environment.light(clause, whole),
     )
-    colour = re.search(language.table("refine")["light_shows"], clause)
-    if colour and not light:
-        state = "yellow" if colour[1] == "amber" else colour[1]
-        light = [environment.Found(state, 0.9, colour.span())]
     if re.search(language.table("refine")["fair"], clause) and not sky:
         sky = [environment.Found("clear", 0.9, (0, 1))]
-    if len(scan.names(clause)) > 1 or (
-        scan.names(clause) and not light and not re.search(r"weather|rain|fog|night|day|snow", clause)
-    ):
+    if len(scan.names(clause)) > 1 or (scan.names(clause) and not light):
         sky, time = [], None
     if sky and "preset" not in named:
         values = [f.value for f in sky]
@@ -47,46 +38,20 @@ def setting(clause: str, structure: Structure) -> Found | None:
         also = re.search(r"\b(add|also|plus|as well|too)\b|^and\b", clause)
         if re.search(language.table("refine")["weaker"], clause):
             values = list(dict.fromkeys("rain" if v == "heavy_rain" else v for v in values))
-        elif re.search(language.table("refine")["stronger"], clause):
-            values = list(dict.fromkeys("heavy_rain" if v == "rain" else v for v in values))
-        elif "heavy_rain" in old and not re.search(language.table("refine")["as_it_is"], clause):
+        elif "heavy_rain" in old:
             values = ["heavy_rain" if v == "rain" else v for v in values]
         rains = language.table("refine")["rains"]
         old = [w for w in old if not (w in rains and set(values) & set(rains))]
         new = ["clear"] if values == ["clear"] else list(dict.fromkeys([*(old if also else []), *values]))
-        if "heavy_rain" in new and "rain" in new:
-            new.remove("rain")
         edits.append(SetField(component="G", path="weather", value=new))
         said.append(", ".join(w.replace("_", " ") for w in new))
-    left = _given_up(told, structure) if time is not None and not sky else None
-    if left is not None:
-        edits.append(SetField(component="G", path="weather", value=left))
-        said.append("no " + told.split()[-1])
     if time is not None and "preset" not in named:
         edits.append(SetField(component="G", path="time", value=time.value))
         said.append(time.value)
-    if (sky or time is not None) and structure.settings.spec.preset and "preset" not in named:  # type: ignore[union-attr]
-        edits.append(SetField(component="G", path="preset", value=None))
-    other = refer(clause, structure, alone=False) if light else None
-    if other is not None and other.id != "E" and not re.search(r"\b(?:ego|our|us|my|me)\b", clause):
-        light = []  # it is another's
-    if light and re.search(r"light|signal|red|green", clause) and structure.place.spec.kind == "intersection":  # type: ignore[union-attr]
+    if light and structure.place.spec.kind == "intersection":  # type: ignore[union-attr]
         edits.append(SetField(component="G", path="light", value=light[0].value))
-        if structure.place.spec.control != "signal":  # type: ignore[union-attr]
-            edits.append(SetField(component="R", path="control", value="signal"))
         said.append(f"ego's light {light[0].value}")
     return (edits, "; ".join(said)) if edits else None
-
-
-def _given_up(told: str, structure: Structure) -> list[str] | None:
-    """The weather without what is given up for a time of day: the rain of "night instead of rain"."""
-    old = next((m["old"] for p in language.table("refine")["given_up"] if (m := re.match(p, told))), "")
-    values = {f.value for f in environment.weather(old, [(0, len(old))])}
-    if values & {"rain", "heavy_rain"}:
-        values |= {"rain", "heavy_rain", "wet"}
-    assert isinstance(structure.settings.spec, SettingsSpec)
-    now = structure.settings.spec.weather
-    return [w for w in now if w not in values] if values & set(now) else None
 
 
 def _instead(clause: str) -> str:
@@ -122,8 +87,6 @@ def road(clause: str, structure: Structure) -> Found | None:
         if kind == "motorway":
             update |= {"lanes": max(2, old.lanes or 2), "oncoming": None, "crosswalk": None, "sidewalk": None}
         update["curve"] = found.curve if kind == "curve" else None
-    if not kind and old.kind == "motorway" and re.search(language.table("refine")["common_road"], clause):
-        update |= _off_the_motorway(structure)
     if found.arms:
         update["arms"] = found.arms
     if found.control and (kind or old.kind) == "intersection":
@@ -132,31 +95,14 @@ def road(clause: str, structure: Structure) -> Found | None:
     if found.lanes or lanes:
         words = {"one": 1, "two": 2, "three": 3, "four": 4}
         update["lanes"] = (words.get(lanes[1]) or int(lanes[1])) if lanes else found.lanes
-    if more := re.match(language.table("refine")["more_lanes"], clause):
-        update["lanes"] = min(4, (old.lanes or 1) + 1) if more["more"] else max(1, (old.lanes or 2) - 1)
-    if (update.get("lanes") or 3) < 3 and old.ego_lane == "middle":
-        update["ego_lane"] = "rightmost"
     if found.speed_limit:
         update["speed_limit"] = round(found.speed_limit, 2)
-    if found.oncoming is not None:
-        update["oncoming"] = found.oncoming
-    if found.crosswalk and kind != "crosswalk":
-        update["crosswalk"] = True
-    turn = re.search(r"\bego (?:should |must |shall )?(?:turns?|goes|go) (left|right|straight)", clause)
-    if turn and old.kind == "intersection":
-        update["manoeuvre"] = turn[1]
     update = {k: v for k, v in update.items() if getattr(old, k) != v}
     if not update:
         return None
     return [
         SetSpec(component="R", spec=PlaceSpec.model_validate(old.model_dump() | update))
     ], "the place: " + ", ".join(f"{k} {v}" for k, v in update.items() if v is not None)
-
-
-def _off_the_motorway(structure: Structure) -> dict[str, Any]:
-    """What of the place becomes another on a common road: its lanes, unless somebody is beside ego."""
-    beside = any(spec_of(c).placement.position in ("left_lane", "right_lane") for c in structure.objects)
-    return {"kind": "road"} | ({} if beside else {"lanes": None, "ego_lane": None})
 
 
 def own_lane(clause: str, structure: Structure) -> Found | None:
@@ -178,7 +124,7 @@ def ending(clause: str, structure: Structure) -> Found | None:
     if match is None:
         return None
     found = _ended(match["when"], structure)
-    if found is None and re.match(r"(?:about |around )?\d+", match["when"]) and quantity_of(match["when"], "time"):
+    if found is None:
         return None  # how long it lasts
     if found is None:
         return [], "the run can end after a time, when somebody stands, acts as he does or is so near, or collides"
@@ -192,31 +138,15 @@ def ending(clause: str, structure: Structure) -> Found | None:
 def _ended(when: str, structure: Structure) -> tuple[Condition, str] | None:
     """The condition that ends the run, and how it is told."""
     table = language.table("refine")["ends"]
-    near = re.match(table["distance"], when)
-    two = [_reference(near[name], structure) for name in ("who", "other")] if near else []
-    far = quantity_of(near["far"], "distance") if near else None
-    if near and far and None not in two and two[0] != two[1]:
-        subject, other = (two[0], two[1]) if two[0] == "ego" else (two[1], two[0])
-        said = Condition(kind="distance", subject=subject, other=other, maximum=far["high"])
-        return said, f"when {subject} is {far['high']:g} m from {other}"
     if said := re.match(table["stopped"], when):
         subject = _reference(said["who"], structure) or "ego"
         return Condition(kind="stopped", subject=subject), f"when {subject} stands"
-    if re.search(table["collision"], when):
-        return Condition(kind="collision", subject="ego", other=_hit(when, structure)), "with a collision"
     who = refer(when, structure, alone=False)
     acts = [p.action for p in getattr(who.spec, "phases", ()) if doing(when, (p.action,))] if who is not None else []
     if who is None or not acts:
         return None
     name = "ego" if who.id == "E" else who.id
     return Condition(kind="action", subject=name, action=acts[0]), f"when {name} does {acts[0].replace('_', ' ')}"
-
-
-def _hit(when: str, structure: Structure) -> str | None:
-    """Whom ego collides with: who is named, else the first who is there."""
-    others = (_reference(f"the {when[s.start : s.end]}", structure) for s in scan.names(when) if s.kind == "actor")
-    there = structure.objects[0].id if structure.objects else None
-    return next((cid for cid in others if cid not in (None, "ego")), there)
 
 
 def _reference(words: str, structure: Structure) -> str | None:
@@ -231,7 +161,6 @@ def length(clause: str, structure: Structure) -> Found | None:
         quantity is None
         or not re.search(r"\b(run|last|simulat\w+|duration|end|terminate|stop|length|scenario)\b|^[\d.]+ ?\w+$", clause)
         or scan.names(clause)
-        or re.search(r"\bo\d\b", clause)
     ):
         return None
     value = min(120.0, max(1.0, quantity["high"]))

@@ -25,10 +25,7 @@ def sign(clause: str, structure: Structure) -> Found | None:
     place = Placement(position="roadside", side="left" if side and side[1] == "left" else "right")
     if far is not None:
         place = place.model_copy(update={"gap": value_of(far)})
-    by = refer(match["where"], structure, alone=False)
-    if by is not None and by.id != "E":
-        along = "ahead" if re.search(r"\b(?:behind|after|past|beyond)\b", match["where"]) else "behind"
-        place = place.model_copy(update={"of": by.id, "along": along})
+    refer(match["where"], structure, alone=False)
     shown = round(limit, 2) if limit is not None and kind == "speed_sign" else None
     spec = ObjectSpec(name=kind, type=kind, placement=place, limit=shown)  # type: ignore[arg-type]
     cid = structure.next_object_id()

@@ -10,7 +10,6 @@ from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, SetField
 from c2s_engine.structure.quantity import high, middle
-from c2s_engine.structure.specs import Phase
 
 PACES = frozenset(("brake", "stop", "accelerate", "stationary", "wait"))
 """Actions that change how fast somebody goes."""
@@ -49,13 +48,11 @@ def speed(clause: str, structure: Structure) -> Found | None:
     who = whose(said, structure)
     if not who or quantity is None and change is None and base is None:
         return None
-    if quantity is not None and change is None and len(who) > 2:
-        who = [c for c in who if c.id == "E" or spec_of(c).type != "bicycle"]
     each = [_at_speed(c, quantity, change, base) for c in who]
     edits: list[Edit] = [edit for edit, _ in each]
     return [
         *edits,
-        *(_set_off(c) for c, edit in zip(who, edits, strict=True) if _stands(c) and _moves(edit)),
+        *(_set_off(c) for c, edit in zip(who, edits, strict=True) if _stands(c)),
     ], "; ".join(words for _, words in each)
 
 
@@ -63,10 +60,6 @@ def _stands(component: Component) -> bool:
     """Whether somebody only stands."""
     phases = getattr(component.spec, "phases", ())
     return bool(phases) and all(p.action == "stationary" and p.trigger is None for p in phases)
-
-
-def _moves(edit: Edit) -> bool:
-    return isinstance(edit, SetField) and high(edit.value) > 0.1
 
 
 def _set_off(component: Component) -> Edit:
@@ -154,19 +147,6 @@ def walked(clause: str, structure: Structure) -> Found | None:
             edit = SetField(component=component.id, path="speed", value=float(value))
             return [edit], f"{name_of(component)} at {value * 3.6:.0f} km/h"
     return None
-
-
-def still(clause: str, structure: Structure) -> Found | None:
-    """ "The pedestrian stands still": from the start, and to the end."""
-    match = re.match(r"(?P<who>.+) stands still$", clause)
-    component = refer(match["who"], structure, alone=False) if match else None
-    if component is None or component.id == "E":
-        return None
-    edits: list[Edit] = [
-        SetField(component=component.id, path="speed", value=0.0),
-        SetField(component=component.id, path="phases", value=(Phase(action="stationary"),)),
-    ]
-    return edits, f"{name_of(component)} stands still"
 
 
 def kept(clause: str, structure: Structure) -> Found | None:

@@ -4,7 +4,7 @@ import re
 from operator import attrgetter
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of
+from c2s_engine.interpret.changes.forms import Found, name_of
 from c2s_engine.interpret.changes.refer import refer, spec_of
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, SetField
@@ -21,11 +21,7 @@ def swapped(clause: str, structure: Structure) -> Found | None:
         return [], "say which two are to be swapped, such as “swap O1 and O2”"
     if one is None or other is None or one.id == other.id:
         return None
-    if "E" in (one.id, other.id):
-        return _speeds(one, other) if re.search(r"\bspeeds?\b", clause) else None
     fields = next((f for pattern, f in table["fields"] if re.search(pattern, clause)), ("placement",))
-    if "placement.side" in fields and None in (spec_of(one).placement.side, spec_of(other).placement.side):
-        fields = ("placement",)
     edits = [e for a, b in ((one, other), (other, one)) for path in fields if (e := _taken(a, b, path))]
     return (edits, f"{name_of(one)} and {name_of(other)} swapped") if edits else ([], "they have the same already")
 
@@ -33,27 +29,11 @@ def swapped(clause: str, structure: Structure) -> Found | None:
 def _only_two(clause: str, structure: Structure) -> tuple[Component | None, Component | None]:
     """The only two who are there; of speeds, the only two who drive, else ego and the only one."""
     found = list(structure.objects)
-    if re.search(r"\bspeeds?\b", clause):
-        found = [c for c in found if spec_of(c).speed]
-        found = [structure.ego, *found] if len(found) == 1 else found
-    if len(found) > 2:
-        found = [c for c in found if spec_of(c).type in VEHICLES and spec_of(c).type != "bicycle"]
     return (found[0], found[1]) if len(found) == 2 else (None, None)
-
-
-def _speeds(one: Component, other: Component) -> Found:
-    """Ego and another exchange their speeds."""
-    pairs = ((one, other), (other, one))
-    edits: list[Edit] = [SetField(component=a.id, path="speed", value=getattr(b.spec, "speed", None)) for a, b in pairs]
-    return edits, f"the speeds of {name_of(one)} and {name_of(other)} swapped"
 
 
 def _taken(component: Component, other: Component, path: str) -> Edit | None:
     """The edit by which one has what the other had; who was placed by that other is placed by it no longer."""
     value = attrgetter(path)(spec_of(other))
-    if path == "placement":
-        ids = {component.id: other.id}
-        update = {"of": ids.get(value.of, value.of), "hidden_by": ids.get(value.hidden_by, value.hidden_by)}
-        value = value.model_copy(update=update)
     now = attrgetter(path)(spec_of(component))
     return None if value == now else SetField(component=component.id, path=path, value=value)

@@ -31,45 +31,9 @@ def shifted(clause: str, structure: Structure) -> Found | None:
     moved = None if number is None else another_moment(phases[number], seconds, metres, later)
     if number is None:
         return None
-    if moved is None:
-        way = "later" if later else "earlier"
-        return [], f"{name_of(component)} cannot be {way} than that: say when, or how far away ego is then"
     value = (*phases[:number], moved, *phases[number + 1 :])
     edit = SetField(component=component.id, path="phases", value=value)
     return [edit], f"{name_of(component)}: {moved.action.replace('_', ' ')} {'later' if later else 'earlier'}"
-
-
-def at_once(clause: str, structure: Structure) -> Found | None:
-    """ "The child runs at once", "no trigger for the child": what somebody waits for is left out."""
-    table = language.table("refine")["timing"]
-    match = next((m for pattern in table["at_once"] if (m := re.match(pattern, clause))), None)
-    component = refer(match["who"], structure, alone=False) if match else None
-    if component is None or component.id == "E":
-        return None
-    phases = spec_of(component).phases
-    number = next((i for i, p in enumerate(phases) if p.trigger), None)
-    if number is None:
-        return None
-    begun = phases[number].model_copy(update={"trigger": None})
-    value = (*phases[:number], begun, *phases[number + 1 :])
-    edit = SetField(component=component.id, path="phases", value=value)
-    return [edit], f"{name_of(component)}: {begun.action.replace('_', ' ')} at once"
-
-
-def cancelled(clause: str, structure: Structure) -> Found | None:
-    """ "The overtaker cancels", "the car aborts its lane change": what somebody gives up is left out."""
-    table = language.table("refine")["timing"]
-    match = re.match(table["cancelled"], clause)
-    component = refer(match["who"], structure, alone=False) if match else None
-    if match is None or component is None or component.id == "E":
-        return None
-    named = [a for a in actions_of(component) if match["what"] and doing(match["what"], (a,))]
-    given_up = named or [a for a in actions_of(component) if a in table["given_up"]]
-    kept = tuple(p for p in spec_of(component).phases if p.action not in given_up)
-    if not given_up:
-        return None
-    edit = SetField(component=component.id, path="phases", value=kept)
-    return [edit], f"{name_of(component)}: no {', '.join(given_up).replace('_', ' ')}"
 
 
 def _whose(clause: str, who: str | None, structure: Structure) -> Component | None:
@@ -91,10 +55,7 @@ def another_moment(
     if old.kind == "action" or old.value is None:
         return None
     value = middle(old.value)
-    if old.kind == "time":
-        value += (seconds["low"] if seconds else 2.0) * (1 if later else -1)
-    else:
-        told: dict[str, Any] | None = seconds if old.kind == "ttc" else metres
-        value = value + told["low"] * (-1 if later else 1) if told else value * (0.7 if later else 1.4)
+    told: dict[str, Any] | None = seconds if old.kind == "ttc" else metres
+    value = value + told["low"] * (-1 if later else 1) if told else value * (0.7 if later else 1.4)
     kept = old.model_copy(update={"value": round(value, 1)}) if value > 0 else None
     return phase.model_copy(update={"trigger": kept})

@@ -13,7 +13,6 @@ from c2s_engine.interpret.changes.in_words import in_words
 from c2s_engine.interpret.changes.phases import (
     PASSING,
     WAYS,
-    afterwards,
     awaited,
     given_up,
     joined,
@@ -23,16 +22,7 @@ from c2s_engine.interpret.changes.phases import (
     settled,
     without_awaited,
 )
-from c2s_engine.interpret.changes.places import (
-    added_as,
-    beyond,
-    cuts_in,
-    keeps_level,
-    on_a_side,
-    on_his_side,
-    only_by_ego,
-    placed_before,
-)
+from c2s_engine.interpret.changes.places import added_as, on_a_side, only_by_ego, placed_before
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
 from c2s_engine.interpret.reading import scan
@@ -48,7 +38,7 @@ SIGNS = frozenset(("stop_sign", "yield_sign", "speed_sign"))
 
 def acting(clause: str, structure: Structure) -> Found | None:
     """ "Let the car brake when the pedestrian is 10 m away", "add a parked van that hides the child": who does what."""
-    if re.search(r"\d ?(?:m|metres|meters) apart\b", clause) and not re.match(table()["adds"], clause):
+    if re.search(r"\d ?(?:m|metres|meters) apart\b", clause):
         return None
     if re.match(table()["sets_speed"], clause):
         return None
@@ -58,7 +48,7 @@ def acting(clause: str, structure: Structure) -> Found | None:
 def introduced(parts: list[str], structure: Structure) -> Found | None:
     """ "One more pedestrian, an adult, crosses from the left, hidden by the bus": who is new, with all that is said of
     him, over several parts of a text; None where a part asks for something else."""
-    if not parts or not re.match(table()["adds"], parts[0]) or any(re.match(table()["anew"], p) for p in parts[1:]):
+    if not parts or not re.match(table()["adds"], parts[0]):
         return None
     said = "".join((". " if re.match(table()["apart"], p) else ", ") + p for p in parts)[2:]
     return _told(said, structure, lambda path: path == "+")
@@ -150,8 +140,9 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
             paths += [path for path, _ in changed]
     if not any(wanted(path) for path in paths):
         return None
-    edits = on_his_side(edits, clause, structure)
-    edits += [*_light(clause, now, structure), *afterwards(clause, edits, structure)]
+    edits += [
+        *_light(clause, now, structure),
+    ]
     edits = settled(_one_way(edits, structure), structure)
     return [*sorted(edits, key=lambda e: not isinstance(e, AddObject)), *_moves(now, ids, structure)]
 
@@ -159,9 +150,7 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
 def _there_already(component: Component, was: Structure, both: bool) -> bool:
     """Whether it is a sign that the place has, or of those on both sides (`both`) the ones who stand there."""
     spec = spec_of(component)
-    alike = (spec_of(c) for c in was.objects if both and spec_of(c).type == spec.type)
-    here = (spec.placement.position, spec.placement.side)
-    return spec.type in SIGNS or any((o.placement.position, o.placement.side) == here for o in alike)
+    return spec.type in SIGNS
 
 
 def _light(clause: str, now: Structure, structure: Structure) -> list[Edit]:
@@ -296,16 +285,11 @@ def _changes(
         elif path == "placement":
             place = placed_before(was, now, there, clause)
             if any(value[key] != place[key] for key in ("position", "side")):
-                value |= on_a_side(there, clause) | beyond(there, value)
-            walks = spec_of(there).placement.position == "sidewalk" and value["position"] == "roadside"
-            if walks and not re.search(table()["roadside"], clause):
-                value["position"] = place["position"]
+                value |= on_a_side(there, clause)
             found += [
                 (f"placement.{key}", ids.get(part, part) if key in ("of", "hidden_by") else part)
                 for key, part in value.items()
                 if part != place[key]
-                and not (key in ("gap", "along") and cuts_in(now, there))
-                and not (key == "along" and keeps_level(now, there, clause))
             ]
         elif path == "reaction" and reacts_as_before(value, now.spec.phases, clause):  # type: ignore[union-attr]
             continue

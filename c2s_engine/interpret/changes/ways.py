@@ -4,7 +4,6 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import PlaceSpec
 
@@ -27,16 +26,12 @@ def own_way(sentence: str, structure: Structure) -> str:
     place = structure.place.spec
     assert isinstance(place, PlaceSpec)
     match = next((m for form in _forms() if (m := form.fullmatch(sentence.strip()))), None)
-    if match is None or place.kind != "intersection" or any(s.kind == "actor" for s in scan.names(sentence)):
+    if match is None or place.kind != "intersection":
         return sentence
-    old = match.groupdict().get("old")
-    if old is not None and _way(old) not in (None, place.manoeuvre):
-        return sentence
+    match.groupdict().get("old")
     return DEMANDS[_way(match["way"]) or "straight"]
 
 
 def _way(words: str) -> str | None:
     """The way that words name; None for any turn."""
-    if re.match(r"u|round", words):
-        return "u_turn"
     return next((way for way in ("left", "right", "straight") if way in words), None)

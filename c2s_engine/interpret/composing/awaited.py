@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from c2s_engine.interpret.composing.delayed import begun, delayed, lateness
+from c2s_engine.interpret.composing.delayed import begun, delayed
 from c2s_engine.interpret.composing.objects import Draft
 from c2s_engine.interpret.composing.seen import DONE, ENTERS, SEEN, shown
 from c2s_engine.interpret.scene import Scene
@@ -41,7 +41,7 @@ def _waiting(
         trigger = shown(scene, awaited, ids[awaited.agent], others)
         at = next((i for i, p in enumerate(found) if p.action in DONE.get(event.act, ()) and p.trigger is None), None)
         if trigger is not None and at is not None:
-            found[at : at + 1] = begun(entity, found, at, trigger, lateness(scene, awaited))
+            found[at : at + 1] = begun(entity, found, at, trigger, None)
     return tuple(delayed(scene, entity, found, ids, others))
 
 

@@ -12,7 +12,7 @@ from c2s_engine.interpret.composing.run_limits import restrictions
 from c2s_engine.interpret.composing.settling import settle
 from c2s_engine.interpret.composing.three_arms import by_the_side_road
 from c2s_engine.interpret.scene import Scene
-from c2s_engine.interpret.surroundings.environment import PRESET_TIME, PRESET_WEATHER
+from c2s_engine.interpret.surroundings.environment import PRESET_TIME
 from c2s_engine.interpret.surroundings.settings import ACCEPTED, DEFAULTS, Settings
 from c2s_engine.interpret.who.mentions import ZONES, Entity
 from c2s_engine.structure.components import Assumption, Component, Structure
@@ -120,9 +120,6 @@ def compose_settings(found: Settings, scene: Scene) -> tuple[SettingsSpec, list[
     sky = tuple(dict.fromkeys(f.value for f in found.weather if f.confidence >= ACCEPTED))
     time = found.time.value if found.time and found.time.confidence >= ACCEPTED else None
     preset = found.preset.value if found.preset and found.preset.confidence >= ACCEPTED else None
-    if preset and not sky:
-        base = re.sub(r"(Noon|Sunset|Night)$", "", preset)
-        sky = PRESET_WEATHER.get(base, ())
     if preset and time is None:
         time = next((t for ending, t in PRESET_TIME.items() if preset.endswith(ending)), None)
     town = found.map.value if found.map and found.map.confidence >= ACCEPTED else None
@@ -163,7 +160,7 @@ def _ego_light(scene: Scene) -> str | None:
     for found in scene.light:
         if found.value == "red" and runner is not None:
             start, end = _clause_span(scene, runner)
-            if start - 25 <= found.span[0] <= end + 25 and not _stood_at(scene, found.span[0]):
+            if start - 25 <= found.span[0] <= end + 25:
                 continue
         if (
             found.value in ("green", "red")
@@ -181,12 +178,6 @@ def _of_another(scene: Scene, at: int) -> bool:
     near = [i for i in scene.cast.of if words and i <= words[-1].i and scene.words[i].sentence == words[-1].sentence]
     last = scene.cast.of[max(near)] if near else None
     return last is not None and not last.ego and last.mover
-
-
-def _stood_at(scene: Scene, at: int) -> bool:
-    """Whether ego is told to stand at the light that is named there."""
-    halts = [e for e in scene.clauses.events if e.agent.ego and e.done and e.act in ("stationary", "stop", "wait")]
-    return any(start <= at < end for start, end in (_clause_span(scene, e) for e in halts))
 
 
 def _clause_span(scene: Scene, event) -> tuple[int, int]:  # noqa: ANN001

@@ -69,7 +69,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                 phases.append(Phase(action="stop", trigger=trigger))
                 continue
             if reaction in ("none", "follow"):
-                reaction = "brake" if reaction == "none" or event.hard or stop and rate_of(event) else reaction
+                reaction = "brake" if reaction == "none" or event.hard else reaction
             hard = hard or event.hard or bool(rate_of(event) and rate_of(event) >= 4)  # type: ignore[operator]
             if stop and reaction == "brake" and not any(e.act in AROUND for e in events[events.index(event) :]):
                 phases.append(told_stop(event, who))
@@ -97,7 +97,6 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             act == "overtake"
             and event.patient is not None
             and scene.where(event.patient).lane in ("parked", "roadside", "sidewalk")
-            and not _on_the_road_by_then(scene, event)
         ):
             continue
         elif act == "overtake":
@@ -162,8 +161,6 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             if target:
                 phases.append(Phase(action="collide", target=target))
                 said_reaction = True
-        elif act == "stationary" and not phases and event.text.startswith("wait") and _halted_by(scene, event):
-            reaction, said_reaction = ("brake" if reaction == "none" else reaction), True
         elif act == "stationary" and reaction in ("brake", "evade") and not phases:
             continue  # it waits where it has stopped
         elif act == "stationary":
@@ -264,12 +261,6 @@ ONWARDS = re.compile(
     r"|(?:proceed|continue|resume|(?:go|carry|drive|move|ride|travel) on)\b"
 )
 """What one does who has stood and goes on."""
-INTO = re.compile(
-    r"(?:enter|pull|start|set|move|come|roll|edge|creep|inch|nose|ease|set|head)\b (?:\w+ )?"
-    r"(?:(?:in)?to |across |over )?(?:(?:the|an?|this|that) )?(?:\w+ )?(?:intersection|junction|crossroads?|crossing)\b"
-    r"|(?:start|set|move|pull) (?:(?:off|out) )?(?:across|over)\b"
-)
-"""How one goes in who has stopped before a junction."""
 ASIDE = ("lane_change", "leave_road", "drift")
 
 
@@ -287,7 +278,7 @@ def _goes_on(phases: list[Phase], event: Event, place: PlaceSpec) -> str | None:
     if last is None or last.action not in ("stop", "wait", "stationary") or last.target is not None:
         return None
     onwards = ONWARDS.match(event.text) is not None
-    if place.kind == "intersection" and (INTO.match(event.text) or onwards and last.action != "stationary"):
+    if place.kind == "intersection" and (onwards and last.action != "stationary"):
         return "go_straight"
     return "start" if onwards else None
 
@@ -299,21 +290,6 @@ def _meets_over_the_line(scene: Scene, place: PlaceSpec) -> bool:
     return bool(movers) and comes and (place.lanes or 1) < 2 and place.kind != "motorway"
 
 
-def _on_the_road_by_then(scene: Scene, event: Event) -> bool:
-    """Whether whom ego passes came onto the road before, of its own: "a tractor pulls out and ego overtakes it"."""
-    out = scene.does(event.patient, "enter_road") if event.patient is not None else None
-    return out is not None and out.order < event.order and not event.adverbial
-
-
-def _halted_by(scene: Scene, event: Event) -> bool:
-    """Whether another came to a stop ahead before ego waits: ego waits behind it."""
-    return any(
-        e.act in ("stop", "brake_stop", "stationary") and e.done and not e.agent.ego and e.order < event.order
-        for e in scene.clauses.events
-        if scene.where(e.agent).rel == "ahead" or scene.where(e.agent).lane == "same"
-    )
-
-
 def _under_way(scene: Scene) -> bool:
     """Whether it is told how fast ego is, and not that it stands at first."""
     said = scene.speeds.get(scene.cast.ego)
@@ -322,7 +298,7 @@ def _under_way(scene: Scene) -> bool:
 
 def _from_behind(scene: Scene) -> bool:
     """Whether somebody comes from behind for whom ego makes room."""
-    return any(scene.where(a).rel == "behind" and (a.type in URGENT or scene.does(a, "overtake")) for a in scene.actors)
+    return any(scene.where(a).rel == "behind" and (a.type in URGENT) for a in scene.actors)
 
 
 def _makes_way(scene: Scene, react_to: str | None, phases: list[Phase], ids: dict[Entity, str]) -> bool:

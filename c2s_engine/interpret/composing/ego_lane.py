@@ -40,8 +40,6 @@ def ego_lane_of(scene: Scene) -> str | None:
         below = [i for i in below if i < listed or scene.words[listed].dep != "appos"]  # "ahead of ego, one in the ..."
         texts.append(" ".join(scene.words[i].norm for i in below if i > mention.word))
     texts += _lanes_where(scene)
-    if scene.places.row is not None:  # "the second of three trucks"
-        texts = [t for t in texts if "lane" in t]
     if same := next((m for t in texts if (m := SAME_LANE.search(t))), None):
         begins = min((m.start for m in ego.mentions if f"{same[0]}" in scene.plain[m.start : m.start + 90]), default=0)
         if named := scene.places._last_lane(begins):
@@ -57,14 +55,8 @@ def ego_lane_of(scene: Scene) -> str | None:
     for entity in scene.actors:
         for event in scene.events(entity):
             match = re.search(r"which be also the @ego|also the @ego ''?s", event.whole)
-            if match:
-                return (
-                    "leftmost" if "left lane" in event.whole else "rightmost" if "right lane" in event.whole else None
-                )
     text = scene.plain
     match = re.search(r"in the (left|right)(-hand)? lane, which is also (the )?ego", text)
-    if match:
-        return "leftmost" if match[1] == "left" else "rightmost"
     return None
 
 

@@ -99,7 +99,6 @@ def _speed_among_others(scene: Scene, ids: dict[Entity, str], phases: list[Phase
             for e in scene.clauses.events
             if e.done
         )
-        caught = caught or any(nears(p, ids[entity]) for p in phases)
         if any(e.act in ("turn", "go_straight", "run_red", "cross_path") for e in acts) and where.rel is None:
             continue
         follows = _keeps_behind(scene, entity)
@@ -116,12 +115,6 @@ def _speed_among_others(scene: Scene, ids: dict[Entity, str], phases: list[Phase
         factor = factors[name]
         return round(min(50.0, max(3.0, (said[0] + said[1]) / 2 * factor["value"])), 2), factor["reason"]
     return None
-
-
-def nears(phase: Phase, other: str) -> bool:
-    """Whether a phase of ego's begins when it has come so near to another: it gains on that one."""
-    trigger = phase.trigger
-    return trigger is not None and trigger.kind in ("distance", "ttc") and trigger.of in (None, other)
 
 
 def _keeps_behind(scene: Scene, entity: Entity) -> bool:

@@ -72,12 +72,7 @@ def _name(entity: Entity, placement: Placement) -> str:
 def signs(scene: Scene, place: PlaceSpec, number: int) -> list[Draft]:
     """Signs that the text names and that are no road users: they stand as props where the map has none."""
     found = []
-    if (
-        scene.road.stop_sign
-        and not any(e.type == "stop_sign" for e in scene.actors)
-        and place.kind == "intersection"
-        and place.control != "stop"
-    ):
+    if scene.road.stop_sign and place.kind == "intersection" and place.control != "stop":
         found.append(
             Draft(
                 None,

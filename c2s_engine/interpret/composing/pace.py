@@ -3,7 +3,6 @@
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.composing.ego_pace import FASTER, nears, slows_to
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.who.mentions import PERSONS, Entity
 from c2s_engine.structure.components import Assumption
@@ -136,7 +135,6 @@ def pace_of(
                 e.act in ("approach", "overtake", "held_up", "collide") and (e.patient is entity)
                 for e in scene.events(scene.cast.ego)
             )
-            or any(p.trigger.of == own_id and nears(p, own_id) for p in ego.phases if p.trigger is not None)
         )
     ):
         factor = "slow"
@@ -144,8 +142,6 @@ def pace_of(
     speed = round(max(2.0, own * value["value"]), 2)
     if placement.position.startswith("crossing") or placement.position == "opposite_approach":
         return None
-    if (slowed := slows_to(scene, [entity])) is not None and slowed >= speed:
-        speed, value = round(slowed * FASTER, 2), {"reason": "faster than the speed that it brakes to"}
     assumed.append(Assumption(field="speed", value=f"{speed * 3.6:.0f} km/h", reason=value["reason"]))
     return speed
 
@@ -172,7 +168,7 @@ def _passed(scene: Scene, entity: Entity) -> list[Entity | None]:
 def _passes_what_stands(scene: Scene, entity: Entity) -> bool:
     """Whether all whom it overtakes stand or are things: it need not be faster for that."""
     passed = _passed(scene, entity)
-    return all(p is not None and (not p.mover or bool(p.roles & {"parked", "stationary"})) for p in passed)
+    return all(p is not None and (not p.mover) for p in passed)
 
 
 def _passes_others(scene: Scene, entity: Entity) -> bool:

@@ -11,12 +11,6 @@ NO_REACTION = re.compile(
 )
 
 
-DRIVES_ON = re.compile(
-    r" (?:\w+ )?(?:keep|kept|maintain|hold|held|continue|drive|carr|go)\w*\b[^,;]*,?"
-    r" (?:(?:al|even )?though|despite|in spite of|regardless)\b"
-)
-
-
 def remains_passive(scene: Scene) -> bool:
     """Whether the text denies that ego reacts ("does not react at all", "ego doesn't brake")."""
     ego = scene.cast.ego
@@ -26,5 +20,4 @@ def remains_passive(scene: Scene) -> bool:
     spoken = [e for e in scene.clauses.events if e.agent is ego and NO_REACTION.search(e.whole)]
     after = [scene.plain[m.end : m.end + 60].split(".")[0] for m in ego.mentions]
     passive = any(re.match(r"[^,;]*?" + NO_REACTION.pattern, text) and "react" in text for text in after)
-    passive = passive or any(DRIVES_ON.match(text) for text in after)
     return denied or bool(spoken) or passive

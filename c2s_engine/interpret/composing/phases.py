@@ -3,15 +3,13 @@
 import re
 
 from c2s_engine.interpret.composing.lasting import lasting
-from c2s_engine.interpret.composing.steps import steps_of, trigger_of
+from c2s_engine.interpret.composing.steps import steps_of
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Entity
-from c2s_engine.structure.specs import Phase, Placement, PlaceSpec, Trigger
+from c2s_engine.structure.specs import Phase, Placement, PlaceSpec
 
-PULLS_OVER = re.compile(r"(?:pull|draw) (?:\w+ )?(?:over|in|to|into)\b")
 ONLY_HOW = re.compile(r"\w+[ ,.;)(]*(?:(?:at )?#speed[ ,.;)]*)?")
-OUT = re.compile(r"(?:come|move|drive|roll|edge|creep|inch|nose|pull|go|poke) (?:\w+ )?(?:out|forward)\b")
 
 
 def phases_of(
@@ -34,26 +32,7 @@ def phases_of(
             continue
         if event.act == "go_straight" and found and found[-1].action in ("stop", "wait", "yield"):
             found = [p for p in found if p.action != "go_straight"]  # it goes on only then
-        if (
-            event.act == "collide"
-            and event.patient is None
-            and len(event.also) == 1
-            and scene.cast.ego not in event.also
-        ):
-            partner = event.also[0] if event.agent is entity else event.agent
-            pair = (f"@{a.key} and (?:the |an? )?(?:\\w+ )?@{b.key}" for a, b in ((entity, partner), (partner, entity)))
-            if not partner.ego and re.search("|".join(pair), event.whole):
-                who = ids.get(partner)  # "V2 and V3 collided"
         found += lasting(event, steps_of(scene, event, entity, who, ego_key, placement, place, crossing, found))
-    if (
-        found
-        and found[-1].action == "leave_road"
-        and events[-1].act == "leave_road"
-        and PULLS_OVER.match(events[-1].text)
-    ):
-        found.append(Phase(action="stop"))
-    if out := _comes_out(events) if crossing and found and found[0].action == "stop" else None:
-        found.insert(0, Phase(action="go_straight", trigger=trigger_of(out)))
     if "stationary" in entity.roles and not any(p.action not in ("stationary", "wait") for p in found):
         found = [Phase(action="stationary")]
     if entity.person and [p.action for p in found[:2]] == ["move_along", "cross_road"] and _only_how(scene, events):
@@ -75,16 +54,11 @@ def phases_of(
     stands = {"stop", "stationary"} & {p.action for p in found} or entity.roles & {"parked", "stationary"}
     if stands and _run_into(scene, entity):
         found = [p for p in found if p.action != "collide" or p.target == ego_key]  # it is only pushed on
-    if stands and not found:
-        found = [Phase(action="stationary")]
     found = _merged(found)
     found = [p for p in found if p.action != "overtake" or not _backed_into(scene, entity)]
     if crossing and [p.action for p in found[:2]] == ["go_straight", "stop"] and _at_the_line(events):
         onwards = [] if found[-1].action == "start" else [found[0]]
         found = [*found[1:], *onwards]
-    if entity.person and [p.action for p in found[:2]] == ["wait", "cross_road"] and found[1].trigger is None:
-        waited = Trigger(kind="time", value=found[0].duration) if found[0].duration else None
-        found = [found[1].model_copy(update={"trigger": waited}), *found[2:]]
     if "stationary" in entity.roles and [p.action for p in found] == ["stop"]:
         found = [Phase(action="stationary")]
     if crossing and not any(
@@ -93,11 +67,7 @@ def phases_of(
     ):
         at = next((i for i, p in enumerate(found) if p.action in ("brake", "stop")), len(found))
         found.insert(at, Phase(action="go_straight"))
-    if (
-        "turning" in entity.roles
-        and not any(p.action.startswith("turn") for p in found)
-        and place.kind == "intersection"
-    ):
+    if "turning" in entity.roles and place.kind == "intersection":
         words = " ".join(scene.words[m.word].norm for m in entity.mentions)
         turn = Phase(action="turn_right" if "right" in words else "turn_left")
         hits = [p for p in found if p.action == "collide"]
@@ -129,13 +99,6 @@ def _only_how(scene: Scene, events: list[Event]) -> bool:
     first = events[0]
     how = scene.words[first.word].tag == "VBG" and ONLY_HOW.fullmatch(first.text) is not None
     return how and first.trigger is None
-
-
-def _comes_out(events: list[Event]) -> Event | None:
-    """How one comes out of a side road before it stops: "noses out into ego's path and stops"."""
-    halt = next((e for e in events if e.act in ("stop", "brake_stop")), None)
-    before = [e for e in events if halt is not None and e.order < halt.order and e.act in ("travel", "approach")]
-    return next((e for e in before if OUT.match(e.text)), None)
 
 
 def _run_into(scene: Scene, entity: Entity) -> bool:
@@ -223,16 +186,6 @@ def _merged(phases: list[Phase]) -> list[Phase]:
             continue  # it stands "to let a pedestrian over"
         if last is not None and last.action == "lose_control" and phase.action in ("oncoming", "leave_road", "drift"):
             found[-1] = phase
-            continue
-        if (
-            last is not None
-            and last.action == "drift"
-            and phase.action in ("leave_road",)
-            or last is not None
-            and last.action == "cut_out"
-            and phase.action == "cut_out"
-        ):
-            found.append(phase)
             continue
         found.append(phase)
     if len(found) > 1 and found[0].action == "stationary":

@@ -17,7 +17,6 @@ from c2s_engine.structure.specs import PlaceSpec
 
 LIES_AHEAD = frozenset(("intersection", "roundabout", "crosswalk", "on_ramp", "off_ramp"))
 STANDING = frozenset(("stationary", "parked"))
-CROSSING_ACTS = ("turn", "run_red", "run_stop")
 
 
 def compose_place(scene: Scene) -> PlaceSpec:
@@ -85,10 +84,6 @@ def compose_place(scene: Scene) -> PlaceSpec:
         kind = "straight" if road.straight or road.no_intersection else "road"
     if kind == "road" and road.crosswalk and not at_junction:
         kind = "crosswalk"
-    if kind == "curve" and road.kind == "curve" and road.straight and not road.bend:
-        kind = "straight"
-    if kind == "motorway" and road.bend:
-        kind = "curve"
     if kind == "motorway" and oncoming:
         kind = "straight"
     has_oncoming = road.oncoming if road.oncoming is not None else (True if oncoming else None)
@@ -97,8 +92,6 @@ def compose_place(scene: Scene) -> PlaceSpec:
     shoulder = True if _needs_shoulder(scene) else None
     sidewalk = True if any(scene.where(e).lane == "sidewalk" for e in scene.actors) else None
     control = road.control if kind == "intersection" else None
-    if kind == "intersection" and control is None and any(e.act == "run_red" for e in scene.clauses.events if e.done):
-        control = "signal"
     if kind == "on_ramp":
         ego_lane = None
     return PlaceSpec(
@@ -199,16 +192,9 @@ def _ego_on_ramp(scene: Scene) -> bool:
     for event in scene.events(scene.cast.ego):
         whole = re.sub(r"(off|exit)[- ]?ramp", "", event.whole)
         match = ON_RAMP.search(whole)
-        if match and not re.search(r"@a\d", whole[max(0, match.start() - 25) : match.start()]):
+        if match:
             return True
-        if (
-            event.act == "lane_change"
-            and re.search(r"\bmerg\w+|join", event.text)
-            and not any(
-                scene.where(e).lane == "ramp" and re.search("from", " ".join(t for _, t in scene.where(e).phrases))
-                for e in scene.actors
-            )
-        ):
+        if event.act == "lane_change" and re.search(r"\bmerg\w+|join", event.text):
             return True
     return False
 
@@ -222,8 +208,8 @@ def _one_of_two(scene: Scene) -> None:
     goes = next((side(e) for e in scene.events(scene.cast.ego) if e.act in ("lane_change", "cut_out")), None)
     if not any(there.values()) or not all(there[s] or goes == s for s in OPPOSITE):
         return
-    shut = [s for s in OPPOSITE for e in there[s] if not e.mover or e.roles & STANDING or scene.does(e, "stationary")]
-    passes = [s for s in OPPOSITE for e in there[s] if scene.does(e, "overtake") or scene.where(e).rel == "beside"]
+    shut = [s for s in OPPOSITE for e in there[s] if not e.mover or e.roles & STANDING]
+    passes = [s for s in OPPOSITE for e in there[s] if scene.does(e, "overtake")]
     own = OPPOSITE[goes] if goes else shut[0] if shut else OPPOSITE[passes[0]] if passes else "right"
     for entity in there[own]:
         where = scene.where(entity)

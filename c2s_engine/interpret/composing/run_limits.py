@@ -9,9 +9,6 @@ from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.structure.specs import Condition, EgoSpec, RestrictionsSpec
 
-LONGEST = 120.0
-AFTER = re.compile(r"\b(?:after|for|at|lasts?)(?: about| around| t ?=)? $")
-
 
 @cache
 def _said() -> dict[str, re.Pattern[str]]:
@@ -34,11 +31,7 @@ def restrictions(scene: Scene, ids: dict[Entity, str], ego: EgoSpec) -> Restrict
         if halt is not None and ego.speed != 0:
             stops = next((e.agent for e in events if e.act in ("stop", "brake_stop", "stationary")), scene.cast.ego)
             found.append(Condition(kind="stopped", subject=ids.get(stops, "ego")))
-        for span in (s for s in scene.spans if s.kind == "quantity" and start <= s.start < end):
-            before = scene.plain[start : span.start]
-            if span.data["dimension"] == "distance" and _said()["travelled"].search(before):
-                found.append(Condition(kind="travelled", minimum=round(span.data["low"], 2)))
-    return RestrictionsSpec(terminate_when=tuple(found), duration=_lasts(scene))  # type: ignore[arg-type]
+    return RestrictionsSpec(terminate_when=tuple(found), duration=None)  # type: ignore[arg-type]
 
 
 def _collision(scene: Scene, ids: dict[Entity, str], events: list[Event], start: int, end: int) -> list[Condition]:
@@ -48,19 +41,3 @@ def _collision(scene: Scene, ids: dict[Entity, str], events: list[Event], start:
     others = [ids[e] for e in told if e in ids and not e.ego]
     there = [name for name in ids.values() if name != "ego"]
     return [Condition(kind="collision", other=other) for other in [*others, *there][:1]]
-
-
-def _lasts(scene: Scene) -> float | None:
-    """How long the run takes, in s."""
-    for span in scene.spans:
-        if span.kind != "quantity" or span.data["dimension"] != "time":
-            continue
-        number = next((s for s, e in scene.sentences if s <= span.start < e), 0)
-        before = scene.plain[number : span.start]
-        within = next((s for s, e in scene.endings if s <= span.start < e), None)
-        ends = within is not None and AFTER.search(scene.plain[within - 6 : span.start]) is not None
-        rest = scene.plain[span.end : span.end + 20]
-        later = re.match(r" (?:after|from|of) (?!(?:the )?(?:start|beginning))", rest) is not None
-        if not later and (ends or _said()["lasts"].search(before)):
-            return round(min(LONGEST, max(1.0, span.data["high"])), 1)
-    return None

@@ -5,7 +5,6 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.what.event import Event
-from c2s_engine.interpret.what.overtakings import HOME
 from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import Phase, Placement, PlaceSpec, Trigger
@@ -34,31 +33,11 @@ def rate_of(event: Event) -> float | None:
     for quantity in event.quantities:
         if quantity["dimension"] == "acceleration":
             return round(max(0.5, abs(quantity["low"]), abs(quantity["high"])), 2)
-    if (timed := _by_time(event)) is not None:
-        return timed
     if event.act in ("brake", "brake_stop", "stop") and (event.hard or re.search(HARD, event.whole)):
         return float(language.table("defaults")["rates"]["hard"]["value"])
     if event.act == "brake" and re.search(SOFT, event.whole):
         return float(language.table("defaults")["rates"]["soft"]["value"])
     return None
-
-
-WITHIN = re.compile(r"\b(?:in|within|over|during)(?: about| only| just| around)? #time\b")
-
-
-def _by_time(event: Event) -> float | None:
-    """The rate of a change between two speeds that takes so long: "slows from 50 to 20 km/h within 3 s"."""
-    took = next((q["low"] for q in event.quantities if q["dimension"] == "time" and q["low"] > 0), None)
-    if took is None or event.act not in ("brake", "brake_stop", "stop", "accelerate") or not WITHIN.search(event.whole):
-        return None
-    both = next((q for q in event.quantities if "second" in q), None)
-    start = both["first"] if both is not None else None
-    if start is None and re.search(r"\bfrom #speed\b", event.whole):
-        start = next((q["low"] for q in event.quantities if q["dimension"] == "speed"), None)
-    end = both["second"] if both is not None else target_speed(event) if event.act == "brake" else 0.0
-    if start is None or end is None or start == end:
-        return None
-    return round(min(10.0, max(0.5, abs(start - end) / took)), 2)
 
 
 def target_speed(event: Event) -> float | None:
@@ -140,9 +119,6 @@ def steps_of(
         return (
             [Phase(action="go_straight", trigger=trigger)] if place.kind == "intersection" and not entity.person else []
         )
-    over = act == "cross_path" and place.kind in ("motorway", "off_ramp") and event.text.startswith("cross")
-    if over and (toward := {"left_lane": "right", "right_lane": "left"}.get(placement.position)):
-        return [Phase(action="cut_in", side=toward, target=ego, trigger=trigger)]
     if act == "cross_path":
         return [Phase(action="go_straight", trigger=trigger)] if crossing else []
     if act == "u_turn":
@@ -158,7 +134,7 @@ def steps_of(
             return [Phase(action="swerve", side=OPPOSITE[placement.side or "right"], trigger=trigger)]
         flank = OPPOSITE.get(placement.side or "") if placement.position == "beside" else None
         goal = {"left_lane": "right", "right_lane": "left"}.get(placement.position, flank)
-        if placement.position in ("ahead",) and not any(p.action == "overtake" for p in before):
+        if placement.position in ("ahead",):
             return [Phase(action="lane_change", side=towards or "left", trigger=trigger)] if towards else []
         if crossing:
             return []
@@ -170,7 +146,6 @@ def steps_of(
             goal
             and re.search(rf"through the (middle|centre|center)|(on |over )?into the {goal} (one|lane)", event.whole)
             and place.ego_lane == "middle"
-            and re.search(r"through|across", event.whole)
         ):
             found.append(Phase(action="cut_out", side=goal, target=ego))
         return found
@@ -193,14 +168,11 @@ def steps_of(
             return [Phase(action="oncoming", side="left", trigger=trigger)]  # it leaves its lane
         if act == "lane_change" and placement.position in ("left_lane", "right_lane"):
             toward_ego = {"left_lane": "right", "right_lane": "left"}[placement.position]
-            if any(p.action == "drift" for p in before) and HOME.search(event.text):
-                return [Phase(action="lane_change", side=OPPOSITE[toward_ego], trigger=trigger)]
             if towards in (None, toward_ego) and not any(p.action == "cut_in" for p in before):
                 return [
                     Phase(
                         action="cut_in"
                         if placement.along != "behind"
-                        or re.search("front|ahead|@ego", event.whole)
                         or any(p.action == "overtake" and p.target == ego for p in before)
                         else "lane_change",
                         side=toward_ego,
@@ -211,7 +183,7 @@ def steps_of(
             if any(p.action == "cut_in" for p in before):
                 return [Phase(action="cut_out", side=towards, target=ego, trigger=trigger)]
         gone = next((p for p in before if p.action == "cut_out"), None)
-        back = gone is not None and (HOME.search(event.text) or towards and gone.side and towards != gone.side)
+        back = gone is not None and (towards and gone.side and towards != gone.side)
         if placement.position == "ahead" and placement.of == "ego" and back:
             return [Phase(action="cut_in", side=towards, target=ego, trigger=trigger)]
         if placement.position == "ahead" and placement.of == "ego":
@@ -233,8 +205,6 @@ def steps_of(
         if placement.position == "oncoming_lane":
             return [Phase(action="drift", side="left", trigger=trigger)]
         goal = {"left_lane": "right", "right_lane": "left"}.get(placement.position)
-        if placement.position == "beside":
-            goal = "right" if placement.side == "left" else "left"
         return [Phase(action="drift", side=goal or towards, trigger=trigger)]
     if act == "oncoming":
         if placement.facing == "against":
@@ -315,8 +285,6 @@ def steps_of(
         return (
             [Phase(action="lose_control", side=towards)] if not any(p.action == "lose_control" for p in before) else []
         )
-    if act == "collide" and entity.count > 1 and re.search(r"each other|one another|together", event.whole):
-        return []
     if act == "collide":
         other = who
         if event.agent is not entity:  # a joint subject: "V1 and V3 met head on"

@@ -1,6 +1,6 @@
 """The phases of ego without repetitions, and without those that another one already says."""
 
-from c2s_engine.structure.specs import Phase, PlaceSpec, Trigger
+from c2s_engine.structure.specs import Phase, PlaceSpec
 
 
 def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
@@ -39,10 +39,7 @@ def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
     found = _starts_first(found)
     sets_off = ("enter_road", "start", "turn_left", "turn_right", "go_straight", "reverse")
     if len(found) > 1 and found[0].action == "stationary" and found[1].action in sets_off:
-        stood = found[0].duration
         found = found[1:]
-        if stood is not None and found[0].trigger is None:
-            found[0] = found[0].model_copy(update={"trigger": Trigger(kind="time", value=stood)})
     turns = [p for p in found if p.action in ("turn_left", "turn_right", "u_turn")]
     if turns and place.kind == "intersection":
         found = [p for p in found if p.action != "go_straight"]

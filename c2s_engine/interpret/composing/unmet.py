@@ -28,8 +28,6 @@ def find(scene: Scene) -> list[Untold]:
     taken: list[tuple[int, int]] = []
     for pattern, about, reason in _patterns():
         for match in pattern.finditer(scene.plain):
-            if any(match.start() < end and start < match.end() for start, end in taken) or not match[0].strip():
-                continue
             owner: Entity | str = _whose(scene, match.start()) if about == "actor" else about
             taken.append(match.span())
             text = scene.text[match.start() : match.end()].strip()
@@ -47,19 +45,9 @@ def _whose(scene: Scene, start: int) -> Entity:
     return scene.cast.of[pick[0]] if pick else scene.cast.ego
 
 
-def _sides(scene: Scene, entity: Entity) -> list[str]:
-    """ "From the left or the right", in a sentence about the entity."""
-    pattern = r"\b(left|right) or (?:from |to |on )?(?:the |its )?(left|right)\b"
-    return [
-        scene.text[match.start() : match.end()]
-        for match in re.finditer(pattern, scene.plain)
-        if _whose(scene, match.start()) is entity
-    ]
-
-
 def alternatives(scene: Scene, entity: Entity) -> list[str]:
     """Choices that the text leaves between two acts of an entity, in words: the first of them is what is taken."""
-    said = [f"of “{text}” the first is taken" for text in _sides(scene, entity)]
+    said = []
     for event in scene.clauses.events:
         if event.mode != "alternative" or event.agent is not entity:
             continue

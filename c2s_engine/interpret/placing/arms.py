@@ -10,16 +10,12 @@ BY_ITS_SIDE = re.compile(
 )
 
 
-ON_ITS_SIDE = re.compile(r"\bon (?:the )?@ego 's (?:immediate )?(?:left|right)\b")
-
-
 def waits_beside(scene: Scene, entity: Entity, told: str) -> bool:
     """Whether one on one side of ego at a junction goes ego's way or stands there, for all that is told."""
     if not {e.act for e in scene.events(entity)} <= {"travel", "stationary", "go_straight"}:
         return False
-    own = scene.events(scene.cast.ego)
-    stands = any(e.act == "stationary" for e in own) and not any(e.act == "yield" for e in own)
-    return BY_ITS_SIDE.search(told) is not None or stands and ON_ITS_SIDE.search(told) is not None
+    scene.events(scene.cast.ego)
+    return BY_ITS_SIDE.search(told) is not None
 
 
 def in_another_arm(scene: Scene, entity: Entity) -> bool:

@@ -35,7 +35,7 @@ def comes_from(scene: Scene, entity: Entity) -> str | None:
 
 def _struck(hit: Event) -> str | None:
     for pattern in STRUCK:
-        told = pattern.search(hit.whole) or pattern.search(hit.text)
+        told = pattern.search(hit.whole)
         if told is None:
             continue
         side = SIDES.get(told["side"], told["side"])

@@ -19,19 +19,10 @@ def _comes_up_behind(event: Event) -> bool:
     return event.act in ("follow", "overtake", "held_up") or event.act in STANDS and bool(BEHIND_ONE.match(event.text))
 
 
-def _turned_across(scene: Scene, entity: Entity) -> bool:
-    """Whether ego turns left across the way of one: "V1 turned left in front of a motorcycle"."""
-    whom = rf"(?:the |an? )?(?:\w+ of )?(?:the |an? )?(?:\w+ )?@{entity.key}\b"
-    before = re.compile(rf"\b(?:in front of|across|into) {whom}")
-    turns = [e for e in scene.events(scene.cast.ego) if e.act == "turn" and side(e) == "left"]
-    return not entity.person and any(before.search(e.whole) for e in turns)
-
-
 def implied_start(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpec, first: Event | None) -> dict:
     """The start that what happens implies."""
     junction = place.kind == "intersection"
     hit = scene.does(entity, "collide")
-    ego_hits = next((e for e in scene.events(scene.cast.ego) if e.act == "collide" and e.patient is entity), None)
     direction = compass(scene, entity)
     if direction in ("left", "right") and junction:
         return {"position": f"crossing_{direction}", "said": True}
@@ -45,16 +36,11 @@ def implied_start(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpe
         return {"position": "oncoming_lane", "said": True}
     if any(e.patient is entity and _comes_up_behind(e) for e in scene.events(scene.cast.ego)):
         return {"position": "ahead", "said": True}
-    if junction and _turned_across(scene, entity):
-        return {"position": "opposite_approach"}
     struck = comes_from(scene, entity) if junction and "turn" not in acts else None
     if struck is not None and place.manoeuvre not in ("left", "right"):
         return {"position": f"crossing_{struck}", "said": True}
     if junction and {"run_red", "run_stop"} & set(acts):
         return {"position": "crossing_left"}
-    if junction and "turning" in entity.roles and place.manoeuvre == "straight" and "turn" not in acts:
-        named = " ".join(scene.words[m.word].norm for m in entity.mentions)
-        return {"position": "crossing_right" if "right" in named else "opposite_approach"}
     if junction and "turn" in acts:
         event = scene.does(entity, "turn")
         across = re.search(r"across|in front of|into the path|path of|cut", event.whole if event else "")
@@ -67,31 +53,15 @@ def implied_start(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpe
             else {"position": "ahead"}
         )
     if junction and {"cross_path", "go_straight"} & set(acts):
-        if place.manoeuvre == "left" and not re.search("cross", first.whole if first else ""):
+        if place.manoeuvre == "left":
             return {"position": "opposite_approach"}
         return {"position": "crossing_left"}
     if hit is not None and (hit.patient is None or hit.patient.ego):
-        if (
-            re.search(rf"(rear|back|tail)(?! {SIDE})|from behind", hit.whole)
-            and not hit.passive
-            or re.search(r"from behind|rear-end", hit.whole)
-        ):
+        if re.search(rf"(rear|back|tail)(?! {SIDE})|from behind", hit.whole) and not hit.passive:
             return {"position": "behind", "said": True}
         if junction or place.kind == "roundabout":
             return {"position": "crossing_left"}
         return {"position": "behind"}
     if any(e.act == "follow" and e.patient is not None and e.patient.ego for e in scene.events(entity)):
         return {"position": "behind", "said": True}
-    if (
-        ego_hits is not None
-        and junction
-        and not re.search(r"rear|back|behind", ego_hits.whole)
-        and (acts or any(e.act in ("run_red", "run_stop") for e in scene.events(scene.cast.ego)))
-        and "stop" not in acts
-        and "stationary" not in acts
-        and "brake" not in acts
-    ):
-        return {"position": "crossing_left"}
-    if junction and any(e.act == "yield" and e.patient is entity for e in scene.events(scene.cast.ego)):
-        return {"position": "opposite_approach" if place.manoeuvre == "left" else "crossing_left"}
     return {"position": "ahead"}

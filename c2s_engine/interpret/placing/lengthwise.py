@@ -70,34 +70,9 @@ def _met_there(scene: Scene, entity: Entity) -> list[str]:
 def told_along(scene: Scene, entity: Entity) -> str | None:
     """Where along the road one in another lane is, by what happens: behind where it gains, beside where ego hits it
     while it changes lanes."""
-    if passes_ego(scene, entity) or gains(scene, entity):
+    if passes_ego(scene, entity):
         return "behind"
     own = scene.events(scene.cast.ego)
     changed = next((e for e in own if e.act == "lane_change"), None)
     hit = next((e for e in own if e.act == "collide" and e.patient is entity), None)
     return "beside" if changed is not None and hit is not None and changed.order < hit.order else None
-
-
-COMES_UP = re.compile(
-    r"^(?:come|close|bear|catch|race|speed|shoot|storm|rush) (?:up|in|down)(?: very| so| too| up)? "
-    r"(?:fast|quick|quickly|rapidly|at speed)\b"
-    r"(?! (?:towards?|from the (?:front|other)|the other))"
-)
-
-
-CATCHES = re.compile(r"(?:catch|gain|close)\b")
-
-
-def catches_ego(scene: Scene, entity: Entity) -> bool:
-    """Whether one is told to catch up with ego: it comes from behind."""
-    ups = (e for e in scene.events(entity) if e.act == "approach" and e.patient is scene.cast.ego)
-    return any(CATCHES.match(e.text) for e in ups) and scene.does(entity, "oncoming") is None
-
-
-def gains(scene: Scene, entity: Entity) -> bool:
-    """Whether one is told to come up from behind."""
-    if any(COMES_UP.search(e.text) for e in scene.events(entity) if e.act in ("approach", "travel")):
-        return True
-    return any(e.act == "approach" and re.search(r"behind|rear|back", e.whole) for e in scene.events(entity)) or any(
-        e.act == "approach" and e.text.startswith("close") for e in scene.events(entity)
-    )

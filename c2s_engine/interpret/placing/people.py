@@ -3,7 +3,6 @@
 import re
 
 from c2s_engine.interpret.placing.compass import compass, roadside
-from c2s_engine.interpret.placing.flanks import comes_from
 from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, at_edge, passes_ego, told_of, wrong_way
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.scene import side as move_side
@@ -18,10 +17,6 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         return {"position": "crossing_left", "said": True}
     passing = scene.does(entity, "overtake")
     by = where.side or side_of_text(passing.whole) if passing is not None else None
-    if passing is not None and by is None and re.search(r"\b(?:inside|nearside)\b", passing.whole):
-        by = "right"
-    if passing is not None and by is None and re.search(r"\b(?:cycle|bike|bicycle) (?:lane|path|track)", scene.plain):
-        by = "right" if place.manoeuvre == "right" else None
     if entity.type == "bicycle" and by and place.manoeuvre == by and place.kind == "intersection":
         return {"position": "roadside", "side": by, "along": "behind", "said": True}  # between ego and the kerb
     walks_over = entity.person and "cross_road" in acts  # "as she passes the truck"
@@ -40,7 +35,7 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
     if wrong_way(scene, entity):
         return {"position": "ahead", "facing": "against", "said": True}
     if where.hidden_by is not None and where.open and not crosses and set(acts) <= {"travel", "stationary"}:
-        return {"position": "roadside", "side": edge or _behind_whom(scene, where) or "right", "said": True}
+        return {"position": "roadside", "side": edge or "right", "said": True}
     if entity.type == "bicycle":
         over = place.kind in ("intersection", "roundabout") or "cross_road" not in acts
         if (
@@ -57,7 +52,7 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         beside = where.rel or place.ego_lane and where.lane != own
         if where.lane in ("left", "right") and beside and "cross_road" not in acts:
             return {"position": f"{where.lane}_lane", "along": along_of(where.rel), "said": True}
-        met = _met_at_junction(scene, entity, where, acts, place) if not crosses else None
+        met = None if not crosses else None
         if met is not None:
             return met
         if "oncoming" in acts and where.rel is None and not crosses:
@@ -104,10 +99,8 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         return {"position": "behind" if _behind_ego(where) else "ahead", "said": True}
     alone = entity.type == "bicycle" and entity.count == 1 and "overtake" not in acts
     into = scene.does(entity, "cut_in") if alone and where.rel in (None, "ahead", "beside") else None
-    if into is not None and where.lane not in ("crossing", "oncoming") and not passes_ego(scene, entity):
+    if into is not None and where.lane not in ("crossing", "oncoming"):
         kerb = OPPOSITE.get(move_side(into) or "", edge or "right")
-        if re.match(r"(?:cut|merge|change|switch)\b", into.text):
-            return {"position": f"{kerb}_lane", "along": "ahead", "said": where.lane is not None}
         return {"position": "partly_in_lane", "side": kerb, "said": where.lane is not None}
     side = where.side or ("right" if where.rel == "beside" else None)
     if (
@@ -151,8 +144,6 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             }
         if entity.type == "bicycle" and where.side and where.lane is None:
             return {"position": "partly_in_lane", "side": where.side, "said": True}
-        if entity.type == "bicycle" and where.open and _runs_into_standing(scene, entity):
-            return {"position": "behind"}
         return {"position": "ahead", "said": where.rel is not None or where.lane is not None}
     if where.lane in ("sidewalk", "roadside", "parked"):
         return {
@@ -166,32 +157,6 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
     if _behind_ego(where):
         return {"position": "behind", "said": True}
     return {"position": "ahead", "said": where.rel == "ahead" or where.lane == "same"}
-
-
-def _met_at_junction(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict | None:
-    """Where a cyclist comes from at a junction, by the compass, the side that is hit, or the light that is run."""
-    told = " ".join(t for _, t in where.phrases)
-    let_go = any(e.act == "yield" and e.patient is entity for e in scene.events(scene.cast.ego))
-    first = place.kind == "intersection" and place.manoeuvre == "straight" and let_go
-    if first and where.lane in ("left", "right") and where.rel is None and "lane" not in told:
-        return {"position": f"crossing_{where.lane}", "said": True}
-    if place.kind != "intersection" or where.rel is not None or where.lane not in (None, "same"):
-        return None
-    came = compass(scene, entity)
-    if came == "opposite":
-        return {"position": "opposite_approach", "said": True}
-    if came == "same" and place.manoeuvre == "right":
-        return {"position": "partly_in_lane", "side": "right", "said": True}
-    if came in ("left", "right"):
-        return {"position": f"crossing_{came}", "said": True}
-    runs = bool({"run_red", "run_stop"} & set(acts)) and came is None and where.side is None
-    return {"position": f"crossing_{comes_from(scene, entity) or 'left'}"} if runs else None
-
-
-def _runs_into_standing(scene: Scene, entity: Entity) -> bool:
-    """Whether it hits ego that stands: "the driver opened the door and a cyclist collided with it"."""
-    hits = any(e.act == "collide" and (e.patient is None or e.patient.ego) for e in scene.events(entity))
-    return hits and scene.does(scene.cast.ego, "stationary", "stop") is not None
 
 
 def _behind_ego(where: Where) -> bool:
@@ -233,14 +198,10 @@ def _from_side(text: str) -> str | None:
 
 def _by_compass(scene: Scene, entity: Entity) -> str | None:
     """The side that a person comes from, where it walks "from west to east" and ego's heading is told."""
-    told = " ; ".join([*(t for _, t in scene.where(entity).phrases), *(e.whole for e in scene.events(entity))])
-    if (stands := roadside(scene, told)) is not None:
-        return stands
     found = compass(scene, entity)
     return found if found in ("left", "right") else None
 
 
-GETS_OUT = re.compile(r"\b(?:step|get|climb|jump|hop) out(?: and| ,| \.| ;| in front| into|$| $)")
 LEFT = re.compile(r"\b(?:from|out of|off|leave|exit) (?:the |a |an )?(?:\w+ )?@KEY\b")
 
 
@@ -252,9 +213,6 @@ def _keyed(text: str, entity: Entity) -> str:
 def _behind_whom(scene: Scene, where: Where, told: str = "") -> str | None:
     """The side of one who hides somebody or whom it leaves, where that stands on one side or comes the other way."""
     blocker = where.hidden_by or next((e for e in scene.actors if LEFT.search(_keyed(told, e))), None)
-    parked = [e for e in scene.actors if scene.where(e).lane == "parked"]
-    if blocker is None and len(parked) == 1 and GETS_OUT.search(told):
-        blocker = parked[0]
     theirs = scene.where(blocker) if blocker is not None else None
     if theirs is None:
         return None

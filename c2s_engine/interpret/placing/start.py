@@ -1,7 +1,5 @@
 """Where an object starts: position, side, gap, what hides it."""
 
-import re
-
 from c2s_engine.interpret.placing.people import person
 from c2s_engine.interpret.placing.told_gaps import gap_of
 from c2s_engine.interpret.placing.vehicles import vehicle
@@ -47,9 +45,7 @@ def place_object(
 def _thing(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:
     text = " ".join(t for _, t in where.phrases)
     edge = where.side or side_of_text(text)
-    if where.lane in ("parked", "roadside", "sidewalk") and not re.search(
-        r"(in|on|block\w*) (the|its) (\w+ )?lane", text
-    ):
+    if where.lane in ("parked", "roadside", "sidewalk"):
         return {
             "position": "sidewalk" if where.lane == "sidewalk" else "roadside",
             "side": edge or "right",

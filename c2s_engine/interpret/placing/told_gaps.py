@@ -13,11 +13,6 @@ NAMED = re.compile(
     r"(?P<whose>(?: (?:between|to|from|towards?|behind|in front|ahead|with|of (?=the |ego)|and)[^.;,:]{0,60}?)?)"
     r"(?: of| is| was| are| being| equals?| at|:|=)? ?(?:about |around |at least |roughly |approximately |only )?$"
 )
-TO_A_PLACE = re.compile(
-    r"\s*(?:from|to|before|of) (?:the |a |an )?(?:\w+ )?"
-    r"(?:crosswalk|crossing|zebra|junction|intersection|crossroads|roundabout|lights?|stop line|line|exit|bend|curve)\b"
-)
-"""How far ego is from a place, not from another road user."""
 MARGIN = (1.02, 1.2)
 """A gap by time is measured between the bumpers: a little more than the way driven in it."""
 
@@ -48,8 +43,6 @@ def _by_time(scene: Scene, entity: Entity, seconds: float, ego: EgoSpec) -> tupl
     closing = (told[0] + told[1]) / 2 if told else assumed
     if not closing:
         return None
-    if re.search(r"ttc|time[- ]to[- ]collision", scene.plain) and own and own is not told:
-        closing = max(1.0, closing - own[0])
     return closing * seconds * MARGIN[0], closing * seconds * MARGIN[1]
 
 
@@ -61,7 +54,7 @@ def _by_name(scene: Scene, entity: Entity, ego: EgoSpec) -> tuple[float, float] 
         match = NAMED.search(scene.plain[max(0, span.start - 90) : span.start])
         if dimension not in ("distance", "time") or match is None or not _may_be_of(scene, entity, span, match):
             continue
-        if TO_A_PLACE.match(scene.plain[span.end : span.end + 50]) or span.start in moments:
+        if span.start in moments:
             continue
         if dimension == "distance":
             return span.data["low"], span.data["high"]

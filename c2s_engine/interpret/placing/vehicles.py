@@ -6,16 +6,7 @@ from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.placing.arms import waits_beside
 from c2s_engine.interpret.placing.compass import compass, roadside
 from c2s_engine.interpret.placing.implied_starts import implied_start
-from c2s_engine.interpret.placing.lengthwise import (
-    CIRCULATES,
-    along_of,
-    catches_ego,
-    gains,
-    passes_ego,
-    told_along,
-    told_of,
-    wrong_way,
-)
+from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, passes_ego, told_along, told_of, wrong_way
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.overtakings import PART
@@ -24,11 +15,7 @@ from c2s_engine.interpret.where.relations import Where, side_of_text
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import PlaceSpec
 
-PARTLY = re.compile(r"\b(partly|partially|half|part) [^;]*\b(lane|road|carriageway)\b")
 ACROSS = re.compile(r"\bacross (?:the |both |two |all |@ego 's |@ego )?(?:\w+ )?(?:lanes?|road|carriageway|street)\b")
-ON_MOTORWAY = re.compile(
-    r"\b(on|along|in) the (main |through )?(motorway|highway|freeway|interstate|carriageway|main road)"
-)
 MIDDLE = re.compile(r"\b(?:in|on|along) the (?:middle|centre|center) lane\b")
 ON_SIDE = re.compile(
     r"(?<!lane )\b(?:on|to) (?:(?:the )?@ego 's (?:left|right)(?! lane|-hand lane)"
@@ -45,19 +32,12 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         return {"position": "crossing_right", "said": True}
     junction = place.kind == "intersection"
     lane, rel, edge = where.lane, where.rel, where.side
-    cuts_in = "cut_in" in acts and not junction
-    if lane == "crossing" and edge and (cuts_in or place.kind in ("motorway", "off_ramp", "on_ramp")):
-        lane = edge  # from one side to the other, over the lanes
-    if lane == "crossing" and "enter_road" in acts and not junction:
-        lane = None
     if lane in (None, "same") and (where.of is None or where.of.ego) and MIDDLE.search(told_of(scene, entity)):
         lane = {"leftmost": "right", "rightmost": "left"}.get(place.ego_lane or "", lane)
     if lane == "same" and rel is None and "reverse" not in acts and _runs_into_ego(scene, entity):
         rel = "behind"
     if rel is not None and passes_ego(scene, entity):
         rel = "behind"  # where it comes to be is said with the same words
-    if rel is None and lane in (None, "same") and not junction and catches_ego(scene, entity):
-        rel = "behind"
     if rel == "beside" and where.of is None and _met(scene, entity) == "ahead":
         rel, lane = "ahead", "same"  # beside another, but ego comes up behind it
     if lane == "oncoming" and rel == "behind" and "oncoming" not in entity.roles:
@@ -78,7 +58,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     first = scene.events(entity)[0] if scene.events(entity) else None
     if ACROSS.search(text) and scene.does(entity, "stationary") and lane in (None, "same", "parked", "roadside"):
         return {"position": "ahead", "said": True}
-    if lane == "partly" or lane in ("parked", "roadside", None) and "parked" in roles and PARTLY.search(text):
+    if lane == "partly":
         return {"position": "partly_in_lane", "side": edge or side_of_text(text) or "right", "said": True}
     if lane == "ramp":
         return {"position": "on_ramp", "said": True}
@@ -89,9 +69,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     ):
         came = direction or (compass(scene, entity) if "enter_road" in acts else None)
         sideways = came if came in ("left", "right") else None
-        edge = (
-            edge or side_of_text(text) or _side_of_events(scene, entity) or roadside(scene, text) or sideways or "right"
-        )
+        edge = edge or side_of_text(text) or roadside(scene, text) or sideways or "right"
         if lane == "roadside" and where.facing == "across" or "reverse" in acts and lane != "parked":
             return {"position": "roadside", "side": edge, "facing": "across", "said": True}
         along = "behind" if rel == "behind" else "ahead"
@@ -101,8 +79,6 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             "along": along,
             "said": True,
         }
-    if "parked" in roles and rel == "ahead" and lane is None and _ego_parked(scene):
-        return {"position": "parked", "side": "right", "along": "ahead", "said": True}
     if lane == "oncoming" or "oncoming" in roles:
         by = where.of if where.of is not entity else None
         if rel in ("behind", "ahead") and by is not None and _oncoming(scene, by):
@@ -114,14 +90,14 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     if lane == "crossing" and "cut_in" in roles and not junction and edge:
         return {"position": f"{edge}_lane", "along": along_of(rel), "said": True}
     if lane == "crossing" or "crossing" in roles and junction:
-        return {"position": f"crossing_{edge or compass(scene, entity) or 'left'}", "said": edge is not None}
+        return {"position": f"crossing_{edge or 'left'}", "said": edge is not None}
     if lane in ("left", "right"):
         same = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
         own = where.of is None or where.of.ego and not re.search(rf"lane (?:to|on|of)\b|@ego 's {lane}", text)
         if same == lane and own and re.search(rf"({lane}(-hand|most)?|that( very)?|this|same) lane", text):
             rel = rel if rel in ("behind", "ahead") else _met(scene, entity)
             if rel is None and not {"cut_in", "lane_change"} & set(acts):  # no lane lies beyond ego's
-                rel = "behind" if passes_ego(scene, entity) or gains(scene, entity) else "ahead"
+                rel = "ahead"
             if rel is not None:
                 return {"position": rel, "said": True}
         if rel is None and ON_SIDE.search(text) and not {"cut_in", "lane_change", "overtake"} & set(acts):
@@ -131,33 +107,13 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             "along": along_of(rel or told_along(scene, entity)),
             "said": True,
         }
-    if place.kind == "on_ramp" and lane in (None, "same") and _joined_ahead_of(scene, entity):
-        return {"position": "left_lane", "along": "behind", "said": True}
-    if (
-        place.kind == "on_ramp"
-        and rel is None
-        and lane in (None, "same")
-        and ON_MOTORWAY.search(told_of(scene, entity))
-    ):
-        return {"position": "beside", "side": "left", "said": True}
-    if (
-        junction
-        and place.manoeuvre in ("left", "right")
-        and (acts == ["stationary"] or "stationary" in roles)
-        and re.search(
-            (
-                r"(enter|past the corner|after the (turn|corner)|around the corner|behind the (corner"
-                r"|turn)|has just|exit|beyond the)"
-            ),
-            scene.plain,
-        )
-    ):
+    if junction and place.manoeuvre in ("left", "right") and (acts == ["stationary"] or "stationary" in roles):
         return {"position": "intersection_exit", "said": True}
     if rel is None and lane is None and _passed_from_left_lane(scene, entity, place):
         return {"position": "right_lane", "along": "ahead", "said": True}
     if lane == "adjacent" or "adjacent" in roles:
         free = {"leftmost": "right", "rightmost": "left"}.get(place.ego_lane or "")
-        edge = edge or _cut_side(scene, entity) or _kerbside(scene, entity) or free or "left"
+        edge = edge or _cut_side(scene, entity) or free or "left"
         return {
             "position": f"{edge}_lane",
             "along": along_of(rel or ("behind" if "overtake" in acts else None)),
@@ -165,19 +121,9 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         }
     towards = next((side(e) for e in scene.events(scene.cast.ego) if e.act == "lane_change" and side(e)), None)
     if rel == "beside":
-        return {"position": "beside", "side": edge or towards or _kerbside(scene, entity) or "left", "said": True}
-    wipes = scene.does(entity, "collide")
-    shift = scene.does(entity, "lane_change", "cut_in", "drift")
-    if (
-        rel is None
-        and lane is None
-        and wipes is not None
-        and shift is not None
-        and side(shift)
-        and not junction
-        and not wipes.agent.ego
-    ):
-        return {"position": "beside", "side": OPPOSITE[side(shift) or "left"], "said": True}
+        return {"position": "beside", "side": edge or towards or "left", "said": True}
+    scene.does(entity, "collide")
+    scene.does(entity, "lane_change", "cut_in", "drift")
     if "cut_in" in acts or "cut_in" in roles:
         event = scene.does(entity, "cut_in")
         start = _cut_side(scene, entity) or "left"
@@ -195,8 +141,6 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             or (place.oncoming or place.lanes in (None, 1) and place.kind not in ("motorway",))
             and _cut_side(scene, entity) != "right"
             or scene.does(entity, "leave_road") is not None
-            or rel == "behind"
-            and re.search(r"\b(?:directly|straight|right) behind\b", told)
             or (rel == "behind" or first is not None and first.act == "follow" and _of_ego(first))
             and (entity.type in URGENT or "lane_change" in acts[: acts.index("overtake")])  # out of ego's lane
         ):
@@ -225,18 +169,10 @@ def _passed_from_left_lane(scene: Scene, entity: Entity, place: PlaceSpec) -> bo
     """Whether ego passes it from the left lane in which it drives already: then it is in the right one."""
     ego = scene.cast.ego
     passing = scene.does(ego, "overtake") if place.ego_lane == "leftmost" else None
-    if passing is None or passing.patient is not entity or re.search(r"\bon (?:the |its )right side", passing.whole):
+    if passing is None or passing.patient is not entity:
         return False
     before = [e for e in scene.events(ego) if e.order < passing.order]
     return not any(e.act in ("lane_change", "oncoming") or e.patient is entity for e in before)
-
-
-def _kerbside(scene: Scene, entity: Entity) -> str | None:
-    """The side of a bus lane: it lies along the kerb."""
-    near = " ".join(
-        scene.words[i].norm for m in entity.mentions[:1] for i in range(m.word, min(m.word + 9, len(scene.words)))
-    )
-    return "right" if re.search(r"\b(?:bus|taxi|cycle|hov) lane\b", near) else None
 
 
 def _enters_before_ego(scene: Scene, entity: Entity) -> bool:
@@ -244,7 +180,7 @@ def _enters_before_ego(scene: Scene, entity: Entity) -> bool:
     enters = [e for e in scene.events(entity) if re.match(r"(enter|drive into|pull (out )?into|join)\b", e.text)]
     inside = any(CIRCULATES.search(e.whole) for e in scene.events(scene.cast.ego))
     denied = any(e.agent is entity and re.match(r"(yield|give way)\b", e.text) for e in scene.clauses.events)
-    return bool(enters) and (inside or denied or any(e.act == "cut_in" for e in enters))
+    return bool(enters) and (inside or denied)
 
 
 def facing_ego(where: Where, place: PlaceSpec) -> dict:
@@ -269,20 +205,6 @@ def _met(scene: Scene, entity: Entity) -> str | None:
     return "ahead" if met else None
 
 
-def _joined_ahead_of(scene: Scene, entity: Entity) -> bool:
-    """Whether ego comes from the ramp in front of it."""
-    before = re.compile(rf"(in front of|ahead of|before) (the |a |an )?(\w+ )?@{entity.key}\b")
-    return any(before.search(e.whole) for e in scene.events(scene.cast.ego))
-
-
-def _side_of_events(scene: Scene, entity: Entity) -> str | None:
-    for event in scene.events(entity):
-        found = side_of_text(event.whole)
-        if found and event.act in ("enter_road", "stationary", "reverse", "start"):
-            return found
-    return None
-
-
 def _cut_side(scene: Scene, entity: Entity) -> str | None:
     """The side that one who cuts in comes from."""
     for event in scene.events(entity):
@@ -303,10 +225,6 @@ def _cut_side(scene: Scene, entity: Entity) -> str | None:
 
 def _before_junction(text: str) -> bool:
     return bool(re.search(r"before the (intersection|junction)|in the oncoming lane", text))
-
-
-def _ego_parked(scene: Scene) -> bool:
-    return any(e.act == "stationary" and "park" in e.whole for e in scene.events(scene.cast.ego))
 
 
 def _oncoming(scene: Scene, other: Entity) -> bool:

@@ -27,17 +27,11 @@ def abbreviated(text: str) -> list[Replacement]:
     found: list[Replacement] = []
     for match in _explained().finditer(text):
         known = names(match["short"].lower())
-        if known and (known[0].kind != "actor" or known[0].data.get("label")):
-            continue
         if known:
             found.append((match.start(), match.end(), match["short"]))
             continue
         again = list(re.finditer(rf"\b(?:(?:the|an?) )?{match['short']}\b(?! ?[-/]\w)", text[match.end() :], 0))
         if not again:
             continue
-        found.append((match.start("bracket"), match.end("bracket"), ""))
-        at = match.end()
-        for mention in again:
-            the = "The " if re.search(r"(?:^|[.!?:]\s+)$", text[: at + mention.start()]) else "the "
-            found.append((at + mention.start(), at + mention.end(), f"{the}{match['noun'].lower()}"))
+        match.end()
     return found

@@ -2,7 +2,6 @@
 
 import re
 from functools import cache
-from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.scan import Span
@@ -118,15 +117,11 @@ def bare_speeds(text: str) -> list[Span]:
             found.append(Span("quantity", match.start(group), match.end(group), data))
     for match in _bare_ranges().finditer(text):
         low, high = (value_of(match[g]) * factor for g in ("low", "high"))
-        if low < high and not any(s.start < match.end() and match.start("low") < s.end for s in found):
+        if low < high:
             data = {"dimension": "speed", "low": low, "high": high, "bare": True}
             found.append(Span("quantity", match.start("low"), match.end("high"), data))
     for match in FROM_TO.finditer(text):
         first, second = (value_of(match[g]) * factor for g in ("first", "second"))
-        if not any(s.start < match.end() and match.start("first") < s.end for s in found):
-            data = {"dimension": "speed", "low": min(first, second), "high": max(first, second), "bare": True}
-            data |= {"first": first, "second": second}
-            found.append(Span("quantity", match.start("first"), match.end("second"), data))
     return found
 
 
@@ -171,11 +166,6 @@ ELAPSED = re.compile(  # what follows a second of time, not a second car
 )
 EARLIER = re.compile(r"(?:(?<![\w.])\d+(?:\.\d+)?, ?)+$")
 """The first numbers of a list that shares its last one's unit: "60, 50 and 40 km/h"."""
-AWAY = re.compile(r"\s+(ahead|behind|away|before|after|from|in front|apart|or)\b")
-
-
-def _exactly(dimension: str, value: float) -> dict[str, Any]:
-    return {"dimension": dimension, "low": value, "high": value}
 
 
 def quantities(text: str) -> list[Span]:
@@ -199,23 +189,14 @@ def _measured(text: str) -> list[Span]:
     """Numbers with a unit, in SI; a range has `low` and `high`."""
     found = _intervals(text)
     for match in _quantity().finditer(text):
-        if any(s.start < match.end() and match.start() < s.end for s in found if "interval" in s.data):
-            continue
         dimension, factor = language.units()[" ".join(match["unit"].split())]
         if match["high"] and match["lowunit"]:
             other, own = language.units()[" ".join(match["lowunit"].split())]
-            if other != dimension:  # "with 0.5 g to 60 km/h": no range
-                low, high = value_of(match["low"]) * own, value_of(match["high"]) * factor
-                found.append(Span("quantity", match.start(), match.end("lowunit"), _exactly(other, low)))
-                found.append(Span("quantity", match.start("high"), match.end(), _exactly(dimension, high)))
-                continue
         if match["unit"] in ("'", "mi", "g") and not match["low"][-1:].isdigit():
             continue
-        if match["unit"] == "yard" and match["low"] in ("a", "one") and not AWAY.match(text[match.end() :]):
+        if match["unit"] == "yard" and match["low"] in ("a", "one"):
             continue
         if match["unit"] == "second" and match["low"] in ("a", "one") and not ELAPSED.match(text[match.end() :]):
-            continue
-        if match["unit"] == "m" and not match["low"][-1:].isdigit():
             continue
         low = value_of(match["low"]) * (
             language.units()[" ".join(match["lowunit"].split())][1] if match["lowunit"] else factor

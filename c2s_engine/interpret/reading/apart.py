@@ -137,7 +137,7 @@ def _does(piece: list[Piece], at: int, plain: str) -> bool:
     word = _told(piece, at, plain)
     if word in ("that", "which", "who"):
         told = (_told(piece, i, plain) for i in range(at + 1, at + 6))
-        does = next((w for w in told if w not in AUXILIARY and not w.endswith("ly")), "")
+        does = next((w for w in told if w not in AUXILIARY), "")
         return does not in OF_ROADS
     return _moves(word) or word == "to" or word in verb_lemmas()
 

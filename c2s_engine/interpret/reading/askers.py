@@ -66,13 +66,3 @@ def narrator(plain: str) -> str:
     if told["drives"].search(plain):
         return ""
     return next((kind for kind in ("bicycle", "pedestrian") if told[kind].search(plain)), "")
-
-
-@cache
-def _rides() -> re.Pattern[str]:
-    return re.compile("|".join(language.table("ego")["riders"]))
-
-
-def riding(plain: str) -> bool:
-    """Whether the first person of a text rides a motorcycle, as it is neither in a car nor on a bicycle."""
-    return not narrator(plain) and _narrators()["drives"].search(plain) is None and _rides().search(plain) is not None

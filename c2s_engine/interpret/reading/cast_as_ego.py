@@ -62,36 +62,7 @@ def cast_as_ego(text: str) -> list[Replacement]:
         return []
     found: list[Replacement] = []
     for match in _patterns()["beside"].finditer(text):
-        if re.search(r"\b(?:ego[- ]?|same (?:[\w-]+ ){0,2})\Z", text[: match.start()], re.IGNORECASE):
-            continue  # "the same car as ego"
         found += [(match.start("noun"), match.start("noun"), "ego "), (match.start("tag"), match.end("tag"), "")]
     if found:
         return found
-    for name in ("before", "said", "equal"):
-        for match in _patterns()[name].finditer(text):
-            if (cast := _cast(text, match, name)) is not None:
-                return cast
     return []
-
-
-def _cast(text: str, match: re.Match[str], name: str) -> list[Replacement] | None:
-    """What is read instead of a sentence or phrase that casts a vehicle; None where it says who ego is by itself."""
-    start, end = match.span("all")
-    start -= len(text[:start]) - len(text[:start].rstrip(", "))
-    opened = text[:start].rstrip()[-1:]
-    noun, look = match["noun"], match["look"]
-    named = re.compile(rf"\b(?:the |an? )?{re.escape(look)}(?P<noun>{re.escape(noun)})\b(?! ego)", re.IGNORECASE)
-    first = named.search(text[:start])
-    if first is not None:
-        if re.search(r"\bego[- ]?\Z", text[: first.start("noun")], re.IGNORECASE):
-            return None
-        rest = "" if opened in (".", "", ";", ":") or text[end - 1] not in ".;" else text[end - 1]
-        called = f"the {look}ego {first['noun']}" if first.start("noun") else f"Ego {first['noun']}"
-        return [(*first.span(), called), (start, end, rest)]
-    where = (match["where"] if name == "said" else "").strip()
-    if name == "equal" and not re.search(r"=", match["all"]):
-        return None
-    after = "" if name == "said" and text[end : end + 1] == "," else "."
-    said = f"The {look}ego {noun} {f'is {where}' if where else 'drives'}{after}"
-    lead = " " if start < match.start("all") and opened else ""
-    return [(start, end, f"{lead}{said}")]

@@ -19,8 +19,6 @@ FINITE = frozenset(("VBD", "VBZ", "VBP"))
 BETWEEN = frozenset(("advmod", "aux", "auxpass", "neg"))
 SAYS = language.words("says") | language.words("notices") | frozenset(("think", "believe", "see", "mean"))
 FAULTS = frozenset(("run", "fail", "disregard", "ignore", "neglect", "jump"))
-STANDS = language.words("stands")
-PLACES = frozenset(("behind", "beside", "alongside", "ahead", "before", "opposite"))
 OBJECTS = frozenset(("me", "him", "her", "us", "them"))
 """What is no subject: "he did not see her and the van struck her"."""
 PLACE = frozenset(("lane", "road", "street", "side", "direction", "carriageway", "behind", "left", "right"))
@@ -31,18 +29,10 @@ OWN = frozenset(("its", "his", "her", "their", "my", "our"))
 def divide(words: list[Word]) -> None:
     """Give each such verb the subject right before it, and hang it beside the verb of the clause before."""
     for verb in words:
-        if (labelled := _state_of_label(words, verb)) is not None:
-            if labelled.head == verb.i:
-                hang(words, labelled, words[verb.head], "dobj")
-            hang(words, verb, labelled, "amod")
-        if (did := _of_first_subject(words, verb)) is not None:
-            _two_clauses(words, did, verb)
         if (who := _behind_relative(words, verb)) is not None:
             _make_main(words, who, verb)
         if (main := _main_of_relative(words, verb)) is not None:
             hang(words, verb, main, "conj")
-        if (placed := _place_set_off(words, verb)) is not None:
-            hang(words, verb, placed, "prep")
         first = _first_noun(words, verb)
         if first is None:
             continue
@@ -51,15 +41,10 @@ def divide(words: list[Word]) -> None:
         above = _above(words, beside, verb)
         if above is None:
             continue
-        if beside.head == verb.i:
-            hang(words, beside, above, "dobj")
         hang(words, verb, above, "conj")
         hang(words, noun, verb, _relation(words, verb))
         hang(words, join, above, "cc")
         verb.tag = "VBD" if verb.tag == "VBN" and noun.dep == "nsubj" else verb.tag
-        for later in [words[c] for c in above.children if c > verb.i and words[c].dep in ("dep", "conj")]:
-            if later.tag in FINITE and not any(words[c].dep.startswith("nsubj") for c in later.children):
-                hang(words, later, verb, "conj")  # what the same one does next
 
 
 def _first_noun(words: list[Word], verb: Word) -> tuple[Word, Word, Word] | None:
@@ -82,43 +67,6 @@ def _first_noun(words: list[Word], verb: Word) -> tuple[Word, Word, Word] | None
     return noun, beside, join
 
 
-def _state_of_label(words: list[Word], state: Word) -> Word | None:
-    """The label right behind an adjective that was taken for a verb: "struck parked V2"."""
-    named = words[state.i + 1] if state.i + 1 < len(words) else None
-    if state.norm not in STANDS or not state.tag.startswith(("VB", "JJ")) or named is None or named.span is None:
-        return None
-    above = words[state.head]
-    loose = state.dep in ("xcomp", "ccomp", "amod", "oprd", "dobj") and above.verb and above.i < state.i
-    return named if named.span.kind == "label" and loose else None
-
-
-def _of_first_subject(words: list[Word], verb: Word) -> Word | None:
-    """What the first of two subjects did that the tree gives to one verb: "a lorry pulled out and I could not stop"."""
-    subjects = [words[c] for c in verb.children if words[c].dep == "nsubj" and c < verb.i]
-    if len(subjects) != 2 or not names_one(subjects[0].span, MOVERS):
-        return None
-    first, second = subjects
-    join = words[min(_below(words, second)) - 1]
-    told = [words[c] for c in first.children if first.i < c < join.i and words[c].dep == "acl"]
-    past = [w for w in told if w.tag in ("VBN", "VBD") and w.norm in past_forms()]
-    by = any(words[c].norm == "by" for w in past for c in w.children)
-    return past[0] if past and join.norm in JOINS and not by else None
-
-
-def _two_clauses(words: list[Word], did: Word, verb: Word) -> None:
-    """Make two clauses of them, the second joined to the first."""
-    first = words[did.head]
-    first.children.remove(did.i)
-    above, dep = words[verb.head], verb.dep
-    did.head, did.dep, did.tag = did.i if above is verb else above.i, dep, "VBD"
-    if above is not verb:
-        above.children = sorted([*(c for c in above.children if c != verb.i), did.i])
-    verb.head = did.i
-    verb.dep = "conj"
-    did.children = sorted([*did.children, verb.i])
-    hang(words, first, did, "nsubj")
-
-
 def _behind_relative(words: list[Word], verb: Word) -> Word | None:
     """The noun that heads a sentence whose verb was hung on what its relative clause ends with: "a van that had just
     passed a cyclist turned right"."""
@@ -130,19 +78,16 @@ def _behind_relative(words: list[Word], verb: Word) -> Word | None:
     who = words[relative.head]
     placed = who.dep == "ROOT" and noun.norm in PLACE and verb.lemma in MOVES
     direct = placed or noun.dep == "dobj" and who.dep == "ROOT" or verb.tag == "VBD" and who.dep in ("ROOT", "appos")
-    if relative.dep != "relcl" or not direct or not names_one(who.span, MOVERS):
+    if relative.dep != "relcl" or not direct:
         return None
     return who if not any(words[c].norm == "by" for c in verb.children) else None
 
 
 def _make_main(words: list[Word], who: Word, verb: Word) -> None:
     """Make a verb the head of its sentence, with that subject and with the verbs that go on with it."""
-    relative = next(w for w in _upwards(words, words[verb.head])[1:] if w.verb)
     words[verb.head].children.remove(verb.i)
     verb.head, verb.dep, verb.tag = verb.i, "ROOT", "VBD"
     hang(words, who, verb, "nsubj")
-    for child in [c for c in relative.children if c > verb.i]:
-        hang(words, words[child], verb, words[child].dep)
 
 
 def _main_of_relative(words: list[Word], verb: Word) -> Word | None:
@@ -156,16 +101,6 @@ def _main_of_relative(words: list[Word], verb: Word) -> Word | None:
     if lasting.dep != "relcl" or lasting.tag != "VBG" or not lasts:
         return None
     return next((w for w in _upwards(words, words[lasting.head])[1:] if w.tag == "VBD"), None)
-
-
-def _place_set_off(words: list[Word], prep: Word) -> Word | None:
-    """The road user of whom a place between commas tells, not the verb behind it: "V2, behind it, did not stop"."""
-    if prep.norm not in PLACES or prep.dep != "prep" or prep.i < 2 or words[prep.i - 1].norm != ",":
-        return None
-    noun = words[prep.i - 2]
-    after = [w.norm for w in words[prep.i + 1 : prep.i + 5] if w.sentence == prep.sentence]
-    placed = noun.head == prep.head and noun.dep == "nsubj" and words[prep.head].i > prep.i
-    return noun if placed and "," in after and names_one(noun.span, MOVERS) else None
 
 
 def _before_commas(words: list[Word], i: int) -> int:
@@ -186,8 +121,6 @@ def _behind_for(words: list[Word], beside: Word, verb: Word) -> None:
     subject = next((words[c] for c in verb.children if words[c].dep == "nsubj" and c < beside.i), None)
     if mark is None or subject is None or not beside.verb or verb.dep != "advcl" or beside.head != subject.i:
         return
-    hang(words, mark, words[verb.head], "prep")
-    hang(words, subject, mark, "pobj")
 
 
 def _above(words: list[Word], beside: Word, verb: Word) -> Word | None:

@@ -77,11 +77,6 @@ def _subject(words: list[Word], who: int, doing: int) -> None:
     actor, verb = words[who], words[doing]
     if actor.head == verb.i and actor.dep.startswith("nsubj"):
         return
-    above = words[actor.head]
-    if verb.head != verb.i and above.i < actor.i and above.verb:
-        verb.head, verb.dep = above.i, "ccomp"
-    if verb.head == actor.i:  # "van ahead: brakes", of which the tree makes two names
-        verb.head, verb.dep = (verb.i if actor.head == actor.i else actor.head), actor.dep
     actor.head, actor.dep = verb.i, "nsubj"
 
 

@@ -33,7 +33,7 @@ def sentences(text: str) -> list[tuple[int, int]]:
         if match[0].startswith("\n") and "\n\n" not in text[match.start() : match.end() + 1]:
             rest = text[match.end() :].lstrip()
             wrapped = rest[:1].islower()
-            if wrapped and not re.match(r"[-*•]|\d+[.)]", rest):
+            if wrapped:
                 continue
         if text[start : match.end()].strip():
             found.append(_trimmed(text, start, match.end()))
@@ -41,13 +41,6 @@ def sentences(text: str) -> list[tuple[int, int]]:
     if text[start:].strip():
         found.append(_trimmed(text, start, len(text)))
     return [(s, e) for s, e in found if s < e]
-
-
-ONLY_PLACE = re.compile(
-    r"\s*(?:(?:about |some |around |roughly )?\d[\d.]* ?(?:m|metres|meters|ft|feet|yards|km) )?"
-    r"(?:further )?(?:ahead|in front|on)(?: of (?:ego|us|it|me))?$"
-)
-"""A part of a note that only says where: "50 m ahead, debris lies there"."""
 
 
 def shorthand(plain: str, sentences: list[tuple[int, int]], names: list[Span]) -> list[tuple[int, int]]:
@@ -73,7 +66,7 @@ def shorthand(plain: str, sentences: list[tuple[int, int]], names: list[Span]) -
                 says = re.match(r"\s*[\w+-]", plain[name.end : end]) and not re.match(
                     r"\s*(?:and|or)\b", plain[name.end : end]
                 )
-                if told and says and not ONLY_PLACE.match(plain[at : at + comma.start()]):
+                if told and says:
                     found.append((at, at + comma.start()))
                     at = name.start
         found.append((at, end))

@@ -31,15 +31,6 @@ def _listed() -> re.Pattern[str]:
 
 
 @cache
-def _another() -> re.Pattern[str]:
-    where = rf"(?:{language.alternatives(_words()['where'])})"
-    of_its = r"(?![^.;]*\b(?:its?|their|his|her|him)\b)"
-    place = rf"(?P<place>(?:on|in|from|at) {where}(?: {where}){{0,6}})"
-    another = r"(?<=[a-z]), (?:and |while )?another(?: one)? "
-    return re.compile(rf"{another}{of_its}{place}(?=[.;]|$)", re.IGNORECASE)
-
-
-@cache
 def _each() -> re.Pattern[str]:
     return re.compile(rf"{THEN}(?!side\b|lane\b|hand\b)", re.IGNORECASE)
 
@@ -48,10 +39,6 @@ def each_apart(text: str) -> list[Replacement]:
     """Where each of several is, taken out of the sentence that tells of them, as a sentence of its own."""
     found: list[Replacement] = []
     for start, end in division.sentences(text):
-        another = _another().search(text, start, end)
-        if another is not None:
-            found.append((another.start(), another.end(), f". Another {_verb(another['place'])} {another['place']}"))
-            continue
         match = _listed().search(text, start, end)
         if match is None or not SEVERAL.search(text[start : match.start()]):
             continue

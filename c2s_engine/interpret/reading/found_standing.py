@@ -19,7 +19,6 @@ LOOSE = frozenset(("conj", "dep", "ccomp", "advcl"))
 STOOD = frozenset(("stopped", "parked", "slowed", "standing", "waiting"))
 PLACED = frozenset(("ahead", "there", "here", "in", "on", "already", "still"))
 STANDING_AT = PLACED | {"at", "for", "behind", "before", "near", "along", "across"}
-ANSWERED = CONTACT | language.words("answers_nearing")
 
 
 def found_standing(words: list[Word], word: Word) -> None:
@@ -45,7 +44,7 @@ def _stood(words: list[Word], word: Word) -> Word | None:
     while not verb.verb and verb.head != verb.i:
         verb = words[verb.head]
     hits = {verb.lemma, irregular().get(verb.norm)} & (CONTACT | {"push"}) and struck.dep in ("dobj", "pobj")
-    return struck if hits and road_user(struck) and "scene" not in _after(words, word) else None
+    return struck if hits else None
 
 
 def _before_comma(words: list[Word], word: Word) -> Word | None:
@@ -93,12 +92,3 @@ def _went_on(words: list[Word], stood: Word) -> None:
         above = words[above.head]
     if noun.dep not in ("dobj", "pobj") or above.tag != "VBD" or above.i > noun.i:
         return
-    for child in [words[c] for c in stood.children if words[c].dep == "conj" and words[c].verb and c > stood.i]:
-        bare = not any(words[c].dep in ("auxpass", "nsubj", "nsubjpass", "agent") for c in child.children)
-        if bare and child.norm not in STOOD and (child.lemma in ANSWERED or irregular().get(child.norm) in ANSWERED):
-            hang(words, child, above)
-            child.tag = "VBD" if child.tag == "VBN" else child.tag
-
-
-def _after(words: list[Word], word: Word) -> list[str]:
-    return [w.norm for w in words[word.i + 1 : word.i + 5]]

@@ -38,10 +38,8 @@ def verbs_of_named(words: list[Word], sentence: list[Word]) -> list[tuple[int, i
         before = [w for w in sentence if w.i < verb.i and w.tag != "RB"]
         if verb.tag != "VBZ" or not before or before[-1].norm not in (":", "-", "–"):
             continue
-        if any(words[c].dep.startswith("nsubj") and c > before[-1].i for c in verb.children):
-            continue
         who = _named(before)
-        if who is not None and not any(_tells(words, w, who) for w in before):
+        if who is not None:
             found.append((who.i, verb.i))
     return found
 

@@ -9,7 +9,6 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.rewritten import Replacement
 
 SPLIT = re.compile(r"[ \t]+//[ \t]+|\n")
-RULE = re.compile(r"[\s|:+-]*-{3,}[\s|:+-]*")
 
 
 def grids(text: str) -> list[Replacement]:
@@ -18,9 +17,6 @@ def grids(text: str) -> list[Replacement]:
     head: list[str | None] = []
     for start, end in _rows(text):
         row = text[start:end]
-        if head and RULE.fullmatch(row):
-            found.append((start, end, ""))
-            continue
         cells = _cells(row)
         if not head:
             keys = [_key(c) for c in cells]
@@ -72,16 +68,12 @@ def _sentence(cells: dict[str | None, str]) -> str:
     """What a row says: "box truck A drives in the right lane at 80 km/h 20 m ahead of ego." """
     name, kind = cells.get("who", ""), cells.get("type", "")
     ego = name.lower() in language.table("notation")["egos"]
-    who = name if ego or not kind or name.lower() in language.actor_nouns() else f"{kind} {name}"
-    if re.search(r"\d$", name) and kind:
-        who = name if kind in name.lower() else f"{name}, {'an' if kind[:1] in 'aeiou' else 'a'} {kind},"
+    who = name if ego or not kind else f"{kind} {name}"
     said = ["drives"]
     if lane := cells.get("lane", ""):
         told = re.sub(r"\s*lane$", "", re.sub(r"^cent(?:er|re)$|^mid$", "middle", lane.lower()))
         said.append(f"in lane {told}" if told.isdigit() else f"in the {told} lane")
-    if re.fullmatch(r"0(?:\.0+)?", cells.get("speed", "")):
-        said = ["stands", *said[1:]]
-    elif speed := re.match(r"\d+(?:\.\d+)?", cells.get("speed", "")):
+    if speed := re.match(r"\d+(?:\.\d+)?", cells.get("speed", "")):
         unit = re.search(r"km/?h|kph|mph|m/s", cells["speed"])
         said.append(f"at {speed[0]} {unit[0] if unit else 'km/h'}")
     gap = re.match(r"([+\-−]?)\s*(\d+(?:\.\d+)?)", cells.get("gap", "")) if not ego else None

@@ -19,9 +19,6 @@ GOVERNED = re.compile(
     re.IGNORECASE,
 )
 """What stands before a road user that a preposition governs."""
-SIMPLE = re.compile(
-    r"(?:(?:on|in|from) the (?:[\w-]+ ){1,3}|(?:not far |close |right |directly )?behind )", re.IGNORECASE
-)
 BE = r"is|was|are|were|sits|sat|stands|stood"
 
 
@@ -59,9 +56,7 @@ def inverted(text: str) -> list[Replacement]:
         before = match["place"] or match["deed"]
         if OTHERS.search(before) or _another(before):
             continue
-        if match["deed"]:
-            said = f"{match['who']} {match['be']} {before.strip().lower()}"
-        elif match["verb"] in _finite("verbs") or match["verb"] in _finite("with_objects") and SIMPLE.fullmatch(before):
+        if match["verb"] in _finite("verbs"):
             said = f"{match['who']} {match['verb']} {before.strip()}"
         else:
             continue

@@ -17,7 +17,6 @@ NUMBERED = re.compile(
 )
 MORE = re.compile(rf"\s*(?:,|and|&|/|\+)\s*(?={CODE}\b)")
 COMMENT = re.compile(r"(?P<before>\S?)(?:^|(?<=\s))\s*(?:#|//)[ \t]+(?=(?:the )?[\w][\w -]{0,16}(?:, ?[\w -]{1,8})*: )")
-COMMENTED = re.compile(r"\s*(?:#|//)[ \t]")
 ROW = re.compile(
     r",?\s+(?:(?:driving|travelling|traveling|following) )?(?:one behind the other|one after the other|nose to tail"
     r"|in (?:single file|a row|a line|(?:a )?convoy|column))\b"
@@ -56,7 +55,7 @@ def keyed(text: str) -> list[Replacement]:
         return marked
     found: list[Replacement] = []
     for match, codes in told:
-        if len(codes) > 1 and all(c in names for c in codes):
+        if len(codes) > 1:
             found.append((match.start("keys"), match.end("rest"), _of_each(match, [names[c] for c in codes], names)))
         elif codes[0] in names and (comma := re.match(r",\s*(?=\w)", match["rest"])):
             at = match.end("noun")
@@ -78,7 +77,7 @@ def _numbered(text: str) -> list[str]:
 def _comments(text: str) -> list[Replacement]:
     """The marks of comment lines, each of which is a line of its own; their clauses go on with whom the line names."""
     marks = list(COMMENT.finditer(text))
-    if len(marks) < 2 or not COMMENTED.match(text):
+    if len(marks) < 2:
         return []
     found = [(m.end("before"), m.end(), ".\n" if re.match(r"[\w)]", m["before"]) else "\n") for m in marks]
     for mark, end in zip(marks, [*(m.start() for m in marks[1:]), len(text)], strict=True):

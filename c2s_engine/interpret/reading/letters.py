@@ -60,8 +60,6 @@ def cased(text: str, plain: str) -> list[Span]:
 
 def letters(text: str, plain: str) -> list[Span]:
     """The letters that stand for road users in a text (in its own case), with the noun before them if there is one."""
-    if not re.search("[a-z]{3}", text):
-        return []
     sure: dict[str, Span] = {}
     loose: list[tuple[str, int]] = []
     again: set[str] = set()

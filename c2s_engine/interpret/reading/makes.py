@@ -4,7 +4,7 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.reading.motions import past_forms, third_persons, verb_lemmas
+from c2s_engine.interpret.reading.motions import verb_lemmas
 from c2s_engine.interpret.spans import Span
 
 MAKE = re.compile(r"(?<![\w-])(?!an |the |my )(?P<make>[a-z]{2,}(?:-[a-z]+)?)[ -]$")
@@ -21,7 +21,7 @@ def stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
         return False  # "we dodge it"
     model = re.match(r"[\s-]+([\w-]+)", after)
     noun = re.match(r"[\s-]+(?:(?P<kind>[\w-]+)\s+)?(?:" + _noun_words() + r")\b", after)
-    if model and model[1] in language.makes() or noun and not _goes_on(noun["kind"] or ""):
+    if model and model[1] in language.makes() or noun:
         return False
     named = re.search(
         (
@@ -31,11 +31,6 @@ def stands_for_a_vehicle(text: str, start: int, end: int) -> bool:
         before,
     )
     return bool(named)
-
-
-def _goes_on(word: str) -> bool:
-    """Whether a word is no kind of vehicle, but tells what one does or where: "the Tahoe told troopers"."""
-    return word in past_forms() or word in third_persons() or word in language.words("behind_a_make")
 
 
 @cache
@@ -62,10 +57,10 @@ def models(text: str, plain: str) -> list[Span]:
     found = []
     for match in _with_model().finditer(text):
         make, model = match["make"].lower(), match["model"].lower()
-        if match["make"][0].isupper() and stands_for_a_vehicle(plain, match.start(), match.end()):
+        if stands_for_a_vehicle(plain, match.start(), match.end()):
             found += _by_model(text, match.end(), make, match["model"])
-        known = model in language.actor_nouns() or model.split()[0] in language.actor_nouns() or model in NO_MODEL
-        if known or not match["make"][0].isupper() or not stands_for_a_vehicle(plain, match.start(), match.end()):
+        known = model in language.actor_nouns() or model in NO_MODEL
+        if known or not stands_for_a_vehicle(plain, match.start(), match.end()):
             continue
         nouns = language.actor_nouns()
         kind = ridden(plain, match.start(), nouns.get(f"{make} {model}", nouns[make])[0])
@@ -77,7 +72,7 @@ def models(text: str, plain: str) -> list[Span]:
 def _by_model(text: str, start: int, make: str, model: str) -> list[Span]:
     """Where a vehicle is then called by its model alone, which no table knows: "a Ford Ranger ... the Ranger"."""
     nouns = language.actor_nouns()
-    if len(model) < 3 or not model[0].isupper() or model.lower() in nouns or model.lower() in NO_MODEL:
+    if len(model) < 3 or not model[0].isupper() or model.lower() in nouns:
         return []
     kind = nouns.get(f"{make} {model.lower()}", nouns[make])[0]
     data = {"type": kind, "plural": False, "person": False, "noun": make, "roles": [], "words": [], "make": make}

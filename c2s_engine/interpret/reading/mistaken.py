@@ -10,7 +10,6 @@ from c2s_engine.interpret.reading.motions import base_form, past_forms, third_pe
 from c2s_engine.interpret.reading.proxies import FOLLOWS
 from c2s_engine.interpret.spans import Span, names_one
 
-LANE_NUMBER = re.compile(r"\blane (?:number |no\.? )?(?:\d|one|two|three|four)$")
 DIRECTED = re.compile(
     r"\s+(?:(?:right|straight|just|directly|suddenly|back|clean) )?(?:in|into|onto|out|off|past|across|over"
     r"|through|towards?|away|around|down|up|along|back|in front|left|right|straight)\b"
@@ -19,7 +18,6 @@ DIRECTED = re.compile(
 ONWARDS = re.compile(r"\s+on\s*(?:[.,;]|$|(?:and|along|down|straight|as|past|through)\b)")
 ON_SIDE = re.compile(r"\b(?:on|to|in) (?:my|our|the|its|his|her|their) (?:left|right)(?: side)? $")
 ALONE = re.compile(r"\s*[.,;]|\s+(?:hard|sharply|suddenly|simultaneously|at|when|as|because)\b")
-LANES = re.compile(r"\s+lanes?\b")
 OBJECT = re.compile(r"\s+(?:me|us|him|her|it|them|my|our|his|its|their|the|an?|another|ego|control)\b")
 OBJECTS = language.words("objects_taken_for_verbs")
 STATES = language.words("states_as_participles")
@@ -35,29 +33,7 @@ def mistaken(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
         **_plural(doc, piece, plain),
         **_objects(doc),
         **_infinitives(doc, piece, plain),
-        **_bursts(doc),
-        **_same_in_past(doc, piece, plain),
     }
-
-
-def _same_in_past(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
-    """Past tenses like the present, taken for the noun that a road user qualifies: "a van cut in just before me"."""
-    found = {}
-    for token in doc[1:]:
-        _, start, end, span = piece[token.i]
-        before = doc[token.i - 1]
-        if token.tag_ != "NN" or span is not None or past_forms().get(plain[start:end]) != plain[start:end]:
-            continue
-        if before.dep_ == "compound" and before.head.i == token.i and names_one(piece[before.i][3], MOVERS):
-            rest = plain[end : end + 24]
-            if OBJECT.match(rest) or DIRECTED.match(rest):
-                found[token.i] = "took" if OBJECT.match(rest) else "went"
-    return found
-
-
-def _bursts(doc: Any) -> dict[int, str]:
-    """What a tyre does, taken for a noun: "a tyre burst and the car left the road"."""
-    return {t.i: "failed" for t in doc[1:] if t.text == "burst" and doc[t.i - 1].text in ("tyre", "tire")}
 
 
 def _infinitives(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
@@ -73,7 +49,7 @@ def _infinitives(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
             and ALONE.match(plain[end : end + 24])
         )
         nominal = begins and token.tag_ == "NN" or who and doc[token.i - 1].dep_ == "prep"
-        if nominal and span is None and plain[start:end] in verb_lemmas():
+        if nominal and span is None:
             found[token.i] = "go"
     return found
 
@@ -116,9 +92,7 @@ def _participles(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
         own = [t for t in doc if t.tag_ in ("VBZ", "VBD", "VBP", "MD") and t.i > token.i and noun in (t, *t.lefts)]
         if own or noun.dep_ in ("nsubj", "nsubjpass", "dobj", "pobj", "attr") and noun.head.i != token.i:
             continue
-        if placed is not None and LANES.match(rest):
-            found[token.i] = "took"
-        if onwards or DIRECTED.match(rest) or OBJECT.match(rest):
+        if onwards or DIRECTED.match(rest):
             found[token.i] = "took" if OBJECT.match(rest) else "went"
     return found
 
@@ -126,8 +100,8 @@ def _participles(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
 def _placed(doc: Any, piece: list[Piece], plain: str, at: int) -> Any | None:
     """The road user of whom only a side is told between it and a verb: "a car on my left changed lanes"."""
     side = ON_SIDE.search(plain[:at])
-    before = [t for t in doc if side is not None and piece[t.i][1] < side.start()]
-    return before[-1] if before and side is not None and plain[piece[before[-1].i][2] : side.start()] == " " else None
+    before = [t for t in doc if side is not None]
+    return before[-1] if before and side is not None else None
 
 
 def _nouns(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
@@ -153,18 +127,12 @@ def _nouns(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
                 before[3] is not None
                 or before[0].endswith("ly")
                 or not language.word_list("subject_ends").isdisjoint(_ends(plain[before[1] : before[2]]))
-                or LANE_NUMBER.search(plain[: before[2]]) is not None
             )
         ):
             continue
-        if (
-            before[3] is not None
-            and before[3].data.get("plural")
-            or any(t.tag_ in ("VBZ", "VBD", "MD") and t.head.i == token.i and t.dep_ != "conj" for t in doc[token.i :])
-            or any(
-                t.tag_ in ("VBZ", "VBD", "MD") and t.head.i == token.i and not _own_clause(doc, t, token.i)
-                for t in doc[: token.i]
-            )
+        if any(
+            t.tag_ in ("VBZ", "VBD", "MD") and t.head.i == token.i and not _own_clause(doc, t, token.i)
+            for t in doc[: token.i]
         ):
             continue
         finite = [t for t in doc[: token.i] if t.tag_ in ("VBZ", "VBD", "VBP", "MD") and not _relative(t)]

@@ -25,9 +25,4 @@ def has_headline(words: list[Word]) -> bool:
         return False
     story = {w.norm for w in words if w.sentence > 0}
     past = any(w.tag == "VBD" for w in words if w.sentence > 0)
-    return past and bool(story & {"a", "an", "the"}) and not any(w.tag == "VBD" and not _hurt(w) for w in first)
-
-
-def _hurt(word: Word) -> bool:
-    """Whether a past form is a participle of a headline: "Cyclist injured in crash"."""
-    return word.norm.endswith("ed") and word.dep == "ROOT"
+    return past and bool(story & {"a", "an", "the"}) and not any(w.tag == "VBD" for w in first)

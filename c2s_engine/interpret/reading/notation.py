@@ -45,12 +45,6 @@ def _keys() -> dict[str, dict[str, Any]]:
     return {name: entry for entry in language.table("notation")["fields"] for name in entry["names"]}
 
 
-PLACED = re.compile(
-    r"(?:in |on |at )?(?:the |its )?(?:(?:left|right|middle|cent(?:er|re)|own|same|ego|next|adjacent|opposite|oncoming)"
-    r"(?:-?most|-?hand)? )?lane\b|[+-]?\d|(?:ahead|behind|in front|alongside|abreast|v ?=|speed)\b",
-    re.IGNORECASE,
-)
-"""What a key for another road user is followed by where the value tells where it is, not what."""
 TITLE = ""
 """Instead of the sentence of a field that only names the scenario."""
 
@@ -96,8 +90,6 @@ def _sentence(key: str, value: str, names: dict[str, str]) -> str | None:
     data = language.table("notation")
     plain = " ".join(re.sub(r"[_#]", " ", key.lower()).split())
     whole = plain
-    if re.sub(r"\s*\d+$", "", plain) in data["others"] and PLACED.match(value):
-        return None
     if re.sub(r"\s*\d+$", "", plain) in data["others"]:
         parts = NAMED.match(value)
         first, rest = (parts["noun"], value[parts.end("noun") :].lstrip(", ")) if parts else (value, "")
@@ -114,7 +106,7 @@ def _sentence(key: str, value: str, names: dict[str, str]) -> str | None:
         names[who] = _noun(value)
         return f"there is a {names[who]}"
     other = next(reversed(names.values()), "car")
-    if who is None and entry.get("who") or entry.get("name"):
+    if who is None and entry.get("who"):
         return None
     subject = "ego" if who is None or who in data["egos"] else names.get(who, who)
     said = re.sub(r"\s+lane$", "", value) if whole.endswith("lane") else value
@@ -122,12 +114,10 @@ def _sentence(key: str, value: str, names: dict[str, str]) -> str | None:
         lead = value.lower()
         if re.match(r"(the |a |an )?[\w-]+( vehicle| car)? \w+s\b", lead) and not VERBAL.match(value):
             return value
-        if lead.startswith(tuple(data["egos"])) or not VERBAL.match(value) and len(value.split()) > 3:
+        if not VERBAL.match(value) and len(value.split()) > 3:
             return value
         if not VERBAL.match(value):
             return f"{subject}: {value}"
-    if entry["say"].startswith("{who} drives at") and not re.search(r"\d", value):
-        return f"{subject}: {value}"
     return str(entry["say"]).format(who=_the(subject), value=said, other=other)
 
 
@@ -157,4 +147,4 @@ def _noun(value: str) -> str:
 
 
 def _the(name: str) -> str:
-    return name if name in ("ego", "it") or re.search(r"\d$", name) else f"the {name}"
+    return name if name in ("ego", "it") else f"the {name}"

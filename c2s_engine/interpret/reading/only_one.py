@@ -12,7 +12,6 @@ NUMBERED = re.compile(
     re.IGNORECASE,
 )
 EGO = re.compile(r"\bego\b", re.IGNORECASE)
-BEFORE = re.compile(r"(?:\b(?:the|a|an|one|two|three|with|of|by)|\d) ?$", re.IGNORECASE)
 
 
 def only_one(text: str) -> list[Replacement]:
@@ -28,5 +27,5 @@ def only_one(text: str) -> list[Replacement]:
 
 def _noun(text: str, match: re.Match[str]) -> str:
     """The noun alone at the head of a line or behind a determiner, else with an article."""
-    bare = text[match.end() : match.end() + 2].lstrip().startswith(":") or BEFORE.search(text[: match.start()])
+    bare = text[match.end() : match.end() + 2].lstrip().startswith(":")
     return match["noun"] if bare else f"the {match['noun']}"

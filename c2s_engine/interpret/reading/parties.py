@@ -9,13 +9,6 @@ from c2s_engine.interpret.reading.motions import irregular, third_persons
 from c2s_engine.interpret.spans import Span
 
 EGO = re.compile(r"\bego\b")
-NEW_ONE = re.compile(r"\b(?:an?|another|one|two|three|some|several|other) (?:(?!ego)\w+ )?$")
-ITSELF = re.compile(r"\bego(?: \w+)?(?:,| is| was|,? being| as| \(| =|:|,? which is)\s?(?:an? )(?:\w+ )?$")
-"""What stands before the word for what ego is."""
-CALLED_EGO = re.compile(r",? ?\(?(?:the |called |named |our |as |is |which is |that is |being )*ego\b")
-BESIDE_EGO = re.compile(
-    r" (?:directly |right |close )?(?:ahead|in front|behind|beside|alongside|next to)(?: of)? (?:the )?ego\b"
-)
 
 
 FIRST = re.compile(r"(?<![\w-])(?:i|me|my|we|us|our)(?![\w-])")
@@ -37,23 +30,15 @@ WITHOUT_MOTOR = re.compile(
 def other_party(text: str, span: Span) -> bool:
     """Whether a name of ego means another: "the claimant", as the text tells of "the insured", too; "a robotaxi", where
     ego is called so."""
-    name, before = text[span.start : span.end], text[: span.start]
+    name, _before = text[span.start : span.end], text[: span.start]
     if re.match(r"claimant|plaintiff|complainant", name):
         return "insured" in text or WITHOUT_MOTOR.search(text) is not None
     beside_me = FIRST.search(text) is not None and BESIDE_ME.match(text, span.end) is not None
     if beside_me and re.match(r"(?:company|fleet|works) ", name):
         return True
-    if (
-        re.split(r"[ -]", name)[-1] not in language.actor_nouns()
-        or EGO.search(name)
-        or not EGO.search(text)
-        or ITSELF.search(before)
-    ):
+    if re.split(r"[ -]", name)[-1] not in language.actor_nouns() or EGO.search(name) or not EGO.search(text):
         return False
-    after = re.split(r"[.;]\s", text[span.end :])[0]
-    told = EGO.search(before) or EGO.search(after)  # else it may be ego: "an AV drives here. The ego car ..."
-    new = told and NEW_ONE.search(before) or BESIDE_EGO.match(text, span.end)
-    return bool(new) and not CALLED_EGO.match(text, span.end)
+    return False
 
 
 SOME_DRIVER = re.compile(

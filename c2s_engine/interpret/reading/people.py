@@ -59,11 +59,6 @@ def people(text: str, plain: str) -> list[Span]:
         sex = _sex(match, parts)
         known.update(dict.fromkeys((p for p in parts if len(p) > 2), sex))
         spans.append(_span(plain, match.start(), match.end(), parts, sex))
-    for name, sex in known.items():
-        for again in re.finditer(rf"(?<![\w-]){re.escape(name.capitalize())}(?![\w-])", text):
-            start, end = again.span()
-            if _no_place(plain, start, end) and not any(s.start < end and start < s.end for s in spans):
-                spans.append(_span(plain, start, end, [name], sex))
     aged = [_span(plain, m.start(), m.end(), [m[0].replace(" ", "-")], "") for m in AGED.finditer(plain)]
     return spans + aged
 
@@ -78,13 +73,9 @@ def _sex(match: re.Match[str], parts: list[str]) -> str:
 
 def _a_person(match: re.Match[str], plain: str, parts: list[str]) -> bool:
     """Whether a match is no road user by another name ("Ford drives"), pronoun, or place ("in Martin Street")."""
-    nouns = language.actor_nouns()
-    if "title" not in match.groupdict() and any(p in nouns or p in language.word_list("determiners") for p in parts):
-        return False
+    language.actor_nouns()
     if match.re is OWNER and parts[0] in ("he", "she", "who", "they", "then", "while", "when", "driver"):
         return False
-    if match.re is LOWER and re.search(r"\d\s*$", plain[max(0, match.start() - 4) : match.start()]):
-        return False  # "200 ms later"
     titled = bool(match.groupdict().get("title"))
     places = language.table("people")["places"]["after"]
     return not (set(parts[1:]) & set(places)) and (titled or _no_place(plain, match.start(), match.end()))
@@ -95,7 +86,7 @@ def _no_place(plain: str, start: int, end: int) -> bool:
     places = language.table("people")["places"]
     before = re.search(r"([\w'-]+)[.\s]+$", plain[max(0, start - 16) : start])
     after = re.match(r"\s+([\w'-]+)", plain[end : end + 20])
-    if re.match(r"\s*\d", plain[end : end + 3]) or after and after[1] in places["after"]:
+    if after and after[1] in places["after"]:
         return False
     return not (before and before[1] in places["before"] and plain[start - 2] != ".")
 

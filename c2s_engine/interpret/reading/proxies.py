@@ -30,21 +30,10 @@ def pieces_of(plain: str, start: int, end: int, spans: list[Span]) -> list[tuple
             near = last if number == 0 or number == 1 and after else None
             found.append((_word(match[0], near, plain, at + match.start()), at + match.start(), at + match.end(), None))
         last = span
-        if span and span.kind == "ego" and _followed(found):
-            found.append(("him", span.start, span.end, span))
-            at = span.end
-        elif span:
+        if span:
             found += _proxies(plain, span, found[-1][0] if found else "")
             at = span.end
     return found
-
-
-def _followed(found: list[tuple[str, int, int, Span | None]]) -> bool:
-    """Whether a road user and what it does to the next one stand before: "a van closely following ego"."""
-    deed = found[-1][0] if found else ""
-    users = [f[3] for f in found[-3:-1] if f[3] is not None]
-    between = found[-2][3] is None and not found[-2][0].endswith("ly") if len(found) > 1 else True
-    return deed.endswith("ing") and not between and bool(users) and users[-1].kind == "actor"
 
 
 TO_SOMEBODY = regex.compile(r"\s+(?:us|me|him|her|it|them)\s+\p{L}")
@@ -70,9 +59,6 @@ FOLLOWS = regex.compile(
 
 
 CROSSES = regex.compile(r"\s+(?:the|a|from|in front|at the|over|on|behind|with|slowly|against|his|her|its)\b")
-
-
-MERGES = regex.compile(r"\s+(?:from|in|into|onto|out|off|left|right|over|across|behind|ahead|with)\b")
 
 
 LANES = regex.compile(r"\s+(?:\w+\s+)?lanes?\b")
@@ -154,13 +140,11 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         return "walking" if person else "passing"
     if text in ("lane-splitting", "filtering") and mover:
         return "passing"
-    if text == "merging" and mover and MERGES.match(plain[start + 7 : start + 20]):
-        return "passing"
     if text in STRUCK:
         return "struck"
     if text in ("changes", "switches", "swaps") and before is not None and LANES.match(plain[start + len(text) :]):
         return "takes"
-    if text in ("changing", "switching") and before is not None and LANES.match(plain[start + len(text) :]):
+    if text in ("changing", "switching") and before is not None:
         return "taking"
     if text in language.table("parsing")["irregular"] and HAVING.search(plain[max(0, start - 24) : start]):
         return "gone" if FOLLOWS.match(plain[start + len(text) : start + len(text) + 14]) else "met"

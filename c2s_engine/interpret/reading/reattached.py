@@ -16,38 +16,25 @@ from c2s_engine.interpret.reading.motions import irregular, third_person
 if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
 
-OBJECTS = frozenset(("it", "him", "her", "them"))
 TOWED, SEES, WAITS = language.with_plurals("towed"), language.words("notices"), language.words("waits")
-MANOEUVRES = language.words("manoeuvres") | language.words("drives")
-FAULTS = frozenset(("run", "fail", "disregard", "ignore", "neglect", "jump", "cross", "turn", "pull"))
-ANSWERS = frozenset(("respond", "react", "answer", "reply"))
-LEFT_STANDING = frozenset(("stop", "park", "leave", "hit", "strike", "follow", "queue", "drive", "pass", "overtake"))
 
 
 def reattach(words: list[Word]) -> None:
     """Hang each such verb where it belongs."""
     light = language.table("motions")["modality"]["light"]
     for word in words:
-        if word.dep == "acl" and _tells(words, word):
-            _raise(words, word)
-        if word.dep == "acl" and _goes_on(words, word):
-            _raise(words, word, below=words[words[word.head].head])
         if word.tag == "VBN" and word.dep == "ROOT" and _has_done(words, word):
             word.tag = "VBD"
         if word.dep == "advcl" and _first_of_several(words, word):
             _turn_round(words, word)
         if word.dep == "advcl" and _light(words, word, light):
             word.dep = "xcomp"  # "starts to slow down": no purpose
-        if word.dep == "dobj" and word.tag == "VBG" and _shades(words[word.head], light):
-            word.dep = "xcomp"  # "commences accelerating"
         if word.dep == "ccomp" and _joined(words, word):
             word.dep = "conj"  # "overtakes ego and 2 s later brakes"
         found_standing(words, word)
         own_subject(words, word)
         find_subject(words, word)
         bring_home(words, word)
-        if word.norm == "by" and word.dep == "prep" and (answers := _answer(words, word)) is not None:
-            hang(words, word, answers)  # "responds to a van braking by changing lanes"
         _doer_of_passive(words, word)
         _by_which(words, word)
         _object_of_relative(words, word)
@@ -61,23 +48,9 @@ def reattach(words: list[Word]) -> None:
         beside = _beside(words, word)
         if beside is not None:
             hang(words, word, beside)
-        above = (
-            _resumed(words, word) or _after_waiting(words, word) or _of_striker(words, word) or _then_did(words, word)
-        )
+        above = _after_waiting(words, word) or _then_did(words, word)
         if above is not None:
             hang(words, word, above)
-
-
-def _tells(words: list[Word], verb: Word) -> bool:
-    """Whether a past form right behind the one road user of a sentence tells what it did: "a sedan pulled out"."""
-    noun = words[verb.head]
-    adverb = verb.i - noun.i == 2 and words[noun.i + 1].norm.endswith("ly")
-    if verb.tag != "VBN" or noun.dep != "ROOT" or not road_user(noun) or not (verb.i - noun.i == 1 or adverb):
-        return False
-    rest = [w for w in words[verb.i :] if w.sentence == verb.sentence]
-    told = any(w.tag in ("VBD", "VBZ", "VBP", "MD") for w in rest) or any(w.norm == "by" for w in rest)
-    ends = rest[-1].norm == "." and any(words[c].norm in ("a", "an", "the", "another") for c in noun.children)
-    return verb.lemma in MANOEUVRES - LEFT_STANDING and ends and not told and len(rest) > 3
 
 
 def _first_of_several(words: list[Word], first: Word) -> bool:
@@ -109,38 +82,6 @@ def _has_done(words: list[Word], verb: Word) -> bool:
     return subject and not {"aux", "auxpass", "nsubjpass"} & {w.dep for w in before}
 
 
-def _goes_on(words: list[Word], verb: Word) -> bool:
-    """Whether a past form behind a noun that is joined to a verb tells on: "I braked but the car just carried on"."""
-    noun = words[verb.head]
-    joint = words[noun.i - len(noun.children) - 1 : noun.i] if noun.dep == "conj" and words[noun.head].verb else []
-    joined = any(w.norm in ("but", "and", "so") and w.head == noun.head for w in joint)
-    adverbs = all(w.dep == "advmod" or w.norm.endswith("ly") for w in words[noun.i + 1 : verb.i])
-    return joined and adverbs and verb.tag == "VBN" and road_user(noun) and verb.lemma not in LEFT_STANDING
-
-
-def _raise(words: list[Word], verb: Word, below: Word | None = None) -> None:
-    """Make the verb of a clause that was taken for a noun phrase its head, and the noun its subject."""
-    noun = words[verb.head]
-    noun.children.remove(verb.i)
-    verb.children.append(noun.i)
-    for child in [c for c in noun.children if c > verb.i]:
-        hang(words, words[child], verb)
-    verb.children.sort()
-    verb.tag, verb.dep, verb.head = "VBD", "ROOT", verb.i
-    if below is not None:
-        below.children = [verb.i if c == noun.i else c for c in below.children]
-        verb.dep, verb.head = "conj", below.i
-    noun.dep, noun.head = "nsubj", verb.i
-
-
-def _answer(words: list[Word], by: Word) -> Word | None:
-    """The verb of answering before the participle on which "by" with what is done hangs."""
-    doing = words[by.head]
-    noun = words[doing.head]
-    answers = words[words[noun.head].head] if words[noun.head].norm == "to" else None
-    return answers if doing.dep == "acl" and answers is not None and answers.lemma in ANSWERS else None
-
-
 def _by_which(words: list[Word], using: Word) -> None:
     """Hang "using" on the verb whose object the tree takes for who uses it: "overtakes ego using the other lane"."""
     if using.norm != "using" or using.dep not in ("acl", "ccomp"):
@@ -160,10 +101,6 @@ def _doer_of_passive(words: list[Word], verb: Word) -> None:
     by = words[verb.head]
     if verb.tag != "VBG" or verb.dep != "pcomp" or by.dep != "agent":
         return
-    doers = [words[c] for c in verb.children if by.i < c < verb.i and words[c].dep == "nsubj" and road_user(words[c])]
-    if doers:
-        hang(words, doers[0], by, "pobj")
-        hang(words, verb, doers[0], "acl")
 
 
 def _object_of_relative(words: list[Word], verb: Word) -> None:
@@ -172,11 +109,6 @@ def _object_of_relative(words: list[Word], verb: Word) -> None:
     if len(subjects) != 2 or subjects[1].i - 1 in (subjects[0].i, verb.i):
         return
     first, second = subjects
-    before = words[min([second.i, *second.children]) - 1]
-    objects = any(words[c].dep == "dobj" and c > before.i for c in before.children)
-    if before.dep == "relcl" and before.head == first.i and not objects:
-        hang(words, second, before)
-        second.dep = "dobj"
 
 
 def _two_subjects(words: list[Word], verb: Word) -> None:
@@ -245,20 +177,6 @@ def _shades(verb: Word, light: list[str]) -> bool:
     return any(form in (shade, third_person(shade)) for form in (verb.norm, verb.lemma) for shade in light)
 
 
-def _resumed(words: list[Word], word: Word) -> Word | None:
-    """The verb with which a coordinated one goes on, where its object is the noun of the relative clause."""
-    relative = words[word.head]
-    if word.dep != "conj" or word.tag not in ("VBZ", "VBD") or relative.dep != "relcl" or relative.i > word.i:
-        return None
-    if any(words[c].dep.startswith("nsubj") for c in word.children) or not _takes_pronoun(words, word):
-        return None
-    if any(road_user(w) for w in words[relative.i + 1 : word.i]):
-        return None  # "a car that passes ego and hits it"
-    above = _clause(words, words[relative.head])
-    subjects = [words[c] for c in above.children if words[c].dep == "nsubj"] if above is not None else []
-    return above if any(s.span is not None and s.i < relative.head for s in subjects) else None
-
-
 def _after_waiting(words: list[Word], word: Word) -> Word | None:
     """Who waited goes on: "ego waits until it has gone by and overtakes the tractor"."""
     awaited = words[word.head]
@@ -286,27 +204,6 @@ def _then_did(words: list[Word], word: Word) -> Word | None:
     inner = [words[c] for c in above.children if above.i < c < word.i and words[c].dep == "advcl"]
     when = (w for w in inner if w.tag == "VBD" and any(words[c].norm == "when" for c in w.children))
     return next(when, None)
-
-
-def _of_striker(words: list[Word], word: Word) -> Word | None:
-    """The relative clause about who struck another, where a fault goes on with it: "was hit by a van which was coming
-    from the left and ran the light"."""
-    struck = words[word.head]
-    passive = any(words[c].dep == "auxpass" for c in struck.children) and struck.tag == "VBN"
-    if word.dep != "conj" or not passive or word.tag != "VBD" or word.lemma not in FAULTS:
-        return None
-    if any(words[c].dep in ("nsubj", "nsubjpass", "aux", "auxpass") for c in word.children):
-        return None
-    between = words[struck.i + 1 : word.i]
-    return next((w for w in reversed(between) if w.dep == "relcl" and words[w.head].i > struck.i), None)
-
-
-def _takes_pronoun(words: list[Word], verb: Word) -> bool:
-    """Whether the object of a verb, or of its preposition, is a pronoun."""
-    inner = [i for c in verb.children if words[c].dep == "prep" for i in words[c].children]
-    return any(
-        words[i].norm in OBJECTS and words[i].dep in ("dobj", "pobj") and i > verb.i for i in (*verb.children, *inner)
-    )
 
 
 def _clause(words: list[Word], noun: Word) -> Word | None:

@@ -31,14 +31,6 @@ def _ego() -> re.Pattern[str]:
 
 
 @cache
-def _another() -> re.Pattern[str]:
-    """What stands before an agent that is not ego."""
-    others = language.table("actors")["others"]
-    words = language.alternatives([*others["words"], *others["before"], *language.roles()])
-    return re.compile(rf"(?<![\w-])(?:{words})[\s-]+\Z")
-
-
-@cache
 def _label() -> re.Pattern[str]:
     labels = language.table("ego")["labels"]
     words = "|".join(sorted([*labels["words"], *labels["typed"]], key=len, reverse=True))
@@ -81,7 +73,6 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
         Span("ego", match.start(), match.end())
         for match in _ego().finditer(text)
         if (match[0] != "i" or not any(s <= match.start() < e for s, e in asking))
-        and not (match[0] == "agent" and _another().search(text, 0, match.start()))
     ]
     for match in _letter().finditer(text):
         role = "following" if match["word"] == "fv" else "lead" if match["word"] == "lv" else ""
@@ -98,34 +89,14 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
             continue
         word, number = match["word"], match["id"]
         bare = text[match.end("word") : match.start("id")]
-        if word in SHORT and bare.strip(" #-"):
-            continue
         if number in ("one", "two", "three", "four", "five") and not re.match(r"[\s-]", bare):
             continue  # "done"
         if number in "abcde" and (word in (*SHORT, "driver") or not re.match(r"[\s-]", bare)):
             continue
         typed = word in language.table("ego")["labels"]["typed"]
-        if (
-            typed
-            and number.isalpha()
-            and not re.match(
-                (
-                    r"\s*(?:$|[.,;:)(-]|\d{2}|(?:is|was|has|and|in|at|on|brakes|drives|turns|cuts|stops|changes"
-                    r"|overtakes|follows)\b)"
-                ),
-                text[match.end() : match.end() + 12],
-            )
-        ):
+        if typed and number.isalpha():
             continue
-        if (
-            number == "a"
-            and not typed
-            and not re.match(
-                r"\s*(?:$|[.,;:)(']|\w+(?:s|ed|ing)\b|is\b|was\b|did\b|has\b|had\b|and\b|in\b|at\b|on\b|from\b"
-                r"|hit\b|ran\b|struck\b|cut\b|went\b|came\b|drove\b|made\b|lost\b|took\b|overtook\b|swung\b)",
-                text[match.end() : match.end() + 20],
-            )
-        ):
+        if number == "a" and not typed:
             continue
         if (
             word in ("car", "driver", "vehicle")
@@ -160,9 +131,7 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
             continue
         if noun in tables["with_animals"] and not _of_an_animal(text, start, end):
             continue
-        if noun == "pick up" and text[max(0, start - 3) : start] == "to " or noun == "mini" and _MINI.match(text, end):
-            continue
-        if noun == "cycle" and re.search(r"\b(?:i|we|to) $", text[max(0, start - 5) : start]):
+        if noun == "pick up" and text[max(0, start - 3) : start] == "to ":
             continue
         if noun in tables["verbs_too"] and any(s.end == start - 1 and s.kind != "quantity" for s in found):
             continue
@@ -205,14 +174,12 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
                 },
             )
         )
-    found += _letters(text, found) if not lettered else []
+    found += [] if not lettered else []
     found += _shortened(text, found)
     found.sort(key=lambda s: (s.start, -s.end))
     kept: list[Span] = []
     for span in found:
         if kept and span.start < kept[-1].end:
-            if span.end - span.start > kept[-1].end - kept[-1].start and span.kind != "actor":
-                kept[-1] = span
             continue
         kept.append(span)
     return kept
@@ -220,9 +187,7 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
 
 def _of_an_animal(text: str, start: int, end: int) -> bool:
     """Whether an owner is that of an animal of the text."""
-    owns = re.match(r" (?:of|operator)\b", text[end : end + 10]) or re.search(
-        r"\b(?:vehicle|car|truck|van|bus|bike|house|home|property|shop|land|business|registered)(?:'s)? $", text[:start]
-    )
+    owns = re.match(r" (?:of|operator)\b", text[end : end + 10])
     known = language.actor_nouns()
     return not owns and any(known.get(word, ("",))[0] == "animal" for word in re.findall(r"[a-z]+", text))
 
@@ -247,7 +212,7 @@ def _numbered(text: str, found: list[Span]) -> list[Span]:
     if match is None or any(s.data["label"] in ("1", "2") for s in labels):
         return []
     for span in labels:
-        if span.start < match.end("name") and match.start("name") < span.end:
+        if span.start < match.end("name"):
             found.remove(span)
     name = re.escape(match["name"]).replace(r"\ ", r"\s+")
     return [Span("ego", m.start(), m.end()) for m in re.finditer(rf"(?<![\w-]){name}(?![\w-])", text)]
@@ -271,7 +236,6 @@ def _number_of_fleet() -> re.Pattern[str]:
     )
 
 
-_MINI = re.compile(r"[\s-]+(?:roundabout|cab|van|bus|series)")
 _BUS_STOP = re.compile(
     r"\s+(?:lane|shelter|station|bay)\b|\s+stop(?=\s*(?:[,.;)]|$|on\b|at\b|in\b|and\b|to\b"
     r"|where\b|with\b|is\b|ahead\b|when\b|while\b|as\b|but\b|near\b|outside\b|opposite\b|behind\b|before\b|from\b|was\b|sign\b))"
@@ -292,26 +256,6 @@ def _shortened(text: str, found: list[Span]) -> list[Span]:
             start, end = span.end + match.start("noun"), span.end + match.end("noun")
             if not any(s.start < end and start < s.end for s in [*found, *spans]):
                 spans.append(Span("actor", start, end, {**span.data, "noun": last, "roles": [], "words": []}))
-    return spans
-
-
-def _letters(text: str, found: list[Span]) -> list[Span]:
-    """Bare letters that stand for vehicles called by them elsewhere: "car A follows car B; B brakes"."""
-    named = {s.data["label"]: s for s in found if s.kind == "label" and re.search(r"[a-e]$", text[s.start : s.end])}
-    letters = {text[s.end - 1]: n for n, s in named.items()}
-    spans = []
-    for letter, number in letters.items():
-        verb = (
-            r"(?=\s+(?!car\b|truck\b|bus\b|van\b)\w+(?:s|ed)\b|\s+(?:is|was|has|cannot|must|then)\b"
-            r"|\s*(?:[.;,)]|$)|['’]s\b)"
-            if letter == "a"
-            else r"(?![\w'-]*\.\w)"
-        )
-        spans += [
-            Span("label", match.start(), match.end(), {"label": number, "word": "letter"})
-            for match in re.finditer(rf"(?<![\w-]){letter}(?![\w-]){verb}", text)
-            if not any(s.start <= match.start() < s.end for s in found)
-        ]
     return spans
 
 

@@ -27,7 +27,6 @@ SHARES = (
 AUXILIARIES = (
     r"is|are|was|were|has|have|had|does|do|did|will|would|must|shall|should|can|could|may|then|both|all|also|who"
 )
-MANY = frozenset(("rest", "all"))
 
 
 @cache

@@ -14,13 +14,10 @@ from c2s_engine.interpret.reading import (
     keyed,
     notation,
     only_one,
-    pairs,
     rephrased,
-    respectively,
     structured,
     telegraphic,
     testimony,
-    titled_deeds,
 )
 from c2s_engine.interpret.reading.motions import irregular
 from c2s_engine.interpret.reading.rewritten import Replacement, Rewritten
@@ -36,12 +33,11 @@ class Mended:
         self.original = text
         self._passes: list[Rewritten] = []
         unneeded = (notation.left_out,) if scene else ()
-        cast = (titled_deeds.quoted_title, cast_as_ego.cast_as_ego) if scene else ()
-        notes = (bare_sides.bare_sides, titled_deeds.titled_deeds) if scene else ()
+        cast = (cast_as_ego.cast_as_ego,) if scene else ()
+        notes = (bare_sides.bare_sides,) if scene else ()
         for replacements in (
             structured.structured,
             only_one.only_one,
-            pairs.pairs,
             grids.grids,
             testimony.testimony,
             keyed.keyed,
@@ -51,7 +47,6 @@ class Mended:
             notation.signs,
             *cast,
             _repairs,
-            respectively.respectively,
             inverted.inverted,
             rephrased.rephrased,
             each_apart.each_apart,
@@ -119,7 +114,6 @@ def known(word: str) -> bool:
         return False
     return (
         word in strings
-        or word.capitalize() in strings
         or word.endswith(("s", "d", "ing", "ly", "er"))
         and any(word[: -len(e)] in strings and len(word) - len(e) > 4 for e in ("s", "ed", "d", "ing", "ly", "er"))
     )

@@ -1,22 +1,16 @@
 """Scenes given as JSON or YAML, as lines of keys and values: {"ego": {"lane": "left"}} becomes "Ego lane: left"."""
 
-import json
 import re
 from typing import Any
 
 import yaml
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.reading.motions import third_person, third_persons
 from c2s_engine.interpret.reading.rewritten import Replacement
 
 FENCE = re.compile(r"\A\s*```(?:json|ya?ml)?[ \t]*\n(?P<inside>.*?)\n?```\s*\Z", re.DOTALL)
 MAPPING = re.compile(r"^[ \t]*(?:-[ \t]+)?[\w\"'][\w \"'-]*:(?:[ \t]|$)", re.MULTILINE)
-ALIASES = re.compile(r"^[^\n\"']*[:\-][ \t]+[&*]\w", re.MULTILINE)
-"""What may say the same thing over and over."""
-LONGEST = 20_000
-"""Characters above which a text is no single scene."""
 
 
 def structured(text: str) -> list[Replacement]:
@@ -32,11 +26,7 @@ def structured(text: str) -> list[Replacement]:
 def _loaded(text: str) -> Any:
     fenced = FENCE.match(text)
     inside = fenced["inside"] if fenced else text
-    if len(inside) > LONGEST or ALIASES.search(inside):
-        return None
     try:
-        if inside.lstrip().startswith("{"):
-            return json.loads(inside)
         return yaml.safe_load(inside) if len(MAPPING.findall(inside)) >= 3 else None
     except (ValueError, yaml.YAMLError, RecursionError):
         return None
@@ -44,14 +34,6 @@ def _loaded(text: str) -> Any:
 
 def _nested(value: Any) -> bool:
     return isinstance(value, dict) or isinstance(value, list) and any(isinstance(v, dict) for v in value)
-
-
-def _of_mappings(data: dict[Any, Any]) -> bool:
-    return bool(data) and all(isinstance(value, dict) for value in data.values())
-
-
-def _ended(said: str) -> str:
-    return said if said.endswith(".") else f"{said}."
 
 
 def _does(said: str) -> str:
@@ -77,15 +59,9 @@ class Lines:
                 continue
             if key in language.table("notation")["egos"]:
                 self.of("Ego", value)
-            elif isinstance(value, dict) and not whose and not _of_mappings(value) and self._kind(value, key):
-                self.actor(value, key)
-            elif isinstance(value, dict):
-                self.mapping(value, whose)
-            elif isinstance(value, list) and _nested(value) and not whose:
+            elif isinstance(value, list) and not whose:
                 for item in value:
                     self._item(key, item)
-            elif isinstance(value, list) and _nested(value):
-                self._line(key, [self._deed(item) for item in value], whose)
             else:
                 self._line(key, value, whose)
 
@@ -93,13 +69,9 @@ class Lines:
         """One of a list: a road user, or something that is said of the scene."""
         if isinstance(item, dict):
             self.actor(item, key)
-        elif item:
-            self.said.append(_ended(str(item)))
 
     def _deed(self, item: Any) -> str:
         """One of the deeds of somebody: {"type": "brake", "to": "20 km/h"} is "brake to 20 km/h"."""
-        if not isinstance(item, dict):
-            return str(item)
         keys = {self._key(str(name)): value for name, value in item.items()}
         named = next((k for k in (*self.table["in_order"], *self.table["kinds"]) if k in keys), None)
         rest = (str(v) if k in self.table["plain"] else f"{k} {v}" for k, v in keys.items() if k != named)
@@ -107,9 +79,7 @@ class Lines:
 
     def of(self, whose: str, value: Any) -> None:
         """What is said of ego or a road user."""
-        if isinstance(value, dict):
-            self.mapping(value, whose)
-        elif value not in (None, ""):
+        if value not in (None, ""):
             self.said.append(f"{whose}: {value}")
 
     def actor(self, data: dict[Any, Any], key: str) -> None:
@@ -119,18 +89,8 @@ class Lines:
         if not any(named.get(k) in language.table("notation")["egos"] for k in self.table["kinds"]):
             self.actors += 1
             whose = f"Actor {self.actors}"
-            self.said.append(f"{whose}: {self._kind(data, key) or 'car'}")
+            self.said.append(f"{whose}: {'car'}")
         self.mapping({n: v for n, v in data.items() if self._key(str(n)) not in self.table["kinds"]}, whose)
-
-    def _kind(self, data: dict[Any, Any], key: str) -> str | None:
-        """The noun of a road user: the value of a key for it, else its own key ("car_1")."""
-        keys = {self._key(str(name)): value for name, value in data.items()}
-        said = [keys[k] for k in self.table["kinds"] if isinstance(keys.get(k), str)]
-        for noun in (*said, re.sub(r"[ \d]+$", "", key)):
-            plain = str(noun).replace("_", " ").lower()
-            if any(span.kind == "actor" for span in scan.names(plain)):
-                return plain
-        return None
 
     def _key(self, name: str) -> str:
         spaced = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
@@ -139,16 +99,8 @@ class Lines:
     def _line(self, key: str, value: Any, whose: str) -> None:
         unit = next((unit for end, unit in self.table["units"].items() if key.endswith(f" {end}")), "")
         key = re.sub(rf" (?:{'|'.join(self.table['units'])})$", "", key)
-        if value in (None, "", [], "none", "None") or isinstance(value, bool):
-            return
         values = [str(v) for v in value] if isinstance(value, list) else [str(value)]
-        if len(values) > 1 and all(len(v.split()) > 3 for v in values) and not whose:  # sentences
-            self.said += [_ended(v) for v in values]
-            return
         acts = key in self.table["in_order"]
         said = " and then ".join(_does(v) for v in values) if acts else ", ".join(values)
-        said = said.replace("_", " ") + (f" {unit}" if unit and re.fullmatch(r"-?[\d.]+", said) else "")
-        if key in self.table["told"]:
-            self.said.append(_ended(said))
-        else:
-            self.said.append(f"{whose} {key}: {said}" if whose else f"{key[:1].upper()}{key[1:]}: {said}")
+        said = said.replace("_", " ") + (f" {unit}" if unit else "")
+        self.said.append(f"{whose} {key}: {said}" if whose else f"{key[:1].upper()}{key[1:]}: {said}")

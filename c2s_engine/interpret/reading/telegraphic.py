@@ -13,10 +13,6 @@ from c2s_engine.interpret.reading.motions import third_persons
 from c2s_engine.interpret.reading.rewritten import Replacement
 from c2s_engine.interpret.reading.scan import Span
 
-CHANGE = re.compile(
-    r"\b(?:slow|brak|decelerat|accelerat|drop|go|speed)\w*(?: up| down)? from (?P<low>\d{1,3}) to (?P<high>\d{1,3})"
-    r"(?=\s*(?:[,.;)]|$|at\b|in\b|within\b|over\b|with\b|then\b|and\b))"
-)
 JOINED = re.compile(r"\s*(?:and|&|\+|/)\s*$")
 SKIPS = re.compile(r"[\s,:=-]*(?:(?:and|then)\s+)?")
 LINKS = re.compile(
@@ -61,15 +57,7 @@ def spelt_out(text: str) -> list[Replacement]:
     found: list[Replacement] = []
     for start, end in division.sentences(text):
         found += _sentence(text, plain, start, end, names, unit)
-    taken = [(s, e) for s, e, _ in found]
-    for match in CHANGE.finditer(plain):
-        if not any(s < match.end() and match.start() < e for s, e in taken):
-            found.append((match.end(), match.end(), f" {unit}"))
     return found
-
-
-TITLED = re.compile(r":\s+(?:an?|the|one|two|three)\s")
-"""What follows a title: the tale itself, of somebody who is named in it."""
 
 
 def _sentence(text: str, plain: str, start: int, end: int, names: list[Span], unit: str) -> list[Replacement]:
@@ -94,8 +82,6 @@ def _sentence(text: str, plain: str, start: int, end: int, names: list[Span], un
             again = note is not None and (note.places or note.acts or note.speed)
             said = " ".join(_say(h.name, h, note) for h in subjects) if note is not None and again else None
             said = said.replace("{neighbour}", "ego") if said is not None else None
-        if said is not None and first == start and TITLED.match(plain, stop) and not any(h.ego for h in subjects):
-            said, subjects = None, []  # "lead vehicle braking: an SUV in front of ego ..."
         if said is not None:
             before = ". " if first > start and text[last:first].strip(" \t") in (",", "-", "and", "&", "+") else None
             at = last if before else first
@@ -238,13 +224,6 @@ def _goes_on(note: Note, rest: str) -> bool:
 def _add(note: Note, entry: dict[str, Any], match: re.Match[str], unit: str) -> None:
     note.bare = note.bare or bool(entry.get("bare"))
     note.state = note.state or bool(entry.get("noun"))
-    if entry.get("change"):
-        low, high = float(match[1]), float(match[2])
-        told = re.search(r"km/?h|kph|kmph|mph|m/s", match[0])
-        verb = "slows" if high < low else "accelerates"
-        note.speed = note.speed or f"at {match[1]} {told[0] if told else unit}"
-        note.acts.append(f"{verb} to {match[2]} {told[0] if told else unit}" if high else "brakes to a stop")
-        return
     said = str(entry["say"])
     if entry["kind"] == "speed":
         told = re.search(r"km/?h|kph|kmph|mph|m/s", match[0])

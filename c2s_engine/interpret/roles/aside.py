@@ -2,8 +2,6 @@
 
 import re
 
-from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast, Entity
 
 FROM_ASIDE = re.compile(
@@ -40,12 +38,6 @@ FRONTED = re.compile(
     r"|^from the (?:left|right|front|rear|side|opposite direction|other direction) ?,? (?:an?|another|one) (?:\w+ )?$"
 )
 """A place before one that is new."""
-AHEAD = re.compile(r"(?:be|drive|travel|ride|stand|wait) (?:\w+ly )?(?:ahead|in front) ?[.,;]?$")
-IS_AHEAD = re.compile(
-    r"^\S+ (?:is|are) (?:\w+ly |close |right |just )?(?:about |some |around )?(?:\d[\d.]*\s*[a-z]+ )?"
-    r"(?:(?:ahead|in front|behind|on the (?:left|right))(?= ?[.,;]| and\b|$)|oncoming\b(?! (?:traffic|lane)))"
-)
-"""Places and ways that are told as beside or towards somebody."""
 
 
 OTHER_CLAUSE = re.compile(r" (?:that (?:the|an?)|while|whilst|when|because)\b")
@@ -68,21 +60,6 @@ def after(i: int, cast: Cast) -> str:
     return " ".join(w.norm for w in cast.words[i : i + 10] if w.sentence == cast.words[i].sentence)
 
 
-def seen_by_one(i: int, cast: Cast) -> bool:
-    """Whether it is told only as what somebody who is named sees or fails to see: ahead of that one."""
-    verb = cast._governor(cast.words[i])
-    above = cast.words[verb.head]
-    subjects = (cast.referent(c) for c in above.children if cast.words[c].dep == "nsubj" and c < verb.i)
-    return verb.dep == "ccomp" and any(e is not None and e.mover for e in subjects)
-
-
 def from_aside(i: int, cast: Cast) -> bool:
     """Whether one is said to come from a side, not who does something meanwhile ("by a car while crossing")."""
     return FROM_ASIDE.search(re.split(r" (?:while|whilst|when|as|who)\b", after(i, cast))[0]) is not None
-
-
-def only_hides(entity: Entity, acts: list[Event], clauses: Clauses) -> bool:
-    """Whether all that is told of it is that somebody comes out from behind it: "a boy ran out from behind the bus"."""
-    behind = re.compile(rf"\bfrom (?:behind|in front of|between|beside) (?:the |a |an )?(?:\w+ )?@{entity.key}\b")
-    met = [v for v in clauses.events if v.patient is entity and not behind.search(v.whole)]
-    return not acts and not met and any(behind.search(v.whole) for v in clauses.events if v.agent.person)

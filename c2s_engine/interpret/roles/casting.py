@@ -172,7 +172,7 @@ def _only_spoken_of(scene: Scene, entity: Entity) -> bool:
         before = [w.norm for w in scene.words[max(0, mention.word - 2) : mention.word]]
         off = any(LET_OFF.match(word) for word in before) and OFF.search(clause)
         says = entity.count > 1 and verb.lemma in SAYS
-        hurt = HURT.search(clause) and (verb.lemma in ("be", *BROUGHT) or HURT.match(verb.norm) is not None)
+        hurt = HURT.search(clause) and (verb.lemma in ("be", *BROUGHT))
         if not (hurt or off or says):
             return False
     return True
@@ -206,7 +206,7 @@ def _title_only(scene: Scene, entity: Entity) -> bool:
     open_still = where.open and where.side is None and where.gap is None or again or scene.words[last].norm == ":"
     named = bool(later) and open_still and own <= done | {"travel"}
     states = entity.roles & {"stationary", "slow", "parked"}
-    if named and not later[0].ego and not any(e.roles & states for e in later):
+    if named and not later[0].ego:
         later[0].roles |= states  # "stationary target"
     return named
 
@@ -225,10 +225,7 @@ def _title_ends(scene: Scene) -> int | None:
 def _led(scene: Scene, traffic: Entity) -> bool:
     """Whether another vehicle is named that ego has ahead of it or runs into: it is the traffic that slows down."""
     met = {e.patient for e in scene.clauses.events if e.agent.ego and e.act in ("collide", "follow", "approach")}
-    return any(
-        e is not traffic and e.type in VEHICLES and (e in met or scene.where(e).rel == "ahead")
-        for e in scene.cast.entities
-    )
+    return any(e is not traffic and e.type in VEHICLES and (e in met) for e in scene.cast.entities)
 
 
 def _traffic_named(scene: Scene) -> None:
@@ -247,8 +244,6 @@ def _mere_background(scene: Scene, entity: Entity) -> bool:
     """Whether a queue is only the setting ("in a jam") or its cars are named one by one."""
     if entity.noun not in language.table("actors")["queues"]:
         return False
-    if any(e.noun == "vehicles" and e in scene.speeds for e in scene.cast.entities):
-        return True  # "congestion; the vehicles in both lanes crawl at 10 km/h"
     for mention in entity.mentions:
         head = scene.words[scene.words[mention.word].head]
         if scene.words[mention.word].dep == "pobj" and head.norm in ("in", "during", "within"):

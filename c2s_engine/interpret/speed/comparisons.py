@@ -46,8 +46,6 @@ def compared_speeds(scene: Scene, quantities: list[Span]) -> None:
             told = [e for e in scene.actors if e in scene.speeds]
             other = told[0] if len(told) == 1 else None
         base = scene.speeds.get(other) if other is not None else None
-        if owner is not None and number is not None and base is None and other is scene.cast.ego is not owner:
-            scene.by_ego.setdefault(owner, (1.0, _difference(match, number)))
         if owner is None or other is owner or base is None:
             continue
         if owner in scene.speeds and number is None:
@@ -110,8 +108,7 @@ def _by_difference(scene: Scene, quantities: list[Span]) -> None:
         other = owner if owner in free else free[0] if len(free) == 1 else None
         if other is None:
             continue
-        gains = scene.where(other).rel == "behind" or scene.does(other, "overtake") is not None
-        change = span.data["low"] if gains else -span.data["low"]
+        change = -span.data["low"]
         scene.speeds[other] = (max(0.0, own[0] + change), max(0.0, own[1] + change), span.start, span.end)
 
 

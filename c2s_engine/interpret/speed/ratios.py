@@ -8,7 +8,7 @@ from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.reading import amounts
 from c2s_engine.interpret.reading.scan import Span
 from c2s_engine.interpret.scene import Scene
-from c2s_engine.interpret.speed.by_limit import LIMIT, limit_before
+from c2s_engine.interpret.speed.by_limit import LIMIT
 from c2s_engine.interpret.speed.comparisons import owner_of
 
 SPEED = r"(?:speed|velocity|pace)"
@@ -33,15 +33,9 @@ def _ratio() -> re.Pattern[str]:
     )
 
 
-TOLD_AFTER = re.compile(rf"{SPEED}(?: of [^,.;()\d]{{1,30}})?(?:,? which (?:is|was)| ?\(| ?=| of)? $|{SPEED} ?[(=]$")
-"""What stands between another's speed and its number: "of ego's speed, which is 90 km/h"."""
-
-
 def speeds_by_ratio(scene: Scene, quantities: list[Span], taken: list[tuple[int, int]]) -> None:
     """The speeds that are told as a part, a multiple or a percentage of another speed or of the limit."""
     for match in _ratio().finditer(scene.plain):
-        if any(start <= match.start() < end for start, end in taken):
-            continue
         owner = owner_of(scene, match.start())
         told = match["than"] or match["like"] or match["base"] or ""
         if owner is None or match["by"].strip() in ("over", "under", "more", "less", "above", "below") and not told:
@@ -59,9 +53,6 @@ def speeds_by_ratio(scene: Scene, quantities: list[Span], taken: list[tuple[int,
 
 def _factor(match: re.Match[str]) -> float:
     compared = match["base"] is None and match["like"] is None and " as " not in match["by"]
-    if match["percent"]:
-        part = float(match["percent"]) / 100
-        return max(0.02, 1 + part if match["more"] else 1 - part) if compared else part
     part = amounts.value_of(match["times"]) if match["times"] else language.table("units")["fractions"][match["part"]]
     return 1 / part if compared and not match["more"] else part
 
@@ -71,33 +62,16 @@ def _base(
 ) -> tuple[float, float, int, int] | Entity | None:
     """The speed that another is told by, or ego where ego's is not told."""
     at = match.end() - len(told) if told else match.end()
-    limit = scene.road.speed_limit
     by_limit = re.match(rf" ?{LIMIT}(?: of)?", told)
-    if limit is not None and (by_limit or limit_before(scene, match.start(), told)):
-        return limit, limit, match.start(), match.end("by")
     at += by_limit.end() if by_limit else 0
     number = next((q for q in quantities if q.data["dimension"] == "speed" and 0 <= q.start - at <= 4), None)
     if number is not None:
         return number.data["low"], number.data["high"], number.start, number.end
-    if re.match(rf" ?(?:that|this)(?: {SPEED})?\b(?! of)", told):
-        before = [q for q in quantities if q.data["dimension"] == "speed" and q.end <= match.start()]
-        return (before[-1].data["low"], before[-1].data["high"], match.start(), match.end("by")) if before else None
     inside = [scene.cast.of[i] for i in sorted(scene.cast.of) if at <= scene.words[i].start < match.end()]
     other = next((e for e in inside if e is not owner and (e.mover or e.ego)), None)
-    if other is None and inside[:1] == [owner] and owner in scene.speeds:
-        return scene.speeds[owner]  # "half its usual speed"
     if other is None:
         others = [e for e in scene.actors if e in scene.speeds and e is not owner]
         other = scene.cast.ego if not owner.ego else others[0] if len(others) == 1 else None
     if other is None:
         return None
-    told_there = next((q for q in quantities if q.data["dimension"] == "speed" and _is_told(scene, match, q)), None)
-    if told_there is not None:
-        scene.speeds[other] = (told_there.data["low"], told_there.data["high"], told_there.start, told_there.end)
-    return scene.speeds.get(other) or (other if other.ego else None)
-
-
-def _is_told(scene: Scene, match: re.Match[str], span: Span) -> bool:
-    """Whether a speed is that of the other, told right after it: "of ego's speed, which is 90 km/h", "(90 km/h)"."""
-    near = match.start() < span.start < match.end() + 30
-    return near and TOLD_AFTER.search(scene.plain[match.start() : span.start]) is not None
+    return other if other.ego else None

@@ -2,7 +2,7 @@
 
 import re
 
-from c2s_engine.interpret.entities import VEHICLES, Entity
+from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.reading.scan import Span
 from c2s_engine.interpret.scene import Scene
 
@@ -31,26 +31,7 @@ def _share(scene: Scene, number: int, dimension: str, spans: list[Span], values:
     ]
     named = [scene.cast.of[i] for i in before] if dimension == "speed" else own
     parties: list[Entity] = [e for e in dict.fromkeys(named) if (e.mover or e.ego) and e.count == 1]
-    if dimension == "speed" and not parties:  # "speeds were 25 and 30 mph respectively"
-        told = (e for e in (scene.cast.ego, *scene.cast.entities) if e.mentions and e.type in VEHICLES and e.count == 1)
-        parties = sorted(told, key=lambda e: e.mentions[0].word)
-    if dimension == "distance" or len(parties) > len(values):
-        parties = [e for e in parties if not e.ego]
     if len(parties) != len(values):
         return
     for entity, value in zip(parties, values, strict=True):
-        if dimension == "speed":
-            scene.speeds[entity] = (value, value, spans[0].start, spans[-1].end)
-        else:
-            scene.where(entity).gap = (value, value)
-
-
-def joined_with(scene: Scene, span: Span, owner: Entity) -> list[Entity]:
-    """Who is joined with the one whose speed it is: "V1 and V3 each about 30 mph"."""
-    told = [i for i, e in scene.cast.of.items() if e is owner and scene.words[i].end <= span.start]
-    word = scene.words[max(told)] if told else None
-    joined = []
-    while word is not None and word.dep in ("conj", "appos") and word.head in scene.cast.of and word.head < word.i:
-        word = scene.words[word.head]
-        joined.append(scene.cast.of[word.i])
-    return joined
+        scene.where(entity).gap = (value, value)

@@ -5,12 +5,11 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading import scan, syntax
 from c2s_engine.interpret.scene import Scene
-from c2s_engine.interpret.speed.by_limit import by_limit, told_by_limit
-from c2s_engine.interpret.speed.changes_by import changes_by
+from c2s_engine.interpret.speed.by_limit import by_limit
 from c2s_engine.interpret.speed.comparisons import compared_speeds, is_difference
 from c2s_engine.interpret.speed.owners import named_before, who_meets, whose_own
 from c2s_engine.interpret.speed.ratios import speeds_by_ratio
-from c2s_engine.interpret.speed.shared_out import joined_with, shared_out
+from c2s_engine.interpret.speed.shared_out import shared_out
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import VEHICLES, Entity
 
@@ -42,22 +41,19 @@ REACHED = re.compile(
 )
 """What stands before a speed that is reached, not had at first."""
 FILLS = re.compile(r"\b(?:occup|block|fill|obstruct|cover)\w* (?:up )?both lanes\b[^.;]*$")
-GOES_ON = re.compile(r"(continue|proceed|carry|go|drive|travel|roll|move)( on)?( \w+ing)?( on)? at #speed")
 
 
 def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
     """Whose each speed is: the agent of the clause it stands in, the noun that it describes, or both parties."""
     clauses, cast = scene.clauses, scene.cast
     shared_out(scene)
-    taken = changes_by(scene, quantities)
     by_span = {id(w.span): w for w in scene.words if w.span is not None and w.span.kind == "quantity"}
     for span in quantities:
         if span.data["dimension"] != "speed" or SIDEWAYS.search(scene.plain[max(0, span.start - 40) : span.start]):
             continue
         if span.data.get("role") == "limit" and not AT_LIMIT.search(scene.plain[max(0, span.start - 40) : span.start]):
             continue
-        changes = any(start <= span.start < end for start, end in taken)
-        if changes or is_difference(scene.plain, span) or told_by_limit(scene, span):
+        if is_difference(scene.plain, span):
             continue
         word = by_span.get(id(span))
         if word is None or TOLERATED.search(scene.plain[max(0, span.start - 20) : span.start]):
@@ -74,7 +70,6 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         if owner is not None and owner.noun in language.table("actors")["queues"]:
             owner = None
         near = scene.plain[max(0, span.start - 60) : span.start]
-        each = re.search(r"\b(?:and|,) [^.;,]*\beach\b[^.;,]*$", near) is not None
         both = bool(re.search(r"\bboth\b[^.;]*$", near) and not FILLS.search(near)) or bool(
             re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20])
         )
@@ -120,15 +115,13 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
             ]
             scene.speeds.setdefault(owner, (span.data["first"], span.data["first"], span.start, span.end))
             continue
-        if changing and event is not None and event.act == "travel" and GOES_ON.match(event.text):
+        if changing and event is not None and event.act == "travel":
             changing[-1].quantities = [*changing[-1].quantities, {**span.data, "start": span.start, "role": "target"}]
             continue
         if changing and (
             event is None or event.act not in ("brake", "brake_stop", "accelerate") or changing[-1].word > event.word
         ):
             event = changing[-1]
-            if REACHED.search(near) and not any(q["start"] == span.start for q in event.quantities):
-                event.quantities = [*event.quantities, {**span.data, "start": span.start, "role": "target"}]
         if (
             event is not None
             and event.agent is owner
@@ -156,8 +149,6 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         subject_also = event.also if event is not None else []
         for other in subject_also:
             scene.speeds.setdefault(other, value)
-        for other in joined_with(scene, span, owner) if each else ():
-            scene.speeds.setdefault(other, value)
         if both or like:
             scene.speeds.setdefault(cast.ego, value)
             others = [e for e in scene.actors if e.type in VEHICLES]
@@ -169,8 +160,8 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         assert part.group is not None
         scene.speeds.setdefault(part, scene.speeds[part.group])
     compared_speeds(scene, quantities)
-    by_limit(scene, quantities)
-    speeds_by_ratio(scene, quantities, taken)
+    by_limit(scene)
+    speeds_by_ratio(scene, quantities, [])
 
 
 def _had_by_then(scene: Scene, event: Event) -> bool:
@@ -285,10 +276,6 @@ def _speed_owner(scene: Scene, i: int) -> Entity | None:
                     found = cast.referent(child)
                     if found is not None:
                         return found
-            if any(words[c].norm == "set" for c in current.children) or "set speed" in " ".join(
-                w.norm for w in words[max(0, current.i - 2) : current.i + 1]
-            ):
-                return cast.ego
         if current.head == current.i:
             break
         current = words[current.head]

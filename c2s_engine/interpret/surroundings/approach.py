@@ -12,13 +12,6 @@ TO = re.compile(
     r"^\s*(?:\w+ )?(?:away )?(?:before|from|short of|in front of|ahead of|upstream of|to|out from|off) "
     rf"(?:the |an? |its )?{PLACE}"
 )
-IT_IS = re.compile(
-    rf"{PLACE}(?: that)?(?: (?:is|lies|begins|starts|comes|being|at|located))*"
-    r"(?: (?:about|some|around|roughly|only|just))?\s*$"
-)
-AHEAD = re.compile(
-    r"^\s*(?:straight )?(?:ahead|away|in front|off|further on|down the road|distant)\b(?! of (?:the |an? )?(?!ego))"
-)
 STARTS = re.compile(
     r"\b(?:start|begin|spawn|place[sd]?|position|initial|locat|set off|(?:is|are|be|stands?|drives?|travels?"
     r"|approach\w*|heads?|nears?)\b)"
@@ -41,8 +34,6 @@ def start_distance(
         if LATER.search(clause):
             continue
         mine = any(start <= at < span.start for at in ego)
-        if TO.match(after) and (mine and STARTS.search(clause) or re.search(r"\bat a distance of\s*$", before)):
-            return float(span.data["low"])
-        if IT_IS.search(before) and AHEAD.match(after):
+        if TO.match(after) and (mine and STARTS.search(clause)):
             return float(span.data["low"])
     return None

@@ -97,7 +97,7 @@ def time_of_day(plain: str, sentences: list[tuple[int, int]]) -> Found | None:
     hits = told or hits
     if any(h.value == "night" for h in hits):  # a dark evening
         hits = [h for h in hits if not plain[slice(*h.span)].startswith("evening")]
-    elif late is not None and HALF.search(plain[: late.span[1]]) and late.value == "night" and _parts(plain, hits):
+    elif late is not None and HALF.search(plain[: late.span[1]]) and late.value == "night":
         return late  # "on Wednesday evening at about 9.45 p.m."
     values = [h.value for h in hits]
     if "day" in values and "night" in values:  # "night-time variant of the daytime test": the first that is said
@@ -112,16 +112,9 @@ EARLIER = re.compile(
 """What stands before a time that was another: "rain earlier in the evening", "awake since the previous morning"."""
 
 
-def _parts(plain: str, hits: list[Found]) -> bool:
-    """Whether only parts of a day are told."""
-    return all(PART.match(plain[slice(*h.span)]) for h in hits)
-
-
 HALF = re.compile(r"[ap]\.?m\.?$")
 ALWAYS = re.compile(r"\b(?:by )?day(?:time|light)?(?: (?:and|or|as well as) |/)(?:by |at )?night")
 """What holds at every time: "motorways, day and night"."""
-PART = re.compile("evening|morning")
-"""Words for a part of a day that a time of the clock says more of."""
 CLOCK = re.compile(
     r"\b(?:(?P<hour>[01]?\d|2[0-3])[:.h](?P<minute>[0-5]\d)(?!\d)(?: ?(?P<half>[ap])\.?m\b)?"
     r"|(?P<hour2>1[0-2]|[1-9]) ?(?P<half2>[ap])\.?m\b|(?P<hour3>[01]\d|2[0-3])[0-5]\d (?:hours"
@@ -197,13 +190,4 @@ def preset_name(sky: str, sun: str) -> str:
     return names.get(sky, sky.capitalize()) + sun.capitalize()
 
 
-PRESET_WEATHER = {
-    "Clear": ("clear",),
-    "Cloudy": ("cloudy",),
-    "Wet": ("wet",),
-    "WetCloudy": ("wet", "cloudy"),
-    "SoftRain": ("rain",),
-    "MidRainy": ("rain",),
-    "HardRain": ("heavy_rain",),
-}
 PRESET_TIME = {"Noon": "day", "Sunset": "dusk", "Night": "night"}

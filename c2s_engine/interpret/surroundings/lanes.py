@@ -66,7 +66,7 @@ def lanes_of(plain: str, counted_only: bool = False) -> tuple[int | None, tuple[
 
 
 def _told(match: re.Match[str]) -> int | None:
-    named = (word for name, word in match.groupdict().items() if name.startswith("n") and word)
+    named = (word for name, word in match.groupdict().items() if word)
     return next((counted(word) for word in named), None)
 
 

@@ -112,8 +112,6 @@ def _kind(names: list[str], road: Road) -> str | None:
     if "off_ramp" in names:
         return "off_ramp"
     if "intersection" in names and not ("motorway" in names and road.no_intersection):
-        if road.no_intersection and road.arms is None and names.count("intersection") == 0:
-            return None
         return "intersection"
     if "curve" in names:
         return "curve"
@@ -141,8 +139,6 @@ def _control(plain: str, sentences: list[tuple[int, int]], road: Road, data: dic
                 road.spans.setdefault("control", hits[0].span())
         elif hits:
             name = "stop_sign" if entry["is"] == "stop" else "yield_sign"
-            if re.search(r"(no|without|neither)( \w+)? $", plain[max(0, hits[0].start() - 14) : hits[0].start()]):
-                continue
             setattr(road, name, True)
             if road.control in (None, "none"):
                 road.control = entry["is"]
@@ -181,8 +177,6 @@ def is_limit(before: str, after: str) -> bool:
         ),
         after,
     )
-    if re.search(r"\b(?:school|speed|residential|home) zone,\s*$", before):  # "school zone, 30 km/h, three kids"
-        return True
     if re.search(r"\d( ?(km/?h|kph|mph|k))? in an? $|, posted( at)? $", before):  # "50 in a 30", "50 mph, posted 30"
         return True
     return bool(near or follows) and not re.search(

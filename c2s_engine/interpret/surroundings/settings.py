@@ -36,8 +36,6 @@ class SettingsDetector:
         """The settings of a normalised text."""
         named = environment.named(plain)
         blueprint = named.get("blueprint")
-        if blueprint is not None and not blueprint.value.startswith("vehicle."):
-            blueprint = None
         if blueprint is not None:
             near = plain[max(0, blueprint.span[0] - 40) : blueprint.span[0]]
             sure = 0.95 if any(w in near for w in ("ego", "host", "model", "subject", "my", "our")) else 0.55

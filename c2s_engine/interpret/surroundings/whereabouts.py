@@ -11,15 +11,6 @@ from c2s_engine.interpret.who.mentions import Cast, Entity
 STATES = frozenset(
     ("travel", "stationary", "approach", "keep_lane", "go_straight", "start", "move_along", "wait", "lead", "held_up")
 )
-ORIGINS = re.compile(
-    r"from |out of |off |behind|leave |(?:to|on) (?:the |its )?(?:left|right)$|in front|ahead|oncoming|opposite"
-)
-
-FRONTED = re.compile(
-    r"(?:^|, |\band |: )((?:directly |just |right )?(?:in front of|ahead of|behind|beside|next to|alongside) "
-    r"(?:the )?@\w+) (?:there )?(?:is|was|be|are|were|drives?|drove|comes?|came|stands?|stood|sits?|sat|follows?)"
-    r" (?:a |an |another |the |\w+ ){0,3}$"
-)
 
 
 ALONG_KERB = re.compile(

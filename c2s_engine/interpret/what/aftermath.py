@@ -15,11 +15,6 @@ RESTS = re.compile(
     r"^\w+ (?:\w+ )?(?:to|at) (?:(?:an?|its|their|his|her|the) )?(?:\w+ )?rest\b|^end up\b|^stop facing\b"
     r"|^pull (?:over|off|aside|to the)\b"
 )
-AFTER_IT = re.compile(
-    r"(?:immediately |shortly |right |soon )?(?:after|post|following) (?:the |this |that )?"
-    r"(?:crash|collision|impact|accident|contact) (?:, |[^,]*@|v\d|the |both |he |she |it |they |i )"
-)
-"""What opens a sentence about the time after a collision."""
 PUSHES = language.words("pushes")
 CHARGES = language.words("charges")
 TOLD_BACK = frozenset(("when", "as", "while", "after", "before", "where", "since", "because"))
@@ -51,8 +46,6 @@ def aftermath(cast: Cast, clauses: Clauses) -> None:
 def _is_over(cast: Cast, clauses: Clauses, event: Event, hits: list[Event]) -> bool:
     """Whether somebody does it who has had the last collision that is told of him or her."""
     blows = [e for e in hits if event.agent in (e.agent, e.patient, *e.also)]
-    if blows and AFTER_IT.match(_opening(cast, event)):
-        return True
     if not blows or any(e.word >= event.word for e in blows) or event.adverbial in TOLD_BACK:
         return False
     if any(cast.words[c].norm == "had" for c in cast.words[event.word].children):
@@ -61,12 +54,6 @@ def _is_over(cast: Cast, clauses: Clauses, event: Event, hits: list[Event]) -> b
     moved = event.passive and clauses._lemma(cast.words[event.word]) in PUSHES
     thrown = ("lose_control", "stop") if event.agent.ego else THROWN
     return RESTS.match(event.text) is not None or moved or struck and event.act in thrown
-
-
-def _opening(cast: Cast, event: Event) -> str:
-    """The first words of the sentence of an event."""
-    number = cast.words[event.word].sentence
-    return " ".join(w.norm for w in cast.words[: event.word] if w.sentence == number)
 
 
 def _charged(cast: Cast, event: Event) -> bool:

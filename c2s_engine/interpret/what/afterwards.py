@@ -11,7 +11,6 @@ if TYPE_CHECKING:
     from c2s_engine.interpret.what.event import Event
 
 GOES_ON = ("travel", "keep_lane", "lead", "approach")
-LASTED = re.compile(r"\bfor (?:about |around |roughly |some |at least |exactly )?#time")
 
 
 class Afterwards(Modes):
@@ -38,10 +37,6 @@ class Afterwards(Modes):
             first, later = (own[0], own[1:]) if own else (None, [])
             if first is None or first.act not in GOES_ON or not later or later[0].trigger is not None:
                 continue
-            lasted = LASTED.search(first.whole)
-            times = [q for q in first.quantities if q["dimension"] == "time"]
-            if lasted and times and later[0].act not in (*GOES_ON, "collide"):
-                later[0].trigger = {"kind": "time", "value": times[0]["low"], "at": times[0]["start"]}
 
     def _ended_waits(self) -> None:
         """What ends a wait ("until ego is 20 m away, then crosses") begins what comes next."""

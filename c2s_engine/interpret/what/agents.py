@@ -12,12 +12,8 @@ from c2s_engine.interpret.who.mentions import Cast, Entity
 if TYPE_CHECKING:
     from c2s_engine.interpret.what.event import Event
 PACE = frozenset(("speed", "velocity", "pace"))
-CAUSES = language.words("causes")
-SEES = language.words("notices") | {"watch", "hear"}
 BELIEVED = language.words("believed")
 ALONG = frozenset(("past", "across", "along", "through", "around", "round"))
-UNCHANGED = frozenset(("hit", "cut", "put", "let", "shut"))
-"""Verbs whose past is like their base form."""
 
 
 class Agents(Subjectless):
@@ -51,7 +47,7 @@ class Agents(Subjectless):
             return self.cast.of[word.i - 1], word.i - 1, False  # "hit by a van changing lanes"
         subjects.sort(key=lambda c: (c > word.i, -c))
         if passive:
-            late = self._late_subject(word)
+            late = None
             if late is not None:
                 return self.cast.of[late], late, False
             for child in word.children:
@@ -132,22 +128,18 @@ class Agents(Subjectless):
                 if (
                     child < word.i
                     and self.words[child].dep == "ccomp"
-                    and self._is_verb(self.words[child])
                     and (nearer := self._nearer_subject(child, word.i)) is not None
                 ):
                     return nearer, word.i, False
                 if (
                     child < word.i
                     and self.words[child].dep == "ccomp"
-                    and self._is_verb(self.words[child])
                     and any(self.words[c].dep == "nsubj" for c in self.words[child].children)
                 ):
                     return self._subject(self.words[child], depth + 1)
             return None, None, False
-        if depth > 6:
-            return self._inverted(word)
         if word.dep in ("acl", "relcl"):
-            found = self._placed_by(head, word) or self.cast.referent(head.i)
+            found = self.cast.referent(head.i)
             if found is not None:
                 if word.tag == "VBN" and word.dep == "acl":
                     for child in word.children:
@@ -197,26 +189,14 @@ class Agents(Subjectless):
             past = (
                 word.tag == "VBN" and above is not None and above.tag == "VBG" and above.dep == "ccomp"
             )  # "and braked"
-            finite = (past or word.tag in ("VBZ", "VBD", "VBP")) and not (
-                word.norm in UNCHANGED and self._made_to(above)
-            )
+            finite = past or word.tag in ("VBZ", "VBD", "VBP")
             if word.dep == "conj" and above is not None and finite:
                 comma = self.words[word.i - 1].norm == ","
                 if (
-                    (
-                        above.tag == "VB"
-                        and above.dep in ("ccomp", "xcomp")
-                        or above.dep == "advcl"
-                        and comma
-                        and not any(self.words[c].dep == "cc" and above.i < c < word.i for c in above.children)
-                    )
+                    (above.tag == "VB" and above.dep in ("ccomp", "xcomp") or above.dep == "advcl" and comma)
                     or above.dep == "ccomp"
                     and above.tag == "VBG"
                     and word.tag in ("VBD", "VBN")
-                    and self._lemma(self.words[above.head]) in BELIEVED
-                    or above.dep == "ccomp"
-                    and word.tag == "VBD"
-                    and any(self.words[c].norm == "had" for c in above.children)
                     and self._lemma(self.words[above.head]) in BELIEVED  # "thought V1 had gone and ran into it"
                     or above.dep == "advcl"
                     and self.words[word.i - 1].norm == "then"
@@ -268,14 +248,6 @@ class Agents(Subjectless):
         alone = head.dep == "ROOT" and word.i == head.i + 1 and word.norm.endswith("ed")
         return alone and any(self.words[c].norm in ALONG for c in word.children)
 
-    def _made_to(self, verb: Word | None) -> bool:
-        """Whether somebody is made to do it ("causing it to swerve and hit the rail"), or seen by one on foot."""
-        if verb is None or verb.tag != "VB":
-            return False
-        above = self.words[verb.head]
-        seer = self._subject(above)[0] if self._lemma(above) in SEES else None
-        return self._lemma(above) in CAUSES or seer is not None and seer.person
-
     def _inverted(self, word: Word) -> tuple[Entity | None, int | None, bool]:
         """ "Up from behind comes a motorcyclist"; "standing in the lane is a car"."""
         for child in word.children:
@@ -311,20 +283,7 @@ class Agents(Subjectless):
                     or any(c < word.i for c in word.children)
                 ):
                     return found, child, False
-        head = self.words[word.head]
-        if word.dep in ("csubj", "advcl") and head.i != word.i:
-            for child in head.children:
-                if self.words[child].dep in ("attr", "nsubj") and child > word.i:
-                    found = self.cast.referent(child)
-                    if found:
-                        return found, child, False
         return None, None, False
-
-    def _beside_preposition(self, word: Word) -> Entity | None:
-        """The noun between a preposition and its participle: "due to a child running into the road"."""
-        nouns = [c for c in self.words[word.head].children if self.words[c].dep == "pobj" and c < word.i]
-        near = [c for c in nouns if word.i - c <= 2 and self.words[c].span is not None]
-        return self.cast.of.get(near[-1]) if near else None
 
     def _nearest(self, word: Word, at: int | None) -> Entity | None:
         """The nearest noun before the verb that no preposition governs, where the tree gives no agent."""

@@ -5,7 +5,6 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
 JERKS = r"(?:swerv|veer|jerk|lurch|dodg)\w+"
@@ -39,7 +38,7 @@ def by_means(cast: Cast, clauses: Clauses) -> None:
         for way in clauses.events:
             word = cast.words[way.word]
             by = word.dep == "pcomp" and cast.words[word.head].norm == "by"
-            if by and way.agent is event.agent and clauses._main(word) in (event, None) and way.patient is None:
+            if by and way.agent is event.agent and way.patient is None:
                 event.mode, way.patient, way.mode = "hypothetical", event.patient, "fact"
                 way.act = "swerve" if way.act == "turn" else way.act
 
@@ -74,9 +73,6 @@ def abandoned(cast: Cast, clauses: Clauses) -> None:
             event.act = "swerve"
             for other in back:
                 other.mode = "hypothetical" if other.act in ("reverse", "lane_change", "swerve") else other.mode
-        elif not back and event.act == "cut_in":
-            told = {"text": "move back", "whole": "move back", "words": [word], "mode": "fact", "order": word + 0.1}
-            clauses.events.append(Event.echo(event, act="cut_out", word=word, **told))
         else:
             for other in back:
                 other.act = "lane_change" if other.act == "reverse" else other.act

@@ -18,11 +18,7 @@ OF_ROAD = re.compile(
 )
 SIDE = re.compile(r" (?:side|curb|kerb|edge|shoulder|sidewalk|pavement)\b")
 PLACE = re.compile(r" (?:end|leg|corner|quadrant|crosswalk|approach|part|portion)\b")
-TURNED = re.compile(r"\bturn\w* (?:\w+ ){0,2}?(left|right) (?:\w+ ){0,4}?(?:to|onto|into|in order|and)(?: \w+){0,3} $")
-"""Before the direction into which somebody turns."""
 INTO = re.compile(r"\b(?:into|onto|towards?|across|over|in front of) (?:the )?$")
-LANES = re.compile(r" (?:\w+ ){0,2}(?:lanes?|side|traffic|carriageway)\b")
-"""Lanes into which somebody gets who came from elsewhere: "crossed into the northbound lanes"."""
 LOOKS_BACK, LOOKS_ON, INSERTED = 4, 12, 24
 TOLD = frozenset(("VBD", "VBZ", "VBP", "MD"))
 
@@ -38,10 +34,8 @@ def _heading(text: str) -> int | None:
             if SIDE.match(after) and OFF.search(before) is None:
                 continue  # stands there
             return (way + 180) % 360
-        if PLACE.match(after) and not match[2] or INTO.search(before) and LANES.match(after):
+        if PLACE.match(after) and not match[2] or INTO.search(before):
             continue
-        if turned := TURNED.search(before):
-            return (way + (90 if turned[1] == "left" else -90)) % 360
         return way
     return None
 
@@ -171,8 +165,6 @@ LANES_OF = re.compile(
 GETS_OVER = frozenset(
     ("lane_change", "cut_in", "drift", "swerve", "lose_control", "cross_path", "enter_road", "travel")
 )
-NEAR = 14
-"""Words within which two verbs tell of one move."""
 
 
 def against_the_traffic(clauses: Clauses) -> None:
@@ -180,20 +172,13 @@ def against_the_traffic(clauses: Clauses) -> None:
     for event in clauses.events:
         lanes = LANES_OF.search(event.text) if event.done and event.act in GETS_OVER and event.agent.mover else None
         own = heading(clauses, event.agent) if lanes else None
-        if lanes and own is None and any(BEHIND.search(e.whole) for e in clauses.events if e.agent is event.agent):
+        if lanes and own is None:
             own = heading(clauses, clauses.cast.ego)  # it drives behind ego
         if lanes and own is not None and (COMPASS[lanes["way"]] - own) % 360 == 180 and not lanes[0].startswith("in "):
             event.act, event.side, event.patient = "oncoming", "left", None
-            for before in clauses.events:  # "departed its lane to the left, entered the northbound lane": one move
-                near = 0 < event.word - before.word < NEAR and before.agent is event.agent
-                if near and before.act == "drift" and side(before) in (None, "left"):
-                    before.mode = "hypothetical"
     _out_into_one_who_comes(clauses)
 
 
-BEHIND = re.compile(
-    r"\b(?:behind|follow|overtake|pass|go (?:past|around|round)|get (?:past|around|round)) (?:the )?@ego\b"
-)
 TURNS = frozenset(("turn", "u_turn", "oncoming", "lane_change"))
 
 

@@ -14,7 +14,6 @@ SAYS = language.words("says")
 SEES = frozenset(("see", "notice", "observe", "watch", "spot"))
 ASIDE = frozenset(("oncoming", "swerve", "drift", "lane_change", "cut_in", "lose_control", "turn"))
 TELLERS = frozenset(("i", "we", "my", "our", "me", "us"))
-FAULTS = frozenset(("run_red", "run_stop", "lane_change", "cut_in", "oncoming", "drift", "reverse"))
 
 
 def claimed(cast: Cast, clauses: Clauses) -> None:
@@ -27,10 +26,6 @@ def claimed(cast: Cast, clauses: Clauses) -> None:
     for event in clauses.events:
         if event.mode == "fact" and _seen_again(cast, clauses, event):
             event.mode = "hypothetical"
-    blamed = [(e, who) for e, who in said if e.act in FAULTS and e.agent is not who]
-    for event, who in blamed:
-        if any(e.act == event.act and e.agent is who and by is event.agent for e, by in blamed):
-            event.mode = "disputed"
 
 
 def _seen_again(cast: Cast, clauses: Clauses, event: Event) -> bool:

@@ -13,8 +13,6 @@ OUT_OF = re.compile(
     r"\b(out|from|off)\b.*\b(drive|driveway|parking|space|bay|garage|yard|gate|alley|lot|property)\b"
     r"|\b(on|in)to (the |a )?(\w+ )?(road|street|carriageway|highway|roadway)\b|out in front of"
 )
-BEGINS = frozenset(("start", "begin", "attempt", "try"))
-HALTED = frozenset(("stop", "brake", "brake_stop", "lose_control"))
 FORCEFUL = language.words("forceful")
 
 
@@ -27,7 +25,6 @@ NEARLY = language.words("nearly")
 SHORT_OF = {"collide": "approach", "stop": "brake", "brake_stop": "brake"}
 """What one does that nearly does something."""
 AS_GOOD_AS = frozenset(("stationary", "travel", "approach", "brake"))
-CAUSES = language.words("causes")
 BACKWARDS = re.compile(
     r"(?:roll|drive|move|slide|drift|go|come) (?:\w+ )?(?:back|backwards?|rearwards?) (?:and |into )"
 )
@@ -35,8 +32,6 @@ GOING_BEGUN = re.compile(
     r"(?:start|begin|commence|resume|get) (?:to )?(?:move|drive|roll|go)"
     r"(?: (?:off|again|forwards?|slowly|gently))*[ .,;]*$"
 )
-GOING_ENDED = re.compile(r"(?:stop|(?:cease|quit)(?: to)?) (?:move|drive|roll)\b")
-PLACED = re.compile(r"\w+ (?:\w+ )?(?:ahead of|in front of|before|near|beside|behind) (?:the )?@")
 BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
 
 
@@ -108,24 +103,16 @@ class Clauses(Deverbal):
         ) and lemma not in ("let", "allow", "permit", "wait"):
             self.light.add(word.i)
             return
-        infinitive = word.i + 2 < len(self.words) and self.words[word.i + 1].norm == "to"
-        if infinitive and lemma in BEGINS and self._lemma(self.words[word.i + 2]) in ("overtake", "pass"):
-            self.light.add(word.i)  # "starts to overtake ego, gives up": the tree takes the infinitive for a purpose
-            return
-        if lemma == "follow" and any(self.words[c].dep == "expl" for c in word.children):
-            return  # "there follows a braking"
-        if lemma == "follow" and (self._by_a_deed(word) or self._by_one_that_does(word)):
+        if lemma == "follow" and (self._by_a_deed(word)):
             return  # "a braking, followed by a lane change of ego"
         agent, at, passive = self._subject(word)
         if word.norm in STEERED and word.tag == "VBN" and self.words[min(word.i, len(self.words) - 2) + 1].norm == "by":
             return  # "a van driven by Mr Tan"
         if self._let_by(word, agent):
             return
-        agent = self._causer(word) or self._qualified(word) or agent
+        agent = self._qualified(word) or agent
         if (before := self._joined_subject(word)) is not None:
             agent, at = self.cast.of[before], before
-        if agent is not None and agent.ego and (hitter := self._hitter(word)) is not None:
-            agent = hitter
         if agent is None and word.tag.startswith("NN"):
             agent = next((self.cast.of[c] for c in word.children if c < word.i and c in self.cast.of), None)
         if (
@@ -154,11 +141,11 @@ class Clauses(Deverbal):
         ):
             agent = self.by_word[word.head].agent
         if agent is None and word.tag == "VBG" and word.dep == "advcl" and self.words[word.head].noun:
-            agent = self.cast.of.get(self._named_by(self.words[word.head], ("of", "by")) or -1)
+            agent = self.cast.of.get(-1)
         if agent is None and word.tag == "VBG" and word.dep == "pcomp":
-            agent = self._beside_preposition(word)
+            agent = None
         if agent is None:
-            agent = self.topic(word) or self._of_its_part(word)
+            agent = self.topic(word)
         if agent is None:
             agent = self._nearest(word, at) or (self._continued(word) if at is None else None)
         if agent is None and self._of_its_writer(word):
@@ -183,13 +170,8 @@ class Clauses(Deverbal):
             return
         if event.act == "collide" and self._over_a_place(word, own):
             return
-        dropped = event.act == "stationary" and passive and lemma in PUTS and BY.search(whole) is not None
-        if dropped and event.patient not in (None, event.agent):
-            event.agent, event.patient = event.patient, None  # "a pallet is dropped by the truck"
         if event.act == "stationary" and lemma == "lie" and event.agent.ego:
             return  # "her phone, which was lying in the footwell"
-        if passive and lemma in PUSHES and event.patient is None and agent is not event.agent:
-            event.patient = agent
         if event.act == "start_straight":
             event.act = "start"
             told = {"order": word.i + 0.1, "mode": self._mode(word), "words": [word.i]}
@@ -216,16 +198,14 @@ class Clauses(Deverbal):
         if any(self.words[c].norm in NEARLY for c in word.children):
             event.mode = event.mode if event.act in AS_GOOD_AS or event.act in SHORT_OF else "hypothetical"
             event.act = SHORT_OF.get(event.act, event.act)
-        if event.act == "stop" and passive and lemma != "bring" and event.agent is agent and not BY.search(whole):
+        if event.act == "stop" and passive and lemma != "bring" and event.agent is agent:
             event.act = "stationary"
         struck = event.act == "collide" and passive and event.agent is agent and event.patient in (None, agent)
-        if struck and not event.agent.ego and not re.search(r"\bby (the |a |an )?@", whole):
+        if struck and not event.agent.ego:
             event.agent, event.patient = self.cast.ego, agent  # "the deer was hit"
         trailed = event.act == "follow" and passive and lemma not in ("glue", "stick") and event.agent is agent
         if trailed and not event.agent.ego and not BY.search(whole):
             event.agent, event.patient = self.cast.ego, agent
-        if passive and event.act in HALTED and event.agent is agent and event.patient not in (None, agent):
-            event.agent, event.patient = event.patient, None  # "was brought to a standstill by a tree"
         late: Event | None = None
         into = (
             re.search(
@@ -261,8 +241,6 @@ class Clauses(Deverbal):
         event.also = self._also(at, word.i)
         if event.patient in event.also and event.act != "collide":
             event.patient = None  # "V2 and V3 were stopped, V3 in front of V2"
-        if event.act == "collide" and event.also and event.patient not in event.also and PLACED.match(event.text):
-            event.patient = None  # "a car and a van collide ahead of ego"
         if event.act == "overtake" and not event.agent.ego and self._of_both(own):
             event.patient = self.cast.ego  # "overtakes both"
         self.events.append(event)
@@ -276,28 +254,10 @@ class Clauses(Deverbal):
         before = word.i - 2 if self.words[word.i - 1].norm == "to" else word.i - 1
         if word.dep == "xcomp" and word.head == before or before >= 0 and self.words[before].dep == "aux":
             text = f"{self._lemma(self.words[before])} {text}"
-        if GOING_ENDED.match(text):
-            return "stop", "stop"
         return ("move", "move off") if GOING_BEGUN.match(text) else None
-
-    def _by_one_that_does(self, word: Word) -> bool:
-        """Whether it is told what somebody does after a deed: "a van brakes, followed by a taxi pulling out"."""
-        above = self.words[word.head]
-        by = [self.words[c] for c in word.children if self.words[c].norm == "by"]
-        doers = [self.words[c] for prep in by for c in prep.children if c in self.cast.of]
-        doing = any(self.words[c].tag == "VBG" and self.words[c].dep == "acl" for doer in doers for c in doer.children)
-        return word.tag == "VBN" and above.verb and above.i in self.by_word and doing
 
     def _has_object(self, word: Word) -> bool:
         return any(self.words[c].dep == "dobj" for c in word.children)
-
-    def _causer(self, word: Word) -> Entity | None:
-        """Who makes another do something by what it does: "a van forced ego to brake by pulling out"."""
-        above = self.words[word.head]
-        verb = self.words[above.head]
-        if word.dep != "pcomp" or above.norm != "by" or verb.dep not in ("xcomp", "ccomp", "advcl"):
-            return None
-        return self._subject(self.words[verb.head])[0] if self._lemma(self.words[verb.head]) in CAUSES else None
 
     def _over_a_place(self, word: Word, own: list[int]) -> bool:
         """Whether a relative clause tells of no road user but of the noun that it belongs to: "the crosswalk that ego

@@ -8,18 +8,15 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
 DAMAGED = re.compile(r"damaged?|dent(?:s|ed)?|crushed|scratch(?:es|ed)?|scrap(?:es|ed)|crumpled|stove")
-COLLISION = re.compile(r"collisions?|contact|crash(?:ed)?|impact|collided|accident")
 FRONT = frozenset(("front", "nose", "bonnet", "hood", "grille", "headlight", "headlights"))
 REAR = frozenset(("rear", "back", "tail", "boot", "trunk", "tailgate"))
 SIDES = frozenset(("left", "right"))
 FLANKS = language.words("flanks") | {"mirror"}
 BESIDE = frozenset(("bumper", "end", "corner", "plane", "area", "section", "driver", "passenger", "'s", "-", "light"))
 PARTS = FRONT | REAR | SIDES | FLANKS
-TOLD = language.words("strikes") | {"rear-end", "t-bone", "broadside", "ram", "run", "back", "reverse"}
 NEAR = 5
 
 
@@ -33,20 +30,8 @@ def struck_by_damage(cast: Cast, clauses: Clauses) -> None:
         return
     hits = [e for e in clauses.events if e.act == "collide" and e.done and e.agent in (hitter, struck)]
     hits = [e for e in hits if e.patient in (None, hitter, struck)]
-    said = next((w for w in cast.words if COLLISION.fullmatch(w.norm)), None)
-    if said is None and not hits or any(clauses._lemma(clauses.words[e.word]) in TOLD for e in hits):
-        return
-    zone = damaged[struck]
-    how = "collide head-on with" if zone == "front" else f"strike the {zone} of"
-    text = f"{how} @{struck.key} ."
-    whole = f"the @{hitter.key} {text}"
     for event in hits:
         event.mode = "hypothetical"
-    if hits:
-        clauses.events.append(Event.echo(hits[0], agent=hitter, patient=struck, text=text, whole=whole))
-    elif said is not None:
-        at = {"order": float(said.i), "words": [said.i], "start": said.start, "end": said.end}
-        clauses.events.append(Event("collide", hitter, said.i, text, whole, struck, **at))
 
 
 def _damaged(cast: Cast) -> dict[Entity, str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import MOTOR, Entity, Mention
+from c2s_engine.interpret.entities import Entity, Mention
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.nominal import Nominal
 
@@ -117,10 +117,6 @@ class Deverbal(Nominal):
         makes = verb is not None and word.dep == "nsubj" and verb.i == word.head and lemma in CAUSES
         if verb is None or not (answered or makes) or answered and self._subject(verb)[0] is not self.cast.ego:
             return None
-        others = [e for e in self.cast.entities if e.type in MOTOR]
-        before = [e for e in others if any(m.word < word.i for m in e.mentions)]
-        if len(before) == 1 or others:
-            return before[0] if len(before) == 1 else None
         found = self.cast._new(Entity("", "vehicle", noun="vehicle"))
         found.mentions.append(Mention(word.i, word.start, word.end, kind="unnamed"))
         return found

@@ -5,20 +5,16 @@ from __future__ import annotations
 
 import re
 
-from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
 OPENS = frozenset(("open", "fling", "swing", "throw", "fly", "push", "shove", "crack"))
-ONTO = re.compile(r"\bdoors? (?:right |straight |directly )?(?:in|on)to (?:the |my )?@(\w+)")
 DOOR = re.compile(
     r"\w+ (?:into |with |against |by )?(?:the |a |an |its |his |her |@\w+ 's )?"
     r"(?:(?:open|opened|opening|car|driver's) )*doors?\b"
 )
-SITS = language.words("occupants")
 
 
 def doors_opened(cast: Cast, clauses: Clauses) -> None:
@@ -32,15 +28,10 @@ def doors_opened(cast: Cast, clauses: Clauses) -> None:
         if who is None or who.ego or who.type not in MOTOR or who.roles & {"stationary", "lead"}:
             continue
         told = [e for e in clauses.events if e.agent is who and e.done]
-        onto = next((m for e in told if e.word == verb.i and (m := ONTO.search(e.text))), None)
         if all(e.word == verb.i or e.act == "stationary" and ("door" in e.whole or e.whole == "stand") for e in told):
             who.roles.add("parked")
             for event in told:
                 event.act, event.patient, event.text, event.whole = "stationary", None, "stand", "stand"
-        struck = next((e for e in (cast.ego, *cast.entities) if onto and e.key == onto[1] and e is not who), None)
-        if onto and struck is not None:
-            first = next(e for e in told if e.word == verb.i)
-            clauses.events.append(Event.echo(first, act="collide", agent=struck, patient=who, order=first.order + 50))
         _hit(cast, clauses, who)
 
 

@@ -60,22 +60,15 @@ def _gapped(i: int, cast: Cast, clauses: Clauses) -> None:
     words = cast.words
     after = [w for w in words[i + 1 : i + 7] if w.sentence == words[i].sentence]
     who = next((w for w in after if w.i in cast.of and w.span is not None), None)
-    if who is None or any(w.tag.startswith(("VB", "MD")) for w in after if w.i < who.i):
+    if who is None:
         return
-    rest = [w for w in after if w.i > who.i]
     entity = cast.of[who.i]
-    told = (
-        any(e.agent is entity for e in clauses.events)
-        or bool(rest)
-        and rest[0].norm not in (",", ".", ";", "and", "from")
-    )
+    told = any(e.agent is entity for e in clauses.events)
     before = [e for e in clauses.events if e.word < i and words[e.word].sentence == words[i].sentence and e.done]
     if told or entity.ego or not entity.mover or not before or before[-1].agent.person != entity.person:
         return
     last = max(before, key=lambda e: e.word)
     entity.roles |= last.agent.roles & {"oncoming"}  # "two oncoming cars go by, then a bus"
-    patient = last.patient if last.patient is not entity else None
-    clauses.events.append(Event.echo(last, agent=entity, patient=patient, side=last.side, **_at(who.i, cast)))
 
 
 def _likewise(i: int, said: str, cast: Cast, clauses: Clauses) -> None:
@@ -87,15 +80,13 @@ def _likewise(i: int, said: str, cast: Cast, clauses: Clauses) -> None:
         near = [j for j in sorted(cast.of) if j < i and cast.words[j].sentence == sentence and cast.of[j].mover]
         who = cast.of[near[0]] if near else None
     earlier = [e for e in clauses.events if e.word < i and e.agent is not who and e.done and e.act != "follow"]
-    if who is not None and (unsaid := _by_others(i, who, cast, clauses)) is not None:
-        earlier = [unsaid]
     if who is None or not earlier:
         return
     last = max(earlier, key=lambda e: e.word)
     if own is not None:
         clauses.events.remove(own)
     patient = last.patient if last.patient is not who else None
-    told = [q for q in last.quantities if q["dimension"] in ("acceleration", "change") or q.get("role") == "target"]
+    told = [q for q in last.quantities if q["dimension"] in ("acceleration", "change")]
     both = SIDES.search(last.text) is not None  # ego makes way to its own edge
     same = {"patient": patient, "hard": last.hard, "side": "right" if both else last.side, "quantities": told}
     clauses.events.append(Event.echo(last, agent=who, **same, **_at(i, cast)))
@@ -108,19 +99,6 @@ def _stands_for_verb(i: int, ahead: str, cast: Cast) -> bool:
     told = any(cast.words[c].dep in ("dobj", "attr", "neg", "xcomp") for c in word.children)
     main = word.dep in ("ROOT", "conj", "ccomp", "parataxis")
     return bool(subjects) and main and not told and subjects[0] in cast.of and BARE.match(ahead) is not None
-
-
-def _by_others(i: int, who: Entity, cast: Cast, clauses: Clauses) -> Event | None:
-    """What those do that are no party of the scene, where another does so: "traffic pulls over, ego follows suit"."""
-    word = cast.words[i]
-    roots = [w for w in cast.words if w.dep == "ROOT" and w.i < i and word.sentence - w.sentence <= 1 and w.verb]
-    verb = cast.words[word.head] if word.dep == "conj" and word.head < i else roots[-1] if roots else None
-    subject = next((c for c in verb.children if cast.words[c].dep == "nsubj"), None) if verb is not None else None
-    if verb is None or subject is None or verb.i in clauses.by_word or subject in cast.of and cast.of[subject] is who:
-        return None
-    own = clauses.own(verb)
-    told = SIDES.sub("", clauses.render([j for j in own if j >= verb.i], verb.i))
-    return clauses.meant(verb, told, clauses.render(own, verb.i), who)
 
 
 def _at(i: int, cast: Cast) -> dict[str, Any]:

@@ -9,7 +9,6 @@ MIDDLE = re.compile(
     r"\b(?:(?:in|at|on|near) (?:the )?(?:very )?(?:middle|centre|center) of|halfway|half way|midway|"
     r"mid-?(?:street|road|crossing|lane|block))\b|\bin the (?:middle|centre|center)$"
 )
-FOLLOWS = re.compile(r"follow|trail|pursue|chase")
 SETS_OUT = frozenset(("cross_road", "enter_road", "cross_path", "cut_in", "cut_out"))
 
 
@@ -19,8 +18,6 @@ def go_after(clauses: Clauses) -> None:
     for event in [e for e in clauses.events if e.act == "go_after"]:
         if event.done and crossing and event.patient in (None, *crossing) and event.agent not in crossing:
             event.act = "cross_road"
-        elif event.done and not FOLLOWS.match(event.text):
-            event.act = "move_along"
         else:
             clauses.events.remove(event)
 

@@ -44,7 +44,7 @@ def hindered(cast: Cast, clauses: Clauses) -> None:
             continue
         event.mode = "intended"
         who = _who(cast, event, verb)
-        if who is not None and not any(e.act == "yield" and e.agent.ego and e.done for e in clauses.events):
+        if who is not None:
             told = {"patient": who, "order": event.order - 0.1, "words": [event.word]}
             clauses.events.append(Event.echo(event, act="yield", **told))
             event.patient = None
@@ -62,8 +62,6 @@ def _hindering(cast: Cast, clauses: Clauses, event: Event) -> int | None:
 
 def _who(cast: Cast, event: Event, verb: int) -> Entity | None:
     """Who is in the way: whom the clause names, else the nearest other of the sentence."""
-    if event.patient is not None and event.patient.mover:
-        return event.patient
     sentence = cast.words[verb].sentence
     near = [i for i in cast.of if cast.words[i].sentence == sentence and cast.of[i].mover and not cast.of[i].ego]
     return cast.of[min(near, key=lambda i: abs(i - verb))] if near else None

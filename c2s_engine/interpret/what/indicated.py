@@ -31,7 +31,7 @@ def _indicator(cast: Cast, clauses: Clauses, event: Event) -> str | None:
         text = clauses.render([w.i for w in cast.words if w.sentence == sentence])
         if (match := INDICATES.search(text)) is None:
             continue
-        named = re.findall(r"@(\w+)", text[: match.start()]) or re.findall(r"@(\w+)", text)
+        named = re.findall(r"@(\w+)", text[: match.start()])
         if named and named[-1] == event.agent.key:
             return next(g for g in match.groups() if g)
     return None

@@ -18,7 +18,6 @@ OFF_ROAD = re.compile(
     r"|(?:gas|petrol|filling|service) station|alley|yard|field|gate|parking space|private road|property|entrance)\b"
 )
 WAITS = re.compile(r"\bwait\b")
-NOT_STOPPED = re.compile(r"(?:stop|brake|slow)(?: (?:down|at all|behind (?:the )?@ego))*[ .,;]*$")
 
 
 def left_untold(cast: Cast, clauses: Clauses) -> None:
@@ -27,8 +26,6 @@ def left_untold(cast: Cast, clauses: Clauses) -> None:
     for event in list(clauses.events):
         if event.act == "turn" and event.done and not event.agent.ego and OFF_ROAD.search(event.text):
             event.act = "enter_road"
-        elif event.mode == "negated" and _runs_on(cast, clauses, event):
-            event.act, event.mode, event.patient = "collide", "fact", cast.ego
         elif event.act == "evade" and event.mode == "negated" and _not_avoided(clauses, event):
             event.act, event.mode = "collide", "fact"
         elif _never_done(clauses, event) or _told_with_party(clauses, event):
@@ -48,16 +45,6 @@ def _stand_before(cast: Cast, clauses: Clauses) -> None:
         acts = any(other in (e.agent, *e.also) and e.done for e in clauses.events)
         if not acts and (behind or event.act == "collide" and stands):
             other.roles.add("stationary")
-
-
-def _runs_on(cast: Cast, clauses: Clauses, event: Event) -> bool:
-    """Whether one behind ego, which stands, does not stop: "the taxi behind me didn't stop"."""
-    if event.act not in ("stop", "brake_stop") or event.agent.ego or not NOT_STOPPED.match(event.text):
-        return False
-    told = any(e.act == "collide" and e.done for e in clauses.events)
-    near = " ".join(w.norm for w in cast.words[max(0, event.word - 8) : event.word])
-    stands = any(e.agent.ego and e.done and e.act in STANDS and e.order < event.order for e in clauses.events)
-    return stands and not told and re.search(r"\bbehind\b", near) is not None
 
 
 def _never_done(clauses: Clauses, event: Event) -> bool:

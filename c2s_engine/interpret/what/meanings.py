@@ -46,10 +46,6 @@ class Meanings(Patients):
                 return told
         return event
 
-    def meant(self, verb: Word, text: str, whole: str, agent: Entity) -> Event | None:
-        """What a verb with those words would tell of somebody."""
-        return self._event(self._lemma(verb), verb, text, whole, agent, None)
-
     def _ruled(
         self, lemma: str, word: Word, text: str, whole: str, agent: Entity | None, patient: Entity | None
     ) -> tuple[Event | None, str]:
@@ -77,7 +73,7 @@ class Meanings(Patients):
             if rule.get("swap_passive"):
                 if patient is None and agent is not None and not agent.ego:
                     patient, agent = agent, None
-                if patient is None or not re.search(r"past|pass|through|by|go", whole + text):
+                if patient is None:
                     continue
                 actor = agent if agent is not None and agent is not patient else self.cast.ego
             if actor is None:
@@ -86,13 +82,6 @@ class Meanings(Patients):
                     continue  # of whoever is not named no person is made
                 if actor is None:
                     return None, "words"
-                if rule["act"] == "collide":
-                    others = [
-                        self.cast.of[i]
-                        for i in sorted(self.cast.of)
-                        if i < word.i and not self.cast.of[i].ego and self.cast.of[i].mover
-                    ]
-                    patient = patient or (others[-1] if others else None)
             if not self._agrees(rule, actor):
                 continue
             if (
@@ -107,12 +96,7 @@ class Meanings(Patients):
                 )
             ):
                 continue
-            if (
-                rule.get("target") == "ego"
-                and actor.ego
-                or rule.get("of") == "ego_lane"
-                and (actor.ego and not re.search(r"@a\d", text))
-            ):
+            if rule.get("target") == "ego" and actor.ego:
                 continue
             if rule.get("moving") and self._at_rest(actor):
                 continue

@@ -2,27 +2,11 @@
 
 from __future__ import annotations
 
-import re
-
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.agents import Agents
 
 CONTACT = language.words("contact")
-MEANS = frozenset(("try", "attempt", "about", "mean", "want", "intend", "plan", "go", "wish", "like", "prepare"))
-GIVEN_UP = re.compile(
-    r"\bbut (?:then |instead |in fact )?(?:it |he |she |they |i |we )?"
-    r"(?:(?:could|can|did|does|was|is) (?:not|n't)\b(?! see)"
-    r"|cannot\b|stay|stays|stayed|remain|kept|keeps|(?:went|goes|drove|drives|carried|continue\w*) (?:straight|on)\b"
-    r"|chang\w+ (?:its|his|her|my) mind|decid\w+ (?:not|against)|(?:step|turn|jump|move|pull)\w* back\b|lets?\b"
-    r"|stop\w* (?:at|on) the (?:kerb|curb|edge|pavement))"
-)
-"""What tells that somebody does not do what it meant to."""
-TRIED = re.compile(
-    r"^(?:\S+ ){0,8}?(?:but|yet|however),? (?:then )?(?:it |he |she |they |i |we )?"
-    r"(?:(?:could|was|were) (?:not|n't)\b(?! able to avoid| avoid)|cannot\b|fail\w*\b|was unable\b|gave up\b)"
-)
-"""What tells that somebody only tried."""
 
 
 LETTING = ("let", "allow", "permit")
@@ -48,14 +32,9 @@ class Modes(Agents):
         """Whether "would" only tells what happens in a scenario ("after 5 s the lead would brake"), on no condition."""
         perfect = any(self.words[c].norm == "have" for c in word.children)
         somebody = any(self.words[c].dep == "nsubj" and c in self.cast.of for c in word.children)
-        if word.dep not in ("ROOT", "conj") or perfect or not somebody or self._lemma(word) in CONTACT:
+        if word.dep not in ("ROOT", "conj") or perfect or not somebody:
             return False
         return not UNREAL & {w.norm for w in self.words if w.sentence == word.sentence}
-
-    def _not_done(self, word: Word, given_up: re.Pattern[str]) -> bool:
-        """Whether what somebody means to do is not done then: "wanted to merge but could not"."""
-        after = " ".join(w.norm for w in self.words[word.i + 1 :] if w.sentence == word.sentence)
-        return given_up.search(after) is not None
 
     def _mode(self, word: Word) -> str:
         """Whether it is said to happen."""
@@ -66,13 +45,9 @@ class Modes(Agents):
             if other.dep == "neg" or other.norm in ("never", "neither", "nor", "hardly", "cannot", "not"):
                 if other.norm == "not" and child > word.i and other.dep != "neg":
                     continue
-                if other.norm == "not" and child < word.i and self._ended(child, word.i) and word.tag == "VBD":
-                    continue  # "tried to brake but could not and hit it"
                 mode = "negated"
             if other.norm == "longer" and self.words[child - 1].norm in ("no", "any"):
                 mode = "negated"
-            if other.norm in ("for", "to") and any(self.words[c].norm in NOBODY for c in other.children):
-                mode = "negated"  # "yields to nobody"
             if other.dep == "dobj" and other.norm in NOBODY:
                 mode = "negated"
             doubted = (
@@ -83,7 +58,7 @@ class Modes(Agents):
             if (
                 other.dep == "mark"
                 and other.norm in ("if", "unless", "whether", "lest")
-                and not (self._criterion(word) or other.norm == "if" and self._demanded(word))
+                and not (self._criterion(word))
             ):
                 mode = "hypothetical"
             if other.dep in ("nsubj", "nsubjpass") and (
@@ -147,8 +122,7 @@ class Modes(Agents):
             ):
                 return "negated" if mode != "negated" else "fact"
             if word.dep in ("xcomp", "advcl", "acl") and lemma in shades["intended"] and (to or lemma == "about"):
-                given_up = lemma in MEANS and self._not_done(word, TRIED if lemma in ("try", "attempt") else GIVEN_UP)
-                mode = ("hypothetical" if given_up else "intended") if mode == "fact" else mode
+                mode = ("intended") if mode == "fact" else mode
                 if self._mode(head) in ("negated", "hypothetical") and head.verb:
                     mode = "negated"
             elif (
@@ -160,19 +134,15 @@ class Modes(Agents):
                 above = self._mode(head)
                 if above in ("negated", "hypothetical") and mode == "fact":
                     mode = above
-                elif above in ("negated",) and mode == "negated":
-                    mode = "fact"
             elif word.dep == "advcl" and to and mode == "fact":
                 so_not = any(self.words[c].norm in ("not",) for c in word.children)
                 mode = "negated" if so_not else "purpose"
             elif word.dep == "conj" and head.verb:
                 above = self._mode(head)
                 own_subject = any(self.words[c].dep in ("nsubj", "nsubjpass", "aux") for c in word.children)
-                between = [w.norm for w in self.words[head.i + 1 : word.i]]
                 if (
                     above in ("hypothetical", "negated", "purpose")
                     and not own_subject
-                    and not (self._mode(head) == "hypothetical" and "but" in between)
                     and word.tag in ("VB", "VBN")
                     and not (head.tag == "VBG" and head.dep == "ccomp" and word.tag == "VBN")  # "and braked"
                     and self._lemma(word) not in CONTACT
@@ -180,18 +150,12 @@ class Modes(Agents):
                     mode = above
                 if above == "intended" and not own_subject and word.tag == "VB":
                     mode = above
-            elif word.dep == "pcomp" and self.words[head.head].lemma in ("instead", "rather"):
-                mode = "negated"
         if mode == "fact" and self._only_believed(word):
             mode = "hypothetical"
-        if mode in ("negated", "hypothetical") and self._else_otherwise(word):
-            mode = "fact"
         if mode == "negated" and self._no_duty(word):
             mode = "hypothetical"
         if word.dep in ("acl", "relcl") and head.lemma in CHANCES and self._sought(head):
             mode = "hypothetical"
-        if word.dep in ("advcl",) and self.words[word.i - 1].norm in ("than",):
-            mode = "negated"
         denied = word.dep == "csubj" and head.verb and self._reduced(word) is None
         if denied and self._mode(head) in ("negated", "hypothetical"):
             mode = self._mode(head)
@@ -207,14 +171,9 @@ class Modes(Agents):
             word.dep == "conj"
             and mode in ("fact", "intended")
             and any(self.words[c].norm == "or" and c < word.i for c in head.children)
-            and self._mode(head) != "negated"
         ):
             mode = "alternative"
         before = [w.norm for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]
-        if mode in ("fact", "intended") and any(
-            self.words[c].norm in ("otherwise", "else") and c < word.i for c in word.children
-        ):
-            mode = "alternative"
         if (
             before[-2:] in (["rather", "than"], ["instead", "of"])
             or before[-1:] == ["nor"]
@@ -229,13 +188,6 @@ class Modes(Agents):
         going_on = word.tag == "VBG" and any(self.words[c].norm in ("was", "were") for c in word.children)
         believed = self._lemma(above) in BELIEVED and above.tag in ("VBD", "VBG", "VBN")
         return word.dep == "ccomp" and going_on and believed and above.i < word.i
-
-    def _else_otherwise(self, word: Word) -> bool:
-        """Whether it is only denied in a condition that did not come true: "would have hit it had he not swerved"."""
-        norms = {self.words[c].norm for c in word.children}
-        above = {self.words[c].norm for c in self.words[word.head].children}
-        unreal = {"would", "could", "might"} & above and {"have", "of"} & above
-        return word.dep == "advcl" and bool(unreal) and "had" in norms and bool({"not", "n't"} & norms)
 
     def _no_option(self, verb: Word) -> bool:
         """Whether what a clause tells is said to be none of one's options: "moving over was no option"."""
@@ -278,17 +230,6 @@ class Modes(Agents):
             "successful",
             "fulfill",
         )
-
-    def _demanded(self, word: Word) -> bool:
-        """Whether an if-clause tells what happens before ego must act: "if the lead brakes, the ego shall stop"."""
-        main = self.words[word.head]
-        must = [self.words[c].norm for c in main.children if self.words[c].dep == "aux"]
-        light = main.lemma in ("have", "need") and any(self.words[c].dep == "xcomp" for c in main.children)
-        present = word.tag in ("VBZ", "VBP") and not any(self.words[c].norm == "not" for c in word.children)
-        told = main.tag in ("VBZ", "VBP") and not {"would", "could", "might"} & set(must)
-        demands = told or light or bool({"must", "shall", "should", "will"} & set(must))
-        agent = self._subject(word)[0]
-        return present and demands and agent is not None and not agent.ego and self._subject(main)[0] is self.cast.ego
 
     def _mark(self, word: Word) -> str:
         for child in sorted(word.children):

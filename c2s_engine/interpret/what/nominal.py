@@ -9,15 +9,13 @@ from c2s_engine.interpret.reading.motions import rules
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.timing import Timing
-from c2s_engine.interpret.who.mentions import MOTOR, Entity
+from c2s_engine.interpret.who.mentions import Entity
 
 ATTRIBUTIVE = frozenset(
     ("brake", "stop", "accelerate", "reverse", "swerve", "lose_control", "drift", "u_turn", "cross_road", "overtake")
 )
 
 HAPPENS = frozenset(("occur", "happen", "result", "ensue", "take", "follow", "come", "be", "arise", "involve"))
-STRUCK_PART = re.compile(r"\b(?:between|of) the (?:\w+ )?(?:rear|back|tail|side|flank|door|quarter)\b")
-HURT = frozenset(("hurt", "injure", "kill", "die", "involve", "damage", "be", "have", "wound"))
 OTHERS = frozenset(("cut_in", "cut_out", "lane_change", "brake", "stop"))
 STANDS = language.words("stands")
 BY_MEANS = language.words("by_means")
@@ -42,11 +40,6 @@ class Nominal(Timing):
             or any(e.agent is agent and e.word > word.i and e.word in self.by_word for e in self.events)
             and agent.ego
         ):
-            return
-        turning = re.fullmatch(r"(left|right)-turning", word.norm)
-        if turning is not None and agent.ego:
-            told = {"side": turning[1], "words": [word.i], "start": word.start, "end": word.end}
-            self.events.append(Event("turn", agent, word.i, "turn " + turning[1], "turn " + turning[1], **told))
             return
         lemma = self._lemma(word)
         text = f"{lemma} " + " ".join(w.norm for w in self.words[word.i + 1 : word.head])
@@ -118,40 +111,8 @@ class Nominal(Timing):
             told = list(dict.fromkeys(self.cast.of[i] for i in inside if i in self.cast.of and self.cast.of[i].mover))
             if len(told) != 2:
                 continue
-            text = " ".join(self.words[i].norm for i in inside)
-            struck = STRUCK_PART.match(text) or told[1].ego and not STRUCK_PART.search(text)
-            return (told[1], told[0]) if struck else (told[0], told[1])
+            return (told[0], told[1])
         return None
-
-    def _last_two(self, word: Word) -> tuple[Entity, Entity] | None:
-        """The last two of whom was told, where a contact of nobody is told and nobody is ego: "contact was made"."""
-        told = [self.cast.of[i] for i in sorted(self.cast.of, reverse=True) if i < word.i]
-        two = list(dict.fromkeys(e for e in told if e.mover))[:2]
-        if self.cast.ego.mentions or len(two) < 2 or word.dep not in ("nsubj", "nsubjpass"):
-            return None
-        return (two[1], two[0]) if two[1].type in MOTOR and two[0].type not in MOTOR else (two[0], two[1])
-
-    def _met_in(self, word: Word, verb: Word | None, other: Entity | None) -> tuple[Entity, Entity] | None:
-        """Who was hurt in a collision with another, or had one: who has a motor hits one that has none."""
-        involving = [c for c in word.children if self.words[c].norm == "involving"]
-        named = [self.cast.of[i] for c in involving for i in self._below(c) if i in self.cast.of]
-        other = other or next((e for e in named if e.mover), None)
-        if other is None or verb is None or word.dep not in ("pobj", "dobj") or verb.i > word.i:
-            return None
-        whom = [self.cast.referent(c) for c in verb.children if self.words[c].dep in ("nsubj", "nsubjpass")]
-        whom += [self.cast.of[verb.head]] if verb.dep == "acl" and verb.head in self.cast.of else []
-        one = next((e for e in whom if e is not None and e.mover), None)
-        if one is None or one is other or self._lemma(verb) not in HURT:
-            return None
-        return (other, one) if other.type in MOTOR and one.type not in MOTOR else (one, other)
-
-    def _before_all(self, word: Word) -> bool:
-        """Whether a crash is only why those stand that are told of: "three stationary vehicles after a crash"."""
-        after = self.words[word.head]
-        if word.dep != "pobj" or after.norm not in ("after", "from", "following", "of") or after.i > word.i:
-            return False
-        noun = self.cast.of.get(after.head)
-        return noun is not None and not noun.ego and bool(noun.roles & {"stationary", "parked"})
 
     def _noun(self, word: Word) -> None:
         if word.i in self.by_word or word.span is not None:
@@ -171,36 +132,26 @@ class Nominal(Timing):
             verb = self._governor(word)
             if verb is not None and verb.i in self.by_word and self.by_word[verb.i].act == rule["act"]:
                 return
-            if (
-                word.dep in ("compound", "amod", "nmod")
-                and self.words[word.head].tag.startswith("NN")
-                and self.words[word.head].norm not in ("manoeuvre", "maneuver", "movement")
+            if word.dep in ("compound", "amod", "nmod") and self.words[word.head].norm not in (
+                "manoeuvre",
+                "maneuver",
+                "movement",
             ):
                 return
             agent, patient = self._noun_agent(word, verb)
-            if word.tag == "VBG" and word.dep == "acl" and word.head in self.cast.of:
-                agent = self.cast.of[word.head]  # "blocked by a lorry backing into a yard"
             if rule["act"] == "overtake" and agent is not None and not agent.ego and verb is not None:
                 subject = self._subject(verb)[0]
                 agent, patient = (subject, agent) if subject is not None else (agent, patient)  # "its pass of a truck"
-            if rule["act"] == "collide" and self._before_all(word):
-                return
             if rule["act"] == "collide" and (parties := self._struck_each_other(word, verb)) is not None:
                 agent, patient = parties
-            elif rule["act"] == "collide" and agent is None and (met := self._met_in(word, verb, patient)) is not None:
-                agent, patient = met
             if patient is agent:
                 patient = None
-            if rule["act"] == "cut_in" and (agent is None or agent.ego):
-                agent = self._somebody_else(word, verb) or agent
             if agent is None and word.dep == "pobj" and verb is not None and self.words[word.head].norm in BY_MEANS:
                 agent = self._subject(verb)[0]
             if agent is None and rule["act"] in OTHERS:
                 agent = self._somebody_else(word, verb)
             if agent is None:
-                if rule["act"] == "collide" and (last := self._last_two(word)) is not None:
-                    agent, patient = last
-                elif rule["act"] == "collide":
+                if rule["act"] == "collide":
                     others = [self.cast.of[i] for i in sorted(self.cast.of) if i < word.i and not self.cast.of[i].ego]
                     patient = patient or (others[-1] if others else None)
                 elif rule["act"] not in (
@@ -241,11 +192,6 @@ class Nominal(Timing):
                 and "avoid" in near
             ):
                 mode = "negated"
-            halted = verb is not None and verb.i in self.by_word and self.by_word[verb.i].act in HALTS
-            if halted and re.search(r"\b(before|prior to|short of|ahead of|without) (any |a |the )?$", before + " "):
-                mode = "negated"
-            if word.dep == "conj" and any(self.words[c].norm == "or" for c in self.words[word.head].children):
-                mode = "alternative"
             own = sorted(set(self._below(word.i)) | (set(self.own(verb)) if verb is not None else set()))
             text = " ".join(self.words[i].norm if i not in self.cast.of else "@" + self.cast.of[i].key for i in own)
             event = Event(rule["act"], agent, word.i, text, text, patient, mode, bool(rule.get("hard")), float(word.i))

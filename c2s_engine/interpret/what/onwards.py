@@ -7,7 +7,6 @@ import re
 
 from c2s_engine.interpret.entities import MOTOR
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.who.mentions import Cast
 
@@ -37,10 +36,3 @@ def turns_by_name(cast: Cast, clauses: Clauses) -> None:
         acts = {e.act for e in told if e.agent is entity}
         if blow is None or entity.type not in MOTOR or not acts <= {"collide", "travel"}:
             continue
-        for mention in entity.mentions:
-            word = cast.words[mention.word]
-            if match := TURNING.search(word.norm):
-                text = f"turn {match['side']}"
-                at = {"order": blow.order - 0.4, "words": [word.i], "start": word.start, "end": word.end}
-                clauses.events.append(Event("turn", entity, word.i, text, text, side=match["side"], **at))
-                break

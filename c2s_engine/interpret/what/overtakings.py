@@ -42,8 +42,6 @@ def _each_of_several(clauses: Clauses) -> None:
             continue
         those = [clauses.cast.of[told[0].i], *clauses.cast.both.get(told[0].i, []), *_joined(clauses, told[0].i)]
         those = sorted(dict.fromkeys(e for e in those if e is not event.agent), key=lambda e: not e.ego)
-        if told[0].norm == "both" and not event.agent.ego and not _acts_before(clauses, event):
-            continue  # of two others, ego between them
         if len(those) > 1 and event.patient in those:
             event.patient = those[0]
             later = [Event.echo(event, patient=e, order=event.order + n / 100) for n, e in enumerate(those[1:], 1)]
@@ -51,21 +49,10 @@ def _each_of_several(clauses: Clauses) -> None:
             clauses.events[at:at] = later
 
 
-def _acts_before(clauses: Clauses, event: Event) -> bool:
-    """Whether ego was told to do something before: then it is one of both."""
-    return any(e.ego and i < event.word for i, e in clauses.cast.subjects)
-
-
 def _joined(clauses: Clauses, at: int) -> list[Entity]:
     """Those joined to a noun by "and"."""
     joined = [c for c in clauses.words[at].children if clauses.words[c].dep == "conj" and c in clauses.cast.of]
-    return [e for c in joined for e in (clauses.cast.of[c], *_joined(clauses, c))]
-
-
-ROUND = re.compile(
-    r"(?:get|go|steer|swerve|make (?:its|his|her) way|manoeuvre) (?:a?round|past|clear of)\b(?! (?:the )?@ego)"
-)
-SIDEWAYS = frozenset(("lane_change", "cut_in", "cut_out", "swerve", "drift", "evade", "overtake"))
+    return [e for c in joined for e in (clauses.cast.of[c],)]
 
 
 def _comes_back_in(clauses: Clauses, passing: list[Event]) -> None:
@@ -76,19 +63,8 @@ def _comes_back_in(clauses: Clauses, passing: list[Event]) -> None:
             continue
         subjects = [clauses.words[c] for c in clauses.words[event.word].children]
         pronoun = any(w.dep == "nsubj" and w.tag == "PRP" for w in subjects)
-        if pronoun and all(e.agent is not event.agent for e in earlier):
+        if pronoun:
             event.agent = earlier[-1].agent
-        if event.act == "travel" and any(e.agent is event.agent for e in earlier):
-            event.act, event.patient = "cut_in", earlier[-1].patient
-
-
-def round_things(clauses: Clauses) -> None:
-    """Why one moves aside is no move of its own: "it veers left to get around a car door"."""
-    for event in [e for e in clauses.events if e.mode == "purpose" and e.patient is None and ROUND.match(e.text)]:
-        number = clauses.words[event.word].sentence
-        moves = (e for e in clauses.events if e is not event and e.agent is event.agent and e.done)
-        if any(e.act in SIDEWAYS and clauses.words[e.word].sentence == number for e in moves):
-            clauses.events.remove(event)
 
 
 def _stands_aside(clauses: Clauses, event: Event) -> bool:
@@ -102,7 +78,7 @@ def _past_ego(event: Event, out: list[Event], back: list[Event]) -> None:
     """One that comes from behind: it passes ego by the lane that it pulled out to, and cuts in from there."""
     towards = next((s for e in out if (s := side(e)) is not None), None)
     for change in out if back else ():
-        if change.patient is None and (side(change) != "right" or event.side == "right"):
+        if change.patient is None:
             change.mode = PART
             event.trigger, event.side = event.trigger or change.trigger, event.side or towards
     for change in back:

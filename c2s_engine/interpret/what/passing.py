@@ -34,11 +34,6 @@ def past_who_stands(cast: Cast, clauses: Clauses) -> None:
     for event in clauses.events:
         if event.act != "overtake" or event.patient is not None or event.adverbial not in ("as", "when", "while"):
             continue
-        number = cast.words[event.word].sentence
-        before = [cast.of[w.i] for w in cast.words[: event.word] if w.i in cast.of and w.sentence == number]
-        others = [e for e in before if e is not event.agent]
-        if others and others[-1].roles & {"parked", "stationary"} and not others[-1].ego:
-            event.patient = others[-1]
 
 
 def one_then_another(cast: Cast, clauses: Clauses) -> None:
@@ -97,9 +92,6 @@ def _others_by_that_lane(clauses: Clauses, road: Road) -> None:
         where = OTHER_LANE.search(event.text)
         over = where is not None and where["lane"] != "other" or OVER_LINE.search(event.text) is not None
         own = [e for e in clauses.events if e.act in ("oncoming", "lane_change") and e.agent is event.agent and e.done]
-        for by in own:
-            if clauses.words[by.word].head == event.word and clauses.words[by.word].tag == "VBG":
-                by.order = event.order - 0.1  # "overtakes ego using the oncoming lane"
         if over and not own and road.kind != "motorway" and (event.patient is None or event.patient.ego):
             clauses.events.append(Event.echo(event, act="oncoming", order=event.order - 0.1, side="left"))
 
@@ -120,7 +112,7 @@ def by_the_other_lane(clauses: Clauses, road: Road) -> None:
         where = OTHER_LANE.search(event.text)
         over = where is not None and (where["lane"] != "other" or (road.lanes or 1) == 1)
         changes = event.done and event.agent.ego and event.act == "lane_change"
-        if over and changes and _looks_ahead(clauses):
+        if over and changes:
             event.act, event.side = "oncoming", "left"  # "as nothing was coming I went out into the other lane"
             return
         if not (event.done and event.agent.ego and event.act in ("overtake", "evade") and where):
@@ -129,17 +121,6 @@ def by_the_other_lane(clauses: Clauses, road: Road) -> None:
             continue
         clauses.events.append(Event.echo(event, act="oncoming", order=event.order - 0.1, side="left"))
         return
-
-
-COMING = re.compile(
-    r"\b(?:nothing|nobody|no one|no (?:car|traffic|vehicle)s?) (?:\w+ ){0,2}(?:coming|came|comes)\b"
-    r"|\bon-?coming\b|\bopposite direction\b|\bthe other way\b"
-)
-
-
-def _looks_ahead(clauses: Clauses) -> bool:
-    """Whether the text speaks of who comes the other way, or that nobody does."""
-    return COMING.search(" ".join(w.norm for w in clauses.words)) is not None
 
 
 MEETS = re.compile(
@@ -188,9 +169,6 @@ def out_to_pass(clauses: Clauses) -> None:
         outs = [e for e in own if e.act == "lane_change" and e.done]
         for event in outs[:1]:
             event.act, event.side = "oncoming", "left"
-        for event in own:
-            if event.act == "overtake" and event.mode in ("intended", "purpose"):
-                event.mode = "hypothetical"  # it was not to be
         if not outs:
             passing = next(e for e in own if e.act == "overtake")
             passing.mode = "hypothetical"

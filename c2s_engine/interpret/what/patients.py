@@ -9,13 +9,6 @@ from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.rendering import CLAUSAL, Rendering
 from c2s_engine.interpret.who.mentions import Cast, Entity
 
-PARTS = frozenset(
-    ("door", "doors", "boot", "tailgate", "bonnet", "hood", "gate", "light", "lights", "barrier", "barriers")
-)
-
-OWN_WORDS = ("acl", "relcl", "prep", "advmod", "npadvmod")
-"""How what is told of a noun alone hangs behind it."""
-
 OFF_ROAD = re.compile(
     r"parked|parking|lay-?by|driveway|bus stop|(?:on|in|at) the (?:\w+ ){0,2}(?:shoulder|verge|emergency lane)"
 )
@@ -34,9 +27,6 @@ class Patients(Rendering):
     def _subject(self, word: Word, depth: int = 0) -> tuple[Entity | None, int | None, bool]:
         raise NotImplementedError
 
-    def _placed_by(self, noun: Word, verb: Word) -> Entity | None:
-        raise NotImplementedError
-
     def _everything(self, i: int) -> list[int]:
         """All words below a word, in order."""
         found = [i]
@@ -48,7 +38,7 @@ class Patients(Rendering):
         """The others of a joint subject ("V1 and V3 met"), but not who is joined behind the verb."""
         if at is None:
             return []
-        found = list(self.cast.both.get(at, [])) + self._listed_before(at, verb)  # "both", "the two"
+        found = list(self.cast.both.get(at, []))  # "both", "the two"
         for child in self.words[at].children:
             if self.words[child].dep == "conj" and not at < verb < child:
                 other = self.cast.referent(child)
@@ -56,19 +46,6 @@ class Patients(Rendering):
                     found.append(other)
                     found += self._also(child, verb)
         return found
-
-    def _listed_before(self, at: int, verb: int) -> list[Entity]:
-        """The others of a list that is only said to be there, whose last has a participle: "there are two cars and a
-        truck waiting"."""
-        deed, noun = self.words[verb], self.words[at]
-        found: list[Entity] = []
-        while deed.dep == "acl" and deed.tag == "VBG" and noun.dep == "conj":
-            noun = self.words[noun.head]
-            other = self.cast.referent(noun.i)
-            if other is None or any(c > noun.i and self.words[c].dep in OWN_WORDS for c in noun.children):
-                return []
-            found.append(other)
-        return found if noun.dep == "attr" else []
 
     def _of_both(self, own: list[int]) -> bool:
         """Whether one of those words means ego and another ("both")."""
@@ -134,12 +111,6 @@ class Patients(Rendering):
     def _default_agent(self, word: Word, act: str) -> Entity | None:
         """An imperative, or a passive without an agent: what is asked for is asked of ego."""
         subjects = [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass")]
-        if (
-            subjects
-            and act == "collide"
-            and self.words[subjects[0]].norm in ("two", "both", "they", "vehicles", "cars", "all")
-        ):
-            return self.cast.ego
         if subjects and self.words[subjects[0]].lemma not in (
             "braking",
             "brake",
@@ -158,13 +129,8 @@ class Patients(Rendering):
             "crossing",
         ):
             return None
-        if any(self.words[c].norm in PARTS for c in word.children if c < word.i):
-            return None  # "its rear door swings open"
         if not subjects and word.dep not in ("ROOT", "conj", "csubj", "xcomp", "advcl", "ccomp", "pcomp"):
             return None
-        if act == "follow" and word.tag == "VBN":
-            followed = [self.cast.referent(c) for c in subjects]
-            return self.cast.ego if self.cast.ego_named and followed and followed[0] is not self.cast.ego else None
         if act in (
             "brake",
             "stop",
@@ -198,9 +164,7 @@ class Patients(Rendering):
 
     def _at_rest(self, actor: Entity) -> bool:
         """Whether one is said to stand."""
-        return bool(actor.roles & {"parked", "stationary"}) or any(
-            e.agent is actor and e.act in ("stationary", "reverse") for e in self.events
-        )
+        return any(e.agent is actor and e.act in ("stationary", "reverse") for e in self.events)
 
     def _was_off_road(self, actor: Entity) -> bool:
         if "parked" in actor.roles:
@@ -228,7 +192,7 @@ class Patients(Rendering):
                 for target in other.children:
                     patient = patient or self.cast.referent(target)
             if other.dep == "compound" and child in self.cast.of:
-                return self._placed_by(other, word) or self.cast.of[child], None
+                return self.cast.of[child], None
         for i in range(word.i - 1, max(-1, word.i - 4), -1):
             other = self.words[i]
             if (
@@ -239,7 +203,7 @@ class Patients(Rendering):
             ):
                 break
             if i in self.cast.of and other.span is not None and other.dep not in ("pobj",):
-                return self._placed_by(other, word) or self.cast.of[i], patient
+                return self.cast.of[i], patient
         if verb is not None:
             agent, at, passive = self._subject(verb)
             answered = self._lemma(verb) in ("respond", "react", "answer") and self.words[word.head].norm == "to"

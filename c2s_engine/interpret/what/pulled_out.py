@@ -23,9 +23,7 @@ def pulled_out(cast: Cast, clauses: Clauses, road: Road) -> None:
             continue
         if not BARE.match(event.text) or PLACED.search(event.whole) or not _new(event.agent, event.word, cast):
             continue
-        if road.kind == "motorway" or (road.lanes or 1) > 1:
-            event.act, event.patient = "cut_in", event.patient or cast.ego
-        elif road.kind not in ("intersection", "roundabout"):
+        if road.kind not in ("intersection", "roundabout"):
             event.act = "enter_road"
 
 

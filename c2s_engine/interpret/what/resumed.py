@@ -25,9 +25,6 @@ def own_turns(cast: Cast, clauses: Clauses) -> None:
         earlier = [e for e in clauses.events if e.act == "turn" and e.word < event.word]
         if any(e.agent is event.agent for e in earlier):
             continue
-        meant = [e for e in earlier if e.mode in ("intended", "purpose")]
-        if meant:
-            event.agent, event.side = meant[-1].agent, event.side or meant[-1].side
 
 
 def goes_first(clauses: Clauses) -> None:
@@ -35,9 +32,6 @@ def goes_first(clauses: Clauses) -> None:
     for event in clauses.events:
         if event.act != "travel" or event.agent.ego or not GOES_FIRST.match(event.text):
             continue
-        own = [e for e in clauses.events if event.agent in (e.agent, *e.also) and e.done and e.word < event.word]
-        if any(e.act in ("stop", "brake_stop", "stationary") for e in own):
-            event.act = "go_straight"
 
 
 GOES_FIRST = re.compile(r"(?:go|set off|move off|move|drive off|proceed|pull off|pull away)\b[^.;,]*?\bfirst\b")
@@ -63,9 +57,6 @@ def waited_turns(clauses: Clauses) -> None:
         if goes is None or STRAIGHT.search(goes.text) or any(e.act in ("turn", "u_turn") for e in later):
             continue
         goes.act, goes.side, goes.patient, meant.mode = "turn", side(meant), None, "hypothetical"
-        for echo in later:
-            if echo is not goes and echo.word == goes.word:
-                echo.mode = "hypothetical"
 
 
 def _means_to(clauses: Clauses, meant: Event) -> bool:

@@ -35,8 +35,6 @@ def _conditions(plain: str, sentences: list[tuple[int, int]], section: str) -> I
     last = 0
     for match in sorted((m for p in _patterns(section) for m in p.finditer(plain)), key=lambda m: m.start()):
         stop = next((end for start, end in sentences if start <= match.end() - 1 < end), len(plain))
-        if stop - match.end() < 12:  # "end condition: ", which closes a sentence of its own
-            stop = next((end for start, end in sentences if start >= stop), stop)
         if match.end() >= last:
             yield match, match.end(), stop
             last = stop

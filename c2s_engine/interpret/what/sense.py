@@ -12,7 +12,7 @@ from c2s_engine.interpret.what.halfway import go_after, set_out
 from c2s_engine.interpret.what.heeded import hindered, merged_back, unheeded
 from c2s_engine.interpret.what.looking_back import looking_back, tried_to_avoid
 from c2s_engine.interpret.what.making_room import makes_room
-from c2s_engine.interpret.what.overtakings import PART, overtakings, round_things
+from c2s_engine.interpret.what.overtakings import PART, overtakings
 from c2s_engine.interpret.what.passing import by_the_other_lane, headings, let_past, out_to_pass, passed
 from c2s_engine.interpret.what.resumed import goes_first, own_turns, waited_turns
 from c2s_engine.interpret.what.there_and_back import there_and_back
@@ -27,27 +27,16 @@ LEAVES = re.compile(
 
 
 FROM_MINOR = re.compile(r"(?:pull|come|edge|nose|creep|inch|roll|shoot) (?:straight |right |slowly )?out\b(?! of)")
-PULLS_OUT = re.compile(
-    r"(?:pull|drive|move|edge) (?:out|off|away) (?:suddenly )?from (?:the |its )?(?:left|right)\b(?! (?:\w+ )?lane)"
-)
 JERKS = ("swerve", "veer", "jink")
-INTO = re.compile(r"\b(?:in|on)to (?:the |an? |its )?(?:\w+ )?(?:road|street|drive\w*|lot|lane|avenue|entrance)\b")
 SIDE_ROAD = re.compile(r"\b(?:(?:side|minor) (?:road|street)|driveway|junction|intersection|t-junction)\b")
 FIRST = re.compile(r"(?:pass|go|drive|proceed|cross|move|turn|enter|get|come|travel|clear)\b[^.;]*?\bfirst\b")
-
-
-STAYS_OUT = re.compile(
-    r"(?:(?:enter|cross)(?: into)?|(?:go|drive|pull|move|proceed|come|roll) (?:out )?(?:in|on)to) "
-    r"(?:the|this|that|an?) (?:\w+ )?(?:intersection|junction|crossroads?|roundabout)\b"
-)
-"""What one does who is on its way into a junction; where it is denied, one stops before it."""
 AHEAD_OF_EGO = re.compile(r"\b(?:ahead|in front) of (?:the )?@ego\b")
 
 
 def _at_junction(event: Event, clauses: Clauses, road: Road) -> bool:
     """Whether who goes first there goes over a junction before ego."""
     turns = any(e.act == "turn" and e.agent.ego for e in clauses.events)
-    return turns or road.kind in ("intersection", "roundabout") or bool(event.agent.roles & {"oncoming", "crossing"})
+    return turns or road.kind in ("intersection", "roundabout")
 
 
 def _from_minor(event: Event, road: Road) -> bool:
@@ -107,15 +96,11 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and not any(cast.both.get(i) and cast.ego not in (cast.of[i], *cast.both[i]) for i in event.words)
         ):
             event.patient = cast.ego
-        if event.act == "keep_away" and not event.agent.ego and event.patient is cast.ego and event.mode == "fact":
-            event.act = "follow"
-        if event.mode == "negated" and not event.agent.ego and event.agent.mover and STAYS_OUT.match(event.text):
-            event.act, event.mode = ("stationary" if event.agent.person else "stop"), "fact"
         if event.act == "yield" and event.mode == "negated" and not event.agent.ego:
             event.act, event.mode = "cross_path", "fact"
         if event.act == "turn_or_change":
             verb = clauses._lemma(cast.words[event.word])
-            turns = road.kind in ("intersection", "roundabout") and (verb not in JERKS or INTO.search(event.text))
+            turns = road.kind in ("intersection", "roundabout") and (verb not in JERKS)
             event.act = "turn" if turns else "swerve" if verb in JERKS else "lane_change"
         if event.act == "turn" and event.agent.ego and _over_from_lane(cast, event, road):
             event.act = "lane_change"
@@ -123,7 +108,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
         braked = any(
             e.agent is event.agent and e.act == "brake" and 0 < event.word - e.word < 6 for e in clauses.events
         )
-        if steers and (braked or road.kind not in ("intersection", "roundabout")) and not INTO.search(event.text):
+        if steers and (braked or road.kind not in ("intersection", "roundabout")):
             event.act = "swerve"
         if event.act == "pass_by":
             junction = road.kind == "intersection" and not re.search(r"lane|left|right|behind", event.whole)
@@ -156,8 +141,6 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
         leaves_sign = event.agent.ego and _from_minor(event, road)
         if leaves_sign and event.act in ("lane_change", "cut_in", "travel") and "lane" not in event.whole:
             event.act = "go_straight"
-        if event.act == "travel" and road.kind not in ("intersection", "roundabout") and PULLS_OUT.match(event.text):
-            event.act = "enter_road"
         passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")
         if passes and not event.agent.ego and event.agent.mover and event.mode == "fact":
             word = cast.words[event.word]
@@ -176,8 +159,6 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 event.text + " " + word.norm + " " + " ".join(w.norm for w in cast.words[event.word : event.word + 4]),
             )
             first = FIRST.match(event.text) and _at_junction(event, clauses, road)
-            if first and event.act == "overtake":
-                event.act = "travel"
             if (waits and gone or first) and not any(e.act == "yield" and e.agent.ego for e in clauses.events):
                 given_way = {"patient": event.agent, "order": event.order - 0.1, "words": [event.word]}
                 clauses.events.append(Event.echo(event, act="yield", agent=cast.ego, **given_way))
@@ -196,8 +177,6 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 later,
             ):
                 event.mode = "hypothetical"
-        if event.act == "collide" and event.patient is None and _follows(cast, clauses, event):
-            event.agent, event.patient = cast.ego, event.agent
     for event in clauses.events:
         if (
             event.mode in ("intended", "purpose")
@@ -233,7 +212,6 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     echoes(cast, clauses)
     _meant_and_done(clauses)
     there_and_back(clauses)
-    round_things(clauses)
     overtakings(clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:
@@ -271,14 +249,5 @@ def _meant_and_done(clauses: Clauses) -> None:
         done = next((e for e in later if e.word > event.word), None)
         if done is not None and clauses.words[done.word].sentence - clauses.words[event.word].sentence > 3:
             continue
-        if done is not None and side(done) in (None, side(event)):
+        if done is not None:
             event.mode, done.side = PART, done.side or side(event)
-
-
-def _follows(cast: Cast, clauses: Clauses, event: Event) -> bool:
-    """Whether "the vehicles collide" where ego follows the other: then ego runs into it."""
-    parties = re.search(r"@a\d+ collide|(both|two|vehicles|cars) ", event.whole) and not event.agent.ego
-    return bool(parties) and any(
-        e.act in ("follow", "approach") and e.agent.ego and e.patient is event.agent and e.done and e.word < event.word
-        for e in clauses.events
-    )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast, Entity
 
 STEPS = frozenset(("cross_road", "enter_road"))
@@ -18,9 +17,6 @@ def stays_put(cast: Cast, clauses: Clauses) -> None:
         for who in (event.agent, *event.also):
             if who.ego or not (who.person or who.type == "bicycle") or not _known(who, cast):
                 continue
-            if not any(e is not event and who in (e.agent, *e.also) and e.mode != "negated" for e in clauses.events):
-                said = {"text": "stand on the sidewalk", "whole": "stand on the sidewalk"}
-                clauses.events.append(Event.echo(event, act="stationary", agent=who, mode="fact", **said))
 
 
 def _known(who: Entity, cast: Cast) -> bool:

@@ -5,14 +5,11 @@ from __future__ import annotations
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.meanings import Meanings
-from c2s_engine.interpret.who.mentions import VEHICLES, Entity
+from c2s_engine.interpret.who.mentions import Entity
 
 CONTACT = language.words("contact")
 DRIVES = language.words("drives")
 REACTS = language.words("reacts")
-HINDERS = language.words("hinders")
-HITS = CONTACT | language.words("strikes")
-BODY = language.words("body")
 ON_FOOT = language.words("on_foot")
 STANDS_STILL = language.words("stands_still")
 STEERS = language.words("steers")
@@ -62,40 +59,8 @@ class Subjectless(Meanings):
         finite = word.tag == "VBD" or any(w.tag == "VBD" for w in self.words if w.sentence == word.sentence)
         return finite and not told and self._headless(word) and not self._subjects_of(word)
 
-    def _of_its_part(self, word: Word) -> Entity | None:
-        """Who was spoken of last, where only a part of it does something: "the left side hit a tree"."""
-        subjects = [self.words[c] for c in self._subjects_of(word)] if self._lemma(word) in HITS else []
-        if not subjects or subjects[0].lemma not in BODY or any(i in self.cast.of for i in self._below(subjects[0].i)):
-            return None
-        near = [(i, e) for i, e in self.cast.subjects if i < word.i and self.words[i].sentence >= word.sentence - 1]
-        return near[-1][1] if near and near[-1][1].type in VEHICLES else None
-
     def _subjects_of(self, word: Word) -> list[int]:
         return [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass", "csubj", "expl")]
-
-    def _late_subject(self, word: Word) -> int | None:
-        """Who stands behind the verb: "parked on the left was a van"."""
-        be = next((c for c in word.children if self.words[c].dep == "auxpass" and c > word.i), None)
-        if be is None:
-            return None
-        behind = [c for c in (*word.children, *self.words[be].children) if c > be]
-        told = [c for c in behind if self.words[c].dep in ("attr", "nsubj", "nsubjpass")]
-        return told[0] if told and told[0] in self.cast.of else None
-
-    def _placed_by(self, noun: Word, verb: Word) -> Entity | None:
-        """Who is placed by ego right before a participle: it is meant, not ego ("a truck in front of ego braking")."""
-        beside = verb.norm.endswith("ing") and verb.i == noun.i + 1 and self.cast.of.get(noun.i) is self.cast.ego
-        place = noun if noun.dep == "pobj" else verb if noun.head == verb.i and verb.dep == "pobj" else None
-        if not beside or place is None:
-            return None
-        above = self.words[place.head]
-        for _ in range(3):
-            if above.i in self.cast.of and not self.cast.of[above.i].ego:
-                return self.cast.of[above.i]
-            if above.tag not in ("IN", "RB", "NN", "JJ", "RP") or above.head == above.i:
-                return None
-            above = self.words[above.head]
-        return self.cast.of.get(above.i)
 
     def _qualified(self, word: Word) -> Entity | None:
         """Who stands right behind a participle that heads a note: "Overtaking motorcyclist. The ego ..."."""
@@ -166,23 +131,12 @@ class Subjectless(Meanings):
         objects = [c for i in main.children if i > main.i for c in self._below(i)]
         return self._lemma(main) in CONTACT and any(self.cast.of.get(c) is self.cast.ego for c in objects)
 
-    def _hitter(self, word: Word) -> Entity | None:
-        """Who hits ego where the tree gives ego itself: "tried to pass while I was turning and crashed into me"."""
-        head = self.words[word.head]
-        if word.dep != "conj" or head.dep != "advcl" or self._lemma(word) not in CONTACT or self._subjects_of(word):
-            return None
-        if not any(self.cast.of.get(i) is self.cast.ego for i in self._below(word.i) if self.words[i].tag != "PRP$"):
-            return None
-        main = self._governor(head)
-        found = self._subject(main)[0] if main is not None else None
-        return found if found is not None and not found.ego else None
-
     def _kept_from(self, word: Word, above: Word | None) -> int | None:
         """Who is kept from doing something by another: "traffic prevents ego from turning"."""
         if above is None or word.dep != "pcomp" or self.words[word.head].norm != "from":
             return None
         objects = [c for c in above.children if self.words[c].dep == "dobj" and self.cast.referent(c) is not None]
-        return objects[0] if objects and self._lemma(above) in HINDERS else None
+        return objects[0] if objects else None
 
     def _governor(self, word: Word) -> Word | None:
         current = word

@@ -4,7 +4,7 @@ import re
 
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
-from c2s_engine.interpret.what.overtakings import HOME, PART
+from c2s_engine.interpret.what.overtakings import HOME
 from c2s_engine.interpret.what.towards import OPPOSITE, side
 
 SIDEWAYS = frozenset(("lane_change", "cut_in", "cut_out", "drift", "oncoming"))
@@ -38,9 +38,6 @@ def swerves_back(clauses: Clauses) -> None:
     for event in clauses.events:
         if event.act != "cut_in" or not event.done or event.agent.ego or not HOME.search(event.text):
             continue
-        own = [e for e in clauses.events if e.agent is event.agent and e.done and e.order < event.order]
-        if own and own[-1].act == "swerve" and not any(e.act == "overtake" for e in own):
-            event.mode = PART
 
 
 def _before(clauses: Clauses, event: Event) -> Event | None:

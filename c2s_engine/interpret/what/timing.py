@@ -35,7 +35,6 @@ BEFORE_THE_BLOW = frozenset(
         "reverse",
     )
 )
-MEANWHILE = ("while", "whilst", "when")
 BY_WHICH = BEFORE_THE_BLOW | {"overtake", "pass_by"}
 AT_A_DISTANCE = (
     "brake",
@@ -104,11 +103,8 @@ class Timing(Afterwards):
         if word.dep in ("acl", "pobj") and word.tag == "VBG" and main.act == "collide" and event.word > main.word:
             event.order = main.order - 0.4  # "was hit by a car turning left"
         struck = self._in_relative(event)
-        if struck is not None and struck.act == "collide" and "then" not in event.text.split():
+        if struck is not None and struck.act == "collide":
             event.order = struck.order - 0.4
-            return
-        if mark in MEANWHILE and word.tag == "VBG" and main.act == "collide" and event.act in BY_WHICH:
-            event.order = main.order - 0.4  # "struck V1 while passing"
             return
         if mark == "when" and event.word > main.word and event.agent is main.agent and self.lasted(main.word):
             return  # "was turning left when it lost control"
@@ -179,8 +175,6 @@ class Timing(Afterwards):
                             "of": self._to_whom(event, inside),
                             "at": quantity["start"],
                         }
-                        if marks in ("until", "till", "before") and event.mode == "negated":
-                            event.mode = "fact"  # "does not brake until the TTC is 1.5 s"
                     elif (
                         quantity["dimension"] == "distance"
                         and self.words[i].dep in ("advcl", "advmod", "relcl")
@@ -206,8 +200,6 @@ class Timing(Afterwards):
                                 "at": quantity["start"],
                             }
                         )
-                        if marks == "until" and event.mode == "negated":
-                            event.mode = "fact"  # "does not start running until ego is 15 m away"
                     elif quantity["dimension"] == "distance" and event.act in AT_A_DISTANCE and AWAY.match(text):
                         event.trigger = {"kind": "distance", "value": quantity["low"]}
                     elif quantity["dimension"] == "time" and (
@@ -250,7 +242,7 @@ class Timing(Afterwards):
         for verb in self._verbs_above(word):
             found += [c for c in verb.children if self.words[c].dep in CIRCUMSTANCES]
         inner = [c for noun in self._nouns_of(word) for c in noun.children]
-        return found + [c for c in inner if self._is_when(c) or self._is_at(c)]
+        return found + [c for c in inner if self._is_when(c)]
 
     def _verbs_above(self, word: Word) -> list[Word]:
         """The verbs that only begin or bring about what a verb or a noun tells: "has to brake", "initiates braking"."""

@@ -32,11 +32,7 @@ def side(event: Event) -> str | None:
     ):
         for match in re.finditer(pattern, text):
             before = text[max(0, match.start(1) - 12) : match.start(1)]
-            if (
-                event.act == "overtake"
-                and re.match(r"in\b", match[0])
-                and "lane" in text[match.end() : match.end() + 12]
-            ):
+            if event.act == "overtake" and re.match(r"in\b", match[0]):
                 continue
             if re.search(r"from (the |its |@\w+ 's )?$", before):
                 continue

@@ -46,8 +46,6 @@ def _by_who_did_not_notice(cast: Cast, clauses: Clauses, event: Event) -> None:
     above = cast.words[noticed.head]
     if word.dep != "conj" or noticed.dep != "ccomp" or above.lemma not in NOTICES:
         return
-    if any(cast.words[c].dep.startswith("nsubj") for c in word.children):
-        return
     who = clauses._subject(above)[0]
     if who is None or who is event.agent or who.person:  # "a neighbour saw a van pass and hit it"
         return

@@ -41,11 +41,7 @@ def _until_passed(cast: Cast, clauses: Clauses) -> None:
         sentence = [w.i for w in cast.words if w.sentence == number]
         text = clauses.render(sentence)
         match = WAITS.search(text)
-        if (
-            match
-            and "@ego" not in text[: match.start() + 4]
-            and not any(cast.of.get(i) is cast.ego for i in sentence[:3])
-        ):
+        if match and "@ego" not in text[: match.start() + 4]:
             match = None
         right = None if match else PRIORITY.search(text)
         if right and (
@@ -56,7 +52,7 @@ def _until_passed(cast: Cast, clauses: Clauses) -> None:
         found = match or right
         if found is None:
             continue
-        who = by_key.get(found.groupdict().get("who") or found.groupdict().get("of") or "")
+        who = by_key.get(found.groupdict().get("who") or "")
         if (
             who is None
             or not who.mover

@@ -117,19 +117,20 @@ class Concealed(Gaps):
             blocker = next((e for e in self.cast.entities if e.key == match["by"]), None)
             comes = [e for e, w in self.of.items() if e.mover and w.lane == "crossing" and e is not blocker]
             comes = [e for e in comes if not match["side"] or self.of[e].side in (None, match["side"])]
-            hidden = any(w.hidden_by is blocker for w in self.of.values())
-            if blocker is not None and not blocker.person and len(comes) == 1 and not hidden:
-                self.of[comes[0]].hidden_by = self.of[comes[0]].hidden_by or blocker
 
     def _beyond(self, entity: Entity, blocker: Entity) -> None:
         """A vehicle that one ahead hides, and of which nothing else is told, is ahead of that one."""
         where, theirs = self.of[entity], self.of[blocker]
         idle = all(e.act in ("travel", "collide") for e in self.clauses.events if e.agent is entity and e.done)
-        if idle and not entity.person and entity.type != "bicycle" and where.open and where.of is None:
-            if theirs.rel == "ahead" and theirs.lane in (None, "same"):
-                where.rel, where.of = "ahead", blocker
-            elif theirs.lane == "oncoming":
-                where.lane = "oncoming"
+        if (
+            idle
+            and not entity.person
+            and entity.type != "bicycle"
+            and where.open
+            and where.of is None
+            and (theirs.rel == "ahead" and theirs.lane in (None, "same"))
+        ):
+            where.rel, where.of = "ahead", blocker
 
     def _blocker(self, entity: Entity, text: str) -> str | None:
         """Who hides one, by the words of a sentence."""

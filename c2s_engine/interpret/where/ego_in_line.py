@@ -26,7 +26,6 @@ PATTERNS = (
     ),
     re.compile(rf"\b{NUMBER} (?:one|@a\d+|@ego) [,(] (?:the )?@ego(?= ?[,.;)]|$)"),
 )
-IN_LINE = re.compile(rf"be (?:the )?{NUMBER} in (?:a |the )?line\b")
 LANES = {"left": "leftmost", "right": "rightmost"}
 
 
@@ -50,13 +49,8 @@ def _same(group: Entity, number: int, at: int, cast: Cast, clauses: Clauses, of:
         _ego_among(one, at, cast, clauses)
     for one in list(cast.entities):
         member = one.count == 1 and one.group is group and (one.ordinal if one.ordinal != -1 else group.count) == at
-        counted = one.group is None and one.count == 1 and one.ordinal == at - 1 and one is not group
-        if member or counted and any(cast.words[m.word].sentence == number for m in one.mentions):
+        if member:
             _is_ego(one, cast, clauses, of)
-    for event in clauses.events:
-        stands = event.agent.ego and event.act == "stationary" and IN_LINE.match(event.text)
-        if stands or event.agent is group and event.act == "follow":  # "drive one behind the other"
-            event.act, event.patient = "travel", None
 
 
 def _ego_among(several: Entity, at: int, cast: Cast, clauses: Clauses) -> None:
@@ -101,9 +95,6 @@ def _pointed_at(group: Entity, at: int, members: dict[int, Entity], cast: Cast, 
         rel = rel or ("ahead" if "lead" in one.roles else None)
         if one.count > 1 or one.group is not None or not named or rel not in ("ahead", "behind"):
             continue
-        place = 1 if "lead" in one.roles else at - 1 if rel == "ahead" else at + 1
-        if one.type in (group.type, "vehicle") and 1 <= place <= group.count and place not in members:
-            members[place] = one
 
 
 def _definite(noun: Word, cast: Cast) -> bool:

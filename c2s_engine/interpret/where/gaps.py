@@ -10,10 +10,6 @@ from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.who.mentions import Cast, Entity
 
-WAY = re.compile(
-    r"\b(?:over|during|for|within|in) (?:the |a |its )?"
-    r"(?:next|last|following|first|(?:distance|length|stretch|course|way) of)(?: about| some| few)?$"
-)
 SHORTEST = 0.5
 """Nobody starts so close to another (m) lengthwise: what is smaller is sideways."""
 
@@ -54,25 +50,18 @@ class Gaps:
             before = " ".join(w.norm for w in self.words[max(0, quantity["word"] - 5) : quantity["word"]])
             after = " ".join(w.norm for w in self.words[quantity["word"] + 1 : quantity["word"] + 8])
             if quantity["dimension"] == "distance":
-                if WAY.search(before):
-                    continue
                 if (
-                    re.match(r"to spare|to go|of (it|the)", after)
-                    or re.match(r"\s*(\S+ )?(away )?from the (\w+ )?(kerb|curb|edge|verge)", after)
+                    re.match(r"\s*(\S+ )?(away )?from the (\w+ )?(kerb|curb|edge|verge)", after)
                     or not SHORTEST <= quantity["low"] <= 800
                 ):
                     continue  # a way travelled
-                if (
-                    re.search(r"^(high|tall|wide|long|deep|thick)", after)
-                    or re.search(
-                        (
-                            r"visib|wide|radius|\br =|beyond|sideways|lateral|by (more|less)|long|off the|width|height"
-                            r"|past the (intersection|junction)|within (a|an)?"
-                        ),
-                        before + " " + after,
-                    )
-                    and not re.search(r"ahead|in front|behind|back|away", after)
-                ):
+                if re.search(
+                    (
+                        r"visib|wide|radius|\br =|beyond|sideways|lateral|by (more|less)|long|off the|width|height"
+                        r"|past the (intersection|junction)|within (a|an)?"
+                    ),
+                    before + " " + after,
+                ) and not re.search(r"ahead|in front|behind|back|away", after):
                     continue
                 if re.search(
                     (
@@ -82,7 +71,7 @@ class Gaps:
                         r"|further|beyond|short|before|#dist (to|of|off)|least|along|on\b|down"
                     ),
                     before + " " + after + " " + text,
-                ) and not (only_ahead and re.search(r"(drive|travel)s? (for )?#dist", text)):
+                ):
                     if re.search(r"(after|for|every) (about |around )?$", before + " ") or re.search(
                         r"(turn|when|once|until)\b", before
                     ):
@@ -101,12 +90,8 @@ class Gaps:
 
 
 APART = re.compile(r"(time[- ]?)?(gap|headway|ttc|collision|apart|interval|distance)")
-BEFORE_ONE = re.compile(
-    r"(?:[a-z]+ )?(directly |right |close )?(behind|ahead|in front|between (them|the two))\b"
-    r"(?! of the (line|junction|stop))"
-)
 
 
 def _apart(before: str, after: str, text: str) -> bool:
     """Whether a time is how far apart two are: "a headway of 2 s", "2 s behind the truck"."""
-    return APART.search(f"{before} {after}{text}") is not None or BEFORE_ONE.match(after.strip()) is not None
+    return APART.search(f"{before} {after}{text}") is not None

@@ -8,7 +8,6 @@ from copy import copy
 from c2s_engine.interpret import language
 from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import MOTOR, MOVERS, Cast, Entity
 
 BOTH = re.compile(
@@ -20,17 +19,11 @@ BOTH = re.compile(
 
 
 ASIDE = frozenset(("lane_change", "cut_out", "leave_road", "swerve", "yield", "cut_in"))
-ASIDE_TO = re.compile(
-    r"\b(?:to|towards?|onto) (?:both|either|each|the two) sides?\b|\bto (?:the )?left and (?:to )?(?:the )?right\b"
-)
 FROM_BOTH = re.compile(r"\bfrom (?:both|either|each|opposite|the two) (?:sides?|directions?|arms?)\b")
 
 
 def split_groups(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Members that do or are something of their own leave their group; the others are the group itself again."""
-    for traffic in [e for e in cast.entities if e.noun == "traffic" and e.count == 1]:
-        if FROM_BOTH.search(_said(traffic, cast, of)):
-            traffic.count, traffic.noun = 2, "cars"
     for group in [e for e in cast.entities if e.count > 1 and e.mover and e.group is None]:
         members = sorted((e for e in cast.entities if e.group is group), key=lambda e: e.ordinal or 0)
         own = [m for m in members if _matters(m, clauses, of)]
@@ -55,25 +48,6 @@ def abreast(clauses: Clauses, of: dict[Entity, Where]) -> None:
             continue
         for where in (of[e] for e in pair):
             where.rel = "ahead" if where.rel == "beside" and (where.of is None or where.of in pair) else where.rel
-        beside = of[pair[1]]
-        if (
-            beside.lane in (None, "same")
-            and of[pair[0]].lane in (None, "same")
-            and beside.rel in (None, "ahead", "behind")
-        ):
-            beside.lane, beside.rel = "adjacent", beside.rel or "ahead"
-
-
-def goes_on_abreast(clauses: Clauses) -> None:
-    """Who drives and blocks the lanes with it does not stand: "two trucks driving abreast occupy both lanes"."""
-    for event in clauses.events:
-        if event.act == "stationary" and event.done and FILLING.search(event.text):
-            drives = (
-                e for e in clauses.events if e.agent is event.agent and e.done and e.act in ("travel", "overtake")
-            )
-            moving = any(q["dimension"] == "speed" and q["low"] > 0 for q in event.quantities)
-            if moving or any(abs(e.word - event.word) < 12 for e in drives):
-                event.act = "travel"
 
 
 def _said(entity: Entity, cast: Cast, of: dict[Entity, Where]) -> str:
@@ -142,7 +116,7 @@ def _leave(group: Entity, own: list[Entity], cast: Cast, clauses: Clauses, of: d
         before = queue[queue.index(member) - 1] if queue.index(member) else None
         theirs = of[member]
         theirs.lane, theirs.side = theirs.lane or where.lane, theirs.side or where.side
-        if where.lane == "parked" and theirs.side and "lane" not in " ".join(t for _, t in theirs.phrases):
+        if where.lane == "parked" and theirs.side:
             theirs.lane = "parked"
         theirs.facing = theirs.facing or where.facing
         theirs.phrases = [*where.phrases, *theirs.phrases]
@@ -170,7 +144,7 @@ def _leave(group: Entity, own: list[Entity], cast: Cast, clauses: Clauses, of: d
         for theirs in of.values():
             theirs.of = own[0] if theirs.of is group else theirs.of
         cast.entities.remove(group)
-    elif queue[0] is not group and queue.index(group) and where.rel != "behind":
+    elif queue[0] is not group and where.rel != "behind":
         where.of = queue[queue.index(group) - 1] if where.lane in (None, "same") else where.of
 
 
@@ -187,11 +161,6 @@ def _both_sides(group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Wh
         or group.roles & {"oncoming"}
     ):
         return
-    from_both = (
-        not group.person
-        and FROM_BOTH.search(_said(group, cast, of)) is not None
-        and not any(e.agent is group and e.act in ("overtake", "cut_in", "lane_change") for e in clauses.events)
-    )
     twin = copy(group)
     twin.key, twin.roles, twin.mentions = f"{group.key}0", set(group.roles), list(group.mentions)
     off = where.lane in ("parked", "roadside", "sidewalk") or "parked" in group.roles or group.person
@@ -201,18 +170,12 @@ def _both_sides(group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Wh
     cast.entities.insert(cast.entities.index(group) + 1, twin)
     other = copy(where)
     other.phrases = list(where.phrases)
-    moves = [e for e in clauses.events if e.agent is group and e.act in ASIDE and ASIDE_TO.search(e.text)]
+    moves = [e for e in clauses.events if e.agent is group and e.act in ASIDE]
     for event in moves:
-        clauses.events.append(Event.echo(event, agent=twin, side="right", mode=event.mode))
         event.side = "left"
-    if moves and where.rel == "ahead":
-        of[twin] = other
-        return
     for half, side in ((where, "left"), (other, "right")):
         half.side = side
-        if from_both:
-            half.lane, half.rel = "crossing", None
-        elif not off:
+        if not off:
             half.lane, half.rel = side, half.rel or "beside"
     of[twin] = other
     for event in clauses.events:
@@ -232,10 +195,6 @@ EVERY = re.compile(
 )
 
 
-FILLING = re.compile(
-    r"\b(?:block|occupy|occupie|fill|obstruct|hog|tak\w+ up|cover|close)\w* (?:up )?(?:both|all|the two|all two|the)"
-    r"(?: of)?(?: the| its| three| \w+bound| through| travel)* lanes\b"
-)
 IN_ALL = re.compile(r"\bin (?:both|all|the two|all three|all two) (?:of the )?lanes\b")
 MIDDLE = re.compile(r"\b(?:middle|cent(?:er|re)) (?:one )?(?:lane|of)\b")
 
@@ -255,7 +214,7 @@ def _every_lane(group: Entity, cast: Cast, of: dict[Entity, Where]) -> bool:
     side block both lanes"."""
     if group.type not in MOTOR:
         return False
-    if FILLING.search(_said(group, cast, of)) or IN_ALL.search(_said(group, cast, of)) and not _ego_in_middle(cast):
+    if IN_ALL.search(_said(group, cast, of)) and not _ego_in_middle(cast):
         return True
     if "stationary" not in group.roles:
         return False

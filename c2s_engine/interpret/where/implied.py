@@ -58,16 +58,12 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             _past_another(event, clauses, of[event.agent])
         elif event.done and event.act == "yield" and event.agent.ego and event.patient in of:
             _urgent(event.patient, clauses, of[event.patient])
-        elif event.mode == "negated" and event.act == "yield" and event.agent in of:
-            _on_the_side(event, of[event.agent])
         elif event.done and event.act in ("cut_in", "lane_change") and in_from(event, of):
             in_from_aside(event, clauses, of[event.agent])
         elif event.done and event.act == "collide" and event.agent in of:
             sideswipes(event, clauses, of)
         elif event.done and event.act in ("lane_change", "drift", "swerve") and event.agent in of:
             into_whose_lane(event, clauses, of)
-        elif event.done and event.act == "lead" and event.agent.ego and event.patient in of:
-            _led(of[event.patient], event.agent)
         elif event.done and event.act == "follow" and event.patient in of:
             _behind_whom_it_follows(event, clauses, of)
         elif (
@@ -137,10 +133,8 @@ def _comes(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
 def _rolls_up(event: Event, of: dict[Entity, Where]) -> None:
     """A thing that rolls towards ego lies ahead of it: only road users come the other way."""
     where = of.get(event.agent)
-    if where is None or event.agent.mover or where.lane != "oncoming" or not event.text.startswith(("roll", "come")):
+    if where is None or event.agent.mover or where.lane != "oncoming":
         return
-    if re.search(r"toward", event.text) and not re.search(r"lane|carriageway|direction", event.text):
-        where.lane, where.rel = None, where.rel or "ahead"
 
 
 def _meets(event: Event, of: dict[Entity, Where]) -> None:
@@ -148,15 +142,6 @@ def _meets(event: Event, of: dict[Entity, Where]) -> None:
     other = event.patient
     if other not in of or not event.agent.ego or not event.text.startswith("meet "):
         return
-    still = other.person or not other.mover or other.roles & {"stationary", "parked", "lead", "slow"}
-    if of[other].open and of[other].of is None and not still:
-        of[other].lane = "oncoming"
-
-
-def _led(where: Where, leader: Entity) -> None:
-    """Whom ego leads is behind it."""
-    if where.open and where.of is None:
-        where.rel, where.of = "behind", leader
 
 
 def _out_from_behind(event: Event, of: dict[Entity, Where]) -> None:
@@ -181,17 +166,10 @@ def _behind_whom_it_follows(event: Event, clauses: Clauses, of: dict[Entity, Whe
         where.rel, where.of, where.lane = "behind", leader, None
 
 
-MOTORWAY = re.compile(
-    r"(?:enter|join|merge)\w* (?:on|in)?(?:to )?(?:the |a )?(?:motorway|freeway|interstate|expressway|autobahn)\b"
-)
-
-
 def _joins(event: Event, where: Where) -> None:
     """Who enters the motorway comes from the ramp."""
     if not where.open or where.of is not None and not where.of.ego or where.rel is not None:
         return
-    if MOTORWAY.match(event.text):
-        where.lane = "ramp"
 
 
 EACH_OTHER = re.compile(
@@ -269,28 +247,13 @@ def _past_another(event: Event, clauses: Clauses, where: Where) -> None:
         event.act, event.side = ("swerve" if around else "lane_change"), event.side or "left"
 
 
-def _on_the_side(event: Event, where: Where) -> None:
-    """Who does not give way "on the right" comes from that side."""
-    told = " ".join(text for _, text in where.phrases)
-    beside = where.of is not None and where.of.ego  # "a car to the left of ego"
-    if where.lane in ("left", "right") and where.rel is None and not beside and "lane" not in told + event.whole:
-        where.lane = "crossing"
-
-
 def _behind_or_beside_road(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """What ego hits while it reverses stands behind it; what it hits off the road stands beside the road."""
     other = hit.patient
     assert other is not None
     before = [e for e in clauses.events if e.agent.ego and e.done and e.order < hit.order]
     where, still = of[other], not other.mover
-    backs = (
-        before
-        and before[-1].act == "reverse"
-        or any(
-            e.act == "reverse" and e.agent.ego and e.done and e.adverbial in ("while", "when", "as", "in", "whilst")
-            for e in clauses.events
-        )
-    )
+    backs = before and before[-1].act == "reverse"
     if backs and where.rel is None and (still or where.lane in (None, "same", "parked")):
         where.rel, where.lane = "behind", "same"
     elif still and any(e.act == "leave_road" for e in before) and where.lane in (None, "same"):
@@ -303,9 +266,7 @@ def _over_the_line(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> N
         other = hit.patient if hit.agent.ego else hit.agent
         if hit.act != "collide" or not hit.done or hit.order < event.order or other is None or other not in of:
             continue
-        still = other.roles & {"lead", "stationary", "parked"} or any(
-            e.act == "stationary" and e.agent is other for e in clauses.events
-        )
+        still = other.roles & {"lead", "stationary", "parked"}
         passed = any(e.patient is other and e.act in ("overtake", "follow") for e in clauses.events)
         behind = re.search(r"rear|behind|back of", hit.whole)
         if other.mover and not other.person and of[other].open and not still and not passed and not behind:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret.entities import Entity
-from c2s_engine.interpret.surroundings.whereabouts import STATES, Where
+from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.towards import OPPOSITE, side
@@ -21,9 +21,6 @@ NEAR_JUNCTION = re.compile(
     r"\b(?:intersections?|junctions?|crossroads|roundabout|side (?:road|street)|driveway|t-junction|traffic lights?)\b"
 )
 INTO_EGO_LANE = re.compile(r"^\w+ (?:\w+ )?(?:in|on)?to (?:the )?@ego 's (?:\w+ )?(?:lane|path)\b")
-SIDEWAYS = re.compile(
-    r"^side-?swip|^(?:merge|drift|veer|swerve|steer|cut|move over|pull over|stray|wander|slide)\w* (?:\w+ )?into\b"
-)
 IN_MIDDLE = re.compile(r"\bin the (?:middle|cent(?:er|re)) lane\b")
 IN_NAMED = re.compile(r"\bin the (?:left|right|middle|cent(?:er|re))(?:-?hand|-?most)? lane\b")
 LEAVES = frozenset(("cut_in", "lane_change", "cut_out", "swerve", "drift", "turn", "enter_road", "cross_path"))
@@ -32,17 +29,10 @@ BEHIND = re.compile(r"(?:(?!lane|left|right|,|;)\S+ ){1,6}behind (?:the |an? )?(
 STANDING_OR_LED = frozenset(("stationary", "parked", "lead", "oncoming", "crossing"))
 
 
-SHIFTS = frozenset(("lane_change", "drift", "swerve", "cut_out", "evade"))
-
-
 def hit_beside(event: Event, clauses: Clauses, where: Where) -> None:
     """Whom ego hits while it changes lanes is in the lane beside; into whose path it runs a sign crosses."""
     who = event.patient
     assert who is not None
-    if event.act == "collide" and where.lane == "adjacent" and where.side is None:
-        before = (e for e in clauses.events if e.agent.ego and e.done and e.order <= event.order and e.act in SHIFTS)
-        towards = next((s for e in before if (s := side(e))), None)
-        where.lane, where.side = towards or where.lane, towards  # "swerved left and hit a car in the adjacent lane"
     if not who.mover or who.person or not where.open or where.lane is not None or who.roles & STANDING_OR_LED:
         return
     before = [e for e in clauses.events if e.agent.ego and e.done and e.order <= event.order]
@@ -50,11 +40,7 @@ def hit_beside(event: Event, clauses: Clauses, where: Where) -> None:
     slows = any(
         e.agent is who and e.done and e.act in ("brake", "stop", "brake_stop", "stationary") for e in clauses.events
     )
-    if event.act in ("run_stop", "run_red", "cross_path") and re.search(r"path of|in front of|way of", event.text):
-        where.lane = "crossing"
-    elif (
-        event.act in ("collide", "drift") and over and not FROM_BEHIND.search(event.whole) and "rear" not in event.whole
-    ):
+    if event.act in ("collide", "drift") and over and "rear" not in event.whole:
         towards = next((s for e in reversed(over) if (s := side(e))), None)
         where.lane, where.side, where.rel = towards or "adjacent", towards, "ahead" if slows else "beside"
 
@@ -65,7 +51,7 @@ def sideswipes(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
     if event.patient is None or not event.patient.ego or not where.open:
         return
     over = [e for e in clauses.events if e.agent is event.agent and e.done and e.act in ("lane_change", "cut_out")]
-    if SIDEWAYS.search(event.text) or over and where.rel is None:
+    if over and where.rel is None:
         where.lane, where.rel = "adjacent", "beside"
         for change in over:
             change.act = "cut_in"
@@ -73,8 +59,7 @@ def sideswipes(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
 
 def in_from(event: Event, of: dict[Entity, Where]) -> bool:
     """Whether one comes in "from the right" or "from the left"."""
-    told = re.search(r"\bfrom (?:the |its )?(?:left|right)\b", event.whole)
-    return event.agent in of and bool(event.act == "cut_in" or told and event.text.startswith("merg"))
+    return event.agent in of and bool(event.act == "cut_in")
 
 
 def in_from_aside(event: Event, clauses: Clauses, where: Where) -> None:
@@ -98,27 +83,14 @@ def unseen(event: Event, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) 
 
 def into_whose_lane(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """One who comes into the lane "where ego is travelling" was in the lane beside and cuts in."""
-    words = clauses.words
     if INTO_EGO_LANE.search(event.text) and event.act in ("lane_change", "drift"):
         _comes_in(event, of[event.agent])
-    lanes = [i for i in clauses.own(words[event.word]) if words[i].norm == "lane" and i > event.word]
-    for state in clauses.events:
-        clause = words[state.word]
-        if state.agent.ego and state.act in STATES and clause.dep == "relcl" and clause.head in lanes:
-            event.act = "cut_in"
-            where = of[event.agent]
-            if where.open:
-                where.lane, where.rel = "adjacent", where.rel
-            towards = side(event)
-            where.side = where.side or (OPPOSITE[towards] if towards else None)
 
 
 def _comes_in(event: Event, where: Where) -> None:
     """One who drifts into ego's lane from a place that is not told, or from beside it, cuts in."""
     beside = where.rel == "beside" and event.act == "lane_change"
-    if where.open and not event.agent.person and not event.agent.roles & {"oncoming", "parked"}:
-        where.lane, event.act = "adjacent", "cut_in"
-    elif beside:
+    if beside:
         event.act = "cut_in"
 
 

@@ -13,7 +13,6 @@ BEFORE_OR_BEHIND = re.compile(
     r"^(?:[^;]*?\b(?P<side>left|right)\b)?[^;]*?\b(?P<rel>behind|after|in front of|ahead of|before|between|path of) "
     r"(?:the |an? )?(?:\w+ )?@(?P<who>a\d+)(?! 's lane)"
 )
-SLOWS = frozenset(("brake", "brake_stop", "stop", "stationary"))
 
 
 HALTS = frozenset(("stop", "brake_stop", "brake", "evade"))
@@ -96,12 +95,6 @@ class Inferred(Concealed):
             other = event.patient
             if other is None or other not in self.of or not other.mover or not towards:
                 continue
-            where = self.of[other]
-            near = re.search(r"encroach|side|into (the )?path|too close|cut|collide|hit|strike", event.text)
-            free = where.rel is None and where.lane in (None, "same")
-            if free and (near or event.act == "collide") and not re.search(r"rear|behind|back", event.text):
-                slows = any(e.agent is other and e.act in SLOWS and e.done for e in self.clauses.events)
-                where.lane, where.side, where.rel = towards, towards, "ahead" if slows else "beside"
 
     def _between(self) -> None:
         """ "It merges between a truck and a sedan": the first is ahead of the gap, the second behind it."""
@@ -114,7 +107,7 @@ class Inferred(Concealed):
                 self.clauses.render([w.i for w in self.words if w.sentence == self.words[event.word].sentence]),
             )
             pair = [e for key in ("a", "b") for e in self.cast.entities if match and e.key == match[key]]
-            if len(pair) != 2 or not all(e.mover and not e.person for e in pair):
+            if len(pair) != 2:
                 continue
             towards = side(event)
             for other, rel in zip(pair, ("ahead", "behind"), strict=True):
@@ -134,11 +127,6 @@ class Inferred(Concealed):
                     other = self.cast.of.get(child)
                     if self.words[child].dep == "conj" and other in self.of and other is not entity and not other.ego:
                         where.rel, where.lane, where.side = self.of[other].rel, self.of[other].lane, self.of[other].side
-                        if (
-                            any(e.agent is other and e.act == "stationary" for e in self.clauses.events)
-                            or "stationary" in other.roles
-                        ):
-                            entity.roles.add("stationary")
 
     def _in_the_way(self) -> None:
         """What stands in the lane that is named, and that ego goes round, is in ego's own lane."""
@@ -191,13 +179,7 @@ class Inferred(Concealed):
                 "right",
             ):
                 whose.lane = "oncoming"
-            passes_ego = any(
-                e.agent is event.agent and e.act == "overtake" and e.done and e.patient is self.cast.ego
-                for e in self.clauses.events
-            )
-            if where.rel is None and where.lane is None and passes_ego:
-                where.lane, where.rel = "same", "ahead"  # "overtakes ego and the truck": ahead of ego, too
-            elif where.rel is None and where.lane is None:
+            if where.rel is None and where.lane is None:
                 where.lane, where.rel, where.side = whose.lane, "ahead", whose.side
                 if whose.lane in (None, "same", "left", "right"):
                     where.of, where.lane = event.agent, "same"
@@ -229,7 +211,7 @@ class Inferred(Concealed):
                     or re.match(r"where", text)
                 ):
                     side = self._last_lane(self.words[event.word].start)
-                    if side and not re.search(r"(right|left)(-hand)? lane", text):
+                    if side:
                         where.lane = side
                         if where.rel == "behind" and where.of is None or "behind" in text or "rear" in text:
                             where.rel = "behind"

@@ -8,7 +8,6 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.surroundings import lanes
 from c2s_engine.interpret.surroundings.whereabouts import STATES, Where
-from c2s_engine.interpret.what.bearings import heading
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
@@ -33,13 +32,6 @@ TOTAL = re.compile(
     rf"|(?<!number )(?<!no\. )(?<!# )(?<!#)\b(?P<m>{MANY})(?: \w+)?[ -]+lane"
     rf"|\b(?P<k>{MANY}) (?:\w+bound |through |travel |traffic )*lanes\b"
 )
-NAMED = re.compile(
-    rf"\blane (?:number |no\.? )?{COUNTED}(?: of \w+)?(?: ,)?(?: \()?"
-    r"(?: that is| i\.?e\.?| which is| namely| being)?(?: ,)?"
-    r" (?:the |in the )?(?:lane (?:on|to) (?:the |its )?)?"
-    r"(?:(?P<left>left|far left|leftmost|fast|offside|overtaking|passing|inner)"
-    r"|(?P<right>right|far right|rightmost|slow|nearside|outer))\b"
-)
 FROM_SIDE = re.compile(
     rf"\b(?:lanes?|{NTH})(?: one)? (?:\w+ ){{0,2}}from (?:the )?(?:far )?(?P<side>left|right)\b(?! lane)"
     r"|(?:count|number)\w* (?:\w+ )?(?:starts? |starting |begins? |beginning )?(?:from|on|at) (?:the )?"
@@ -62,11 +54,11 @@ def number_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str |
                 ordinal = ordinal or match["o"] is not None
     own = numbers.get(cast.ego)
     total = _total(cast)
-    if own is None or ordinal and len(numbers) == 1 and not _inner(own, cast) and not FROM_SIDE.search(_plain(cast)):
+    if own is None or ordinal and len(numbers) == 1 and not FROM_SIDE.search(_plain(cast)):
         return None
     rightwards = not _from_right(numbers, cast, clauses)
     for entity, number in numbers.items():
-        if entity.ego or _on_another_way(entity, cast, clauses):
+        if entity.ego:
             continue
         _into_own_lane(entity, own, cast, clauses)
         where = of[entity]
@@ -75,15 +67,9 @@ def number_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str |
         shifts = any(e.agent is entity and e.done and e.act in SHIFTS for e in clauses.events)
         where.rel = where.rel or ("ahead" if number == own else None if shifts else "beside")
     for entity, where in of.items():
-        if where.lane in (None, "same") and numbers.get(entity, own) == own:
+        if where.lane in (None, "same"):
             _out_of_own_lane(entity, own, clauses, rightwards=rightwards)
     return _named(own, total, rightwards)
-
-
-def _on_another_way(entity: Entity, cast: Cast, clauses: Clauses) -> bool:
-    """Whether one drives another way than ego by the compass: its lanes are not ego's."""
-    own, other = heading(clauses, cast.ego), heading(clauses, entity)
-    return own is not None and other is not None and own != other
 
 
 def _told(entity: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> list[str]:
@@ -109,12 +95,6 @@ def _total(cast: Cast) -> int | None:
     return lanes.counted(match["n"] or match["m"] or match["k"]) if match else None
 
 
-def _inner(own: int, cast: Cast) -> bool:
-    """Whether a lane is between others, from whichever side it is counted: "the third of four lanes"."""
-    match = TOTAL.search(_plain(cast))
-    return match is not None and match["n"] is not None and 1 < own < lanes.counted(match["n"])
-
-
 def _named(own: int, total: int | None, rightwards: bool) -> str:
     first, last = ("leftmost", "rightmost") if rightwards else ("rightmost", "leftmost")
     if own == 1:
@@ -126,13 +106,7 @@ def _into_own_lane(entity: Entity, own: int, cast: Cast, clauses: Clauses) -> No
     """Who changes into the lane of ego's number cuts in."""
     for event in clauses.events:
         match = INTO.search(event.text)
-        if (
-            event.agent is entity
-            and event.done
-            and event.act == "lane_change"
-            and match
-            and lanes.counted(match["n"] or match["o"]) == own
-        ):
+        if event.agent is entity and event.done and event.act == "lane_change" and match:
             event.act, event.patient = "cut_in", cast.ego
 
 
@@ -150,24 +124,17 @@ def _from_right(numbers: dict[Entity, int], cast: Cast, clauses: Clauses) -> boo
     ordered = FROM_SIDE.search(_plain(cast))
     if ordered is not None:
         return "right" in (ordered["side"], ordered["side2"])
-    for match in NAMED.finditer(_plain(cast)):
-        if lanes.counted(match["n"]) != 2:
-            return bool(match["right"]) == (match["n"] in ("1", "one", "first"))
     own = numbers[cast.ego]
     for event in clauses.events:
         number = numbers.get(event.agent)
         match = re.search(r"\b(left|right)\b", event.text)
         if number is None or match is None or not event.done:
             continue
-        struck = _next_struck(event, clauses, numbers)
-        if event.act in SHIFTS and struck not in (None, number):
-            return (match[1] == "left") == (number < struck)  # type: ignore[operator]
+        _next_struck(event, clauses, numbers)
         into = INTO.search(event.text)
         goal = lanes.counted(into["n"] or into["o"]) if into else own if "@ego" in event.text else number
         if event.act in SHIFTS and goal != number:
             return (match[1] == "left") == (number < goal)
-        if event.act == "overtake" and number != own and event.patient in (None, cast.ego):
-            return (match[1] == "left") == (number > own)
     return False
 
 

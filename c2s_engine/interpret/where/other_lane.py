@@ -8,11 +8,6 @@ from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.what.clauses import Clauses
 
 OTHER = re.compile(r"\bother (?:(?:traffic|travel|through|open|free) )?lane\b")
-COMES = re.compile(
-    r"\b(?:on-?coming|oppos\w+|against|contrary|wrong|towards?|head-on|other (?:way|direction|side)"
-    r"|com(?:e|es|ing)(?! (?:up|from behind)))\b"
-)
-"""What tells that the lane is that of the other direction."""
 ENDS = re.compile(
     r"\blanes? (?:\w+ ){0,2}(?:ends?|ending|narrows?|merges?|becomes?|drops?|closes?|closed)\b"
     r"|\b(?:ending|ends?|closed|dropped) lane\b"
@@ -29,8 +24,6 @@ def next_lane(plain: str, road: Road, of: dict[Entity, Where]) -> None:
         told = [text for _, text in where.phrases]
         if where.lane != "oncoming" or "oncoming" in entity.roles or not any(OTHER.search(t) for t in told):
             continue
-        if not any(COMES.search(OTHER.sub("", t)) for t in told):
-            where.lane, where.facing = "adjacent", None
 
 
 OPPOSITE_WAY = re.compile(
@@ -44,6 +37,3 @@ def meets_ego(clauses: Clauses, of: dict[Entity, Where]) -> None:
     for event in clauses.events:
         if not (event.agent.ego and event.done and event.act in DRIVES and OPPOSITE_WAY.search(event.text)):
             continue
-        before = [e for e in of if e.mover and not e.person and e.mentions and e.mentions[0].word < event.word]
-        if len(before) == 1 and of[before[0]].rel is None and of[before[0]].lane in (None, "same"):
-            of[before[0]].lane = "oncoming"

@@ -16,10 +16,6 @@ UNSIDED = re.compile(
     r"\b(?:on|along|at|by|near|down|up|in|hug\w*|close to) (?:the |its |his )?"
     r"(?:\w+ )?(?:edge|kerb|curb|verge|shoulder|gutter|(?:bike|cycle|bicycle) lane)\b"
 )
-AGAINST = re.compile(
-    r"\bwrong(?:[- ](?:way|direction))|(?:against|contrary to) (?:the )?(?:\w+ )?(?:traffic|direction|flow|stream)"
-    r"|facing traffic"
-)
 ACROSS = frozenset(("cross_road", "enter_road", "cross_path", "turn", "cut_in", "lane_change"))
 
 
@@ -31,10 +27,10 @@ def on_own_edge(clauses: Clauses, of: dict[Entity, Where], road: Road) -> None:
         if entity.type != "bicycle" or any(e.act in ACROSS for e in own):
             continue
         told = " ; ".join([*(t for _, t in where.phrases), *(e.whole for e in own)])
-        if not (where.lane == "oncoming" or where.facing == "against" or AGAINST.search(told)):
+        if not (where.lane == "oncoming" or where.facing == "against"):
             continue
         edge = EDGE.search(told)
-        if edge is None and not (UNSIDED.search(told) and AGAINST.search(told) and where.side != "left"):
+        if edge is None and not (UNSIDED.search(told) and where.side != "left"):
             continue
         side = "left" if edge is not None and edge["side"] == "left" else "right"
         if side == "left" and road.oncoming is not False:

@@ -18,7 +18,6 @@ ASIDE = re.compile(
     r"(?:shoulder|verge|inside|outside)\b"
 )
 DIRECTED = frozenset(("towards", "toward", "into", "onto"))
-JOINS = frozenset(("and", "but", "while", "when"))
 PLACING = language.words("placing")
 
 
@@ -48,34 +47,10 @@ class OwnWords:
         verb = after < len(self.words) and self.words[after].tag in ("VBZ", "VBP", "VBD", "MD")
         return self.words[min(phrase)].norm == "before" and verb
 
-    def _unfollowed(self, text: str, entity: Entity) -> str:
-        """The words about one whom ego follows without those that say that ego is behind: "follows it 10 m behind"."""
-        follows = any(e.act == "follow" and e.agent.ego and e.patient is entity and e.done for e in self.clauses.events)
-        return re.sub(r"\bbehind\b(?! (?:the |an? )?@)", "away", text) if follows else text
-
     def _with_another(self, child: int, entity: Entity) -> bool:
         """Whether a phrase tells who else is there ("a bus with a car 10 m behind it")."""
         whom = (self.cast.of.get(c) for c in self.words[child].children if self.words[c].dep == "pobj")
         return self.words[child].norm == "with" and any(e is not None and e.mover and e is not entity for e in whom)
-
-    def _of_another(self, child: int, i: int, entity: Entity) -> bool:
-        """Whether a phrase before a noun belongs to another's part of the list: "ego in the left lane, bus drifts"."""
-        if child > i:
-            return False
-        if any(w.norm in JOINS for w in self.words[child:i]):
-            return self._said_of_another(child, entity)
-        if not any(w.norm in (",", ";") for w in self.words[child:i]):
-            return False
-        start = next((w.i for w in reversed(self.words[:child]) if w.norm in (",", ";", ".", ":")), -1)
-        heads = [self.cast.of.get(w.i) for w in self.words[start + 1 : child] if w.span is not None]
-        verb = any(w.verb for w in self.words[start + 1 : i] if w.sentence == self.words[i].sentence)
-        return bool(heads) and not verb and heads[0] is not None and heads[0] is not entity
-
-    def _said_of_another(self, child: int, entity: Entity) -> bool:
-        """Whether a phrase stands in a clause before, whose verb has another subject."""
-        before = [w for w in self.words[:child] if w.sentence == self.words[child].sentence]
-        verb = next((w for w in reversed(before) if w.i in self.clauses.by_word), None)
-        return verb is not None and self.clauses.by_word[verb.i].agent is not entity
 
     def _following(self, i: int) -> list[int]:
         """The words right after a noun that may say where it is, up to the end of the phrase."""

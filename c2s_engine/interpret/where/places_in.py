@@ -33,7 +33,6 @@ HALTS_AT = re.compile(r"(?<=ahead|front) (?:stop|halt) (?:at|in|by) .*$")
 """Where one halts that is told to be ahead: it starts there, not where it halts."""
 WHY = re.compile(r"\b(?:due to|because of|owing to|caused by) [^,.;]*")
 """Why it is done: where somebody else is."""
-PULLS_IN = re.compile(r"(?:pull|draw|swing) (?:over )?in\b(?! front)")
 PASSES_IN = re.compile(r"in the (?:left|right|middle|cent(?:er|re))(?:-hand)? lane\b")
 
 
@@ -50,8 +49,6 @@ def places_in(event: Event) -> Iterator[str]:
         left = event.act != "leave_road" or "lane" in match[0]  # what is left is the road, unless a lane is named
         if left and (ORIGIN.match(match[0]) or event.act in DONE_THERE):
             part = INTO.sub("", match[0])
-            if PULLS_IN.match(event.text) and part.startswith("in "):
-                continue
             part = HALTS_AT.sub("", part)
             if _passed_there(event, part):
                 continue

@@ -6,7 +6,6 @@ from __future__ import annotations
 import re
 from copy import copy
 
-from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, Entity
 from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.what.clauses import Clauses
@@ -19,10 +18,6 @@ RANK = re.compile(
     rf"(?:is|was|are|am|be|being|'s|'m|as) (?:then |now |itself |also )?the (?P<nth>{_NTH}) (?:[\w-]+ ){{0,2}}?"
     r"(?:(?:of|in|among) (?:a |an |the |these |those )?(?P<of>[^.;,]+)|(?<=one )(?=[.;,])|(?<=one )$)"
 )
-ROW = re.compile(r"\b(?:platoon|convoy|queue|row|line|column|group|string|caravan) of (?P<n>\w+)")
-THEM = re.compile(r"(?:them|these|those|two|three|four|five|six)\b(?! \w+)")
-COUNTS = language.table("actors")["counts"]
-APART = frozenset(("apart", "between", "gap", "gaps", "spacing", "interval", "intervals", "spaced", "headway"))
 IN_LINE = re.compile(
     rf"\b(?:(?P<nth>{_NTH})(?: (?:one|truck|vehicle|car|@\w+))?(?: \w+)? )?"
     r"in (?:(?:a|the|this|that|its) (?:[\w-]+ ){0,2}?(?:queue|tailback|jam|line|row)|line)\b"
@@ -42,7 +37,7 @@ def ranked(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> tuple[Entit
         said = [w for w in cast.words if w.sentence == cast.words[event.word].sentence]
         if (match := RANK.match(" ".join(w.norm for w in said if w.i >= event.word))) is not None:
             lanes = {e: where.lane for e, where in of.items()}
-            row = _of_a_group(match, event, cast, clauses, of)
+            row = None
             lane = lanes.get(row) if row is not None else None
         elif event.act == "stationary" and (match := IN_LINE.search(event.text)) is not None:
             struck = any(e.act == "collide" and e.done and e.patient is cast.ego for e in clauses.events)
@@ -52,54 +47,6 @@ def ranked(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> tuple[Entit
         if event.act == "stationary" and "park" in whole and (match := BETWEEN.search(whole)) is not None:
             _parked_between(match, cast, clauses, of)
     return row, f"{lane}most" if lane in ("left", "right") else None
-
-
-def _of_a_group(
-    match: re.Match[str], event: Event, cast: Cast, clauses: Clauses, of: dict[Entity, Where]
-) -> Entity | None:
-    """The group in which ego has a rank: the others are ahead of it and behind."""
-    ego, near = cast.ego, range(cast.words[event.word].sentence - 1, cast.words[event.word].sentence + 1)
-    groups = [e for e in cast.entities if e.count > 1 and e.type in MOTOR]
-    groups = [e for e in groups if any(cast.words[m.word].sentence in near for m in e.mentions)]
-    among = match["of"]
-    if among is not None and not THEM.match(among):
-        groups = [e for e in groups if e.noun and e.noun in among]
-    told = ROW.search(among or "")
-    if not groups and told is not None and COUNTS.get(told["n"], 0) > 1:
-        noun = ego.noun or "car"
-        groups = [_row(ego.type, noun, COUNTS[told["n"]], event, cast, of)]
-        of[groups[0]].rel = None
-    if not groups and among and IN_LINE.search("in the " + among):
-        _in_a_queue(match["nth"], event, cast, clauses, of)
-    if not groups or of[groups[0]].rel not in (None, "ahead"):
-        return None
-    group = groups[0]
-    if "stationary" in group.roles or any(e.agent is group and e.act == "stationary" for e in clauses.events):
-        event.act = "stationary"
-    rank = _rank(match["nth"], group.count)
-    if not ego.typed and ego.type == "car":
-        ego.type = group.type
-    of[group].gap = of[group].gap or _apart(group, cast)
-    ahead = min(rank - 1, group.count)  # "the third in line, two cars in front of it"
-    _part(group, ahead, max(0, group.count - rank), cast, clauses, of)
-    return group
-
-
-def _apart(group: Entity, cast: Cast) -> tuple[float, float] | None:
-    """How far apart the members of a group are."""
-    said = [w for w in cast.words if w.sentence == cast.words[group.mentions[0].word].sentence]
-    for word in said:
-        near = {w.norm for w in said if abs(w.i - word.i) <= 3}
-        if word.span is not None and word.span.data.get("dimension") == "distance" and near & APART:
-            return word.span.data["low"], word.span.data["high"]
-    return None
-
-
-def _rank(nth: str, count: int) -> int:
-    """A rank by its word."""
-    if nth in ("middle", "central"):
-        return (count + 1) // 2
-    return count if NTH.get(nth, -1) < 0 else NTH[nth]
 
 
 def _part(group: Entity, ahead: int, behind: int, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
@@ -115,20 +62,15 @@ def _part(group: Entity, ahead: int, behind: int, cast: Cast, clauses: Clauses, 
     cast.entities.insert(cast.entities.index(group) + 1, twin)
     of[twin] = copy(where)
     of[twin].phrases, of[twin].rel = list(where.phrases), "behind"
-    for event in clauses.events:
-        if event.agent is group:
-            event.also = [*event.also, twin]
 
 
 def _in_a_queue(nth: str | None, event: Event, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Those who stand before ego in a queue, where nobody else is told to be there."""
     if nth and NTH.get(nth) == 1:
         return
-    if not any(e.agent.ego and e.act == "stationary" and e.done for e in clauses.events):
-        event.act = "stationary"
     if any(e.type in MOTOR and (w.rel == "ahead" or e.count > 1 and w.rel is None) for e, w in of.items()):
         return
-    row = _row("car", "cars", max(NTH.get(nth or "", 0) - 1, 0) or 2, event, cast, of)
+    row = _row("car", "cars", 2, event, cast, of)
     row.roles.add("stationary")
 
 
@@ -143,11 +85,5 @@ def _row(kind: str, noun: str, count: int, event: Event, cast: Cast, of: dict[En
 def _parked_between(match: re.Match[str], cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Of two between which ego is parked one is ahead, the other behind."""
     pair = [e for key in ("a", "b") for e in cast.entities if e.key == match[key]]
-    if not pair or not all(e.type in MOTOR for e in pair):
-        return
     if len(pair) == 1 and pair[0].count == 2:
         _part(pair[0], 1, 1, cast, clauses, of)
-    elif len(pair) == 2:
-        for other, rel in zip(pair, ("ahead", "behind"), strict=True):
-            of[other].rel, of[other].lane, of[other].side = rel, of[other].lane or "same", None
-            other.roles.add("stationary")

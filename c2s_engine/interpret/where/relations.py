@@ -7,7 +7,6 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.surroundings.whereabouts import (
     FAR_AHEAD,
-    FRONTED,
     FRONTED_FAR,
     STATES,
     Where,
@@ -19,7 +18,7 @@ from c2s_engine.interpret.where.accompanied import WITH_ANOTHER, accompanied, wi
 from c2s_engine.interpret.where.both_in import both_in_lane
 from c2s_engine.interpret.where.closures import closed_lanes, in_closed_lanes
 from c2s_engine.interpret.where.ego_in_line import ego_in_line
-from c2s_engine.interpret.where.groups import abreast, goes_on_abreast, split_groups
+from c2s_engine.interpret.where.groups import abreast, split_groups
 from c2s_engine.interpret.where.implied import implied_places
 from c2s_engine.interpret.where.implied_lanes import evaded_lane, followed_lane
 from c2s_engine.interpret.where.inferred import Inferred
@@ -42,11 +41,6 @@ FILLED = re.compile(
     r"(?:(?:be|is|was|are|were) )?(?:\w+ )?(?:full of|fill(?:ed)? with"
     r"|occup(?:y|ied) by|pack(?:ed)? with|block(?:ed)? (?:by|with)|taken? by)"
     r"(?: the| an?)?(?: (?:convoy|row|line|column|queue|string|platoon) of)?(?: \w+)?$"
-)
-
-PART_FILLED = re.compile(
-    r"\b(?:half|part|most|a third|some) of (?:the |its |(?:the )?@ego 's )(?:\w+ )?lane (?:be|is|was) "
-    r"(?:\w+ ){1,2}(?:by|with)(?: the| an?)?(?: \w+)?$"
 )
 
 
@@ -81,7 +75,6 @@ class Places(OwnWords, Inferred):
         self.ego_lane = self.ego_lane or closed_lanes(cast, clauses, self.of)
         in_line = ego_in_line(cast, clauses, self.of)
         self.ego_lane = in_line or self.ego_lane
-        goes_on_abreast(clauses)
         in_closed_lanes(cast, clauses, self.of)
         split_groups(cast, clauses, self.of)
         self.row, lane = ranked(cast, clauses, self.of) if in_line is None else (None, None)
@@ -172,13 +165,9 @@ class Places(OwnWords, Inferred):
             if other.dep in ("prep", "advmod", "appos", "npadvmod", "amod", "dep", "nmod", "acl") and child != i:
                 if other.dep == "amod" and child < i:
                     continue
-                if other.dep == "acl" and (child in self.clauses.by_word or self.clauses._by_a_deed(other)):
+                if other.dep == "acl" and (child in self.clauses.by_word):
                     continue
-                if other.dep == "prep" and (
-                    self._with_another(child, entity)
-                    or self._of_another(child, i, entity)
-                    or self._of_time([child, *self.clauses._below(child)])
-                ):
+                if other.dep == "prep" and (self._with_another(child, entity)):
                     continue
                 if i in self.clauses.deeds and other.norm in HEADING:
                     continue  # "a lane change by the truck to the left"
@@ -204,13 +193,11 @@ class Places(OwnWords, Inferred):
             ),
             front,
         )
-        fronted = (fronted or FRONTED.search(front)) if not self._of_subject(word) else None
+        fronted = (fronted) if not self._of_subject(word) else None
         if fronted and word.span is not None:
             read(fronted[1] + (" park" if self._parks(entity) else ""), where, entity, self.cast, "noun")
         self._fronted_far(word, front, where, entity)
-        far = self.clauses.render([w.i for w in self.words[max(0, i - 14) : i] if w.sentence == word.sentence])
-        if PART_FILLED.search(far) and word.span is not None and where.lane is None:
-            where.lane = "partly"
+        self.clauses.render([w.i for w in self.words[max(0, i - 14) : i] if w.sentence == word.sentence])
         filled = FILLED.search(front)
         if filled and word.span is not None:
             lane = re.sub(r"other (two|three|lanes|two lanes)$", "adjacent lane", filled[1])
@@ -229,7 +216,7 @@ class Places(OwnWords, Inferred):
         ):
             following = self._following(i)
             read(" ".join([*lead, self.clauses.render(following)]), where, entity, self.cast, "noun")
-        text = self._unfollowed(self._unpassed(self._unhit(text, entity), i, entity), entity)
+        text = self._unpassed(self._unhit(text, entity), i, entity)
         if self.cast.of and text.strip():
             read(text, where, entity, self.cast, "noun")
             self._gap(indices, where)
@@ -280,9 +267,7 @@ class Places(OwnWords, Inferred):
                 or self.words[after[0]].norm in PLACING
             ):
                 read(
-                    self._unfollowed(
-                        self._unpassed(self._unhit(self.clauses.render(after), entity), i, entity), entity
-                    ),
+                    self._unpassed(self._unhit(self.clauses.render(after), entity), i, entity),
                     where,
                     entity,
                     self.cast,

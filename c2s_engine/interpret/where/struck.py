@@ -25,7 +25,6 @@ SHIFTS = {
     "swerve": "swerve",
 }
 """What one does who "merges into" another."""
-INTO_REAR = re.compile(rf"\binto (?:the |its )?{END}|\binto @\w+ 's {END}")
 COMES_OUT = frozenset(("enter_road", "reverse", "cut_in", "go_straight", "cross_path", "lane_change"))
 OUT_INTO = re.compile(
     r"\bout of (?:an?|the|its|his|her) (?:\w+ ){1,3}(?:straight |right |directly )?into (?:the )?"
@@ -40,8 +39,6 @@ PUSHES_ONTO = re.compile(
 )
 """Who is pushed, and into whom."""
 IN_ORDER = re.compile(r"\bin (?:that|this|the same|numerical|the following) order\b")
-AGAIN = frozenset(("again", "second", "twice", "then", "another", "subsequently", "continued", "kept", "also"))
-"""What tells of another blow."""
 BACKS_INTO = (6.0, 12.0)
 """How far (m) behind ego stands what it reverses into."""
 
@@ -67,7 +64,7 @@ def merged_into(clauses: Clauses) -> None:
         shift = SHIFTS.get(clauses._lemma(clauses.words[event.word]))
         earlier = (e for e in clauses.events if e.agent is event.agent and e.order < event.order)
         shifted = any(e.act in ("lane_change", "cut_in", "drift", "turn", "leave_road") for e in earlier)
-        if shift is not None and not shifted and not INTO_REAR.search(event.text):
+        if shift is not None and not shifted:
             clauses.events.append(Event.echo(event, act=shift, order=event.order - 0.1, adverbial=event.adverbial))
 
 
@@ -85,8 +82,6 @@ def came_out_into(clauses: Clauses) -> None:
 
 def _push_onto(clauses: Clauses, event: Event, whom: Entity | None, what: Entity | None) -> None:
     """ "V2 struck V1, pushing it into V3": V1 hits V3; the push is the blow that was told."""
-    if whom is None or what is None or clauses._lemma(clauses.words[event.word]) not in PUSHES or what is event.agent:
-        return
     struck = (e for e in clauses.events if e is not event and e.act == "collide" and e.agent is event.agent)
     told = any(e.patient is whom and e.done for e in struck)
     clauses.events.append(Event.echo(event, agent=whom, patient=what, order=event.order + 0.1))
@@ -100,8 +95,6 @@ def twice(clauses: Clauses) -> None:
     hits = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in hits:
         later = [e for e in hits if e is not event and e.agent is event.agent and e.patient is not None]
-        if event.patient is None and any(0 < e.word - event.word < 16 for e in later):
-            event.mode = "hypothetical"
         again = [e for e in later if e.patient is event.patient and e.word > event.word]
         if event.patient is not None and again and event.mode == "fact":
             _told_once(clauses, event, again[0])
@@ -112,9 +105,7 @@ def twice(clauses: Clauses) -> None:
 
 def _told_once(clauses: Clauses, first: Event, again: Event) -> None:
     """A blow that a heading or summary tells before the story does: only the story's."""
-    words = clauses.words[first.word : again.word + 8]
-    here = [w.norm for w in words if w.sentence <= clauses.words[again.word].sentence]
-    if AGAIN.isdisjoint(here) and clauses.words[first.word].sentence < clauses.words[again.word].sentence:
+    if clauses.words[first.word].sentence < clauses.words[again.word].sentence:
         between = any(e.agent is first.agent and first.order < e.order < again.order for e in clauses.events if e.done)
         (first if between else again).mode = "hypothetical"
 
@@ -131,8 +122,6 @@ def struck_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None
             _one_behind(hit, of)
         elif HEAD_ON.search(hit.text):
             _head_on(hit, of)
-        elif _in_other_lane(hit, clauses, of):
-            of[hit.agent].lane = "oncoming"
         else:
             _next_in_chain(hit, clauses, of)
             _ahead_of_pushed(hit, clauses, of)
@@ -181,33 +170,16 @@ def _next_in_chain(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> Non
     before = any(e.patient is not None and e.patient.ego for e in hits if e.word < hit.word) and _open(of[patient])
     after = of[patient].of is None or of[patient].of.ego  # type: ignore[union-attr]
     waits = of[patient].rel == "behind" and after and of[patient].lane in (None, "same")
-    if not before and not (waits and not any(e.word < hit.word for e in hits if e.patient is agent)):
+    if not before and not (waits):
         return
-    if _open(of[agent]) and agent.mover and not agent.roles & {"oncoming", "crossing"}:
+    if agent.mover and not agent.roles & {"oncoming", "crossing"}:
         of[agent].rel, of[agent].lane, of[agent].of = "behind", "same", patient
-
-
-def _in_other_lane(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> bool:
-    """Whether one is hit that had got into the oncoming lane: by one that comes the other way."""
-    patient = hit.patient
-    if hit.agent not in of or not _open(of[hit.agent]) or patient is None or not hit.agent.mover or hit.agent.person:
-        return False
-    over = any(e.act == "oncoming" and e.agent is patient and e.done and e.order < hit.order for e in clauses.events)
-    return over and (patient.ego or patient in of and of[patient].lane != "oncoming")
 
 
 def _ahead_of_pushed(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Whom one is pushed into is ahead of that one: "ran into V2, pushing it into V3"."""
-    agent, patient = hit.agent, hit.patient
+    _agent, patient = hit.agent, hit.patient
     assert patient is not None
-    pushed = clauses._lemma(clauses.words[hit.word]) in PUSHES or any(
-        e.act == "collide" and e.agent.ego and e.patient is agent and e.done and e.order < hit.order
-        for e in clauses.events
-    )
-    if pushed and not agent.ego and patient in of and patient.mover and not patient.person and _open(of[patient]):
-        beside = agent in of and (of[agent].of is patient or of[agent].lane not in (None, "same"))
-        if not beside and not patient.roles & {"parked", "oncoming", "crossing"}:
-            of[patient].rel, of[patient].lane, of[patient].of = "ahead", "same", agent
 
 
 def _head_on(hit: Event, of: dict[Entity, Where]) -> None:

@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import MOTOR, Entity, fits
+from c2s_engine.interpret.entities import Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.spans import names_one
 from c2s_engine.interpret.who.riders import Riders
 
 STANDS = language.words("stands")
@@ -26,18 +25,6 @@ class Attached(Riders):
         others = [e for e in self.entities if fits(e, "rider")]
         return self.ego if the and not others and self.ego.type == "motorcycle" and self.ego.typed else None
 
-    def _keeper(self, word: Word) -> Entity | None:
-        """The vehicle of which somebody is told to be the driver or owner: "the Polo of a woman from Leeds"."""
-        of = self.words[word.head]
-        above = self.words[of.head]
-        if word.dep != "pobj" or of.norm != "of" or above.i not in self.of or not names_one(above.span, MOTOR):
-            return None
-        told = self.of[above.i]
-        if told.count > 1 or not (told.ego or told.type in MOTOR):
-            return None
-        told.manned = True
-        return told
-
     def _owner_told(self, word: Word, noun: str) -> Entity | None:
         """Somebody spoken of before, whose vehicle is named now: "a woman was hurt ... the woman's Polo"; who is
         told of right before: "the second, a man in a Rover"."""
@@ -47,7 +34,7 @@ class Attached(Riders):
         the = any(self.words[c].norm == "the" for c in word.children)
         vehicle = self.words[word.head] if word.dep == "poss" else None
         told = next((e for e in self.entities if e.person and e.noun == noun and e.count == 1), None)
-        if not the or told is None or vehicle is None or not names_one(vehicle.span, MOTOR) or self._afoot(told):
+        if not the or told is None or vehicle is None:
             return None
         told.type, told.typed, told.manned = "vehicle", False, True
         return told

@@ -63,8 +63,6 @@ class ByPlace(Parts):
 
     def _is_at(self, entity: Entity, place: str) -> bool:
         """Whether somebody was told to be there."""
-        if place == "beside":
-            return self._placed_at(entity, "left") or self._placed_at(entity, "right")
         if place in ("parked", "moving"):
             rests = bool(entity.roles & {"parked", "stationary"}) or self._placed_at(entity, "parked")
             return rests == (place == "parked")

@@ -33,7 +33,7 @@ class Excluded(PlaceWords):
     def _object_labels(self, verb: Word) -> set[str]:
         """The labels of whom somebody hits: it is another who does it ("he hit vehicle 2")."""
         objects = [w.span for w in self._objects(verb)]
-        return {str(s.data["label"]) for s in objects if s is not None and s.kind == "label" and s.data.get("label")}
+        return {str(s.data["label"]) for s in objects if s is not None and s.kind == "label"}
 
     def _placed_by_ego(self, verb: Word) -> bool:
         """Whether somebody does something before or behind ego: it is another ("it pulls out in front of us")."""
@@ -41,6 +41,6 @@ class Excluded(PlaceWords):
         for word in self.words[verb.i :]:
             if word.sentence != verb.sentence or word.norm in (",", ";", "."):
                 break
-            named = self.of.get(word.i) is self.ego or word.span is not None and word.span.kind == "ego"
+            named = word.span is not None and word.span.kind == "ego"
             clause.append("@ego" if named else word.norm)
         return BY_EGO.search(" ".join(clause)) is not None

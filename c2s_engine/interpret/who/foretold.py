@@ -22,8 +22,6 @@ def foretold(cast: Cast) -> None:
             continue
         found = later[0]
         cast.of[at] = found
-        found.mentions.insert(0, first.mentions[0])
-        cast.entities.remove(first)
         cast.subjects = [(i, found if e is first else e) for i, e in cast.subjects]
 
 

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import MOTOR, VEHICLES, Entity, fits
+from c2s_engine.interpret.entities import MOTOR, VEHICLES, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.attached import Attached
 
 NOT_NAMED = language.words("systems") | {"i", "we", "my", "our", "me", "us"}
 """Words for ego that may only mean who asks for the scene, or what is tested."""
-
-MET = frozenset(("collide", "crash", "involve", "meet"))
-NUMBERED = ("first", "second", "third", "fourth")
 
 
 class Introduced(Attached):
@@ -28,7 +25,7 @@ class Introduced(Attached):
             return None
         told = [e for e in self.entities if e.type in VEHICLES and e.mentions]
         alone = len(told) == 1 and self.ego.mentions or len(told) == 2 and not self.ego.mentions
-        if not alone or any(e.count > 1 for e in told):
+        if not alone:
             return None
         if {"both", "two"} & set(before):
             self.both[word.i] = told[:-1] or [self.ego]
@@ -55,21 +52,4 @@ class Introduced(Attached):
         since = [m for m in self.ego.mentions if first.i < m.word < word.i]
         before = [m for m in self.ego.mentions if m.word < first.i and self.words[m.word].norm not in NOT_NAMED]
         bare = first.dep == "attr" or first.dep == "nsubj" and first.i + 2 >= self.words[first.head].i
-        return pairs[0] if since and not before and bare and fits(pairs[0], kind) else None
-
-    def _one_of_parties(self, word: Word, kind: str, noun: str) -> Entity | None:
-        """The next of those who were only said to have met: "Two cars collided. A red Honda ran the light and ..."."""
-        groups = [e for e in self.entities if e.count > 1 and e.type in ("vehicle", kind) and e.mentions]
-        if len(groups) != 1 or kind not in VEHICLES or groups[0].roles or self.ego.mentions:
-            return None
-        first = self.words[groups[0].mentions[0].word]
-        met = self._governor(first).lemma in MET and first.dep in ("nsubj", "nsubjpass")
-        if not met or first.sentence >= word.sentence or any(m.kind != "pronoun" for m in groups[0].mentions[1:]):
-            return None
-        known = sum(e.group is groups[0] for e in self.entities)
-        if known != sum(e.mover for e in self.entities) - 1 or known >= min(groups[0].count, len(NUMBERED)):
-            return None  # somebody else was told of, too
-        found = self.member(groups[0], NUMBERED[known])
-        if found is not None:
-            found.noun = noun
-        return found
+        return pairs[0] if since and not before and bare else None

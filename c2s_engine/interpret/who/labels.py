@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import PERSONS, Entity
+from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.reading.scan import Span
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.nouns import Nouns
@@ -29,15 +29,9 @@ class Labels(Nouns):
     def _label_is_ego(self) -> bool:
         """Whether number 1 is ego although ego has another name: "V1, the subject vehicle"."""
         if not self.strong_ego:
-            return not self._one_walks()
+            return True
         text = self._about_one("@ego", lambda span: span.kind == "ego")
         return bool(re.search(r"@one (,|\(|is|was|being|, which is) (the )?@ego|@ego (,|\(|is|was) ?\(? ?@one", text))
-
-    def _one_walks(self) -> bool:
-        """Whether number 1 is somebody on foot or on a bicycle: "Unit 1 was a pedestrian"."""
-        slow = PERSONS | {"bicycle"}
-        text = self._about_one("@walker", lambda span: span.kind == "actor" and span.data["type"] in slow)
-        return bool(re.search(r"@one (?:,|\(|is|was|:|-) ?(?:an? |the )?(?:[\w-]+ ){0,2}@walker", text))
 
     def _about_one(self, mark: str, marked: Callable[[Span], bool]) -> str:
         """The text with number 1 as "@one" and what else is looked for as a mark."""
@@ -53,27 +47,18 @@ class Labels(Nouns):
         data = word.span.data  # type: ignore[union-attr]
         label = data["label"]
         if label == "1" and self.one_is_ego:
-            host = self._listed(word) or self._apposed(word) or self._known_as(word)
-            if host and host.count > 1:  # "three cars: A, B and C"
-                host.roles.add("group")
-            elif host and not host.ego and len(host.mentions) <= 2:
+            host = self._apposed(word) or self._known_as(word)
+            if host and not host.ego and len(host.mentions) <= 2:
                 self.become_ego(host)
             return self.ego
         host = self._copula(word)
         state = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
         stands = {role for role in [language.roles().get(state)] if role and state in STANDS}
         known = next((e for e in self.entities if e.label == label), None)
-        if host is not None and host.ego:  # "the ego is car C"
-            if known is not None:
-                self.become_ego(known)
-            return self.ego
         if known is not None:
             known.roles |= stands
             return known
-        host = self._listed(word) or self._apposed(word) or self._known_as(word)
-        if host is not None and host.count > 1:  # "three cars: A is in front"
-            host.roles.add("group")
-            return self._new(Entity("", host.type, noun=host.noun, label=label, typed=host.typed))
+        host = self._apposed(word)
         if host is None and word.i and self.words[word.i - 1].norm == "(":
             near = [
                 i
@@ -115,8 +100,6 @@ class Labels(Nouns):
         if kind == "rider" and by.norm == "with" and host.type in ("motorcycle", "bicycle"):
             return host  # "a motorcycle with rider and passenger"
         rides = by.norm == "on" and kind in ("bicycle", "motorcycle") and host.label and host.person
-        if rides:
-            host.type, host.typed = kind, True
         return host if rides else None
 
     def _apposed(self, word: Word) -> Entity | None:
@@ -144,7 +127,6 @@ class Labels(Nouns):
                         and gap[-1] == ","
                         and not re.search(r"\b(a|an|the|called|as)\b", text)
                         and word.dep != "appos"
-                        and not self._between_commas(word, other)
                     ):
                         return None
                     return self.of[other.i]
@@ -176,13 +158,6 @@ class Labels(Nouns):
                 return None
         return None
 
-    def _between_commas(self, word: Word, host: Word) -> bool:
-        """Whether a label stands between commas right behind a noun that is new: "a tractor, V2, ..."."""
-        after = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
-        new = any(self.words[c].norm in ("a", "an") for c in host.children) and len(self.of[host.i].mentions) == 1
-        label = word.span is not None and word.span.kind == "label"
-        return label and new and not self.of[host.i].ego and after is not None and after.norm in (",", ".")
-
     def _set_off(self, word: Word) -> bool:
         """Whether a noun stands between commas right behind a label: "V1, a Honda Civic also westbound, turned"."""
         back = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
@@ -200,13 +175,6 @@ class Labels(Nouns):
         closed = next((n for n, w in enumerate(after) if w.norm == "," or w.tag in ("VBD", "VBZ", "CC")), len(after))
         return closed < len(after) and after[closed].norm == ","
 
-    def _beside_another(self, word: Word, verb: Word) -> bool:
-        """Whether a noun is set beside the one before its comma, behind another verb: "was stopped when she was struck
-        by the third party, a van"."""
-        comma = next((w.i for w in reversed(self.words[max(0, word.i - 5) : word.i]) if w.norm == ","), None)
-        beside = comma is not None and comma - 1 in self.of and self.words[comma + 1].norm in ("a", "an")
-        return beside and any(w.verb and w.dep != "aux" for w in self.words[verb.i + 1 : comma])
-
     def _copula(self, word: Word) -> Entity | None:
         """The subject of "X is/was a truck"."""
         head = self.words[word.head]
@@ -216,7 +184,7 @@ class Labels(Nouns):
         if word.dep == "pobj" and head.norm == "as" and (verb := self.words[head.head]).lemma in STANDS_STILL:
             subjects = (c for c in verb.children if self.words[c].dep in ("nsubj", "nsubjpass") and c < word.i)
             return next((self.of[c] for c in subjects if c in self.of), None)  # "stopped as the last car"
-        if word.dep == "attr" and head.lemma == "be" and near[-1:] != ["as"] and not self._beside_another(word, head):
+        if word.dep == "attr" and head.lemma == "be" and near[-1:] != ["as"]:
             for child in head.children:
                 if (
                     self.words[child].dep == "nsubj"

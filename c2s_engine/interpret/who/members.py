@@ -9,7 +9,6 @@ from c2s_engine.interpret.entities import ORDINALS, VEHICLES, Entity, Mention
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.portions import Portions
 
-COLOURS = language.words("colours")
 ENDS = {
     "first": {"before": ("front", "leading", "foremost"), "after": r"(?:in|at the) front\b|ahead\b"},
     "last": {"before": ("rear", "rearmost", "trailing", "back"), "after": r"behind\b|at the (?:back|rear|end)\b"},
@@ -44,8 +43,6 @@ class Members(Portions):
         told = word.norm if word.norm in ORDINALS else before[-1] if before and word.norm == "one" else ""
         if word.norm == "one" and groups and (end := self._end(word, before, groups[-1])):
             return self.member(groups[-1], end)
-        if word.norm == "one" and (alike := self._of_colour(word)) is not None:
-            return alike
         if word.norm == "one" and "the" in before and (there := self._by_place(word, self.entities)) is not None:
             return there
         named = before[-1:] if told == word.norm else before[-2:-1]
@@ -65,17 +62,12 @@ class Members(Portions):
         if group.count == 2 and (side := re.match(r"(?:on|to) (?:the|its|@ego 's) (left|right)\b", after)):
             return "first" if side[1] == "left" else "last"
         for number, ends in ENDS.items():
-            if before[-1] in ends["before"] or re.match(ends["after"], after):
+            if before[-1] in ends["before"]:
                 return number if not ahead else "last" if number == "first" else "first"
         return ""
 
     def _hints(self, entity: Entity) -> set[str]:
         raise NotImplementedError
-
-    def _of_colour(self, word: Word) -> Entity | None:
-        """ "The black one": who was called so."""
-        colours = COLOURS & {self.words[c].norm for c in word.children}
-        return next((e for e in reversed(self.entities) if e.names & colours), None) if colours else None
 
     def _members_to_come(self) -> None:
         """ "The second of the three cars", "two of the vans", where the group is named after its member."""
@@ -94,21 +86,6 @@ class Members(Portions):
                     self.of[word.i] = found
                     found.mentions.append(Mention(word.i, word.start, word.end, kind="pronoun"))
 
-    def _listed(self, word: Word) -> Entity | None:
-        """The group whose members are told right after it: "three cars: A, B and C"."""
-        for other in reversed(self.words[max(0, word.i - 8) : word.i]):
-            group = self.of.get(other.i)
-            if group is not None and group.count > 1:
-                opens = self.words[other.i + 1]
-                return group if opens.norm in (":", "(") or opens.sentence != other.sentence else None
-            if (
-                other.norm not in (":", "(", ",", "and", "&")
-                and len(other.norm) > 1
-                and not (other.span is not None and other.span.kind == "label")
-            ):
-                return None
-        return None
-
     def _by_order(self, word: Word, told: str) -> Entity | None:
         """ "The first one" where single ones of a kind, or two or three in all, were told one after the other."""
         spoken = [self.of[i] for i in sorted(self.of) if i < word.i and self.of[i].mover]
@@ -126,8 +103,6 @@ class Members(Portions):
         if word.norm == "one" and bare and not (before and before[-1] in ORDINALS):
             return self.member(group, "first")
         known = [e for e in self.entities if e.group is group]
-        if word.norm == "others" and known:
-            return self.rest(group)
         if (word.norm == "other" or word.norm == "one" and before[-1:] == ["other"]) and known:
             return self.member(group, "first" if len(known) == 1 and known[0].ordinal == -1 else "last")
         return None
@@ -180,8 +155,6 @@ class Members(Portions):
             ]
             spoken = others if len(set(others)) > 1 else spoken
             pair = list(dict.fromkeys(reversed(spoken)))[:2]
-            if len(set(others)) == 1 and others[0].count == 2:  # "two cyclists ...; the former turns left"
-                return self.member(others[0], "first" if norm == "former" else "last")
             return pair[0 if norm == "latter" or len(pair) == 1 else 1] if pair else None
         if norm == "one" and (listed := self._next_listed(word, following)) is not None:
             if listed.group is not None:
@@ -275,16 +248,9 @@ class Members(Portions):
             while at.dep == "conj" and at.head in self.of and at.head < at.i:
                 at = self.words[at.head]
                 found.insert(0, self.of[at.i])
-            if at.dep in ("nsubj", "nsubjpass") and len({*found}) > 1 and all(e.mover for e in found):
+            if at.dep in ("nsubj", "nsubjpass") and len({*found}) > 1:
                 return sorted(dict.fromkeys(found), key=lambda e: e.ego)
         return None
-
-    def _subjects_before(self, word: Word) -> list[Entity] | None:
-        """The two or three, ego not among them, of which the sentence before told one after the other."""
-        if word.dep not in ("nsubj", "nsubjpass"):
-            return None
-        found = list(dict.fromkeys(e for i, e in self.subjects if self.words[i].sentence == word.sentence - 1))
-        return found if 1 < len(found) < 4 and all(e.mover and not e.ego for e in found) else None
 
     def _all_of(self, word: Word, those: list[Entity]) -> Entity:
         """One word that means several of them: the first, with the others beside."""

@@ -16,7 +16,7 @@ from c2s_engine.interpret.entities import (
     Mention,
     fits,
 )
-from c2s_engine.interpret.reading.askers import asked, bystanding, narrator, quoted, riding, told_by_others
+from c2s_engine.interpret.reading.askers import asked, bystanding, narrator, quoted, told_by_others
 from c2s_engine.interpret.reading.newspaper import has_headline
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.labels import Labels
@@ -36,14 +36,6 @@ __all__ = [
 ]
 
 
-CARRIED = re.compile(
-    r"\b(?:i|we|plaintiff|claimant|complainant|insured) (?:was|were|am|are) "
-    r"(?:(?:an?|the|sitting|seated|travell?ing|riding|driving|passengers?|front|back"
-    r"|rear|seat|home|to work|from (?:\w+ ){1,2}to \w+) )*(?:in|on|aboard) (?:an?|the|his|her|their"
-    r"|my \w+ 's) (?:[\w-]+ ){0,2}$"
-)
-
-
 class Cast(Labels):
     """The entities of a text, and who each word means."""
 
@@ -61,8 +53,6 @@ class Cast(Labels):
         self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD") and not _by(words, w)}
         self.headlined = has_headline(words)
         self.me = self._narrator()
-        if self.me is self.ego and not self.asking and riding(" ".join(w.norm for w in words)):
-            self.ego.type, self.ego.typed = "motorcycle", True
         self.strong_ego = any(self._strong(w) for w in words)
         self.ego_named = self.strong_ego or any(
             w.span and w.span.kind == "label" and w.span.data["label"] == "1" for w in words
@@ -105,9 +95,6 @@ class Cast(Labels):
             else:
                 entity = self._pronoun(word)
             if entity is not None:
-                if entity.type in MOTOR and not entity.ego and self._carries_me(word):
-                    self.become_ego(entity)
-                    entity = self.ego
                 self.of[word.i] = entity
                 self._man(word, entity)
                 entity.mentions.append(
@@ -125,11 +112,6 @@ class Cast(Labels):
         whose = self.words[word.head] if word.dep == "poss" else None
         return whose is not None and whose.dep == "nsubj" and whose.span is None
 
-    def _carries_me(self, word: Word) -> bool:
-        """Whether it is said to be what the first person is in: "I was a passenger in a taxi"."""
-        before = " ".join(w.norm for w in self.words[max(0, word.i - 12) : word.i] if w.sentence == word.sentence)
-        return word.i not in self.asking and CARRIED.search(before + " ") is not None
-
     def _subjects_to_come(self) -> None:
         """ "As it was turning left, V1 was hit": a pronoun before anybody is named means who is named next."""
         for word in self.words:
@@ -137,7 +119,7 @@ class Cast(Labels):
             main = self.words[verb.head]
             if word.norm not in ("it", "he", "she") or word.i in self.of or word.dep not in ("nsubj", "nsubjpass"):
                 continue
-            if verb.dep != "advcl" or main.i < verb.i or any(i < word.i for i in self.of):
+            if verb.dep != "advcl" or main.i < verb.i:
                 continue
             subjects = (c for c in main.children if self.words[c].dep in ("nsubj", "nsubjpass") and c > verb.i)
             known = (c for c in subjects if not {"a", "an"} & {self.words[i].norm for i in self.words[c].children})
@@ -208,7 +190,7 @@ class Cast(Labels):
             return self.me
         if span.kind == "ego":
             self._ego_type(word)
-            named = self._copula(word) or self._which_is(word) or self._bracketed(word)
+            named = self._copula(word) or self._bracketed(word)
             after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
             near = named is not None and any(0 < word.i - m.word <= 6 for m in named.mentions)
             if (

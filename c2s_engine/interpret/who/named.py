@@ -15,9 +15,6 @@ DRIVEN_BY = re.compile(
     r" (?:(?:an?|the|his|her) )?(?:[\w-]+ ){0,4}$"
 )
 IS_A = re.compile(r"(?:, |\( )?(?:(?:aged )?\d+ ,? ?|who )?(?:(?:was|is) )?(?:an?|the) (?:[\w-]+ ){0,3}$")
-ACROSS = re.compile(
-    r"\b(?:across|crosse?[sd]?|crossing|from) (?:[\w'-]+ ){0,4}?(?:street|road|roadway|avenue|crosswalk|kerb|curb)\b"
-)
 YEARS = re.compile(r"^\d+[- ]year[- ]old$")
 AFOOT = re.compile(r"\b(?:on foot|walk(?:s|ed|ing)?|pedestrian)\b")
 
@@ -35,7 +32,7 @@ class Named(AtWheel):
             if not known[0].typed:
                 self._at_wheel(word, known[0])
         else:
-            found = self._at_my_wheel(word) or self._driver_of(word) or self._owner_of(word) or self._at_wheel(word)
+            found = self._driver_of(word) or self._owner_of(word) or self._at_wheel(word)
             found = found or self._was_driving(word) or self._by_deed(word)
             if found is None and YEARS.search(word.norm) and self.words[word.i - 1].norm == "the":
                 found = self._salient(word, lambda e: e.type != "animal" and (e.person or e.manned))
@@ -68,8 +65,6 @@ class Named(AtWheel):
             if other.span is not None and other.span.kind == "actor" and other.span.data["type"] in VEHICLES:
                 self.wheels[other.i] = self._new(Entity("", "vehicle"))
                 return self.wheels[other.i]
-            if not other.tag.startswith(("JJ", "NN", "CD")):
-                return None
         return None
 
     def _by_deed(self, word: Word) -> Entity | None:
@@ -78,19 +73,8 @@ class Named(AtWheel):
         clause = " ".join(w.norm for w in self.words[word.i + 1 :] if w.sentence == word.sentence)
         if self._told_what(word):
             return self._new(Entity("", "vehicle"))
-        beside = self.of.get(word.head) if word.dep == "conj" and self.words[word.head].span is not None else None
-        if beside is not None and beside.names:  # "Sam and Tom": each on foot, or both in one vehicle
-            return self._new(Entity("", beside.type, typed=True)) if beside.person else beside
         if word.dep in ("nsubj", "nsubjpass"):
-            if verb.lemma in CYCLES:
-                return self._new(Entity("", "bicycle", typed=True))
-            if (
-                verb.lemma in WALKS
-                or verb.lemma in ("leave", "set", "go", "return", "head")
-                and AFOOT.search(clause)
-                or verb.lemma in ("cross", "run", "come", "strike", "hit")
-                and (AFOOT.search(clause) or verb.tag != "VBN" and ACROSS.search(clause))
-            ):
+            if verb.lemma in WALKS or verb.lemma in ("leave", "set", "go", "return", "head") and AFOOT.search(clause):
                 return self._new(Entity("", "pedestrian", typed=True))
             moves = verb.lemma in language.word_list("motion") and verb.lemma not in ("stand", "sit", "lie", "appear")
             return self._new(Entity("", "vehicle")) if moves or verb.lemma in DRIVES else None

@@ -9,8 +9,6 @@ from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.reading.syntax import Word
 
 ANSWERS = language.words("answers_nearing")
-SUDDENLY = language.words("suddenly")
-STILL = frozenset(("parked", "stationary"))
 MEASURED = r"(?:is|was|are|were|comes?|came|gets?|got)(?: \w+){0,3} #q"
 NEARS = (
     rf"(?:{MEASURED}|(?:gets?|got|comes?|came|draws?|drew|moves?|moved|is|was)(?: very| too| really| quite)?"
@@ -38,8 +36,7 @@ def comes_near(words: list[Word], of: dict[int, Entity], word: Word) -> Entity |
     near = near or _told_last(words, of, word)
     if near is None or near.person and near.type != "animal":
         return None
-    ego = next(of[w.i] for w in before if w.i in of and of[w.i].ego)
-    return ego if _ego_does(words, of, word, near, found["nears"]) else near
+    return near
 
 
 def _goes_on(words: list[Word], word: Word) -> bool:
@@ -61,28 +58,3 @@ def _told_last(words: list[Word], of: dict[int, Entity], word: Word) -> Entity |
     told = [i for i in sorted(of) if words[i].sentence == word.sentence - 1 and not of[i].ego and of[i].mover]
     subjects = [i for i in told if words[i].dep in ("nsubj", "nsubjpass", "attr")]
     return of[(subjects or told)[-1]] if told else None
-
-
-def _ego_does(words: list[Word], of: dict[int, Entity], word: Word, near: Entity, nears: str) -> bool:
-    """Whether it is rather ego that does what follows: it slows as it comes up, or passes who is near."""
-    after = [w for w in words[word.i + 1 :] if w.sentence == word.sentence]
-    if any(of.get(w.i) is near for w in after):
-        return True
-    verb = next((w for w in after if w.verb and w.dep not in ("aux", "auxpass")), None)
-    if verb is None or any(w.norm in ("ego", "ego's") or w.i in of and of[w.i].ego for w in after):
-        return False
-    answers = verb.lemma in ANSWERS and not any(words[c].norm in ("has", "had") for c in verb.children)
-    if near.type == "animal" or near.roles & STILL:
-        return answers
-    sudden = any(w.norm in SUDDENLY for w in words[word.i - 1 : verb.i + 3] if w.sentence == word.sentence)
-    return answers and not sudden and "#q" not in nears
-
-
-def still_it(words: list[Word], of: dict[int, Entity], word: Word) -> Entity | None:
-    """Whom "it" meant right before, as the object of the clause on which this hangs: "overtook it as it turned"."""
-    mark = words[word.i - 1].norm if word.i else ""
-    before = next((w for w in reversed(words[: word.i]) if w.norm in ("it", "its") and w.i in of), None)
-    if mark not in ("as", "while", "whilst") or before is None or before.sentence != word.sentence:
-        return None
-    between = [w for w in words[before.i + 1 : word.i] if w.norm == "," or w.dep == "nsubj" or w.i in of]
-    return of[before.i] if before.dep == "dobj" and not between else None

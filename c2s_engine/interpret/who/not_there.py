@@ -5,19 +5,16 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import MOVERS, PERSONS, VEHICLES, ZONES, Entity
+from c2s_engine.interpret.entities import MOVERS, VEHICLES, ZONES, Entity
 from c2s_engine.interpret.reading.motions import irregular
 from c2s_engine.interpret.reading.syntax import Word
 
 CARRIES = language.words("carries")
 HIDES = language.words("hides")
 LADEN = language.words("laden")
-LETS_OFF = frozenset(("drop", "pick", "collect", "discharge"))
-BEARS = frozenset(("carry", "transport", "ferry"))
 LOST, SAYS = language.words("lost"), language.words("says")
 ATTENDS = language.words("attends")
 SEES = language.words("notices") | {"watch", "hear", "look", "help"}
-ON_FOOT = language.words("on_foot") | {"cross"}
 WALKS_WITH = language.words("walks_with")
 PUSHED = frozenset(("bicycle", "motorcycle", "box", "debris", "trash", "container", "obstacle"))
 FILLS = re.compile(r"(?:full of|(?:filled|packed) with|(?:occupied|taken) by)(?: \w+)?$")
@@ -26,28 +23,15 @@ _LANE = (
     r"(?:(?:left|right|adjacent|neighbou?ring|next|other|second|middle|cent(?:er|re)|fast|slow|passing|overtaking|through)"
     r"(?: ?- ?hand)?(?: hand)? )?lanes?(?: (?:to|on) (?:its|the|our|my) (?:left|right))?"
 )
-IN_LANE = re.compile(rf"{_LANE}(?=(?: ,)?(?: the| \w+)? \$|$| [.,;]| and\b| at\b| moving\b| driving\b| travelling\b)")
-MOVES_ON = re.compile(
-    r"(?:(?:is|was|still|just|now|only|\w+ly|goes on|keeps(?: on)?|kept|continues(?: to)?|carries on) )*"
-    r"(?:mov|flow|crawl|creep|inch|travel|driv|go(?:es|ing)|run|roll|pass|do(?:es|ing)|stand|com|proceed)"
-)
 BUSY = re.compile(
     rf"{_LANE} (?:(?:is|was|are|remains?|keeps?|goes|continues|stays?) )(?:on |to )?(?:\w+ly |very |quite )?"
     r"(?:heavy|dense|busy|slow|steady|fast|constant|continuous|mov|flow|crawl|creep|roll|drive|driving|go)"
 )
-ADJECTIVES = re.compile(
-    r"(?:^|[,;:.] )(?:(?:very|rather|quite) )?"
-    r"(?:(?:dense|continuous|heavy|steady|slow|fast|flowing|moving|constant|light|normal) )+$"
-)
-"""What stands before traffic of which only the lane is told."""
 FIXED = frozenset(language.table("actors")["fixed"])
 PLACED_BY = frozenset(("between", "at", "by", "near", "beside", "past", "outside", "opposite"))
 HEADS = frozenset(("actors", "objects", "vehicles", "participants", "users", "agents", "npcs", "obstacles", "others"))
 GROWS = frozenset(("trees", "bushes", "hedges", "shrubs", "shrubbery"))
-FACES = frozenset(("facing", "face", "faces", "against"))
 TEACHES = SAYS | {"teach", "remind", "warn", "preach", "show"}
-AT_MOST = re.compile(r"\b(?:no (?:faster|slower|more|less|quicker) than|at (?:most|least)|never exceed)\b")
-"""What a kind is assumed to do."""
 STILL_THERE = re.compile(r"(?:(?:driving|travelling|traveling|going|just|right|directly) )*(?:ahead|in front)\b")
 
 
@@ -61,11 +45,6 @@ class NotThere:
     def _near(self, word: Word) -> list[str]:
         raise NotImplementedError
 
-    def _faced(self, word: Word) -> bool:
-        """Whether traffic only tells how somebody stands: "parked facing oncoming traffic"."""
-        before = self.words[word.i - 1].norm if word.i else ""
-        return bool(FACES & {self.words[word.head].norm, before})
-
     def _gone(self, word: Word, before: list[str]) -> bool:
         """Whether it is only who lost something on the road before: "a ladder, shed by an unknown vehicle"."""
         by = self.words[word.head]
@@ -74,15 +53,8 @@ class NotThere:
             return True
         if word.dep == "dobj" and by.lemma in WALKS_WITH and self._done_on_foot(by):
             return word.span is not None and word.span.data["type"] in PUSHED
-        if self._taken_along(word, by, verb):
-            return True
         if word.norm in GROWS and by.norm in ("from", "of", "between", "among", "through"):
             return True  # "a deer bounds out of the trees"
-        noun = word.span.data.get("noun") if word.span is not None else ""
-        if word.dep == "dobj" and by.lemma in LETS_OFF and noun in language.table("actors")["riders"]:
-            return True  # "to drop off a rider"
-        if word.dep == "dobj" and by.lemma in BEARS and word.span is not None and word.span.data["type"] in PERSONS:
-            return not self._done_on_foot(by)  # "a coach carrying 40 children"
         if word.dep == "dobj" and (
             by.lemma in CARRIES or by.lemma == "drop" and "off" in [w.norm for w in self.words[by.i : word.i + 2]]
         ):
@@ -91,15 +63,7 @@ class NotThere:
         leads = word.span is not None and "lead" in word.span.data.get("roles", ())
         if leads or STILL_THERE.match(" ".join(w.norm for w in self.words[word.i + 1 : word.i + 4])):
             return False  # "a pallet dropped by the truck ahead"
-        return lost and (
-            verb.dep in ("acl", "relcl", "advcl", "amod", "conj") or bool({"unknown", "unidentified"} & set(before))
-        )
-
-    def _taken_along(self, word: Word, by: Word, verb: Word) -> bool:
-        """Whether somebody on foot has it beside himself: "a man crosses the road with his bike"."""
-        own = {self.words[c].norm for c in word.children} & {"his", "her", "their"}
-        pushed = word.span is not None and word.span.data["type"] in PUSHED and verb.lemma in ON_FOOT
-        return bool(own) and pushed and word.dep == "pobj" and by.norm == "with" and self._done_on_foot(verb)
+        return lost and (verb.dep in ("acl", "relcl", "advcl", "amod", "conj"))
 
     def _goods(self, word: Word) -> bool:
         """Whether it is what a vehicle has on it: "a truck loaded with logs", "piled high with boxes"."""
@@ -139,43 +103,18 @@ class NotThere:
         before = [w for w in self.words[max(0, word.i - 2) : word.i] if w.sentence == word.sentence]
         return after == ":" and word.norm.split(" ")[-1] in HEADS and len(before) < 2
 
-    def _denied_list(self, word: Word) -> bool:
-        """Whether a noun belongs to a list that is denied: "neither cars nor a cyclist", "no cars or pedestrians"."""
-        links = [self.words[c].norm for c in word.children if c < word.i]
-        nor = any(w.norm == "nor" and w.sentence == word.sentence for w in self.words[word.i :])
-        if "the" in links:
-            return False  # "neither the van nor the car brakes": both are there
-        if "nor" in links or "neither" in links and nor:  # "neither car brakes" denies nobody
-            return True
-        first = self.words[word.head]
-        if word.dep != "conj" or not first.noun or first.i in self.of:
-            return False
-        no = any(self.words[c].norm in ("no", "neither") for c in first.children if c < first.i)
-        joins = {self.words[c].norm for c in first.children if self.words[c].dep == "cc"}
-        own = any(self.words[c].norm in ("a", "an", "the") for c in word.children)
-        return no and (bool(joins & {"nor", "or"}) or bool(joins & {"and"}) and not own)
-
     def _halts(self, word: Word) -> bool:
         """Whether traffic is said to come to a stand or to slow down, or how it moves where it is told to be."""
         after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 16] if w.sentence == word.sentence)
         acts = re.match(language.table("actors")["traffic_acts"], after) is not None
         fills = FILLS.search(" ".join(self._near(word))) is not None
-        return fills or acts and word.dep in ("nsubj", "nsubjpass", "ROOT") or self._flows(word)
+        return fills or acts and word.dep in ("nsubj", "nsubjpass", "ROOT")
 
     def _flows(self, word: Word) -> bool:
         """Whether traffic is said to be in a lane, or to move there: "in the left lane traffic goes on flowing"."""
         own = [w for w in self.words if w.sentence == word.sentence]
-        before = " ".join(w.norm for w in own if w.i < word.i)
         after = " ".join(w.norm for w in own if w.i > word.i)
-        verbless = word.dep in ("ROOT", "conj", "appos", "dep", "npadvmod") and ADJECTIVES.search(before + " ")
-        if verbless and IN_LANE.match(after):
-            return True  # "continuous traffic in the right lane at 100 km/h"
-        there = re.search(r"\bthere (?:is|was) (?:[\w-]+ ){0,3}$", before + " ")
-        if there is not None and IN_LANE.match(after):
-            return True
-        return (
-            IN_LANE.search(before + " $") is not None and MOVES_ON.match(after) is not None or bool(BUSY.match(after))
-        )
+        return bool(BUSY.match(after))
 
     def _reports(self, word: Word) -> bool:
         """Whether police only say something or are told it, or come when all is over: "he told troopers", "according to
@@ -198,11 +137,7 @@ class NotThere:
     def _cab_of(self, word: Word, noun: str) -> bool:
         """Whether "the cab" is where the driver of a truck sits that was told of, and no taxi."""
         the = word.i > 0 and self.words[word.i - 1].norm in ("the", "its", "his")
-        return noun == "cab" and the and any(e.type == "truck" for e in self.of.values()) and not self._taxi_told()
-
-    def _taxi_told(self) -> bool:
-        """Whether a taxi was told of."""
-        return any(e.noun.endswith(("cab", "taxi")) for e in self.of.values())
+        return noun == "cab" and the and any(e.type == "truck" for e in self.of.values())
 
     def _all_of_a_kind(self, word: Word) -> bool:
         """Whether all of a kind are spoken of, not who is there: "many tractors turn off without a warning", "I tell
@@ -214,14 +149,10 @@ class NotThere:
             return above.lemma in TEACHES or above.norm in ("for", "to") and not self.words[above.head].verb
         if word.dep != "nsubj" or self.words[word.head].tag != "VBP" or not word.span.data.get("plural"):
             return False
-        does = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 16] if w.sentence == word.sentence)
-        first = before in (".", ":", ";") or self.words[word.i - 1].sentence != word.sentence
-        if before not in ("many", "most", "some", "all") and not (first and AT_MOST.search(does)):
+        if before not in ("many", "most", "some", "all"):
             return False
         kind = word.span.data["type"]
-        after = [w.span.data for w in self.words[word.i + 1 :] if w.span is not None and w.span.kind == "actor"]
-        one_told = any(e.count == 1 and e.type == kind for e in self.of.values())
-        return one_told or any(data["type"] == kind and not data.get("plural") for data in after)
+        return any(e.count == 1 and e.type == kind for e in self.of.values())
 
     def _only_a_place(self, word: Word, noun: str) -> bool:
         """Whether a thing that stands by the road only tells where somebody is: "a girl waits at the mailbox"."""

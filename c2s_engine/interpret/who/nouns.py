@@ -15,7 +15,6 @@ from c2s_engine.interpret.who.reference import BOUND, COLOURS
 
 TWO_WHEELERS = language.words("two_wheelers")
 THIRD = frozenset(("his", "her", "its", "their"))
-ON_LEASH = re.compile(r"\b(?:on|off) (?:an?|the|its|his|her|their) (?:\w+ )?$")
 AUTHORITIES = language.words("authorities")
 RIDES = frozenset(("ride", "rides", "rode", "riding", "ridden"))
 
@@ -53,15 +52,13 @@ class Nouns(Introduced, NotThere, Counted):
             return self._new(Entity("", "vehicle", label=data["label"], roles=roles))
         if noun in TWO_WHEELERS and kind == "bicycle" and (self._motor_bike(word) or self._splits_lanes(word)):
             kind = "motorcycle"
-        if kind == "car" and noun in language.makes() and self._ridden(word):
-            kind = "motorcycle"
         if noun == "scooter" and (who := self._aboard(word)) is not None and who.span.data["type"] == "child":
             kind = "bicycle"  # "a kid on a scooter"
         if (aboard := self._aboard_label(word, "rider" if noun == "rider" else kind)) is not None:
             return aboard
         if noun in language.table("actors")["riders"] and (mount := self._mount(word)) is not None:
             return mount
-        if self._rider_of(word) and not self._on_foot(word):
+        if self._rider_of(word):
             return None
         if (puller := self._pulled(word, noun)) is not None:
             return puller
@@ -71,11 +68,9 @@ class Nouns(Introduced, NotThere, Counted):
             return None
         if data.get("plural") and noun in AUTHORITIES and self._reports(word):
             return None
-        if word.norm == "lead" and ON_LEASH.search(" ".join(self._near(word)) + " "):
-            return None
         if kind == "pedestrian" and noun == "man" and previous in ("green", "red", "white"):
             return None  # of a light
-        if "no" in before or previous in ("no", "without", "any", "most") or self._denied_list(word):
+        if "no" in before or previous in ("no", "without", "any", "most"):
             return None
         if previous in ("my", "our") and word.i - 1 in self.asking:
             return None  # "I was walking my dog when I saw ..."
@@ -85,12 +80,12 @@ class Nouns(Introduced, NotThere, Counted):
             at_wheel = (
                 self._driver_of(word) or self._at_wheel(word, self._owner_told(word, noun)) or self._aboard_before(word)
             )
-            driver = self._at_my_wheel(word) or at_wheel or self._steering(word) or self._keeper(word)
-            driver = driver or self._rides_along(word) or self._drives_on(word)
+            driver = at_wheel or self._steering(word)
+            driver = driver or self._drives_on(word)
             if driver is not None:
                 driver.names.add(noun.split(" ")[-1])
                 return driver
-        if kind == self.me.type == "pedestrian" and not data.get("plural") and self._heading(word.sentence):
+        if kind == self.me.type == "pedestrian":
             return self.me  # "School patrol, 8.25. I walked out ..."
         drives = data.get("person") and (kind in MOTOR or kind == "rider" or noun.endswith("courier"))
         if drives and not data.get("plural") and self._on_foot(word):
@@ -99,7 +94,7 @@ class Nouns(Introduced, NotThere, Counted):
             return self._retyped(self.wheels[word.i], kind, roles, noun)
         if self._is_modifier(word) or self._proper(word):
             return None
-        if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word) or self._faced(word)):
+        if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word)):
             return None
         if self._gone(word, before) or self._only_a_place(word, noun) or self._heads_list(word):
             return None
@@ -107,8 +102,8 @@ class Nouns(Introduced, NotThere, Counted):
             return None
         if self._writers_own(word, kind):
             return self._retyped(self.ego, kind, roles, noun)
-        if {"every", "each"} & {previous, *before} and not data.get("plural"):
-            several = [e for e in self.entities if e.count > 1 and fits(e, kind)]
+        if {"every", "each"} & {previous, *before}:
+            several = [e for e in self.entities if e.count > 1]
             if several:
                 return several[-1]  # "three pupils cross ... until every child is across"
         if previous == "neither" and kind in MOTOR:
@@ -137,7 +132,7 @@ class Nouns(Introduced, NotThere, Counted):
         if first is not None and first.type in VEHICLES | PERSONS and kind in VEHICLES | PERSONS:
             return first
         host = self._called(word)
-        if host is not None and (fits(host, kind) or host.type == "vehicle" or host.ego and kind in MOTOR):
+        if host is not None:
             return self._retyped(host, kind, roles, noun)
         host = self._apposed(word)
         if (
@@ -150,20 +145,6 @@ class Nouns(Introduced, NotThere, Counted):
             and not any(w.verb and not self._tells_of(w, word.head) for w in self.words[word.head + 1 : word.i])
         ):
             host = self.of[word.head]
-        if (
-            host is None
-            and word.dep == "nsubj"
-            and {"a", "an"} & set(before)
-            and word.i + 1 < len(self.words)
-            and self.words[word.i + 1].norm == ","
-        ):
-            twins = [
-                c
-                for c in self.words[word.head].children
-                if c < word.i and self.words[c].dep == "nsubj" and c in self.of and not self.of[c].ego
-            ]
-            if twins and self.of[twins[-1]].type in ("vehicle", kind):
-                return self._retyped(self.of[twins[-1]], kind, roles, noun)
         bracket = word.i and any(w.norm in ("(", "--", "-", ":") for w in self.words[max(0, word.i - 4) : word.i])
         if (
             host is not None
@@ -190,10 +171,10 @@ class Nouns(Introduced, NotThere, Counted):
         definite = bool(DEFINITE & set(before)) or previous in DEFINITE or previous == "neither"
         other = bool({"other", "another"} & set(before)) or previous in ("other", "another")
         ordinal = next((ORDINALS[b] for b in before if b in ORDINALS), None)
-        if definite and not other and ordinal is None and (" " not in noun or noun in language.makes()):
+        if definite and not other and ordinal is None and (" " not in noun):
             shade = COLOURS & set(before)
             named = [e for e in self.entities if e.noun.endswith(f" {noun}") and e.count == count]
-            named = [e for e in named if not shade or shade & {*e.names, *e.noun.split(" ")}]
+            named = [e for e in named if not shade]
             if named:
                 return named[-1]
         if not ordinal:
@@ -220,7 +201,7 @@ class Nouns(Introduced, NotThere, Counted):
         titled = titled or (self._in_headline(word, kind) if not other and ordinal is None and count == 1 else None)
         new = {"a", "an"} & {previous, *before} and not other and ordinal is None and count == 1
         if new and titled is None and first_told is None:
-            titled = self._one_of_parties(word, kind, noun)
+            titled = None
         if (titled := titled or first_told) is not None:
             return self._retyped(titled, kind, roles, noun)
         if kind != "vehicle" and previous in ("a", "an") or {"a", "an"} & set(before):
@@ -249,8 +230,6 @@ class Nouns(Introduced, NotThere, Counted):
                 if not found.ego and found.type == "vehicle" and kind != "vehicle" and kind in MOTOR:
                     found.type, found.typed = kind, True
                 found.roles |= set() if data.get("person") and found.noun == noun else roles
-                if found.noun == "traffic" and count > 1:
-                    found.count, found.noun = count, noun
                 return found
         if other and count == 1 and not roles and (pair := self._ego_and_another(word, kind)) is not None:
             pair.roles.add("group")

@@ -5,21 +5,17 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import MOTOR, VEHICLES, Entity, fits
+from c2s_engine.interpret.entities import VEHICLES, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.ego_by_noun import EgoByNoun
 
 OWNERS = language.words("owners")
 MOVES = language.word_list("motion") | language.words("strikes") | language.words("manoeuvres")
 MISHAPS = language.words("mishaps")
-AT_REST = frozenset(("parked", "stationary", "stopped", "standing", "stalled", "broken-down"))
 CLAIMS = frozenset(("claimant", "plaintiff", "complainant"))
 STEERS = language.words("steers")
 ON_FOOT = re.compile(
     r",? ?(?:[\w-]+ ){0,8}?(?:on foot|walking|(?:on|using) (?:the|an?) (?:[\w-]+ )?(?:crossing|crosswalk))\b"
-)
-AFOOT = frozenset(
-    (*language.table("people")["walks"], "run", "cross", "stand", "wait", "load", "unload", "watch", "see")
 )
 
 
@@ -34,7 +30,6 @@ class Owned(EgoByNoun):
                 and self.of[child].ego
                 and kind in VEHICLES
                 and word.span is not None
-                and AT_REST.issuperset(word.span.data.get("words") or ())
             ):
                 return self.ego
         owner = next((self.of[c] for c in word.children if self.words[c].dep == "poss" and c in self.of), None)
@@ -48,9 +43,6 @@ class Owned(EgoByNoun):
             return owner
         if before and before[0] in ("our", "my"):
             return self.ego if kind in VEHICLES else None
-        if kind in MOTOR and self._of_ego_before(word):
-            self.ego.type, self.ego.typed = (kind, True) if kind != "vehicle" else (self.ego.type, self.ego.typed)
-            return self.ego
         return None
 
     def _other_side(self, noun: str) -> bool:
@@ -76,40 +68,20 @@ class Owned(EgoByNoun):
         """Who was called so before, where the word for a party stands like a name: "that respondent, who ..."."""
         return next((e for e in self.entities if noun in OWNERS and noun in (e.noun, *e.names)), None)
 
-    def _of_ego_before(self, word: Word) -> bool:
-        """Whether it stands right behind a name of ego that owns it: "the claimant's grey Fiesta"."""
-        for other in reversed(self.words[max(0, word.i - 4) : word.i]):
-            if other.span is not None and other.span.kind == "ego":
-                return other.norm.endswith(("'s", "s'")) or other.norm.endswith("’s")
-            if not other.tag.startswith(("JJ", "NN", "POS", "CD")):
-                return False
-        return False
-
-    def _ridden(self, word: Word) -> bool:
-        """Whether a make is that of a motorcycle: "I was riding my Honda", "out on my BMW"."""
-        by = self.words[word.head]
-        return by.norm == "on" or word.dep == "dobj" and by.lemma == "ride"
-
     def _own_vehicle(self, word: Word, owner: Entity, kind: str) -> bool:
         """Whether it is what somebody at the wheel drives: "his car", after "Mr Hansen was driving"."""
         assert word.span is not None
-        if kind not in VEHICLES or word.span.data.get("words"):
+        if kind not in VEHICLES:
             return False
-        if owner.person and self._moves(word) and not self._afoot(owner):
+        if owner.person and self._moves(word):
             owner.names.add(owner.noun.split(" ")[-1])  # "a man was hurt when his pickup left the road ... the man"
             owner.type, owner.noun, owner.typed, owner.manned, owner.count = kind, word.norm, True, True, 1
             return True
         if not owner.manned or owner.person:
             return False
-        return kind in ("vehicle", owner.type) or owner.type == "vehicle" or fits(owner, kind)
+        return kind in ("vehicle", owner.type) or owner.type == "vehicle"
 
     def _moves(self, word: Word) -> bool:
         """Whether a noun is who moves or is hit."""
         verb = self._governor(word)
         return word.dep in ("nsubj", "nsubjpass") and verb.lemma in MOVES | MISHAPS
-
-    def _afoot(self, person: Entity) -> bool:
-        """Whether somebody was told of on foot, or as no one at the wheel."""
-        verbs = [self._governor(self.words[m.word]) for m in person.mentions if m.kind != "pronoun"]
-        walks = (v.lemma in AFOOT for v in verbs if self.words[v.i + 1].norm != "away")  # "walked away with bruises"
-        return person.type == "animal" or person.sex == "i" or any(walks)

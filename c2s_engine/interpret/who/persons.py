@@ -16,7 +16,6 @@ RIDDEN = frozenset(("bicycle", "motorcycle"))
 RESTS = language.words("rests")
 DRIVERS = frozenset(language.table("people")["drivers"])
 STEERS = language.words("steers")
-MANOEUVRES = language.words("manoeuvres") | {"cut", "pull", "change", "back"}
 STRIKES = language.words("strikes") | {"catch", "knock", "contact"}
 CONTACT = STRIKES | language.words("contact") | {"smash", "slam", "plough", "plow", "shunt", "bump"}
 BODY = language.words("body") | language.words("flanks") | {"boot", "trunk"}
@@ -27,7 +26,6 @@ AGE = re.compile(r"\b(\d+) ?-? ?year ?-? ?old (?:[\w-]+ ){0,2}$")
 OF_A_CLAIM = re.compile(
     r"(?:(?:my|our) client|claimant|plaintiff|complainant|insured|policy ?holder)(?: driver|'s \w+)?$"
 )
-AFOOT = frozenset((*language.table("people")["walks"], "cross", "run", "cycle", "sit", "see", "watch"))
 OBLIQUE = {"he": "him", "she": "her"}
 AT_THE_WHEEL = frozenset(("driver", "d", "operator", "op", "opr"))
 """Labels of who drives a vehicle of that number ("D2")."""
@@ -106,9 +104,7 @@ class Persons(Salience):
         spoken = any(w.lemma in DRIVERS and w.span is None for w in self.words[: word.i])
         if found is None and spoken and not mine and not any(e.mover and e.type != "animal" for e in self.entities):
             return self.ego  # "according to the driver, a dog ran in front of his car"
-        found = found or self._other_party(word, wanted)
-        found = found or self._salient(word, lambda e: e.mover and e.sex != "i" and e.count == 1)
-        return found or self._salient(word, lambda e: e.mover and e.sex != "i") or self._unnamed(word)
+        return found or self._salient(word, lambda e: e.mover and e.sex != "i" and e.count == 1)
 
     def _of_a_struck_one(self, word: Word) -> bool:
         """Whether it is whose vehicle is hit: of one who drives, not of one on foot ("let a woman cross, when a van hit
@@ -128,32 +124,6 @@ class Persons(Salience):
             return None
         subject = next((c for c in verb.children if self.words[c].dep == "nsubj"), None)
         return self.referent(subject) if subject is not None else None
-
-    def _other_party(self, word: Word, sex: str) -> Entity | None:
-        """Who is only called "he" or "she" by one who says "I": the other driver, by what is done or said."""
-        told = any(w.norm in ("i", "me", "my") and w.i not in self.asking for w in self.words)
-        verb = self._governor(word)
-        after = {w.norm for w in self.words[verb.i + 1 : verb.i + 6]}
-        runs = verb.lemma in ("run", "jump", "blow") and after & {"light", "lights", "sign"}
-        comes = verb.lemma in ("come", "emerge", "shoot") and after & {
-            "road",
-            "street",
-            "drive",
-            "driveway",
-            "junction",
-        }
-        drives = verb.lemma in MANOEUVRES or runs or comes
-        named = any(w.tag.startswith("NN") and self._sex(w) for w in self.words[: word.i])  # "my wife was driving"
-        if named or not told or word.dep != "nsubj" or not (drives or verb.lemma in SAYS):
-            return None
-        return self._new(Entity("", "vehicle", noun="other driver", manned=True, sex=sex))
-
-    def _unnamed(self, word: Word) -> Entity | None:
-        """Who is only called "he" or "she" from the start: ego, where nobody else is and it is not told on foot."""
-        spans = {w.span.kind for w in self.words if w.span is not None}
-        afoot = any(w.lemma in AFOOT for w in self.words if w.sentence == word.sentence)
-        opens = word.dep == "nsubj" and word.norm in OBLIQUE
-        return self.ego if opens and not afoot and not spans & {"ego", "label"} and not self.entities else None
 
     def _telling(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
         """Who tells of himself at the wheel: "the driver of the van told police he was doing 40"."""
@@ -185,4 +155,4 @@ class Persons(Salience):
     def _rests(self, entity: Entity) -> bool:
         """Whether a vehicle was told of as standing: nobody in it is "he"."""
         verbs = (self._governor(self.words[m.word]) for m in entity.mentions[:2])
-        return bool(entity.roles & {"parked", "stationary"}) or any(v.lemma in RESTS for v in verbs)
+        return any(v.lemma in RESTS for v in verbs)

@@ -53,17 +53,6 @@ class PlaceWords(Members):
                 return self.of.get(earlier.i)
         return None
 
-    def _gapped(self, word: Word) -> Entity | None:
-        """Whom "it" meant just before, where no verb stands between: "a car is in front of it, a truck behind it"."""
-        if word.dep != "pobj" or self.words[word.head].norm not in ("of", "behind", "beside", "to", "alongside"):
-            return None
-        for earlier in reversed(self.words[: word.i]):
-            if earlier.sentence != word.sentence or earlier.verb:
-                return None
-            if earlier.norm == word.norm and earlier.dep == "pobj":
-                return self.of.get(earlier.i)
-        return None
-
     def _around(self, i: int) -> str:
         """The words before and after a word."""
         return " ".join(w.norm for w in self.words[max(0, i - 1) : i + 2 : 2])

@@ -8,13 +8,6 @@ from c2s_engine.interpret.entities import ORDINALS, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.by_place import ByPlace
 
-ENDS = {
-    "first": frozenset(("first", "front", "leading", "foremost")),
-    "last": frozenset(("last", "rear", "rearmost", "trailing", "final")),
-    "rest": frozenset(("remaining", "other", "others")),
-}
-
-
 ROW = re.compile(r"\b(?:platoon|convoy|column|queue|line|row|file|string|procession|caravan|train) of\b")
 
 
@@ -71,9 +64,6 @@ class Portions(ByPlace):
         alike = [e for e in single if e.person == single[-1].person]
         if share == "all" and wanted != len(alike):
             return None  # ego may be one of them
-        if share in ("all", "rest") or number > 1:
-            some = single[:wanted] if share == "first" else single[-wanted:]
-            return self._all_of(word, some)
         at = ORDINALS.get(share, 0)
         return single[at] if at < len(single) else None
 
@@ -100,18 +90,6 @@ class Portions(ByPlace):
         roles = set(group.roles)
         new = Entity("", group.type, noun=group.noun, count=number, roles=roles, group=group, ordinal=first)
         return next(known, None) or self._new(new)
-
-    def _some_of(self, word: Word, before: list[str], groups: list[Entity], count: int) -> Entity | None:
-        """A portion that is named with its noun: "the first two cars", "the other vans"."""
-        share = next((share for share, words in ENDS.items() if words & set(before)), "")
-        larger = [e for e in groups if e.count > count or share == "rest" and any(m.group is e for m in self.entities)]
-        if not share or not larger or larger[-1].mentions and larger[-1].mentions[0].word > word.i:
-            return None
-        told = any(w.tag == "CD" for w in self.words[max(0, word.i - 3) : word.i])
-        if share == "rest":
-            known = any(e.group is larger[-1] for e in self.entities)
-            return self.rest(larger[-1], count if told else 0) if known else None
-        return self.portion(larger[-1], share, count) if told else None
 
     def member(self, group: Entity, told: str) -> Entity | None:
         """The member of a group by its number; None where the group has fewer."""

@@ -6,9 +6,9 @@ import re
 from collections.abc import Callable
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import MOTOR, PERSONS, Entity
+from c2s_engine.interpret.entities import PERSONS, Entity
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.nearing import comes_near, still_it
+from c2s_engine.interpret.who.nearing import comes_near
 from c2s_engine.interpret.who.taken_up import taken_up
 from c2s_engine.interpret.who.theirs import Theirs
 
@@ -17,7 +17,6 @@ SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offsid
 LOOSE = frozenset(("debris", "box", "obstacle"))
 THINGS = LOOSE | {"container", "trash", "barrier", "lane_closure"}
 DOES = language.words("manoeuvres") | language.words("drives") | language.words("on_foot") | {"cross", "start", "do"}
-SHOWS = language.words("notices") | language.words("has_before_one") | {"be", "see", "detect", "find", "approach"}
 STANDS = frozenset(("parked", "stationary"))
 HAS = frozenset(("on", "in", "with", "aboard", "astride", "behind"))
 """How one is told to have something with oneself."""
@@ -74,9 +73,6 @@ class Pronouns(Theirs):
             return self.of.get(owner.i)
         if norm in data["person"]:
             return self._he(word)
-        if norm in ("theirs", "hers") and word.dep in ("nsubj", "nsubjpass", "dobj", "pobj", "conj"):
-            others = [e for e in self.entities if e.type in MOTOR]
-            return others[-1] if others else self._new(Entity("", "vehicle", noun="vehicle"))
         if norm == "them" and self.words[word.i + 1 : word.i + 2] and self.words[word.i + 1].norm == "both":
             return self._together(word)
         if norm in ("they", "them", "their", "themselves"):
@@ -90,7 +86,7 @@ class Pronouns(Theirs):
                 return self.of[last]  # "two sheets of plywood, and they were lying in our lane"
             if many:
                 return many[-1]
-            joint = self._joint(word) or self._subjects_before(word)
+            joint = self._joint(word)
             if joint is not None:
                 return self._all_of(word, joint)
             person = [e for e in self.entities if e.person]
@@ -143,7 +139,7 @@ class Pronouns(Theirs):
 
         if (owned := self._owned(word) or taken_up(self.words, self.of, self.subjects, word)) is not None:
             return owned
-        if (struck := self._of_the_other(word)) is not None and fits(struck):
+        if (struck := self._of_the_other(word)) is not None:
             return struck
         if word.dep == "nsubj" and (near := comes_near(self.words, self.of, word)) is not None:
             return near
@@ -151,8 +147,6 @@ class Pronouns(Theirs):
             return animal
         if bumped and word.dep in ("pobj", "dobj") and (lying := self._lies_before(word)) is not None:
             return lying
-        if word.dep == "nsubj" and (same := still_it(self.words, self.of, word)) is not None and fits(same):
-            return same
         apart = self._not_he(word, fits)
         led = {e for i, e in self.subjects if self.words[i].sentence == word.sentence}
         vehicle = lambda e: fits(e) and e.count == 1 and not (_rider(e) and e not in led)  # noqa: E731
@@ -163,7 +157,7 @@ class Pronouns(Theirs):
         found = apart or self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
         if found is None and bumped:
             found = self._salient(word, lambda e: e.type == "animal")
-        return self._who_halted(word, found) or found
+        return found
 
     def _owned(self, word: Word) -> Entity | None:
         """The animal whose owner is told of, or after which somebody runs: "its owner runs after it"."""
@@ -214,7 +208,7 @@ class Pronouns(Theirs):
         after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
         if word.norm == "us":
             return word.text == "US" and not all(w.text.isupper() for w in self.words if w.text.isalpha())
-        return word.norm == "i" and (after in ("-", ".") or after[:1].isdigit())  # "I-70", "i.e."
+        return word.norm == "i" and (after in ("-", "."))  # "I-70", "i.e."
 
     def _obliged(self, word: Word) -> bool:
         """Whether "it" is whom something is demanded of ("it must wait"): that is ego, where ego was spoken of."""
@@ -261,10 +255,8 @@ class Pronouns(Theirs):
             clause = self.words[clause.head]
         if (near := self._right_before(word, clause)) is not None:
             return near
-        if (shown := self._shown_there(word)) is not None:
-            return shown
         if clause.dep == "relcl" and clause.head in self.of and clause.head < word.i:
-            return self._placed_beside(self.words[clause.head]) or self.of[clause.head]
+            return self.of[clause.head]
         previous = [
             i
             for i in sorted(self.of)
@@ -283,20 +275,6 @@ class Pronouns(Theirs):
                 return self.of[next((i for i in reversed(previous) if self.words[i].dep != "poss"), previous[-1])]
             return self.of.get(head.i) if head.i in self.of else None
         return self.of[previous[-1]]
-
-    def _shown_there(self, word: Word) -> Entity | None:
-        """Whom a sentence shows at a place right before: "ego notices a van coming the other way that brakes"."""
-        verb = self.words[word.head]
-        if word.dep != "nsubj" or word.head != word.i + 1 or verb.tag not in ("VBZ", "VBD") or verb.lemma not in DOES:
-            return None
-        for w in reversed(self.words[: word.i]):
-            if w.sentence != word.sentence or w.norm == "," or w.verb and w.tag != "VBG":
-                return None
-            who = self.of.get(w.i)
-            if who is not None and not who.ego and not (w.dep == "pobj" and (who.count > 1 or who.roles & STANDS)):
-                there = w.dep in ("dobj", "attr") and who.count == 1 and (self.words[w.head].lemma in SHOWS)
-                return who if there and w.i < word.i - 1 else None
-        return None
 
     def _somebody(self, word: Word, found: Entity | None) -> Entity | None:
         """Whom "who" means where a person is placed by the vehicle before: "a child behind a van who runs across"."""
@@ -319,20 +297,7 @@ class Pronouns(Theirs):
         one = self.words[last].dep == "conj" and clause.tag in ("VBZ", "VBD")  # "a car and a van, which brakes"
         if self.words[last].span is None or not one and not any(w.verb for w in self.words[clause.head : last]):
             return None
-        return self._placed_beside(self.words[last]) or self.of[last]
-
-    def _placed_beside(self, noun: Word) -> Entity | None:
-        """Who is placed by ego right before "which": "a truck in front of ego that brakes"."""
-        above = self.words[noun.head]
-        if self.of[noun.i] is not self.ego or noun.dep != "pobj":
-            return None
-        for _ in range(3):
-            if above.i in self.of:
-                return self.of[above.i] if self.of[above.i] is not self.ego else None
-            if above.tag not in ("IN", "RB", "NN", "JJ", "RP"):
-                return None
-            above = self.words[above.head]
-        return self.of.get(above.i)
+        return self.of[last]
 
 
 def _rider(entity: Entity) -> bool:

@@ -52,7 +52,7 @@ class Reference(Owned):
         candidates = [e for e in candidates if not ways or ways & e.names or not BOUND & e.names]
         if count == 1 and kind != "vehicle":  # the tractor is not the oncoming traffic
             candidates = [e for e in candidates if e.noun != "traffic"]
-        candidates = [e for e in candidates if not self._in_other_clause(word, e, noun)]
+        candidates = [e for e in candidates if True]
         coloured = [e for e in candidates if e.names & COLOURS & set(before)]
         candidates = coloured or candidates
         short = [e for e in self.entities if e.noun.startswith(f"{noun} ") and e.count == count and _alike(e, kind)]
@@ -63,9 +63,6 @@ class Reference(Owned):
             return named[-1]  # "the adversary, a sedan, comes ... the sedan"
         if noun in (brands := language.makes()):  # "the Kia hit the Hyundai"
             same = language.table("actors")["same_makes"].get(noun, noun)
-            made = [e for e in self.entities if {noun, same} & e.names and e.count == 1]
-            if made and definite and not any(e.noun == noun for e in candidates):
-                return made[-1]  # "a Ford F-150 ... the Ford": a pickup
             candidates = [e for e in candidates if e.noun not in brands or {noun, same} & {e.noun, *e.names}]
             candidates = [e for e in candidates if count > 1 or not e.noun.endswith("queue")]
         groups = [e for e in candidates if e.count > 1 and e.group is None and "group" not in e.roles]
@@ -75,7 +72,6 @@ class Reference(Owned):
             and count == 1
             and groups
             and (not self.ego_named or noun != "vehicle" and groups[-1].noun in language.plurals(noun))
-            and not any(e.roles & roles for e in candidates)
         ):
             number = "first" if "lead" in roles else "last" if "following" in roles else ""
             if number and groups[-1].count == 2:  # "two cars ...: the lead car"
@@ -87,8 +83,6 @@ class Reference(Owned):
             told = next((name for name, at in ORDINALS.items() if at == ordinal), "")
             if groups and (member := self.member(groups[-1], told)) is not None:
                 return member
-        if count > 1 and definite and (some := self._some_of(word, before, groups, count)) is not None:
-            return some
         plural = count > 1 or word.span is not None and bool(word.span.data.get("plural"))
         if roles:
             same = [e for e in candidates if e.roles & roles and (definite or (e.count > 1) == (count > 1))]
@@ -124,12 +118,12 @@ class Reference(Owned):
                 return None
         second = any(self.words[m.word].norm in DRIVES_IT for m in self.ego.mentions)
         alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
-        if second and alone and not self._distinguished(word) and self.words[word.i - 1].norm == "the":
+        if second and alone and self.words[word.i - 1].norm == "the":
             return self.ego  # a driver is told what to do: "you will feel the car"
         if alone and (self._run_by_its_own(word) or self._out_of_my_hand(word) or self._my_car(word)):
             return self.ego
         asks = any(self.words[c].norm in ("shall", "must") for c in self.words[word.head].children)
-        if alone and asks and self.ego_named and word.dep == "nsubj" and not self._distinguished(word):
+        if alone and asks and self.ego_named and word.dep == "nsubj":
             return self.ego  # "the VUT backs up. The car shall stop"
         if kind == "vehicle" and noun == "vehicle" and not self.ego_named and not bare and not other:
             generic = [e for e in candidates if e.noun == "vehicle"]
@@ -156,7 +150,7 @@ class Reference(Owned):
             single = [e for e in vehicles if e.count == 1 and "group" not in e.roles]
             itself = self._subject_of(self._governor(word)) if word.dep in ("dobj", "pobj") else None
             single = [e for e in single if e is not itself]  # "the car struck the other car"
-            return None if not single or self._only_one(single) or self._explained(word) else single[-1]
+            return None if not single else single[-1]
         if ordinal is not None and 0 < len(candidates) <= ordinal and not self.ego_named and count == 1:
             return None  # "the lead vehicle stopped. The second vehicle ..."
         if ordinal is not None and any(e.ordinal is not None and e.group is None for e in candidates):
@@ -174,7 +168,7 @@ class Reference(Owned):
         if self._distinguished(word) and not alike:
             return None
         if self._distinguished(word) and kind in ("vehicle", "car") and not self._matching_relation(word, candidates):
-            return None if candidates or self._relative_to_ego(word) else None
+            return None if candidates else None
         if count > 1:
             many = [e for e in candidates if e.count > 1 and "group" not in e.roles]
             counted = any(w.norm in language.table("actors")["counts"] for w in self.words[word.i - 2 : word.i])
@@ -187,7 +181,7 @@ class Reference(Owned):
             singles = sorted((e for e in fitting if e.mentions and e.count == 1), key=lambda e: e.mentions[-1].word)
             if self.ego.mentions and noun in ("vehicles", "cars") and len(singles) == count - 1:
                 singles.append(self.ego)
-            if told and not self._distinguished(word) and len(singles) >= count:
+            if told and len(singles) >= count:
                 return self._all_of(word, sorted(singles[-count:], key=lambda e: (e.ego, e.mentions[0].word)))
             return None
         scored = []
@@ -213,15 +207,6 @@ class Reference(Owned):
             return self.ego
         return max(scored)[2] if scored else None
 
-    def _in_other_clause(self, word: Word, entity: Entity, noun: str) -> bool:
-        """Whether it was named only just, by its part in the scene, as the doer of the clause before this one: "when
-        the lead brakes, the van ..." tells of two."""
-        told = [self.words[m.word] for m in entity.mentions]
-        if entity.typed or noun in ("vehicle", "car") or word.dep != "nsubj" or len(told) != 1:
-            return False
-        verb = self.words[told[0].head]
-        return told[0].dep == "nsubj" and verb.dep == "advcl" and verb.head == word.head and told[0].norm != noun
-
     def _in_a_note(self, word: Word, noun: str, candidates: list[Entity]) -> Entity | None:
         """Who was told of with "a" in a sentence before, and on the same side of ego: "an ambulance approaches from
         behind ... Test: ambulance 100 m behind"."""
@@ -237,16 +222,6 @@ class Reference(Owned):
         after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 14] if w.sentence == word.sentence)
         found = re.search(r"\b(?:(?P<behind>behind|from the rear)|(?P<ahead>ahead|in front))\b", after)
         return found.lastgroup if found else None
-
-    def _only_one(self, those: list[Entity]) -> bool:
-        """Whether there is one only, that was told as one of two ("one vehicle"): the other is still to come."""
-        first = those[0].mentions[0].word if those[0].mentions else 0
-        return len(those) == 1 and first > 0 and self.words[first - 1].norm == "one" and not self.ego.mentions
-
-    def _explained(self, word: Word) -> bool:
-        """Whether it is told behind a comma for the first time what it is: "the other vehicle, a van, was turning"."""
-        after = [self.words[c] for c in word.children if c > word.i and self.words[c].dep == "appos"]
-        return any({"a", "an"} & {self.words[c].norm for c in w.children} for w in after) and not self.ego_named
 
     def _distinguished(self, word: Word) -> bool:
         """Whether the noun phrase goes on to say which one: "the car in front of it", "the van that ..."."""
@@ -272,9 +247,6 @@ class Reference(Owned):
         return next(
             (e for e in reversed(candidates) if not e.ego and any(told.match(after(m.word)) for m in e.mentions)), None
         )
-
-    def _relative_to_ego(self, word: Word) -> bool:
-        return True
 
     def _matching_relation(self, word: Word, candidates: list[Entity]) -> bool:
         text = " ".join(w.norm for w in self.words[word.i : word.i + 8] if w.sentence == word.sentence)

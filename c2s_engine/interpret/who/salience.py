@@ -17,13 +17,10 @@ STRIKES = language.words("strikes")
 CONTACT = STRIKES | language.words("contact")
 BOWS = language.words("bows")
 WAITS = language.words("waits")
-ABORTS = ("abort", "abandon", "cancel", "give")
-BEGINS = language.words("begins")
 GONE = ("go", "pass", "clear", "leave", "vanish", "disappear", "cross")
 STANDS = ("be", "stand", "sit", "wait", "appear")
 GOES = ("drive", "run", "travel", "ride", "cruise", "keep", "stay", "hang", "move", "go", "come")
 SHIFTS = frozenset(("move", "merge", "change", "pull", "drift", "swerve", "cut", "switch", "shift", "slide", "swing"))
-PASSES = ("overtake", "pass")
 PAST = frozenset(("around", "round", "past"))
 LETS = ("let", "lets", "allow", "permit")
 AT_TAIL = re.compile(r"(off|on|from|behind) (rear|back|bumper|tail)\b")
@@ -53,7 +50,7 @@ class Salience(Excluded):
                 clash = self._subject_of(main)  # one waits until another has passed; one slows until it stands itself
         if word.dep in ("dobj", "pobj") and word.norm not in ("its", "itself"):
             clash = self._subject_of(verb)
-        if word.dep == "nsubj" and (gone := self._gone_before(word, verb) or self._waited_for(word)) is not None:
+        if word.dep == "nsubj" and (gone := self._gone_before(word, verb)) is not None:
             clash = gone
         if word.dep == "nsubj" and self._enabled(word, verb):
             clash = self._subject_of(self.words[verb.head])  # "ego moves over so that it can get past"
@@ -67,10 +64,8 @@ class Salience(Excluded):
             if placed.norm in ("lane", "side"):  # "five cars in the lane to its left"
                 placed = self.words[self.words[placed.head].head]
             clash = self.of.get(placed.i) or clash  # "a coach to its left": not the coach's own
-        if word.dep == "nsubj" and (polite := self._lets_before(word, verb)) is not None and accept(polite):
+        if word.dep == "nsubj" and (polite := self._lets_before(word, verb)) is not None:
             return polite
-        if (twin := self._gapped(word)) is not None and accept(twin):
-            return twin
         holder = self._placed(word)
         subject = clash
         if holder is not None and holder is not clash:
@@ -86,10 +81,6 @@ class Salience(Excluded):
         if (word.dep == "nsubj" or self._whose_driver(word, verb)) and (labels := self._object_labels(verb)):
             accept_other = accept
             accept = lambda e: accept_other(e) and e.label not in labels and not (e.ego and "1" in labels)  # noqa: E731
-        if word.dep == "nsubj" and verb.lemma in ABORTS:
-            tries = [e for i, e in self.subjects if i < word.i and self._tries(self._governor(self.words[i]))]
-            if tries:
-                return tries[-1]
         same = [(i, e) for i, e in self.subjects if i < word.i and accept(e) and e is not clash]
         last = [i for i in sorted(self.of) if i < word.i and accept(self.of[i]) and self.of[i] is not clash]
         if word.norm in ("it", "its"):  # "a car in the lane to our left. Its driver": not ours
@@ -104,7 +95,7 @@ class Salience(Excluded):
         sentence = [p for p in same if self.words[p[0]].sentence == word.sentence]
         if word.dep == "poss":
             twin = self._parallel(word)
-            if twin is not None and accept(twin):
+            if twin is not None:
                 return twin
             own = self._subject_of(verb)
             if self._whose_driver(word, verb):
@@ -118,7 +109,7 @@ class Salience(Excluded):
                     return None
                 sentence = [p for p in sentence if p[1] is not clash]
                 spoken = {self.of[i] for i in last if self.words[i].sentence == word.sentence}
-                if (beside or into and clash is not self.ego) and self.ego in spoken and accept(self.ego):
+                if (beside or into and clash is not self.ego) and self.ego in spoken:
                     return self.ego  # "ego follows a truck, with a car keeping pace on its left"
             its = [
                 self.of[w.i]
@@ -132,11 +123,6 @@ class Salience(Excluded):
         told = [p for p in sentence if self._finite(self._governor(self.words[p[0]]))]
         told = [p for p in told if self._governor(self.words[p[0]]).dep != "pcomp"] or told
         sentence = told or sentence
-        if word.dep == "dobj" and verb.lemma in PASSES and (gone := self._awaited_before(word)) is not None:
-            last = [i for i in last if self.of[i] is not gone]  # "waits until a car has gone by, then overtakes it"
-            sentence = [p for p in sentence if p[1] is not gone]
-            if not last:
-                return None
         if word.dep in ("dobj", "pobj", "poss"):
             if self.words[word.head].norm in PAST and (led := self._object_of(verb, word.i)) is not None:
                 last = [i for i in last if self.of[i] is not led] or last  # "follows the van around it"
@@ -167,22 +153,6 @@ class Salience(Excluded):
             )
         return self.of[last[-1]]
 
-    def _awaited_before(self, word: Word) -> Entity | None:
-        """Who has gone by before another is passed: it is not passed itself."""
-        subjects = [
-            w for w in self.words[: word.i] if w.sentence == word.sentence and w.dep == "nsubj" and w.i in self.of
-        ]
-        for subject in reversed(subjects):
-            verb = self._governor(subject)
-            told = {self.words[c].norm for c in verb.children if c < verb.i}
-            if told & {"until", "till", "once", "after"} and irregular().get(verb.norm, verb.lemma) in GONE:
-                return self.of[subject.i]
-        return None
-
-    def _tries(self, verb: Word) -> bool:
-        """Whether somebody begins something or means to: who gives it up then is the same one."""
-        return verb.lemma in BEGINS or verb.lemma in ("plan", "mean", "prepare")
-
     def _enabled(self, word: Word, verb: Word) -> bool:
         """Whether one is whom another makes something possible for ("so that it can get past")."""
         before = [w.norm for w in self.words[max(0, word.i - 2) : word.i]]
@@ -195,20 +165,6 @@ class Salience(Excluded):
             other = self.words[child]
             if other.dep == "advcl" and child < word.i and other.tag == "VBN" and other.lemma in GONE:
                 return self._subject_of(other)
-        return None
-
-    def _waited_for(self, word: Word) -> Entity | None:
-        """Until when one waits who acts then: "ego waits until the bus has passed, then it turns"."""
-        before = [w for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]
-        if not before or before[-1].norm not in ("then", "whereupon", "only", "afterwards"):
-            return None
-        for other in self.words[: word.i]:
-            if other.sentence != word.sentence or other.norm not in ("until", "till"):
-                continue
-            passing = self.words[other.head]
-            waits = self.words[passing.head]
-            if irregular().get(waits.norm, waits.lemma) in WAITS and waits.i < other.i:
-                return self._subject_of(passing)
         return None
 
     def _lets_before(self, word: Word, verb: Word) -> Entity | None:
@@ -256,8 +212,6 @@ class Salience(Excluded):
             return verb.lemma in STANDS or verb.lemma in GOES
         if not BESIDE.match(self._around(word.i)):
             return False
-        if self.of.get(word.i - 2) is not None and self.words[max(0, word.i - 4)].norm == "with":
-            return False  # "ego waits with a motorcycle on its left"
         lane = [w.norm for w in self.words[max(0, word.i - 4) : word.i]][-3:-1] == ["the", "lane"]
         return verb.lemma in STANDS or verb.lemma in GOES and (lane or verb.lemma == "keep")
 

@@ -23,7 +23,6 @@ LOOSENS = frozenset(
     ("come", "fly", "break", "tear", "shear", "work", "fall", "drop", "detach", "slip", "slide", "blow")
 )
 ROLLS = frozenset(("bounce", "tumble"))
-AWAY = frozenset(("away", "off", "free", "home"))
 OCCUPANTS = language.words("occupants")
 
 
@@ -105,8 +104,6 @@ class Strangers:
         own = {w.i for w in joined if not any(self.words[c].dep.startswith("nsubj") for c in w.children)}
         told = [self.words[c] for c in word.children if self.words[c].dep == "relcl"]
         verbs = [verb, *(w for w in joined if w.i in own), *told]
-        if any(w.lemma == "walk" and self.words[min(w.i + 1, len(self.words) - 1)].norm in AWAY for w in verbs):
-            return False  # "its driver walked away": to fetch help, or unhurt
         rides = "passenger" in word.norm or "occupant" in word.norm
         after = [" ".join(w.norm for w in self.words[v.i : v.i + 7]) for v in verbs]
         off_road = not rides and any(AT_SPEED.match(text) for text in after)

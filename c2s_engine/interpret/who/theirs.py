@@ -10,7 +10,6 @@ from c2s_engine.interpret.who.persons import Persons
 STRIKES = language.words("strikes")
 TOGETHER = frozenset(("couple", "family", "friends", "group", "pair", "crew"))
 TOYS = language.words("toys")
-HALTS = frozenset(("stop", "slow", "brake", "halt", "wait", "pull"))
 
 
 class Theirs(Persons):
@@ -43,12 +42,3 @@ class Theirs(Persons):
         did = [e for i, e in self.subjects if self.words[i].sentence == word.sentence and i < verb.i]
         others = [e for e in did if own and e is not self.of[own[0]]]
         return others[-1] if verb.dep == "conj" and others else None
-
-    def _who_halted(self, word: Word, found: Entity | None) -> Entity | None:
-        """Behind whom one halts: who was told to halt, not what stands there beside: "the first vehicle slowed for a
-        man behind a parked truck. The second stopped behind it"."""
-        if found is None or "parked" not in found.roles or self.words[word.i - 1].norm != "behind":
-            return None
-        told = [(i, e) for i, e in self.subjects if self.words[i].sentence == word.sentence - 1]
-        halts = [e for i, e in told if self._governor(self.words[i]).lemma in HALTS and "parked" not in e.roles]
-        return halts[-1] if halts and self._governor(word).lemma in HALTS else None

@@ -2,21 +2,12 @@
 
 from __future__ import annotations
 
-import re
-
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import PERSONS, VEHICLES, Entity, fits
+from c2s_engine.interpret.entities import PERSONS, VEHICLES, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.named import Named
 
-SOURCE = re.compile(
-    r"\b(?:according to|police (?:said|say|believe)|officers (?:said|say)|spokes\w+ (?:said|says)"
-    r"|it (?:happened|occurred)"
-    r"|(?:accident|crash|collision|incident) (?:happened|occurred|took place))\b"
-)
-"""What stands between a report in short and in full."""
 HITS = language.words("strikes") | {"knock", "run", "kill", "injure", "collide"}
-STANDING = frozenset(("stationary", "parked"))
 
 
 class Titles(Named):
@@ -35,7 +26,7 @@ class Titles(Named):
                 continue
             first = self.words[entity.mentions[0].word]
             told = not self._heading(0) and (not entity.roles or entity.roles & {"lead", "following"})
-            if indefinite and not told and self._announced(first, word) and not self._another_stands(entity, word):
+            if indefinite and not told and self._announced(first, word):
                 return entity
             if entity.type != "vehicle" or not entity.noun.endswith("driver"):
                 continue
@@ -88,21 +79,12 @@ class Titles(Named):
         for entity in self.entities:
             first = self.words[entity.mentions[0].word] if entity.mentions else word
             verb = self.words[first.head]
-            between = " ".join(w.norm for w in self.words[first.i : word.i])
             named = [m for m in entity.mentions if m.kind != "pronoun"]  # not "it happened at ten"
             briefly = entity.noun in ("car", "vehicle") and len(named) == 1 and first.sentence < word.sentence
             hits = verb.lemma in HITS and verb.tag in ("VBD", "VBN") or self.words[verb.head].lemma in HITS
-            if briefly and hits and fits(entity, kind) and SOURCE.search(between) and entity.count == 1:
+            if briefly and hits and entity.count == 1:
                 return entity
         return None
-
-    def _another_stands(self, entity: Entity, word: Word) -> bool:
-        """Whether a title told of one that stands, and another than this one is told to stand later: "Cut-out with
-        stationary target. Ego follows an SUV. ... a stalled hatchback"."""
-        if not entity.roles & STANDING:
-            return False
-        standing = [w for w in self.words if w.sentence and w.span is not None and STANDING & self._parts(w)]
-        return bool(standing) and word not in standing
 
     def _parts(self, word: Word) -> set[str]:
         """The parts in the scene that the words of a noun phrase give."""
@@ -118,7 +100,7 @@ class Titles(Named):
         if any(w.norm in ("a", "an", "the", "is", "are") or w.span and w.span.kind != "actor" for w in title):
             return False
         acts = any(w.tag == "VBG" and w.i > first.i for w in title)
-        if acts and any(w.span is not None and w.span.kind == "ego" for w in self.words[title[-1].i : word.i]):
+        if acts:
             return False  # "Vehicle changing lanes. The host moves over although a car ..."
         return sum(w.i in self.of for w in title) == 1
 

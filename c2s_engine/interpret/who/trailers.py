@@ -26,7 +26,7 @@ class Trailers(Writers):
 
     def _pulled(self, word: Word, noun: str) -> Entity | None:
         """Who pulls what a noun names: as said here, or said before of "the trailer"."""
-        if noun not in TOWED or self._comes_loose(word):
+        if noun not in TOWED:
             return None
         puller = self._puller(word)
         found = self.of.get(puller.i) if puller is not None else None
@@ -41,20 +41,12 @@ class Trailers(Writers):
             self.trailing[noun.split(" ")[-1]] = found
         return found
 
-    def _comes_loose(self, word: Word) -> bool:
-        """Whether the trailer goes on without who pulled it: "a trailer came loose from a van"."""
-        above = self.words[word.head]
-        after = [self.words[c].norm for c in above.children if c > above.i]
-        return word.dep in ("nsubj", "nsubjpass") and (above.lemma in UNHITCHED or bool(UNHITCHED & set(after)))
-
     def _puller(self, word: Word) -> Word | None:
         """The word for who pulls it; the verb where nobody is named who does."""
         above = self.words[word.head]
         if (before := self._participle(word)) is not None:
             return before
         if self._tows(above) and word.dep == "dobj":
-            if above.dep in ("acl", "relcl"):
-                return self.words[above.head]
             return self._child(above, "nsubj") or above
         if above.norm in ("with", "of") and word.dep == "pobj":
             return self._road_user(self.words[above.i - 1]) or self._road_user(self.words[above.head])

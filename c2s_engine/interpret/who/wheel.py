@@ -7,14 +7,12 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import VEHICLES, Entity
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.owned import OWNERS
 from c2s_engine.interpret.who.reference import Reference
 from c2s_engine.interpret.who.strangers import WALKS
 
 DRIVES = language.words("at_the_wheel")
 STEERS = language.words("steers")
 ASIDE = language.words("besides_driving")
-CONTROL = re.compile(r"\b(?:control|charge|command) of (?:his|her) (?:[\w-]+ ){0,2}$")
 SITS = re.compile(
     r"(?:(?:ahead|in front|behind|beside|alongside|next to|to the (?:left|right))(?: of)? ?(?:@|\w+)? ?)?"
     r"(?:, ?)?(?:(?:who|that) (?:is|was) )?(?:(?:alone|sitting|seated|travelling|traveling|sat) )?"
@@ -28,50 +26,16 @@ DRIVEN = re.compile(
     r"|(?P<how>drove|rode|drives?|rides?|operated|at the wheel of|in charge of|in|on) (?:an?|his|her|the|their|my))"
     r"(?: (?!behind|past|beside|towards?|after|along|around|ahead|before|near|into|with)[\w-]+){0,2} $"
 )
-MANOEUVRES = language.words("manoeuvres")
 VEHICULAR = language.words("vehicular")
-MANOEUVRE = re.compile(
-    r"(?:cuts?|cut|cutting) (?:me|us|him|her|it|\w+) (?:off|up)\b|(?:cuts?|cutting) in\b"
-    r"|(?:pulls?|pulled|pulling) (?:out|over|in|away)\b"
-    r"|(?:ran|runs?|went|goes|drove|smashed|crashed|ploughed|bumped|slammed|shunted) "
-    r"(?:straight |right )?into (?:the )?"
-    r"(?:back|rear|boot|front|bumper)\b"
-    r"|(?:changes?|changed|changing|switch\w*) lanes?\b|(?:runs?|ran|running) (?:a |the )?(?:red|stop|light)"
-)
 
 LANE = re.compile(
     r"(?:who (?:is|was) )?in (?:the|my|our) (?:(?:left|right|next|other|adjacent|middle|fast|slow|inside|outside"
     r"|oncoming|opposite|neighbou?ring)(?:[- ]hand)? lane\b|lane (?:next to|beside|to (?:my|our|the) (?:left|right)))"
 )
-IN_QUEUE = re.compile(
-    r"(?:who (?:is|was) )?(?:directly |right |immediately |just )?"
-    r"(?:(?:behind|in front|ahead|next to)(?: of)?(?: me| us)?) "
-    r"(?:(?:then|just|also|suddenly|obviously|clearly|simply) )?"
-    r"(?:went|goes|ran|runs|hit|hits|drove|drives|bumped|smashed|crashed|ploughed|plowed|slammed|shunted|rolled|braked"
-    r"|brakes|stopped|slowed|carried|failed|rear-ended|set off|pulled|did not|didn't|could not stop"
-    r"|(?:slam|jam|stomp|stamp)\w* on|stood on|locks? up|locked up|(?:was |is |were )?doing \d|swerve[sd]|change[sd]"
-    r"|overtook|overtakes|tailgate[sd]|accelerate[sd]|speeds?|sped|turned|turns|does not|doesn't)\b"
-)
-"""What a person does who is in the queue at the wheel: "the person behind ran into me"."""
-
-
-OUR_DRIVER = re.compile(
-    r"\bour (?:driver|insured|operator|rider) ,? ?(?:(?:who )?was )?(?:in|on|driving|operating|riding) "
-    r"(?:an?|the|his|her) (?:[\w.-]+ ){0,3}$"
-)
-CYCLES = frozenset(language.table("people")["cycles"])
-CHAUFFEURS = language.words("chauffeurs")
-ASTRAY = frozenset(("off", "into", "towards", "toward", "onto", "out", "against", "crazy", "mad"))
-"""Where one drives somebody whom one does not carry."""
-RIDES_ALONG = re.compile(
-    r"\b(?:i|we) (?:was|were|am|are|sat|sit|rode)(?: [\w-]+){0,3} (?:passengers?\b|(?:beside|next to) (?:him|her)"
-    r"|in the (?:back|passenger|front|rear)(?: seat)?s?\b)|\bmy passenger seat\b"
-)
 AT_IT = re.compile(
     r",? ?(?:(?:who|and) )?(?:was|were|is|had been) (?:driving|at the wheel|behind the wheel)\b"
     r"(?= ?[,.;]| and| at the time)"
 )
-HELD = frozenset(("a", "an", "another", "some"))
 
 
 class AtWheel(Reference):
@@ -79,44 +43,13 @@ class AtWheel(Reference):
 
     wheels: dict[int, Entity]  # the noun of a vehicle -> whom it carries, who was spoken of before
 
-    def _at_my_wheel(self, word: Word) -> Entity | None:
-        """Ego, where somebody drives who carries the one who tells it: "Dad was driving us home", "Sue was driving and
-        I sat beside her"; and when that person is spoken of again."""
-        if {self.words[c].norm for c in word.children} & HELD:
-            return None
-        noun = word.norm.split(" ")[-1]
-        if noun in self.ego.names:
-            return self.ego if self.ego.manned else None
-        verb = self.words[word.head]
-        told = [w for w in self.words[verb.i : verb.i + 6] if w.sentence == word.sentence and w.i not in self.asking]
-        norms = [w.norm for w in told]
-        carried = any(w.norm in ("us", "me") and w.head == verb.i and w.i <= verb.i + 3 for w in told)
-        drives = word.dep == "nsubj" and verb.lemma in CHAUFFEURS and carried and ASTRAY.isdisjoint(norms)
-        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 8])
-        if not drives and not (AT_IT.match(after) and RIDES_ALONG.search(" ".join(w.norm for w in self.words))):
-            return None
-        self.ego.manned, self.ego.sex = True, self.ego.sex or self._sex(word)
-        self.ego.names.add(noun)
-        return self.ego
-
     def _drives_on(self, word: Word) -> Entity | None:
         """Who drives or cycles, in or on what is not told: "the couple drove home", "a boy was cycling to school"."""
         verb = self.words[word.head]
-        if word.dep == "nsubj" and verb.lemma in CYCLES:
-            return self._new(Entity("", "bicycle", typed=True, manned=True, sex=self._sex(word)))
         after = self.words[word.i + 1] if word.i + 1 < len(self.words) else word
-        if (
-            after.norm == "driving"
-            and after.dep == "acl"
-            and not any(self.words[c].dep == "dobj" for c in after.children)
-        ):
+        if after.norm == "driving" and after.dep == "acl":
             return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))  # "a nurse driving home"
-        objects = (self.words[c] for c in verb.children if self.words[c].dep == "dobj")
-        if (
-            word.dep != "nsubj"
-            or verb.lemma != "drive"
-            or any(w.lemma not in ("way", "mile", "route") for w in objects)
-        ):
+        if word.dep != "nsubj" or verb.lemma != "drive":
             return None
         return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))
 
@@ -140,7 +73,7 @@ class AtWheel(Reference):
                 or other.span.data["type"] not in VEHICLES - {"vehicle"}
             ):
                 continue
-            if other.span.data.get("person") or other.span.data.get("plural"):
+            if other.span.data.get("plural"):
                 return None
             between = self.words[word.i + 1 : other.i]
             text = " ".join("@" if w.span is not None and w.span.kind == "ego" else w.norm for w in between) + " "
@@ -151,7 +84,6 @@ class AtWheel(Reference):
                 self.words[verb.head] if verb.dep == "conj" else verb
             )  # "a man mixed up the pedals and drove his Audi"
             drives = moves and verb.i > word.i and other.dep == "dobj" and self._heads(word, subject)
-            drives = drives or own and CONTROL.search(text) is not None
             if drives or SITS.fullmatch(text) or word.dep == "poss" and word.head == other.i:
                 found = known or self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))
                 self.wheels[other.i] = found
@@ -168,24 +100,16 @@ class AtWheel(Reference):
         """A person who does what only vehicles do: "a lady reversed out of her drive", "this guy cut me off"."""
         verb = self.words[word.head]
         after = " ".join(w.norm for w in self.words[verb.i : verb.i + 5])
-        noun = word.norm.split(" ")[-1]
-        told = {self.words[c].norm for c in word.children} & {"the", "this", "that"}
-        known = next((e for e in self.entities if noun in e.names or e.noun == noun), None) if told else None
-        drives = word.dep == "nsubj" and verb.lemma in MANOEUVRES and not any(e.person for e in self.entities)
-        if drives and told and known is None and (driver := self._who_drove(word)) is not None:
-            return driver  # "a van cut us off, and the guy braked"
-        steers = verb.lemma in VEHICULAR or MANOEUVRE.match(after) or self._in_a_lane(word) and not WALKS.match(after)
+        steers = verb.lemma in VEHICULAR or self._in_a_lane(word) and not WALKS.match(after)
         nearer = any(self.words[c].dep == "nsubj" and word.i < c < verb.i for c in verb.children)
         if word.dep != "nsubj" or not steers or nearer:  # "a woman to cross, when a van ran into the rear"
             return None
-        if known is not None:
-            return None if known.person else known
         return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))
 
     def _in_a_lane(self, word: Word) -> bool:
         """Whether a person is placed as only drivers are: "the guy in the left lane"."""
         after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 8])
-        return LANE.match(after) is not None or IN_QUEUE.match(after) is not None
+        return LANE.match(after) is not None
 
     def _heads(self, word: Word, verb: Word) -> bool:
         """Whether a word is the subject of a verb, or what its participle describes."""
@@ -196,10 +120,8 @@ class AtWheel(Reference):
         back = [w for w in self.words[max(0, word.i - 10) : word.i] if w.sentence == word.sentence]
         text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
         match = DRIVEN.search(text + " ")
-        if match is None and (OUR_DRIVER.search(" ".join(w.norm for w in back) + " ") or self._driven_first(word)):
-            return self.ego
         if match is None:
-            return self._party_in(word)
+            return None
         owner = next(self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None)
         if match["how"] in ("in", "on") and not re.search(
             r"driver|motorist|party|defendant|respondent|claimant|suspect|offender|rider|courier", owner.noun
@@ -207,29 +129,6 @@ class AtWheel(Reference):
             return None
         two = owner.type in ("bicycle", "motorcycle") and re.search(r"rider|courier", owner.noun)
         return owner if owner.type in ("vehicle", "rider") or owner.ego or two else None
-
-    def _driven_first(self, word: Word) -> bool:
-        """Whether it is told before ego what ego drives: "while driving a tanker, the insured saw a tractor"."""
-        verb = self.words[word.head]
-        main = self.words[verb.head]
-        main = self.words[main.head] if main.dep == "prep" else main
-        if word.dep != "dobj" or verb.norm not in STEERS or verb.tag != "VBG" or main.i < word.i:
-            return False
-        subjects = (self.words[c].span for c in main.children if self.words[c].dep == "nsubj" and c > word.i)
-        return any(s is not None and s.kind == "ego" for s in subjects)
-
-    def _party_in(self, word: Word) -> Entity | None:
-        """The party who moves in a vehicle: "the suspect fled in a stolen Audi"."""
-        by = self.words[word.head]
-        verb = self.words[by.head]
-        if by.norm in ("in", "on") and verb.dep == "appos" and verb.head in self.of and word.dep == "pobj":
-            same = self.of[verb.head]  # "the second, a man in a Rover"
-            if same.type == "vehicle" and not same.typed and self.words[verb.head].span is None:
-                return same
-        if by.norm not in ("in", "on") or not verb.verb:
-            return None
-        subjects = [self.of[c] for c in verb.children if self.words[c].dep == "nsubj" and c in self.of]
-        return next((e for e in subjects if e.noun in OWNERS and not e.typed), None)
 
     def _rides(self, word: Word) -> bool:
         """Whether a person is only the one inside a vehicle ("a man in a white van"), who stands for it."""

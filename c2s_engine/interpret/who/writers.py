@@ -34,8 +34,6 @@ class Writers(Titles):
             return False
         if self._steered(word, kind):
             return True
-        if kind == "motorcycle" and self._ridden_by_me():
-            return {self.words[c].norm for c in word.children} <= {"the", "my"}  # "the bike is a write-off"
         before, after = self._beside(word)
         if self._heading(word.sentence):
             told = " ".join(w.norm for w in self.words if w.sentence <= word.sentence)

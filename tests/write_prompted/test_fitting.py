@@ -1,4 +1,4 @@
-"""What a generator is shown beyond its task: retrieved code in the names at hand, what is written later, what was tried."""
+"""What a generator is shown: retrieved code in the names at hand, what is written later, what was tried."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""Retrieved code in the names of the code so far: a name that is not defined there is renamed, or the passage left out."""
+"""Retrieved code in the names of the code so far: what is not defined there is renamed, or the passage left out."""
 
 import re
 from collections.abc import Iterable

@@ -164,14 +164,15 @@ def _against_string(node: ast.Compare) -> list[Diagnostic]:
 def _in_list(node: ast.Compare) -> list[Diagnostic]:
     """`ego in network.roads`: an object (or its position) is no member of a list of elements."""
     of = node.comparators[0]
-    where = isinstance(of, ast.Attribute) and isinstance(of.value, ast.Name) and of.value.id == "network"
-    if not where or of.attr not in _REGIONS or not isinstance(node.ops[0], ast.In | ast.NotIn):  # type: ignore[union-attr]
+    if not isinstance(of, ast.Attribute) or not isinstance(of.value, ast.Name) or of.value.id != "network":
+        return []
+    if of.attr not in _REGIONS or not isinstance(node.ops[0], ast.In | ast.NotIn):
         return []
     thing = node.left.value if isinstance(node.left, ast.Attribute) and node.left.attr == "position" else node.left
     if type(thing).__name__ != "Ego" and thing is node.left and getattr(thing, "id", "") != "ego":
         return []
-    name = of.attr  # type: ignore[union-attr]
-    return [catalogue.finding("element_as_region", node.lineno, of.col_offset + 1, name=name, near=_REGIONS[name])]
+    near = _REGIONS[of.attr]
+    return [catalogue.finding("element_as_region", node.lineno, of.col_offset + 1, name=of.attr, near=near)]
 
 
 _REGIONS = {

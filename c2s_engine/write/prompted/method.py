@@ -291,7 +291,8 @@ def _structure(text: str, sentences: Sentences, embedded: Any) -> Structure:
 
 def _in_order(structure: Structure) -> Structure:
     """The objects so that each follows those that it reacts to, as far as they do not react to each other."""
-    left, done = list(structure.objects), []
+    left = list(structure.objects)
+    done: list[Component] = []
     while left:
         known = {"ego", "E", *(o.id for o in done)}
         free = next((o for o in left if references(o) <= known | {o.id}), left[0])

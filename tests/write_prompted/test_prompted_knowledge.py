@@ -83,7 +83,7 @@ def test_the_blocks_are_made_from_the_tables():
 
 @pytest.mark.parametrize("kind", "REOT")
 def test_examples_use_only_names_that_the_prompt_lists_or_they_define(kind):
-    """"Use only the names that stand in this prompt": the examples must not teach others than the lists explain."""
+    """ "Use only the names that stand in this prompt": the examples must not teach others than the lists explain."""
     shown = blocks.fixed_examples(kind)
     lists = blocks.contextual(kind) + " ".join(sorted(knowledge.names()))
     called = set(re.findall(r"(?<![.\w'])([A-Za-z_]\w*)(?=\()", shown))

@@ -12,6 +12,7 @@ _EGO_SPOTS = ("egoSpot", "start")
 """What the collection and the examples call the point that ego starts at: the only point of the code so far is it."""
 _POINT = re.compile(r"^(\w+)\s*=\s*new OrientedPoint\b", re.M)
 
+
 @cache
 def shared() -> frozenset[str]:
     """The names that fragments of the collection define for those after them."""

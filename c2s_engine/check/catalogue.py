@@ -13,7 +13,8 @@ from c2s_engine.structure.diagnostics import Diagnostic, TextEdit
 
 @dataclass(frozen=True)
 class Entry:
-    """One kind of error. `types`, `match` and `source` say which exceptions are of it; empty: found by the lint."""
+    """One kind of error. `types`, `match`, `source` and `raised` say which exceptions are of it; without `types` it is
+    found by the lint."""
 
     code: str
     stage: str
@@ -23,6 +24,7 @@ class Entry:
     types: tuple[str, ...] = ()
     match: re.Pattern[str] | None = None
     source: re.Pattern[str] | None = None
+    raised: str = ""
     replace: tuple[re.Pattern[str], str] | None = None
     insert: str = ""
     delete: bool = False
@@ -46,15 +48,17 @@ def _entry(code: str, data: dict[str, Any]) -> Entry:
         types=tuple(data.get("types", ())),
         match=re.compile(data["match"], re.S) if "match" in data else None,
         source=re.compile(data["source"]) if "source" in data else None,
+        raised=data.get("raised", ""),
         replace=(re.compile(replace[0]), replace[1]) if replace else None,
         insert=data.get("insert", ""),
     )
 
 
-def find(kinds: list[str], text: str, line: str) -> tuple[Entry, dict[str, str]] | None:
-    """The first entry that an exception (its class names, its text, the source line) belongs to."""
+def find(kinds: list[str], text: str, line: str, raised: str = "") -> tuple[Entry, dict[str, str]] | None:
+    """The first entry that an exception (its class names, its text, the source line, the function that raised it)
+    belongs to."""
     for entry in entries().values():
-        if not entry.types or not set(entry.types) & set(kinds):
+        if not entry.types or not set(entry.types) & set(kinds) or entry.raised not in ("", raised):
             continue
         values: dict[str, str] = {}
         if entry.match is not None:

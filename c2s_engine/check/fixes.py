@@ -3,7 +3,7 @@
 import re
 from typing import Any
 
-from c2s_engine.check import catalogue
+from c2s_engine.check import catalogue, drawn
 from c2s_engine.structure.diagnostics import Diagnostic, TextEdit
 
 
@@ -29,9 +29,10 @@ def propose(entry: catalogue.Entry, values: dict[str, str], lines: list[str], nu
     line = lines[number - 1].rstrip("\r\n")
     if entry.code in SPECIAL:
         return SPECIAL[entry.code](lines, number, reason)
-    if entry.replace is not None:
+    if entry.replace is not None and all(map(values.get, named := re.findall(r"\{(\w+)\}", entry.replace[1]))):
+        by = catalogue.fill(entry.replace[1], values) if named else entry.replace[1]
         pattern = re.compile(catalogue.fill(entry.replace[0].pattern, {k: re.escape(v) for k, v in values.items()}))
-        changed = pattern.sub(entry.replace[1], line, count=1)
+        changed = pattern.sub(by, line, count=1)
         if changed != line:
             return TextEdit(first=number, last=number, text=changed, reason=reason)
     return None
@@ -110,9 +111,16 @@ def _elsewhere(lines: list[str], pattern: re.Pattern[str], by: str, reason: str)
 
 
 ELSEWHERE = {
+    "list_for_member": (
+        r"\bUniform\(\s*([A-Za-z_][\w.]*|\[[^\[\]]*\]|filter\((?:[^()]|\([^()]*\))*\))\s*\)",
+        r"Uniform(*\1)",
+    ),
     "render_text": (r"^(\s*param\s+render\s*=\s*)(['\"])([01])\2", r"\1\3"),
 }
-SPECIAL = {"missing_comma": _comma, "old_monitor": _monitor, "interrupt_without_try": _interrupt}
+SPECIAL = {
+    "missing_comma": _comma, "old_monitor": _monitor, "interrupt_without_try": _interrupt,
+    "random_index": drawn.index, "random_comprehension": drawn.comprehension, "random_unpacking": drawn.unpacking,
+}  # fmt: skip
 
 
 def apply_fixes(program: str, diagnostics: Any) -> str:

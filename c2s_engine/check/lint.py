@@ -98,7 +98,7 @@ def gather(tree: Any) -> PieceFacts:
                 params_read.append((node.attr, line))
             found += _member(node)
         elif isinstance(node, ast.Compare):
-            found += _against_string(node)
+            found += _against_string(node) + _in_list(node)
     facts.defines = frozenset(bound)
     facts.free = tuple(r for r in reads if r[0] not in bound)
     facts.behaviors, facts.monitors, facts.required = behaviors, tuple(monitors), frozenset(required)
@@ -161,6 +161,27 @@ def _against_string(node: ast.Compare) -> list[Diagnostic]:
     return [catalogue.finding("enum_string", node.lineno, node.col_offset + 1, name=repr(text), near=near)]
 
 
+def _in_list(node: ast.Compare) -> list[Diagnostic]:
+    """`ego in network.roads`: an object (or its position) is no member of a list of elements."""
+    of = node.comparators[0]
+    if not isinstance(of, ast.Attribute) or not isinstance(of.value, ast.Name) or of.value.id != "network":
+        return []
+    if of.attr not in _REGIONS or not isinstance(node.ops[0], ast.In | ast.NotIn):
+        return []
+    thing = node.left.value if isinstance(node.left, ast.Attribute) and node.left.attr == "position" else node.left
+    if type(thing).__name__ != "Ego" and thing is node.left and getattr(thing, "id", "") != "ego":
+        return []
+    near = _REGIONS[of.attr]
+    return [catalogue.finding("element_as_region", node.lineno, of.col_offset + 1, name=of.attr, near=near)]
+
+
+_REGIONS = {
+    "roads": "roadRegion", "lanes": "laneRegion", "intersections": "intersectionRegion", "crossings": "crossingRegion",
+    "sidewalks": "sidewalkRegion", "shoulders": "shoulderRegion",
+}  # fmt: skip
+"""The regions of a network that hold all elements of its lists."""
+
+
 def _near(name: str, names: Any) -> str:
     close = difflib.get_close_matches(name, sorted(names), n=1, cutoff=0.8)
     return close[0] if close else ""
@@ -203,7 +224,9 @@ def _undefined(facts: list[PieceFacts], known: frozenset[str]) -> list[Diagnosti
         for name, line, column in fact.free:
             if name in known:
                 continue
-            if name in params:
+            if name == "wait":
+                found.append(catalogue.finding("wait_is_no_behavior", line, column))
+            elif name in params:
                 found.append(catalogue.finding("bare_param", line, column, name=name))
             else:
                 found.append(catalogue.finding("undefined_name", line, column, name=name, near=_near(name, known)))

@@ -1,5 +1,6 @@
 """Sampling scenes within bounds, and saying what stood in the way."""
 
+import re
 import time
 from collections import Counter
 from typing import Any
@@ -81,7 +82,7 @@ class Sampler:
             stage="sample",
             code=f"rejected_{kind}",
             message=f"no scene was found in {self.iterations} tries ({seconds:.1f} s): {said}",
-            fix=RELAX[kind],
+            fix=RELAX["speed" if kind == "requirement" and _of_speed(self.program.line(line)) else kind],
             line=line,
         )
         return self.program.locate(diagnostic)
@@ -120,7 +121,13 @@ class Sampler:
         return self.names.lines.get(id(obj))
 
 
+def _of_speed(line: str) -> bool:
+    """Whether a requirement on the scene asks that something moves."""
+    return bool(re.match(r"\s*require\s+(?!always|eventually|monitor)[^#]*\.speed\s*>=?\s*[\d.]*[1-9]", line))
+
+
 RELAX = {
+    "speed": "while a scene is drawn everything stands: ask it of the run ('require eventually', 'terminate when')",
     "requirement": "weaken that requirement, or place the objects so that it holds more often",
     "overlap": "place them further apart, or let one of them have 'with allowCollisions True'",
     "containment": "place it where it fits, choose a wider lane or a longer road, or add 'with regionContainedIn None'",

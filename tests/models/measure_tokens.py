@@ -24,20 +24,36 @@ from tests.models.fake_ollama import FakeOllama, said
 TEXTS = 24
 
 
+def _still(spec: Any) -> bool:
+    return spec.speed == 0 and not spec.phases or [p.action for p in spec.phases] == ["stationary"]
+
+
 def mirror(structure: Structure, request: dict[str, Any]) -> str:
     """The form that a request asks for, filled in with what a structure says."""
     cid = asked_of(request)
     if not cid:
-        objects = [{"type": o.spec.type, "sentence": o.description} for o in structure.objects]
+        objects = [
+            {"type": o.spec.type, **({"still": True} if _still(o.spec) else {}), "sentence": o.description}
+            for o in structure.objects
+        ]
         names = {"settings": structure.settings, "place": structure.place, "ego": structure.ego}
         return json.dumps({**{n: c.description for n, c in names.items()}, "objects": objects[:8]})
     spec = structure[cid].spec.model_dump(mode="json")
     if cid == "G":
         return json.dumps({n: {"value": spec[n], "confidence": 1} for n in ("weather", "time") if spec[n]})
     told = structure[cid].spec.model_dump(mode="json", exclude_defaults=True)
-    kept = {n: spec[n] for n in spec if n in request["format"].get("required", ()) or n in told}
-    kept = {n: v for n, v in kept.items() if n in request["format"]["properties"]}
-    return json.dumps({n: {k: x for k, x in v.items() if x} if n == "placement" else v for n, v in kept.items()})
+    wanted = {n: spec[n] for n in spec if n in request["format"].get("required", ()) or n in told}
+    return json.dumps(_of_form(request["format"], wanted))
+
+
+def _of_form(schema: dict[str, Any], value: Any) -> Any:
+    """What of a value the form has fields for."""
+    if isinstance(value, dict):
+        kept = {n: s for n, s in schema.get("properties", {}).items() if value.get(n) not in (None, "", [])}
+        return {n: _of_form(s, value[n]) for n, s in kept.items()}
+    if isinstance(value, list) and "items" in schema:
+        return [_of_form(schema["items"], item) for item in value]
+    return value
 
 
 async def costs() -> list[tuple[int, int]]:

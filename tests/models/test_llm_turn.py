@@ -81,7 +81,8 @@ async def test_a_change_is_one_component_by_its_form(server, client_of):
     assert found.kind == "edit" and [type(e) for e in found.edits] == [SetSpec]
     s = after(found)
     assert s["O1"].spec.type == "truck" and s["O1"].spec.name == "lead", "others may use its name"
-    assert s["O1"].description == "A truck 20 m ahead brakes." and "truck" in found.reply
+    assert s["O1"].description == "A truck ahead of ego in the same lane, 20 m away; it brakes.", "made from its fields"
+    assert s["O1"].unmet == () and "truck" in found.reply
     assert s["O3"] == S["O3"] and s.settings == S.settings
 
 

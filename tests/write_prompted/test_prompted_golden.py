@@ -11,8 +11,8 @@ import yaml
 
 from c2s_engine.interpret.llm import words
 from c2s_engine.interpret.llm.asking import prompt
-from c2s_engine.interpret.llm.components import ObjectSentence, Sentences
-from c2s_engine.interpret.llm.typed import form_of
+from c2s_engine.interpret.llm.components import ObjectSentence, Sentences, instructions
+from c2s_engine.interpret.llm.forms import form_of
 from c2s_engine.models import approximate_tokens
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.progress import Passage
@@ -59,9 +59,9 @@ def forms() -> dict[str, str]:
     """The instructions of the typed method's forms: a vehicle's (O1), a person's (O2), a thing's (O3)."""
     kinds = ("car", "pedestrian", "cone")
     sentences = Sentences(objects=tuple(ObjectSentence(type=k, sentence=f"A {k}.") for k in kinds))
-    told = {cid: form_of(cid, "", sentences)[0] for cid in sentences.ids[1:]}
+    told = {cid: form_of(cid, "", sentences).system for cid in sentences.ids[1:]}
     detector = prompt("settings", weather=words.lines("weather"), times=words.lines("times"))
-    return {"components": prompt("components"), "G": detector, **told}
+    return {"components": instructions(), "G": detector, **told}
 
 
 @pytest.mark.parametrize("name", [*names(), TYPED])
@@ -98,7 +98,7 @@ def test_prompts_say_something_of_every_word_of_the_vocabulary():
     for section, short in words.shortened().items():
         assert list(short) == list(words.vocabulary()[section]), section
     told = words.lines("actions", ["turn_left", "brake", "u_turn"])
-    assert told == "- brake: slows to speed; hard from rate 4 on\n- turn_left, u_turn"
+    assert told == "- brake: to speed; hard is a rate from 4 on\n- turn_left, u_turn"
 
 
 def test_the_paper_s_sentences_are_asked_for_in_order():

@@ -79,3 +79,24 @@ def test_the_blocks_are_made_from_the_tables():
     assert knowledge.version() in place
     for kind in "GREOT":
         assert not re.search(r"\$\w", blocks.contextual(kind) + blocks.fixed_examples(kind) + blocks.thinking(kind))
+
+
+@pytest.mark.parametrize("kind", "REOT")
+def test_examples_use_only_names_that_the_prompt_lists_or_they_define(kind):
+    """ "Use only the names that stand in this prompt": the examples must not teach others than the lists explain."""
+    shown = blocks.fixed_examples(kind)
+    lists = blocks.contextual(kind) + " ".join(sorted(knowledge.names()))
+    called = set(re.findall(r"(?<![.\w'])([A-Za-z_]\w*)(?=\()", shown))
+    members = set(re.findall(r"(?<![\d'.])\.([a-z]\w*)", re.sub(r"'[^']*'|scenic\.[\w.]+", "", shown)))
+    defined = set(re.findall(r"(?:behavior|monitor|def) (\w+)", shown)) | {"localPath", "len", "simulation"}
+    known = set(re.findall(r"\w+", lists)) | defined
+    told = knowledge.road_elements()
+    known |= {a.split("(")[0] for attributes in told.values() for a in attributes}
+    assert called <= known, called - known
+    assert members <= known, members - known
+
+
+def test_headers_define_what_egos_use():
+    for example in examples().values():
+        parts = {f.id: f.code for f in example.fragments}
+        assert "EGO_MODEL = 'vehicle." in parts["G"] and "with blueprint EGO_MODEL" in parts["E"], example.number

@@ -1,5 +1,7 @@
 """When a model's fragment is stale: never after writing, but where the model failed. Code by hand gets an offer."""
 
+import re
+
 import pytest
 
 from c2s_engine.structure import edits
@@ -62,7 +64,7 @@ async def test_what_a_later_component_ceases_to_define_makes_its_reader_stale(se
     told.asked.clear()
     after = await method.write(described(written, "O2", "A bus."))
     assert told.asked == ["O2", "O1"] and dirty(after, method.keys) == []
-    assert "second" not in assemble(after).text
+    assert not re.search(r"\bsecond\b", assemble(after).text)
 
 
 async def test_a_name_gone_since_its_reader_was_written_has_it_written_once_more(server, method):
@@ -80,7 +82,7 @@ async def test_a_name_gone_since_its_reader_was_written_has_it_written_once_more
     server.respond = respond
     after = await method.write(both)
     assert told.asked == ["O1", "O2", "O1"] and dirty(after, method.keys) == []
-    assert "second" not in assemble(after).text
+    assert not re.search(r"\bsecond\b", assemble(after).text)
 
 
 async def test_names_that_come_and_go_for_ever_end(server, method):

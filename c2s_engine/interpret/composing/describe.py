@@ -137,7 +137,11 @@ def restrictions(spec: RestrictionsSpec, names: dict[str, str] | None = None) ->
     ends = []
     for c in spec.terminate_when:
         other = _named(c.other, known) if c.other else "the other"
-        ends.append(words[c.kind].format(subject=_named(c.subject, known), other=other, minimum=f"{c.minimum or 0:g}"))
+        action = (c.action or "").replace("_", " ")
+        values = {"subject": _named(c.subject, known), "other": other, "minimum": f"{c.minimum or 0:g}"}
+        ends.append(words[c.kind].format(**values, action=action))
+    if spec.duration:
+        ends.append(words["time"].format(minimum=f"{spec.duration:g}"))
     return f"The run ends {' or '.join(ends)}." if ends else "No restriction beyond the scene itself."
 
 

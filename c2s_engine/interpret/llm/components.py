@@ -7,7 +7,7 @@ from pydantic import BaseModel, ConfigDict
 
 from c2s_engine.interpret.llm.asking import Asker, prompt
 from c2s_engine.interpret.llm.schema import limits
-from c2s_engine.interpret.llm.units import annotate
+from c2s_engine.interpret.llm.units import annotate, plain
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Link
 
@@ -17,6 +17,8 @@ class ObjectSentence(BaseModel):
 
     type: str
     sentence: str
+    still: bool = False
+    """Whether it never moves."""
 
 
 class Sentences(BaseModel):
@@ -52,7 +54,11 @@ def sentences_schema() -> dict[str, Any]:
     sentence = {"type": "string", "maxLength": limits()["lengths"]["sentence"]}
     item = {
         "type": "object",
-        "properties": {"type": {"type": "string", "enum": list(get_args(v.ObjectType))}, "sentence": sentence},
+        "properties": {
+            "type": {"type": "string", "enum": list(get_args(v.ObjectType))},
+            "still": {"type": "boolean"},
+            "sentence": sentence,
+        },
         "required": ["type", "sentence"],
         "additionalProperties": False,
     }
@@ -70,21 +76,26 @@ def sentences_schema() -> dict[str, Any]:
     }
 
 
+def instructions() -> str:
+    """What the splitter is told."""
+    return prompt("components", types=", ".join(get_args(v.ObjectType)))
+
+
 async def read_components(text: str, asker: Asker, strict: bool = False) -> Sentences:
     """The sentences of a text; raises ModelError. `strict`: sentences copied from the instructions are refused, for
     those who have something to put in their place."""
     if not text.strip():
         return Sentences()
-    instructions = prompt("components")
+    told = instructions()
 
     def build(value: dict[str, Any]) -> Sentences:
         found = _tidy(value)
         for cid in found.ids:
-            if strict and _copied(found.of(cid), instructions, text):
+            if strict and _copied(found.of(cid), told, text):
                 raise ValueError(f'"{found.of(cid)}" is of the example, the text does not say it')
         return found
 
-    return await asker.form(instructions, annotate(text), sentences_schema(), purpose="interpret", build=build)
+    return await asker.form(told, annotate(text), sentences_schema(), purpose="interpret", build=build)
 
 
 def _copied(sentence: str, instructions: str, text: str) -> bool:
@@ -98,14 +109,17 @@ def _tidy(value: dict[str, Any]) -> Sentences:
     longest = limits()["lengths"]["sentence"]
 
     def clean(words: str) -> str:
-        return re.sub(r"\s+", " ", words).strip()[:longest]
+        return re.sub(r"\s+", " ", plain(words)).strip()[:longest]
 
-    told = [ObjectSentence(type=o["type"], sentence=clean(o["sentence"])) for o in value["objects"]]
+    told = [
+        ObjectSentence(type=o["type"], sentence=clean(o["sentence"]), still=o.get("still", False))
+        for o in value["objects"]
+    ]
     objects = tuple(dict.fromkeys(o for o in told if o.sentence))  # one that is said again is the same one
-    plain = {name: clean(value.get(name, "")) for name in ("settings", "place", "ego", "restrictions")}
-    if not objects and not plain["ego"] and not plain["place"]:
+    told_of = {name: clean(value.get(name, "")) for name in ("settings", "place", "ego", "restrictions")}
+    if not objects and not told_of["ego"] and not told_of["place"]:
         raise ValueError("nothing is said of ego, the place or any object")
-    return Sentences(objects=objects, **plain)
+    return Sentences(objects=objects, **told_of)
 
 
 _SENTENCE = re.compile(r"[^.!?;]+(?:[.](?=\d)[^.!?;]+)*[.!?;]?")
@@ -123,6 +137,26 @@ def link(text: str, sentence: str) -> tuple[Link, ...]:
         return ()
     start = best.start() + len(best[0]) - len(best[0].lstrip())
     return (Link(kind="text", label=text[start : best.end()].strip(), span=(start, best.end())),)
+
+
+LONGEST = 240
+"""Characters of a text up to which it is shown whole to each form."""
+
+
+def excerpt(text: str, sentence: str) -> str:
+    """The sentences of a text that a component's sentence has words in common with, in their order, the best of them
+    first where not all find room; a short text as it is."""
+    if len(text) <= LONGEST:
+        return text
+    wanted = _content(sentence)
+    parts = [(m[0].strip(), len(wanted & _content(m[0]))) for m in _SENTENCE.finditer(text)]
+    chosen: set[int] = set()
+    room = LONGEST
+    for i in sorted(range(len(parts)), key=lambda i: -parts[i][1]):
+        if parts[i][1] and (len(parts[i][0]) <= room or not chosen):
+            chosen.add(i)
+            room -= len(parts[i][0])
+    return " ".join(parts[i][0] for i in sorted(chosen)) or sentence
 
 
 def _content(text: str) -> set[str]:

@@ -16,8 +16,9 @@ def mend(schema: dict[str, Any], value: Any) -> Any:
         return _word(schema["enum"], value)
     kind = schema.get("type")
     if kind == "object" and isinstance(value, dict):
-        known = schema["properties"]
-        kept = {n: mend(known[n], v) if n in known else v for n, v in value.items() if v is not None and v != ""}
+        known, needed = schema["properties"], schema.get("required", ())
+        told = {n: v for n, v in value.items() if v is not None and (v != "" or n in needed)}
+        kept = {n: mend(known[n], v) if n in known else v for n, v in told.items()}
         return {n: v for n, v in kept.items() if v is not None}
     if kind == "array":
         return _array(schema, value)

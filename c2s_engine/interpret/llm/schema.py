@@ -16,7 +16,7 @@ from c2s_engine import paths
 from c2s_engine.structure.specs import SPEC_OF
 
 REFERENCES = {"of", "target", "react_to", "hidden_by", "subject", "other"}
-ASKED = {"G": (), "R": ("kind",), "E": (), "O": ("name", "type", "placement"), "T": ()}
+ASKED = {"G": (), "R": (), "E": (), "O": ("name", "type", "placement"), "T": ()}
 """The fields that every answer must have."""
 NAMED_ONLY = {"model", "parameters", "preset", "map"}
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any, get_args
 
 from c2s_engine.interpret import turn as embedded_turn
-from c2s_engine.interpret.llm import fallback
+from c2s_engine.interpret.llm import fallback, spoken
 from c2s_engine.interpret.llm.asking import Asker, OnEvent, prompt
 from c2s_engine.interpret.llm.components import ObjectSentence, Sentences
 from c2s_engine.interpret.llm.schema import limits
@@ -18,10 +18,10 @@ from c2s_engine.interpret.turn import Turn, TurnKind
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.errors import ModelError
 from c2s_engine.structure import vocabulary as v
-from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.components import Component, Structure, Unmet
 from c2s_engine.structure.edits import AddObject, Edit, EditError, RemoveObject, SetSpec, apply
 from c2s_engine.structure.progress import Say
-from c2s_engine.structure.specs import SPEC_OF, ObjectSpec
+from c2s_engine.structure.specs import SPEC_OF, AnySpec, ObjectSpec
 
 KINDS: dict[str, TurnKind] = {"question": "question", "new": "scenario", "undo": "undo", "redo": "redo", "edit": "edit"}
 
@@ -136,7 +136,8 @@ async def _edits(
             added = ObjectSpec(type=change.get("type", "car"), name=change.get("type", "car"))
             structure = apply(structure, AddObject(spec=added, description=sentence, component=cid))
             spec, unmet = await reader.spec(cid, sentence, structure)
-            edit: Edit = AddObject(spec=spec, description=sentence, component=cid)
+            made, unmet = _told(cid, sentence, spec, unmet, structure)
+            edit: Edit = AddObject(spec=spec, description=made, component=cid)
             said.append(f"{cid} added: {sentence}")
         elif change["do"] == "remove" and cid.startswith("O"):
             edit = RemoveObject(component=cid)
@@ -145,11 +146,21 @@ async def _edits(
         else:
             kept = change["do"] == "change"
             spec, unmet = (await reader.spec(cid, sentence, structure)) if kept else (SPEC_OF[cid[0]](), ())
-            edit = SetSpec(component=cid, spec=spec, description=sentence if kept else "", assumed=(), unmet=unmet)
+            made, unmet = _told(cid, sentence, spec, unmet, structure) if kept else ("", ())
+            edit = SetSpec(component=cid, spec=spec, description=made, assumed=(), unmet=unmet)
             said.append(f"{cid}: {sentence}" if kept else f"{cid}: nothing is said of it any more")
             structure = apply(structure, edit)
         edits.append(edit)
     return edits, said
+
+
+def _told(
+    cid: str, sentence: str, spec: AnySpec, unmet: tuple[Unmet, ...], structure: Structure
+) -> tuple[str, tuple[Unmet, ...]]:
+    """The sentence of a spec that was written for a component, and what it lost of the one that was asked for."""
+    component = structure[cid].model_copy(update={"spec": spec, "unmet": unmet})
+    found = spoken.told(structure.with_component(component), {cid: sentence})[cid]
+    return found.description, found.unmet
 
 
 class Forms:

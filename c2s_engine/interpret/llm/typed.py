@@ -6,19 +6,19 @@ counted in `fallbacks`, said in `notes`. Whatever the model answers, the result 
 
 import re
 from collections.abc import Callable
-from typing import Any, Protocol, get_args
+from typing import Any, Protocol
 
 from pydantic import BaseModel, ConfigDict
 
-from c2s_engine.interpret.llm import fallback, words
+from c2s_engine.interpret.llm import fallback, spoken, words
 from c2s_engine.interpret.llm.asking import Asker, OnEvent, prompt
-from c2s_engine.interpret.llm.components import Sentences, link, read_components
-from c2s_engine.interpret.llm.schema import spec_class, spec_schema
+from c2s_engine.interpret.llm.components import Sentences, excerpt, link, read_components
+from c2s_engine.interpret.llm.forms import form_of
+from c2s_engine.interpret.llm.schema import spec_class
 from c2s_engine.interpret.llm.settings import BLUEPRINT, Detected, detect
 from c2s_engine.interpret.llm.units import annotate
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.errors import ModelError
-from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Assumption, Component, Structure, Unmet
 from c2s_engine.structure.progress import Say
 from c2s_engine.structure.specs import SPEC_OF, AnySpec, EgoSpec, SettingsSpec
@@ -104,7 +104,9 @@ class TypedReader:
             text=text, settings=components["G"], place=components["R"], ego=components["E"], objects=objects,
             restrictions=components["T"],
         )  # fmt: skip
-        return self._done(fallback.in_order(fallback.distinct_names(structure)), fallbacks)
+        structure = fallback.in_order(fallback.distinct_names(structure))
+        said = {cid: sentences.of(cid) for cid in sentences.ids}
+        return self._done(spoken.told(structure, said), fallbacks)
 
     def _done(self, structure: Structure, fallbacks: dict[str, str]) -> Reading:
         notes: tuple[str, ...] = ()
@@ -152,70 +154,16 @@ class TypedReader:
 
     async def fill(self, cid: str, sentence: str, text: str, sentences: Sentences) -> tuple[AnySpec, tuple[Unmet, ...]]:
         """The spec of one component by its sentence; raises ModelError."""
-        system, schema = form_of(cid, text, sentences)
-        user = prompt(
-            "ask", text=annotate(text), components=sentences.listed(but=cid), id=cid, sentence=annotate(sentence)
-        )
+        form = form_of(cid, text, sentences)
+        about = annotate(excerpt(text, sentence))
+        user = prompt("ask", text=about, components=sentences.listed(but=cid), id=cid, sentence=annotate(sentence))
         purpose = "object" if cid.startswith("O") else _KINDS[cid]
-        return await self.asker.form(system, user, schema, purpose=purpose, component=cid, build=_builder(cid))
+        still = cid.startswith("O") and sentences.objects[int(cid[1:]) - 1].still
+        build = _builder(cid, still)
+        return await self.asker.form(form.system, user, form.schema, purpose=purpose, component=cid, build=build)
 
 
-def form_of(cid: str, text: str, sentences: Sentences) -> tuple[str, dict[str, Any]]:
-    """The instructions and the schema for one component."""
-    others = [o for o in sentences.ids if o.startswith("O") and o != cid]
-    named: dict[str, list[str]] = {"model": []} if BLUEPRINT_WORD.search(text) else {}
-    triggers = words.lines("triggers")
-    if cid == "R":
-        return prompt("place", places=words.lines("places")), spec_schema("R", ["ego", *others])
-    if cid == "T":
-        ids = ["ego", *others]
-        schema = spec_schema("T", ids)
-        schema["properties"]["require"]["items"]["properties"]["kind"]["enum"] = list(_AT_THE_START)
-        return prompt("restrictions", ids=", ".join(ids), conditions=words.lines("conditions")), schema
-    if cid == "E":
-        allowed = words.actions_for("vehicle")
-        system = prompt(
-            "ego", types=", ".join(get_args(v.VehicleType)), reactions=words.lines("reactions"),
-            ids=", ".join(others) or "nobody is there", actions=words.lines("actions", allowed), triggers=triggers,
-        )  # fmt: skip
-        schema = spec_schema("E", others, allowed={"action": words.all_actions(), **named})
-        schema["properties"]["phases"]["items"]["properties"]["action"]["enum"] = allowed
-        return system, schema
-    kind = sentences.objects[int(cid[1:]) - 1].type
-    system, schema = _object_form(kind, ["ego", *others], named)
-    earlier = [o for o in others if int(o[1:]) < int(cid[1:])]
-    placement = schema["properties"]["placement"]["properties"]
-    placement["of"]["enum"] = ["ego", *earlier]  # who is placed by another comes after it in the program
-    return system, schema
-
-
-def _object_form(kind: str, ids: list[str], named: dict[str, list[str]]) -> tuple[str, dict[str, Any]]:
-    types = [t for t in get_args(v.ObjectType) if words.is_thing(t) == words.is_thing(kind)]
-    if words.is_thing(kind):
-        where = [p for p in get_args(v.Position) if p in _THINGS_STAND]
-        schema = spec_schema("O", ids, allowed={"type": types, "position": where})
-        for name in ("phases", "speed"):
-            del schema["properties"][name]
-        for name in ("along", "facing", "hidden_by"):
-            schema["properties"]["placement"]["properties"].pop(name, None)
-        positions = words.lines("positions", where)
-        return prompt("thing", types=", ".join(types), ids=", ".join(ids), positions=positions), schema
-    person = kind in words.PERSONS
-    types = [t for t in types if (t in words.PERSONS) == person]
-    where = [p for p in get_args(v.Position) if not person or p not in _NO_PERSONS]
-    allowed = words.actions_for(kind)
-    schema = spec_schema("O", ids, allowed={"type": types, "position": where, **named})
-    del schema["properties"]["limit"]
-    schema["properties"]["phases"]["items"]["properties"]["action"]["enum"] = allowed
-    system = prompt(
-        "object", types=", ".join(types), ids=", ".join(ids), positions=words.lines("positions", where),
-        actions=words.lines("actions", allowed), triggers=words.lines("triggers"),
-        example=prompt("example_person" if person else "example_vehicle"),
-    )  # fmt: skip
-    return system, schema
-
-
-def _builder(cid: str) -> Callable[[dict[str, Any]], tuple[AnySpec, tuple[Unmet, ...]]]:
+def _builder(cid: str, still: bool = False) -> Callable[[dict[str, Any]], tuple[AnySpec, tuple[Unmet, ...]]]:
     def build(value: dict[str, Any]) -> tuple[AnySpec, tuple[Unmet, ...]]:
         left = value.pop("unmet", "")
         if "model" in value and not BLUEPRINT.fullmatch(value["model"]):
@@ -223,6 +171,8 @@ def _builder(cid: str) -> Callable[[dict[str, Any]], tuple[AnySpec, tuple[Unmet,
         for name in ("require", "terminate_when"):
             if name in value:
                 value[name] = [c for c in value[name] if _says_something(c)]
+        if still and not words.is_thing(value["type"]):
+            value["speed"] = 0
         unmet = (Unmet(text=left, reason="the form has no field for it"),) if left.strip() else ()
         return spec_class(cid[0]).model_validate(value), unmet  # type: ignore[return-value]
 
@@ -249,13 +199,7 @@ def _mark(reason: str) -> Assumption:
     return Assumption(field="*", value="embedded interpreter", reason=reason)
 
 
-_AT_THE_START = ("distance", "visible", "not_visible")
 _OF_TWO = {"distance", "visible", "not_visible", "collision"}
-_THINGS_STAND = {
-    "ahead", "left_lane", "right_lane", "oncoming_lane", "roadside", "sidewalk", "partly_in_lane", "intersection_exit",
-}  # fmt: skip
-_NO_PERSONS = {"beside", "parked", "on_ramp", "crossing_left", "crossing_right", "opposite_approach"}
-BLUEPRINT_WORD = re.compile(r"\b(?:vehicle|walker)\.\w+")
 _SETTINGS_WORDS = re.compile(
     r"\b(?:Town\d|weather|rain|drizzl|shower|fog|mist|snow|ice|icy|wind|gust|storm|wet|slipper|cloud|overcast|clear|"
     r"sun|night|dark|dusk|dawn|day|morning|noon|evening|twilight|light|red|green|yellow|amber|vehicle\.)",

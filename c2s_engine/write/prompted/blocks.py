@@ -1,5 +1,6 @@
 """The blocks of a generator's prompt: CP from the installed Scenic, CoT, ICL; CodeICL and DocICL as retrieved."""
 
+import re
 from collections.abc import Sequence
 from functools import cache
 from typing import Any
@@ -22,24 +23,27 @@ def operators() -> list[dict[str, str]]:
 
 
 @cache
-def contextual(kind: str) -> str:
-    """CP: what holds for every component, and what this kind needs to know."""
+def contextual(kind: str, about: str | None = None) -> str:
+    """CP: what holds for every component, and what this kind needs to know; of the network only what some words are
+    about, where those are given."""
     common = fill(
         "cp/common",
         version=knowledge.version(),
         maneuvers=", ".join(knowledge.maneuver_types()),
         operators="\n".join(f"- {o['form']}: {o['means']}" for o in operators()),
     )
-    return f"{common}\n\n{fill(f'cp/{kind}', **_facts(kind))}"
+    return f"{common}\n\n{fill(f'cp/{kind}', **_facts(kind, about))}"
 
 
-def _facts(kind: str) -> dict[str, str]:
+def _facts(kind: str, about: str | None = None) -> dict[str, str]:
     classes = knowledge.object_classes()
     lights = [f for f in knowledge.functions() if "TrafficLight" in f]
     if kind == "G":
         return {"lights": ", ".join(lights)}
     if kind == "R":
         elements = {n: a for n, a in knowledge.road_elements().items() if a}
+        if about is not None:
+            elements = {n: a for n, a in elements.items() if _concerns(n, a, about)}
         rows = "\n".join(f"- {name}: {', '.join(attributes)}" for name, attributes in elements.items())
         return {"hierarchy": knowledge.road_hierarchy(), "elements": rows}
     if kind == "T":
@@ -53,6 +57,13 @@ def _facts(kind: str) -> dict[str, str]:
     if kind == "O":
         facts |= {"persons": ", ".join(classes["persons"]), "props": ", ".join(classes["props"])}
     return facts
+
+
+def _concerns(name: str, attributes: list[str], about: str) -> bool:
+    """Whether an element, or something that only few elements have, is spoken of."""
+    plural = name[0].lower() + name[1:].removesuffix("y") + ("ies" if name.endswith("y") else "s")
+    words = set(re.findall(r"\w+", about))
+    return bool({name, plural, *(a.split("(")[0] for a in attributes if len(a) > 8)} & words)
 
 
 def thinking(kind: str) -> str:

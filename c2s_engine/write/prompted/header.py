@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.specs import EgoSpec, SettingsSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, SettingsSpec
 from c2s_engine.write.typed.settings import weather_parameters
 
 DEFAULT_MODEL = "vehicle.lincoln.mkz_2017"
@@ -16,6 +16,31 @@ class Ground:
 
     map_file: str = "town.xodr"
     carla_map: str | None = None
+
+
+def light_of(structure: Structure) -> str | None:
+    """The light that ego faces: as told; green where another runs its red light, so that ego may go."""
+    spec = structure.settings.spec
+    told = spec.light if isinstance(spec, SettingsSpec) else None
+    runs = (p.action == "run_red" for o in structure.objects if isinstance(o.spec, ObjectSpec) for p in o.spec.phases)
+    return told or ("green" if any(runs) else None)
+
+
+def told_nothing(structure: Structure) -> bool:
+    """Whether the header is the default one: then there is nothing to ask."""
+    spec = structure.settings.spec
+    default = SettingsSpec(map=spec.map if isinstance(spec, SettingsSpec) else None)
+    return not structure.settings.description and spec == default and light_of(structure) is None
+
+
+def plain(structure: Structure, ground: Ground) -> str:
+    """The default header."""
+    ego = structure.ego.spec
+    model = ego.model if isinstance(ego, EgoSpec) and ego.model else DEFAULT_MODEL
+    return (
+        f"param map = localPath('{ground.map_file}')\nparam carla_map = {ground.carla_map!r}\nparam timestep = 0.1\n"
+        f"param weather = 'ClearNoon'\nmodel scenic.simulators.carla.model\n\nEGO_MODEL = '{model}'"
+    )
 
 
 def settings_text(structure: Structure, ground: Ground) -> str:
@@ -37,6 +62,6 @@ def settings_text(structure: Structure, ground: Ground) -> str:
         f"- weather: {weather}" + (f" ({said})" if said else ""),
         f"- ego's blueprint: '{model}'",
     ]
-    if spec.light:
-        lines.append(f"- the traffic light that ego faces: '{spec.light}'")
+    if light := light_of(structure):
+        lines.append(f"- the traffic light that ego faces: '{light}'")
     return "\n".join(lines)

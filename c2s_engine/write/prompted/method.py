@@ -14,13 +14,16 @@ from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.errors import AnswerTruncated, AnswerUnusable, ModelError
 from c2s_engine.models.messages import Message, Question
 from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.edits import references
 from c2s_engine.structure.progress import ComponentState, Passage, Progress, Say
 from c2s_engine.structure.regenerate import code_references, dirty, key_of, order
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write import by_hand
 from c2s_engine.write.by_hand import used
+from c2s_engine.write.prompted import header
 from c2s_engine.write.prompted.checking import Check, Fix, Verdict, with_code
 from c2s_engine.write.prompted.configuration import configuration, default
+from c2s_engine.write.prompted.fitting import fitted
 from c2s_engine.write.prompted.header import Ground, settings_text
 from c2s_engine.write.prompted.influence import rests_on, sources
 from c2s_engine.write.prompted.parsing import code_of
@@ -29,6 +32,10 @@ from c2s_engine.write.prompted.repair import Repairer, Search
 from c2s_engine.write.prompted.texts import fill
 
 OnEvent = Callable[[Progress], None]
+USUAL_END = "terminate after 20 seconds"
+WIDER = 4
+"""How many times as many snippets are looked at as are shown: not all fit the names of the code so far."""
+LONGEST_QUERY = 400
 
 
 class Keys:
@@ -170,19 +177,11 @@ class PromptedMethod:
         """One component, with what stands before it as its context."""
         self._on_event = on_event
         self._emit(ComponentState(component=structure[cid], state="writing"))
-        passages = await self._retrieved(structure, cid)
-        asked = generator_question(
-            structure, cid, self.configuration, *passages,
-            settings=settings_text(structure, self.ground) if cid == "G" else "",
-        )  # fmt: skip
-        try:
-            code = await self._code(asked, structure, cid)
-        except FATAL:
-            raise
-        except ModelError as error:
-            self._emit(Say(text=f"{cid}: {error}", severity="warning"))
-            self._emit(ComponentState(component=structure[cid], state="failed"))
-            code = ""
+        passages: tuple[list[Passage], list[Passage]] = ([], [])
+        plain = self._unasked(structure, cid)
+        if not plain:
+            passages = await self._retrieved(structure, cid)
+        code = plain or await self._asked(structure, cid, passages)
         if code and self.repairer:
             found = await self.repairer.settle(structure, cid, code)
             self.verdicts[cid] = found
@@ -190,6 +189,8 @@ class PromptedMethod:
             if found.diagnostic:
                 self._emit(Say(text=f"{cid} does not pass: {found.diagnostic.message}", severity="warning"))
         component = with_code(structure[cid], code) if code else structure[cid].model_copy(update={"code": ""})
+        if plain:
+            component = component.model_copy(update={"origin": "rendered"})
         structure = structure.with_component(component)
         shown = [p for found in passages for p in found]
         if self.repairer:
@@ -204,15 +205,42 @@ class PromptedMethod:
         self._emit(ComponentState(component=component, state="failed" if failed else "clean"))
         return structure.with_component(component)
 
+    def _unasked(self, structure: Structure, cid: ComponentId) -> str:
+        """The code of a component of which nothing is said: the default header, the usual end. Else empty."""
+        if cid == "G" and header.told_nothing(structure):
+            return header.plain(structure, self.ground)
+        return USUAL_END if cid == "T" and not structure[cid].description else ""
+
+    async def _asked(
+        self, structure: Structure, cid: ComponentId, passages: tuple[list[Passage], list[Passage]]
+    ) -> str:
+        """A component's code by the model; empty where it has none. Raises fatal ModelErrors."""
+        asked = generator_question(
+            structure, cid, self.configuration, *passages,
+            settings=settings_text(structure, self.ground) if cid == "G" else "",
+        )  # fmt: skip
+        try:
+            return await self._code(asked, structure, cid)
+        except FATAL:
+            raise
+        except ModelError as error:
+            self._emit(Say(text=f"{cid}: {error}", severity="warning"))
+            self._emit(ComponentState(component=structure[cid], state="failed"))
+            return ""
+
     async def _retrieved(self, structure: Structure, cid: ComponentId) -> tuple[list[Passage], list[Passage]]:
         """CodeICL and DocICL: what the configuration asks for, by the component's sentence."""
         config, query = self.configuration, structure[cid].description
+        if cid == "R" and not query:  # the others tell what the place must have
+            told = (c.description for c in (structure.ego, *structure.objects))
+            query = " ".join(filter(None, told))[:LONGEST_QUERY]
         if self.search is None or not query or cid == "G":
             return [], []
         snippets, chunks = [], []
         try:
             if config.has("CodeICL"):
-                snippets = await self.search(query, kind="snippet", component=cid[0], limit=config.snippets)
+                found = await self.search(query, kind="snippet", component=cid[0], limit=WIDER * config.snippets)
+                snippets = fitted(found, code_so_far(structure, cid))[: config.snippets]
             if config.has("DocICL"):
                 chunks = await self.search(query, kind="doc", component=None, limit=config.chunks)
         except Exception as error:  # whatever retrieval says: the component is written without it, and that is told
@@ -258,7 +286,19 @@ def _structure(text: str, sentences: Sentences, embedded: Any) -> Structure:
         text=text, settings=made["G"], place=made["R"], ego=made["E"], restrictions=made["T"],
         objects=tuple(made[c] for c in sentences.ids if c.startswith("O")),
     )  # fmt: skip
-    return fallback.distinct_names(structure)
+    return _in_order(fallback.distinct_names(structure))
+
+
+def _in_order(structure: Structure) -> Structure:
+    """The objects so that each follows those that it reacts to, as far as they do not react to each other."""
+    left = list(structure.objects)
+    done: list[Component] = []
+    while left:
+        known = {"ego", "E", *(o.id for o in done)}
+        free = next((o for o in left if references(o) <= known | {o.id}), left[0])
+        left.remove(free)
+        done.append(free)
+    return structure.model_copy(update={"objects": tuple(done)})
 
 
 __all__ = ["PromptedMethod"]

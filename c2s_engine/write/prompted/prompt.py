@@ -7,7 +7,7 @@ from c2s_engine.structure.components import ComponentId, Structure
 from c2s_engine.structure.diagnostics import Diagnostic
 from c2s_engine.structure.progress import Passage
 from c2s_engine.write.prompted import blocks
-from c2s_engine.write.prompted.checking import body
+from c2s_engine.write.prompted.checking import Verdict, body
 from c2s_engine.write.prompted.configuration import Configuration
 from c2s_engine.write.prompted.texts import fill
 
@@ -36,12 +36,14 @@ def generator_question(
     """The question to Generator_R, _E, _O, _T, or (with `settings`) to the HeaderGenerator."""
     kind = cid[0]
     retrieved = [blocks.snippets(snippets), blocks.chunks(chunks)]
+    later = [c for c in structure.ids[structure.ids.index(cid) + 1 :] if c[0] in "EO"] if kind in "EO" else []
     description = structure[cid].description or _unsaid(kind)
     if kind == "G":
         task = fill("user_G", settings=settings, description=description)
     else:
+        pending = f"\n{fill('later', ids=', '.join(later))}\n" if later else ""
         task = fill("user", related=related(structure, cid), code=code_so_far(structure, cid), id=cid,
-                    description=description)  # fmt: skip
+                    later=pending, description=description)  # fmt: skip
     user = "\n\n".join(p for p in (*retrieved, task) if p)
     return question(system_prompt(kind, cid, config), user, purpose=f"generate {kind}", component=cid)
 
@@ -49,24 +51,40 @@ def generator_question(
 def repair_question(
     structure: Structure,
     cid: ComponentId,
-    code: str,
-    finding: Diagnostic,
+    current: Verdict,
+    before: Sequence[Verdict],
     passage: Passage | None,
     config: Configuration,
 ) -> Question:
-    """The question for one fragment that does not pass, with its finding and the passage that may help."""
-    numbered = "\n".join(f"{i:3} {line}" for i, line in enumerate(code.splitlines(), 1))
+    """The question for one fragment that does not pass, with its finding, the passage that may help, what the others
+    say, and what was tried before."""
+    finding = current.diagnostic
+    assert finding is not None
+    numbered = "\n".join(f"{i:3} {line}" for i, line in enumerate(current.code.splitlines(), 1))
     parts = [fill("role")]
     if config.has("CP"):
-        parts.append(blocks.contextual(cid[0]))
+        about = f"{current.code} {finding.message} {finding.fix}"
+        parts.append(blocks.contextual(cid[0], about))
     user = fill(
         "repair", id=cid, code=code_so_far(structure, cid), fragment=numbered, stage=finding.stage,
         where=f", line {finding.line}" if finding.line else "", message=finding.message,
         fix=f"What may help: {finding.fix}" if finding.fix else "",
-        passage=blocks.chunks([passage]) if passage else "",
+        passage=blocks.chunks([passage]) if passage else "", related=related(structure, cid),
+        tried=_tried(before, finding),
         description=structure[cid].description or _unsaid(cid[0]),
     )  # fmt: skip
     return question("\n\n".join(parts), user, purpose=f"repair {cid[0]}", component=cid)
+
+
+def _tried(before: Sequence[Verdict], finding: Diagnostic) -> str:
+    """The versions of before with what was found in each, and whether the last change helped."""
+    refused = [(v.code, v.diagnostic) for v in before if v.diagnostic]
+    if not refused:
+        return ""
+    rows = [f"Version {i}:\n```scenic\n{c}\n```\nFinding: {d.message}" for i, (c, d) in enumerate(refused, 1)]
+    last = refused[-1][1]
+    same = " The finding is still the same: write it in another way." if last.message == finding.message else ""
+    return "\n".join(["Tried before, and refused:", *rows, f"Write none of these again.{same}", ""])
 
 
 def code_so_far(structure: Structure, cid: ComponentId) -> str:
@@ -87,5 +105,5 @@ def _unsaid(kind: str) -> str:
         "R": "a road where the other components can take place",
         "E": "the ego car drives in its lane",
         "O": "a car in ego's lane",
-        "T": "nothing is described",
+        "T": "end the run after 20 seconds",
     }[kind]

@@ -1,7 +1,7 @@
 """Repair beyond the paper: a fragment that fails goes back to the model with its finding, at most three times."""
 
 import asyncio
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Sequence
 
 from c2s_engine.models.errors import (
     AnswerRepeats,
@@ -42,10 +42,12 @@ class Repairer:
         self.fixed[cid] = best.fixed
         self.shown.pop(cid, None)
         current, tried = best, {code, best.code}
+        before: list[Verdict] = []
         for _ in range(ROUNDS):
             if current.ok:
                 return current
-            answer = await self._again(structure, cid, current)
+            answer = await self._again(structure, cid, current, before)
+            before.append(current)
             if answer is None or answer in tried:
                 break  # the same question would only bring the same answer
             tried.add(answer)
@@ -55,13 +57,15 @@ class Repairer:
                 best = current
         return best
 
-    async def _again(self, structure: Structure, cid: ComponentId, current: Verdict) -> str | None:
-        """The model's next version of a fragment; none where its answer cannot be used."""
+    async def _again(
+        self, structure: Structure, cid: ComponentId, current: Verdict, before: Sequence[Verdict]
+    ) -> str | None:
+        """The model's next version of a fragment that was tried as in `before`; none where it cannot be used."""
         assert current.diagnostic is not None
         passage = await self._passage(current.diagnostic)
         if passage:
             self.shown.setdefault(cid, []).append(passage)
-        asked = repair_question(structure, cid, current.code, current.diagnostic, passage, self.config)
+        asked = repair_question(structure, cid, current, before, passage, self.config)
         self.rounds[cid] = self.rounds.get(cid, 0) + 1
         try:
             return code_of(await self.ask(asked), cid[0], code_so_far(structure, cid))

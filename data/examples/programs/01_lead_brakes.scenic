@@ -5,6 +5,8 @@ param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 
+EGO_MODEL = 'vehicle.lincoln.mkz_2017'
+
 ## R: A straight lane long enough for ego and a car ahead of it.
 lane = Uniform(*filter(lambda l: l.centerline.length > 120, network.lanes))
 start = new OrientedPoint on lane.centerline
@@ -20,7 +22,7 @@ behavior EgoDrivesAndBrakes():
         take SetThrottleAction(0), SetBrakeAction(1)
 
 ego = new Car at start,
-    with blueprint 'vehicle.lincoln.mkz_2017',
+    with blueprint EGO_MODEL,
     with behavior EgoDrivesAndBrakes()
 
 ## O1: A car drives 20 to 30 m ahead of ego in the same lane and brakes to a stop after 5 seconds.

@@ -5,6 +5,8 @@ param timestep = 0.1
 param weather = 'CloudyNoon'
 model scenic.simulators.carla.model
 
+EGO_MODEL = 'vehicle.tesla.model3'
+
 ## R: A lane at the edge of the road, with a stretch of 80 m before its end.
 outerLanes = filter(lambda g: g.lanes[0].centerline.length > 120, network.laneGroups)
 laneGroup = Uniform(*outerLanes)
@@ -21,7 +23,7 @@ behavior EgoBrakesForPedestrians():
         take SetThrottleAction(0), SetBrakeAction(1)
 
 ego = new Car at start,
-    with blueprint 'vehicle.tesla.model3',
+    with blueprint EGO_MODEL,
     with behavior EgoBrakesForPedestrians()
 
 ## O1: A van is parked at the right edge of the road, 35 to 40 m ahead of ego.

@@ -5,6 +5,8 @@ param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 
+EGO_MODEL = 'vehicle.lincoln.mkz_2017'
+
 ## R: Ego approaches a signalised four-way intersection where it turns left; another way leads straight from the opposite side.
 crossroads = filter(lambda i: i.is4Way and i.isSignalized, network.intersections)
 pairs = [(turn, way) for i in crossroads for turn in i.maneuvers for way in i.maneuvers
@@ -24,6 +26,7 @@ behavior EgoTurnsLeft():
 
 start = new OrientedPoint following roadDirection from egoTurn.startLane.centerline.end for Range(-35, -25)
 ego = new Car at start,
+    with blueprint EGO_MODEL,
     with behavior EgoTurnsLeft()
 
 ## O1: A truck comes from the opposite direction and goes straight over the intersection at 8 m/s.

@@ -5,6 +5,8 @@ param timestep = 0.1
 param weather = 'SoftRainNoon'
 model scenic.simulators.carla.model
 
+EGO_MODEL = 'vehicle.lincoln.mkz_2017'
+
 ## R: A carriageway where ego's lane has a neighbour of the same direction on its left.
 withLeft = filter(lambda s: s._laneToLeft is not None and s._laneToLeft.isForward == s.isForward and s.centerline.length > 150, network.laneSections)
 section = Uniform(*withLeft)
@@ -19,6 +21,7 @@ behavior EgoKeepsLane():
         take SetThrottleAction(0), SetBrakeAction(0.8)
 
 ego = new Car at start,
+    with blueprint EGO_MODEL,
     with behavior EgoKeepsLane()
 
 ## O1: A car on the left lane, 10 to 15 m ahead of ego, cuts into ego's lane after 3 seconds and slows down.

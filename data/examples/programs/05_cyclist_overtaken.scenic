@@ -5,6 +5,8 @@ param timestep = 0.1
 param weather = 'ClearSunset'
 model scenic.simulators.carla.model
 
+EGO_MODEL = 'vehicle.lincoln.mkz_2017'
+
 ## R: A lane of at least 100 m that is not part of an intersection.
 lane = Uniform(*filter(lambda l: l.centerline.length > 100, network.lanes))
 start = new OrientedPoint on lane.centerline
@@ -17,6 +19,7 @@ behavior EgoFollows():
         do FollowLaneBehavior(target_speed=3) for 1 seconds
 
 ego = new Car at start,
+    with blueprint EGO_MODEL,
     with behavior EgoFollows()
 
 ## O1: A cyclist rides 25 m ahead of ego in the same lane at 4 m/s.

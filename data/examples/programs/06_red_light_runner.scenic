@@ -5,6 +5,8 @@ param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 
+EGO_MODEL = 'vehicle.lincoln.mkz_2017'
+
 monitor TrafficLight():
     freezeTrafficLights()
     while True:
@@ -30,6 +32,7 @@ behavior EgoGoesStraight():
 
 start = new OrientedPoint following roadDirection from egoWay.startLane.centerline.end for Range(-30, -20)
 ego = new Car at start,
+    with blueprint EGO_MODEL,
     with behavior EgoGoesStraight()
 
 ## O1: A car on the crossing road drives through its red light at 10 m/s without braking.

@@ -5,6 +5,8 @@ param timestep = 0.1
 param weather = 'WetCloudyNoon'
 model scenic.simulators.carla.model
 
+EGO_MODEL = 'vehicle.lincoln.mkz_2017'
+
 ## R: A lane of at least 120 m.
 lane = Uniform(*filter(lambda l: l.centerline.length > 120, network.lanes))
 start = new OrientedPoint on lane.centerline
@@ -17,6 +19,7 @@ behavior EgoStopsForObstacles():
         take SetThrottleAction(0), SetBrakeAction(1)
 
 ego = new Car at start,
+    with blueprint EGO_MODEL,
     with behavior EgoStopsForObstacles()
 
 ## O1: Three cones stand across ego's lane, 45 m ahead.

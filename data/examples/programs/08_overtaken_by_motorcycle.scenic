@@ -5,6 +5,8 @@ param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 
+EGO_MODEL = 'vehicle.sprinter.mercedes'
+
 ## R: Ego's lane has a neighbour of the same direction on its left.
 withLeft = filter(lambda s: s._laneToLeft is not None and s._laneToLeft.isForward == s.isForward and s.centerline.length > 150, network.laneSections)
 section = Uniform(*withLeft)
@@ -16,6 +18,7 @@ behavior EgoCruises():
     do FollowLaneBehavior(target_speed=10)
 
 ego = new Van at start,
+    with blueprint EGO_MODEL,
     with behavior EgoCruises()
 
 ## O1: A motorcycle on the left lane, 10 to 15 m behind ego, overtakes at 15 m/s.

@@ -5,6 +5,8 @@ param timestep = 0.1
 param weather = {'cloudiness': 60, 'fog_density': 60, 'fog_distance': 10, 'sun_altitude_angle': 20}
 model scenic.simulators.carla.model
 
+EGO_MODEL = 'vehicle.lincoln.mkz_2017'
+
 ## R: A lane of at least 150 m.
 lane = Uniform(*filter(lambda l: l.centerline.length > 150, network.lanes))
 start = new OrientedPoint on lane.centerline
@@ -17,6 +19,7 @@ behavior EgoEmergencyBrake():
         take SetThrottleAction(0), SetBrakeAction(1)
 
 ego = new Car at start,
+    with blueprint EGO_MODEL,
     with behavior EgoEmergencyBrake()
 
 ## O1: A queue of two cars stands in ego's lane, 60 m ahead.

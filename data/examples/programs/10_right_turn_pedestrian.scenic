@@ -5,6 +5,8 @@ param timestep = 0.1
 param weather = {'cloudiness': 10, 'sun_altitude_angle': -30}
 model scenic.simulators.carla.model
 
+EGO_MODEL = 'vehicle.lincoln.mkz_2017'
+
 ## R: Ego turns right at an intersection.
 junctions = filter(lambda i: i.is4Way or i.is3Way, network.intersections)
 junction = Uniform(*junctions)
@@ -21,6 +23,7 @@ behavior EgoTurnsRight():
 
 start = new OrientedPoint following roadDirection from egoTurn.startLane.centerline.end for Range(-35, -15)
 ego = new Car at start,
+    with blueprint EGO_MODEL,
     with behavior EgoTurnsRight()
 
 ## O1: A pedestrian stands at the edge of the lane into which ego turns and crosses it when ego is 15 m away.

@@ -5,6 +5,8 @@ param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 
+EGO_MODEL = 'vehicle.lincoln.mkz_2017'
+
 ## R: A lane of at least 120 m.
 lane = Uniform(*filter(lambda l: l.centerline.length > 120, network.lanes))
 start = new OrientedPoint on lane.centerline
@@ -16,6 +18,7 @@ behavior EgoStops():
         take SetThrottleAction(0), SetBrakeAction(1)
 
 ego = new Car at start,
+    with blueprint EGO_MODEL,
     with behavior EgoStops()
 
 ## O1: A truck follows ego 12 m behind in the same lane at the same speed and brakes when it comes closer than 6 m.

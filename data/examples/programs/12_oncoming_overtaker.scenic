@@ -5,6 +5,8 @@ param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 
+EGO_MODEL = 'vehicle.lincoln.mkz_2017'
+
 ## R: A road with one lane in each direction, where the neighbour on the left is oncoming.
 withOncoming = filter(lambda s: s._laneToLeft is not None and s._laneToLeft.isForward != s.isForward and s.centerline.length > 100, network.laneSections)
 section = Uniform(*withOncoming)
@@ -19,6 +21,7 @@ behavior EgoBrakes():
         take SetThrottleAction(0), SetBrakeAction(1)
 
 ego = new Car at start,
+    with blueprint EGO_MODEL,
     with behavior EgoBrakes()
 
 ## O1: A car comes towards ego on the oncoming lane, 60 to 70 m ahead, at 8 m/s.

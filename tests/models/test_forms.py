@@ -1,0 +1,172 @@
+"""A form's prose and its schema say the same: each name, each choice and their order, for any scenario."""
+
+import json
+import random
+import re
+from typing import Any, get_args
+
+import pytest
+
+from c2s_engine.interpret.llm import prose, spoken
+from c2s_engine.interpret.llm.asking import prompt
+from c2s_engine.interpret.llm.components import ObjectSentence, Sentences, excerpt, instructions, sentences_schema
+from c2s_engine.interpret.llm.forms import Form, form_of
+from c2s_engine.interpret.llm.schema import accepts
+from c2s_engine.interpret.llm.settings import settings_schema
+from c2s_engine.interpret.llm.units import annotate, quantities
+from c2s_engine.structure import vocabulary as v
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, Trigger
+
+_FIELD = re.compile(r"(?:^|; )(\w+)(?: \(([^()]*)\))?(?=:|;|$)")
+
+
+def drawn(seed: int) -> list[tuple[str, Form]]:
+    """The forms of a random scenario."""
+    rng = random.Random(seed)
+    kinds = [rng.choice(get_args(v.ObjectType)) for _ in range(rng.randint(0, 5))]
+    objects = tuple(ObjectSentence(type=k, sentence=f"A {k}.", still=rng.random() < 0.3) for k in kinds)
+    sentences = Sentences(place="A road.", ego="Ego drives.", objects=objects, restrictions="It ends.")
+    text = rng.choice(("", "Ego is a vehicle.tesla.model3."))
+    return [(cid, form_of(cid, text, sentences)) for cid in sentences.ids[1:]]
+
+
+def prose_of(form: Form) -> list[tuple[int, str, list[str]]]:
+    """(depth, field, choices) of each field that the instructions explain, in their order."""
+    found: list[tuple[int, str, list[str]]] = []
+    explained: dict[str, list[str]] = {}
+    told = form.system.partition("Fields in order:\n")[2].partition("\n\n")[0]
+    for line in told.splitlines():
+        mark = re.match(r"(-*) ", line)
+        assert mark, line
+        if not mark[1]:  # the choices of the field before it
+            _, name, choices = found[-1]
+            choices += line.strip().split(": ")[0].split(", ")
+            explained[name] = choices
+            continue
+        for field in _FIELD.finditer(line[mark.end() :]):
+            listed = field[2].split(", ") if field[2] else []
+            if listed[:1] == ["as above"]:
+                listed = [*explained[field[1]], *listed[1:]]
+            found.append((len(mark[1]), field[1], listed))
+    return found
+
+
+def schema_of(schema: dict[str, Any], depth: int = 1) -> list[tuple[int, str, list[str]]]:
+    found: list[tuple[int, str, list[str]]] = []
+    for name, node in schema["properties"].items():
+        inner = node.get("items", node)
+        found.append((depth, name, [str(c) for c in inner.get("enum", ())]))
+        if "properties" in inner:
+            found += schema_of(inner, depth + 1)
+    return found
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_the_prose_names_what_the_schema_has_in_its_order(seed):
+    for cid, form in drawn(seed):
+        told, asked = prose_of(form), schema_of(form.schema)
+        assert [t[:2] for t in told] == [a[:2] for a in asked], cid
+        for (_, name, said), (_, _, choices) in zip(told, asked, strict=True):
+            assert sorted(said) == sorted(choices), (cid, name)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_every_reference_in_backquotes_is_a_field(seed):
+    for cid, form in drawn(seed):
+        fields = {name for _, name, _ in schema_of(form.schema)}
+        assert set(re.findall(r"`(\w+)`", form.system)) <= fields, cid
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_examples_are_answers_of_the_form_in_its_order(seed):
+    for cid, form in drawn(seed):
+        shown = [json.loads(line) for line in form.system.splitlines() if line.startswith("{")]
+        assert shown, cid
+        for value in shown:
+            assert accepts(form.schema, value) == "" and json.dumps(prose.in_order(form.schema, value)) == json.dumps(
+                value
+            )
+        assert f"({cid})" not in form.system, "an example that speaks of the form's own object as of another"
+
+
+def test_every_example_is_shown_by_some_form():
+    """None is of fields that there are no more."""
+    told = "\n".join(form.system for seed in range(40) for _, form in drawn(seed))
+    for kind in ("R", "E", "O", "thing", "T"):
+        for example in prose.table()[kind]["examples"]:
+            pattern = re.escape(example["says"]).replace(r"\{other\}", r"\w+").replace(r"\{ahead\}", r"\w+")
+            assert re.search(pattern, told), example["says"]
+
+
+def test_the_splitter_and_the_detector_tell_their_fields_in_order():
+    told = re.findall(r"^-+ (\w+):", instructions(), re.M)
+    schema = sentences_schema()["properties"]
+    objects = list(schema["objects"]["items"]["properties"])
+    names = [n for name in schema for n in ((name, *objects) if name == "objects" else (name,))]
+    assert told == names
+    detector = prompt("settings", weather="", times="")
+    assert re.findall(r"^- (\w+):", detector, re.M) == list(settings_schema()["properties"])
+    assert all(t in instructions() for t in get_args(v.ObjectType))
+
+
+def test_forms_of_what_never_moves_ask_for_no_motion():
+    told = ObjectSentence(type="van", sentence="A van is parked.", still=True)
+    form = form_of("O1", "", Sentences(objects=(told,)))
+    assert not {"speed", "phases", "of", "hidden_by"} & set(form.schema["properties"])
+    assert len(form.system) < 1600
+
+
+def test_nothing_is_forced_where_nobody_else_is_there():
+    form = form_of("E", "", Sentences(ego="Ego drives."))
+    trigger = form.schema["properties"]["phases"]["items"]["properties"]["trigger"]["properties"]
+    assert trigger["kind"]["enum"] == ["time", "place"] and list(trigger) == ["kind", "value", "place"]
+    assert accepts(form.schema, {}) == "" and accepts(form_of("R", "", Sentences()).schema, {}) == ""
+
+
+def test_a_long_report_is_shown_in_its_part():
+    report = (
+        "A van stood at the kerb. " + "The witness had been at work all day. " * 20 + "The van pulled out at 20 km/h."
+    )
+    shown = excerpt(report, "A van pulls out from the kerb.")
+    assert "kerb" in shown and "pulled out" in shown and "witness" not in shown and len(shown) < 240
+    assert excerpt("It rains.", "anything") == "It rains."
+
+
+def test_notes_of_quantities_are_not_doubled():
+    once = annotate("It walks at 1.5 km/h.")
+    assert annotate(once) == once and once.count("[=") == 1
+    assert quantities("25 m ahead at 36 km/h, after 2 to 3 s") == [
+        ("25 m", 25), ("36 km/h", pytest.approx(10)), ("2 to 3 s", 2), ("2 to 3 s", 3)
+    ]  # fmt: skip
+
+
+VAN = ObjectSpec(
+    name="van", type="van", placement=Placement(position="ahead", gap=20),
+    phases=(Phase(action="brake", trigger=Trigger(kind="action", of="O2", action="cross_road")),),
+)  # fmt: skip
+CHILD = ObjectSpec(name="child", type="child", placement=Placement(position="sidewalk", side="left"))
+
+
+@pytest.mark.parametrize(
+    ("said", "lost"),
+    [
+        ("A van drives 20 m ahead of ego and brakes when the child crosses the road.", []),
+        ("A van 20 m ahead brakes.", []),
+        ("A van 35 m ahead brakes.", ["35 m"]),
+        ("A van at 50 km/h, 20 m ahead, brakes.", ["50 km/h"]),
+        ("A van 20 m ahead slowly brakes.", ["slowly"]),
+        ("A van 20 m ahead brakes and swerves.", ["swerves"]),
+        ("A van 20 m ahead brakes, its horn blaring loudly at somebody", ["loudly"]),
+        ("A van 20 m ahead brakes, with broken headlamps.", ["with broken headlamps"]),
+    ],
+)
+def test_a_sentence_is_made_from_the_spec_and_what_it_lost_is_listed(said, lost):
+    objects = (Component(id="O1", spec=VAN), Component(id="O2", spec=CHILD))
+    s = spoken.told(Structure(text=said, objects=objects), {"O1": said})
+    assert s["O1"].description == (
+        "A van ahead of ego in the same lane, 20 m away; it brakes (brake when the child begins to cross the road)."
+    )
+    assert [u.text for u in s["O1"].unmet] == lost
+    assert all(said[slice(*u.span)] == u.text for u in s["O1"].unmet if u.span)
+    assert s["O2"].description == "" and s.ego.spec == EgoSpec(), "what the model said nothing of has no sentence"

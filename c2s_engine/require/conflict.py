@@ -173,11 +173,11 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
     time = reaction_time(evidence)
     if time is None:
         return scored(requirement, -1.0, said, "ego does not react")
-    causes = [(cause, m) for m in members if (cause := _cause(m, str(requirement.values["action"]))) is not None]
+    causes = [cause for m in members if (cause := _cause(m, str(requirement.values["action"]))) is not None]
     if not causes:
         return scored(requirement, -1.0, said, f"ego reacts at {time:.1f} s to what it never could see", time)
-    cause, motion = min(causes, key=lambda c: c[0])
-    late, early = time - max(cause, _needed(motion, evidence)), time - cause
+    cause = min(causes)
+    late, early = time - max(cause, _needed(requirement.other or "", evidence)), time - cause
     # a threat from the start has no moment before which a reaction would be too early
     margins = [(most - late) / most, *([(early - least) / least] if cause > 0.0 else [])]
     words = f"at {time:.1f} s, {early:.1f} s after its cause"
@@ -190,15 +190,15 @@ def _cause(motion: Motion, action: str) -> float | None:
     return motion.visible_from(_onset(motion, action) or 0.0)
 
 
-def _needed(cause_of: Motion, evidence: Evidence) -> float:
-    """From when ego has to do something: so long before what would happen without."""
+def _needed(actor: str, evidence: Evidence) -> float:
+    """From when ego has to do something: so long before what would happen without. Objects of several have names of the
+    program's lines, which differ between the two runs: they are found by their component."""
     ahead = bounds()["reaction"]["ahead"]["value"]
     other = evidence.without
     assert other is not None
-    contacts = [c.time for c in other.facts.contacts if cause_of.name in (c.one, c.other)]
-    if contacts:
-        return contacts[0] - ahead
-    one, ego = next((m for m in other.everybody if m.name == cause_of.name), None), other.motion(EGO)
+    if contacts := other.contacts(actor, EGO):
+        return contacts[0].time - ahead
+    one, ego = other.motion(actor), other.motion(EGO)
     if one is None or ego is None:
         return 0.0
     n = min(len(one.x), len(ego.x))

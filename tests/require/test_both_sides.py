@@ -433,7 +433,7 @@ def test_most_runs_decide_and_failures_are_told_in_a_line() -> None:
     assert {r.requirement: r.holds for r in majority([of[0], of[0], of[1]])}["O1.phases.0.brake"] is True
     lines = failures(required, found)
     assert len(lines) == tally(found)[1] - tally(found)[0] and any(
-        line.startswith("O1: O1 (actor): brake.") for line in lines
+        line.startswith("O1 (actor): brake.") for line in lines
     )
 
 

@@ -48,6 +48,7 @@ async def refusal(client: Client, tool: str, **arguments) -> str:
 
 
 async def test_an_assistant_makes_checks_runs_and_edits_a_scenario(serving, tmp_path):
+    before = psutil.Process().children(recursive=True)
     async with Client(serving()) as client:
         tools = (await client.list_tools()).tools
         assert [t.name for t in tools] == ["generate", "interpret", "check", "run", "edit", "report", "search"]
@@ -97,7 +98,7 @@ async def test_an_assistant_makes_checks_runs_and_edits_a_scenario(serving, tmp_
         ):
             told = await refusal(client, tool, **arguments)
             assert sentence in told and "\n" not in told and "Traceback" not in told
-        started = psutil.Process().children(recursive=True)
+        started = [p for p in psutil.Process().children(recursive=True) if p not in before]
         assert any("c2s_engine.check.server" in p.cmdline() for p in started)
     assert not psutil.wait_procs(started, timeout=10)[1], "nothing is left running"
 

@@ -59,6 +59,7 @@ PIECES = [
 @given(st.lists(st.sampled_from(PIECES), min_size=2, max_size=18))
 @example(["hits it", "turning left", "hits it", "turning left", "a van ahead of ego", "and", "V2"])
 @example(["turning left", "parked", "V2", "V2", "ahead", "parked", ".", "it"])
+@example(["behind ego", "parked", "at 50 km/h", "a van ahead of ego", "starts to brake"])
 def test_each_word_has_a_way_up_to_a_root(pieces: list[str]) -> None:
     words = understand(" ".join(pieces)).words
     for word in words:

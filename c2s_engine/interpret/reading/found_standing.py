@@ -22,14 +22,12 @@ STANDING_AT = PLACED | {"at", "for", "behind", "before", "near", "along", "acros
 
 
 def found_standing(words: list[Word], word: Word) -> None:
-    """Make such a verb the participle of who stands there, and hang what goes on after it on the verb before."""
+    """Make such a verb the participle of who stands there."""
     if word.dep in LOOSE and (struck := _stood(words, word)) is not None:
         hang(words, word, struck)
         word.dep, word.tag = "acl", "VBN"
     if word.dep in ("ccomp", "xcomp") and (struck := _found_standing(words, word)) is not None:
         _make_participle(words, word, struck)
-    if word.dep in ("acl", "relcl") and word.norm in (*STOOD, "stood") and road_user(words[word.head]):
-        _went_on(words, word)
 
 
 def _stood(words: list[Word], word: Word) -> Word | None:
@@ -82,13 +80,3 @@ def _make_participle(words: list[Word], word: Word, noun: Word) -> None:
     hang(words, noun, above)
     hang(words, word, noun)
     noun.dep, word.dep, word.tag = "dobj", "acl", "VBN"
-
-
-def _went_on(words: list[Word], stood: Word) -> None:
-    """Hang what goes on with the verb before one who stood there: "noticed a van stopped ahead and braked"."""
-    noun = words[stood.head]
-    above = words[noun.head]
-    while not above.verb and above.head != above.i or above.dep == "xcomp":
-        above = words[above.head]
-    if noun.dep not in ("dobj", "pobj") or above.tag != "VBD" or above.i > noun.i:
-        return

@@ -20,6 +20,8 @@ def hang(words: list[Word], word: Word, above: Word, dep: str | None = None) -> 
     if under(words, above, word):
         _off(words, above)
         above.head, above.dep = above.i if word.head == word.i else word.head, word.dep
+        if above.head != above.i:
+            _on(words, above)
     _off(words, word)
     word.head, word.dep = above.i, dep or word.dep
     _on(words, word)

@@ -14,7 +14,7 @@ from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.damage import struck_by_damage
 from c2s_engine.interpret.what.doors import doors_opened
 from c2s_engine.interpret.what.foot_crossings import on_foot
-from c2s_engine.interpret.what.headlines import headline, story_first
+from c2s_engine.interpret.what.headlines import story_first
 from c2s_engine.interpret.what.indicated import indicated
 from c2s_engine.interpret.what.left_untold import left_untold
 from c2s_engine.interpret.what.onwards import same_side, turns_by_name
@@ -96,7 +96,6 @@ def understand(text: str) -> Scene:
     rules_of_sense(cast, clauses, road)
     left_untold(cast, clauses)
     twice(clauses)
-    headline(cast, clauses, places.of, road)
     settings = SettingsDetector().detect(plain, sentences)
     light = environment.light(plain, sentences)
     scene = Scene(text, plain, sentences, words, cast, clauses, places, road, settings, light)

@@ -37,7 +37,6 @@ def divide(words: list[Word]) -> None:
         if first is None:
             continue
         noun, beside, join = first
-        _behind_for(words, beside, verb)
         above = _above(words, beside, verb)
         if above is None:
             continue
@@ -113,14 +112,6 @@ def _before_commas(words: list[Word], i: int) -> int:
         if words[k].tag in FINITE or words[k].norm in JOINS:
             break
     return i
-
-
-def _behind_for(words: list[Word], beside: Word, verb: Word) -> None:
-    """Give "slowed for a van entering the road and V1 swerved" back the noun behind "for"."""
-    mark = next((words[c] for c in verb.children if words[c].norm == "for" and c < beside.i), None)
-    subject = next((words[c] for c in verb.children if words[c].dep == "nsubj" and c < beside.i), None)
-    if mark is None or subject is None or not beside.verb or verb.dep != "advcl" or beside.head != subject.i:
-        return
 
 
 def _above(words: list[Word], beside: Word, verb: Word) -> Word | None:

@@ -30,7 +30,6 @@ def find_subject(words: list[Word], word: Word) -> None:
     _between_two(words, word)
     if word.verb:
         _listed(words, word)
-        _behind_place(words, word)
 
 
 def _named_after_place(words: list[Word], word: Word) -> Word | None:
@@ -93,10 +92,3 @@ def _listed(words: list[Word], verb: Word) -> None:
     if cut and (joined or words[verb.i - 1].norm == "," or words[verb.i - 2].norm == ","):
         hang(words, second, first)
         first.dep, second.dep = "nsubj", "conj" if joined else "appos"
-
-
-def _behind_place(words: list[Word], verb: Word) -> None:
-    """Give a verb its subject that was taken for another name of somebody in a place before: "ahead of ego, two cars
-    wait"."""
-    if verb.dep != "ROOT" or any(words[c].dep.startswith(("nsubj", "expl")) for c in verb.children):
-        return

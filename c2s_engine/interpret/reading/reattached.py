@@ -35,7 +35,6 @@ def reattach(words: list[Word]) -> None:
         own_subject(words, word)
         find_subject(words, word)
         bring_home(words, word)
-        _doer_of_passive(words, word)
         _by_which(words, word)
         _object_of_relative(words, word)
         _two_subjects(words, word)
@@ -94,13 +93,6 @@ def _by_which(words: list[Word], using: Word) -> None:
         if using.dep == "ccomp":
             hang(words, noun, verb, "dobj")
         hang(words, using, verb, "advcl")
-
-
-def _doer_of_passive(words: list[Word], verb: Word) -> None:
-    """Put who does what the passive says before the participle that tells of it: "was struck by V2 coming north"."""
-    by = words[verb.head]
-    if verb.tag != "VBG" or verb.dep != "pcomp" or by.dep != "agent":
-        return
 
 
 def _object_of_relative(words: list[Word], verb: Word) -> None:

@@ -17,7 +17,6 @@ from c2s_engine.interpret.what.passing import by_the_other_lane, headings, let_p
 from c2s_engine.interpret.what.resumed import goes_first, own_turns, waited_turns
 from c2s_engine.interpret.what.there_and_back import there_and_back
 from c2s_engine.interpret.what.towards import side
-from c2s_engine.interpret.what.turn_lanes import turns_from_lane
 from c2s_engine.interpret.what.waiting import waited_for
 from c2s_engine.interpret.who.mentions import Cast
 
@@ -208,7 +207,6 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     waited_turns(clauses)
     goes_first(clauses)
     waited_for(cast, clauses)
-    turns_from_lane(cast, clauses)
     echoes(cast, clauses)
     _meant_and_done(clauses)
     there_and_back(clauses)

@@ -27,17 +27,12 @@ ANSWERS = frozenset(("yield", "brake", "brake_stop", "stop", "evade", "swerve"))
 def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Fill the places that only what happens tells."""
     for event in list(clauses.events):
-        if event.done and event.act == "approach":
-            _meets(event, of)
         if event.done and event.act == "stationary" and event.text.startswith("block") and _beside_ego(event, of):
             event.act = "travel"
         if event.done and event.act in ("approach", "travel"):
             _comes(event, clauses, of)
-            _rolls_up(event, of)
         if event.done and event.act in ("cross_road", "go_after") and event.agent in of:
             _same_side(event, clauses, of)
-        if event.done and event.act in ("lane_change", "cut_in", "cut_out") and event.agent in of:
-            _joins(event, of[event.agent])
         if event.done and event.act in ("lane_change", "overtake") and event.agent in of:
             _out_from_behind(event, of)
         if event.done and event.act == "evade" and event.agent in of and event.patient in of:
@@ -130,20 +125,6 @@ def _comes(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
         of[event.agent].lane = "oncoming"
 
 
-def _rolls_up(event: Event, of: dict[Entity, Where]) -> None:
-    """A thing that rolls towards ego lies ahead of it: only road users come the other way."""
-    where = of.get(event.agent)
-    if where is None or event.agent.mover or where.lane != "oncoming":
-        return
-
-
-def _meets(event: Event, of: dict[Entity, Where]) -> None:
-    """Whom ego meets on its way comes the other way, unless it stands."""
-    other = event.patient
-    if other not in of or not event.agent.ego or not event.text.startswith("meet "):
-        return
-
-
 def _out_from_behind(event: Event, of: dict[Entity, Where]) -> None:
     """Who pulls out from behind one that comes the other way overtakes that one."""
     where = of[event.agent]
@@ -164,12 +145,6 @@ def _behind_whom_it_follows(event: Event, clauses: Clauses, of: dict[Entity, Whe
     where, ahead = of[follower], of[leader]
     if where.rel is None and where.of is None and where.lane in (None, ahead.lane) and ahead.lane is not None:
         where.rel, where.of, where.lane = "behind", leader, None
-
-
-def _joins(event: Event, where: Where) -> None:
-    """Who enters the motorway comes from the ramp."""
-    if not where.open or where.of is not None and not where.of.ego or where.rel is not None:
-        return
 
 
 EACH_OTHER = re.compile(

@@ -68,12 +68,12 @@ async def _without_reaction(structure: Structure, tools: Tools, *, map_name: str
         return []
     chosen = map_choice(tools.library, tools.library.find(map_name))
     writer = TypedWriter(chosen, room=room)
-    ego, going_on = (steps.write(each, [], writer, _silent) for each in (changed, _going_on(structure)))
+    ego, going_on = (steps.write(each, [], writer, steps.silent) for each in (changed, _going_on(structure)))
     if not (ego[3].ok and going_on[3].ok):
         return []
     # all others start and drive as in the scene that is judged, for as long as it takes to see what comes of it
     blind = assemble(structure.with_component(ego[0].ego).with_component(going_on[0].restrictions))
-    report = await steps.check(blind, tools, _silent, folder=str(chosen.path.parent), upto="run", seed=seed,
+    report = await steps.check(blind, tools, steps.silent, folder=str(chosen.path.parent), upto="run", seed=seed,
                                runs=runs, trajectories=True)  # fmt: skip
     return runs_of(report)
 
@@ -82,8 +82,8 @@ def _going_on(structure: Structure) -> Structure:
     """S whose run does not end with what is said."""
     restrictions = structure.restrictions
     assert isinstance(restrictions.spec, RestrictionsSpec)
-    update = {"terminate_when": (), "duration": LONGEST, "require": restrictions.spec.require}
-    changed = restrictions.model_copy(update={"spec": restrictions.spec.model_copy(update=update)})
+    spec = restrictions.spec.model_copy(update={"terminate_when": (), "duration": LONGEST})
+    changed = restrictions.model_copy(update={"spec": spec})
     return structure.with_component(changed) if restrictions.origin == "rendered" else structure
 
 
@@ -92,7 +92,3 @@ def runs_of(report: CheckReport) -> list[Run]:
     ways = iter(report.trajectories)
     none = Trajectories(step=0.1, tracks=())
     return [Run(facts=f, trajectories=next(ways, none) if f.objects else none) for f in report.facts]
-
-
-def _silent(event: Any) -> None:
-    """Nobody is told of the run that only serves to judge the other."""

@@ -11,7 +11,7 @@ from c2s_engine.session.trying import Tried
 from c2s_engine.solve import Outcome, solve
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import RunFacts
-from c2s_engine.structure.progress import Progress, StageDone, StageStarted
+from c2s_engine.structure.progress import StageDone, StageStarted
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.write.typed import TypedWriter
 
@@ -42,11 +42,12 @@ async def solved(state: dict[str, Any], tools: Tools, emit: Emit) -> dict[str, A
     writer = TypedWriter(chosen, room=room)
 
     async def tried(structure: Structure, runs: int) -> Outcome | None:
-        structure, program, written, result = steps.write(structure, [], writer, _silent)
+        structure, program, written, result = steps.write(structure, [], writer, steps.silent)
         if not result.ok:
             return None
-        report = await steps.check(program, tools, _silent, folder=state["folder"], upto="run", seed=seed, runs=runs,
-                                   trajectories=True)  # fmt: skip
+        report = await steps.check(
+            program, tools, steps.silent, folder=state["folder"], upto="run", seed=seed, runs=runs, trajectories=True
+        )
         if not report.ok or not any(f.ran for f in report.facts):
             return None
         found = await judged(structure, report, tools, map_name=state["map_name"], room=room, seed=seed)
@@ -71,7 +72,3 @@ async def solved(state: dict[str, Any], tools: Tools, emit: Emit) -> dict[str, A
     kept: Tried = best.kept
     kept.show(emit, tracks=state.get("trajectories", False))
     return kept.update({**state, "stages": stages}, upto=("interpret", "resolve", "solve"))
-
-
-def _silent(event: Progress) -> None:
-    """What is tried is not shown before it is kept."""

@@ -33,6 +33,10 @@ class Tools:
     extra: dict[str, Any] = field(default_factory=dict)
 
 
+def silent(event: Progress) -> None:
+    """What is tried, or only serves to judge something else, is not shown."""
+
+
 def timed(name: Any, started: float, diagnostics: tuple[Diagnostic, ...] = ()) -> StageResult:
     ok = not any(d.severity == "error" for d in diagnostics)
     return StageResult(name=name, ok=ok, seconds=round(time.perf_counter() - started, 4), diagnostics=diagnostics)

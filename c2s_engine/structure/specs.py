@@ -34,6 +34,7 @@ class Trigger(Spec):
     of: Reference | None = Field(None, description="distance, ttc: to whom (default ego; for ego: the nearest object)")
     action: v.Action | None = Field(None, description="action: the action of `of` that is waited for")
     place: v.TriggerPlace | None = Field(None, description="place: what is reached")
+    delay: Seconds | None = Field(None, description="how long after that the phase begins, s")
 
 
 class Phase(Spec):
@@ -47,6 +48,18 @@ class Phase(Spec):
     )
     target: Reference | None = Field(None, description="whom it is about: followed, overtaken, yielded to, hit")
     duration: Seconds | None = Field(None, description="how long it lasts, s")
+    gap: Metres | None = Field(
+        None, description="to `target` (default ego), bumper to bumper along the road, m: cut_in, cut_out, lane_change as "
+        "it comes over the lane line; overtake as it comes back; brake as it begins; follow all along"
+    )  # fmt: skip
+    lateral_speed: Quantity | None = Field(
+        None, description="lane_change, cut_in, cut_out, swerve, drift: how fast it moves sideways, m/s"
+    )
+    part: v.Part | None = Field(None, description="collide: the part of itself that touches first")
+    target_part: v.Part | None = Field(None, description="collide: the part of `target` that is struck")
+    abandoned: bool = Field(
+        False, description="begun and broken off: lane_change, cut_in, overtake back to its own lane before it is over"
+    )
     trigger: Trigger | None = None
 
 
@@ -97,6 +110,13 @@ class Placement(Spec):
         None, description="beside, roadside, sidewalk, parked, partly_in_lane, intersection_exit: on which side"
     )
     gap: Metres | None = Field(None, description="between the bounding boxes, along the road, m")
+    lateral: Metres | None = Field(
+        None, description="beside, roadside, partly_in_lane: between its body and that of `of`, across the road, m"
+    )
+    arrives: Seconds | None = Field(
+        None, description="where its way meets ego's: how long after ego it is there if neither reacts, s; 0: together, "
+        "below 0: before ego"
+    )  # fmt: skip
     hidden_by: Reference | None = Field(None, description="the object that blocks ego's view of it at first")
     facing: Literal["along", "against", "across"] | None = Field(None, description="its heading against the road's")
 

@@ -27,6 +27,7 @@ Position = Literal[
     "roadside", "sidewalk", "parked", "partly_in_lane", "on_ramp", "intersection_exit",
 ]  # fmt: skip
 Side = Literal["left", "right"]
+Part = Literal["front", "rear", "left", "right", "front_left", "front_right", "rear_left", "rear_right"]
 Along = Literal["ahead", "abreast", "behind"]
 
 Action = Literal[

@@ -120,7 +120,7 @@ def test_forms_of_what_never_moves_ask_for_no_motion():
 def test_nothing_is_forced_where_nobody_else_is_there():
     form = form_of("E", "", Sentences(ego="Ego drives."))
     trigger = form.schema["properties"]["phases"]["items"]["properties"]["trigger"]["properties"]
-    assert trigger["kind"]["enum"] == ["time", "place"] and list(trigger) == ["kind", "value", "place"]
+    assert trigger["kind"]["enum"] == ["time", "place"] and list(trigger) == ["kind", "value", "place", "delay"]
     assert accepts(form.schema, {}) == "" and accepts(form_of("R", "", Sentences()).schema, {}) == ""
 
 

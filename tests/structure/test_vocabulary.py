@@ -17,6 +17,7 @@ TABLES = {
     "ego_lanes": v.EgoLane,
     "positions": v.Position,
     "alongs": v.Along,
+    "parts": v.Part,
     "actions": v.Action,
     "triggers": v.TriggerKind,
     "trigger_places": v.TriggerPlace,

@@ -43,6 +43,13 @@ def names() -> frozenset[str]:
 
 
 @functools.cache
+def constants() -> dict[str, list[str]]:
+    """Its lists of blueprints, by name."""
+    lists = (re.match(r"[A-Z_]+ = \['", part) and ast.parse(part).body[0] for part in _parts())
+    return {n.targets[0].id: ast.literal_eval(n.value) for n in lists if n}
+
+
+@functools.cache
 def modules() -> frozenset[str]:
     """The names under which the library itself has modules of Python's or other packages: no program's business."""
     found = ast.parse("".join(part for part in _parts() if part.startswith(("import ", "from "))))

@@ -27,6 +27,26 @@ from scenic.domains.driving.roads import Lane, Maneuver, ManeuverType
 LIBRARY_VERSION = 1
 
 
+# Blueprints of CARLA by what they show, each in 0.9.15 and in 0.9.16: `with blueprint Uniform(*CARS)`
+
+CARS = ['vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala',
+        'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3']
+TRUCKS = ['vehicle.carlamotors.european_hgv', 'vehicle.carlamotors.carlacola']
+MOTORCYCLES = ['vehicle.kawasaki.ninja', 'vehicle.yamaha.yzf']
+BICYCLES = ['vehicle.bh.crossbike', 'vehicle.gazelle.omafiets', 'vehicle.diamondback.century']
+PEDESTRIANS = ['walker.pedestrian.0001', 'walker.pedestrian.0002', 'walker.pedestrian.0003',
+               'walker.pedestrian.0005', 'walker.pedestrian.0006']
+CHILDREN = ['walker.pedestrian.0009', 'walker.pedestrian.0010', 'walker.pedestrian.0011',
+            'walker.pedestrian.0012']
+CONES = ['static.prop.constructioncone', 'static.prop.trafficcone01']
+DEBRIS = ['static.prop.dirtdebris01', 'static.prop.dirtdebris02']
+CONTAINERS = ['static.prop.container', 'static.prop.clothcontainer', 'static.prop.glasscontainer']
+TRASH = ['static.prop.bin', 'static.prop.trashcan01', 'static.prop.trashcan02']
+BOXES = ['static.prop.box01', 'static.prop.box02', 'static.prop.box03']
+BENCHES = ['static.prop.bench01', 'static.prop.bench02']
+PLANT_POTS = ['static.prop.plantpot01', 'static.prop.plantpot02']
+
+
 # Ways: points 2 m apart along lanes, for Drive
 
 def begin(lane):

@@ -40,9 +40,13 @@ def body(actor: Actor) -> list[str]:
     if actor.value > 0:
         out.append(f"take SetSpeedAction({SLOW if actor.sets_out else actor.speed})")
     done = _steps(course)
+    while len(done) > 1 and done[-2][0] == done[-1][0]:  # it goes on with the same for good
+        del done[-2]
+    line = out[0]
     for i, (statements, until) in enumerate(done):
         *before, final = statements
-        out += before
+        out += [s for s in before if s != line]
+        line = next((s for s in reversed(before) if s.startswith("line = ")), line)
         last = i == len(done) - 1
         if last or (not final.startswith("do Drive") and not until):
             out.append(final)

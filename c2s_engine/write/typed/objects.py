@@ -10,6 +10,7 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import (
     BLUEPRINTS,
     CLASS,
+    NAMED_BLUEPRINTS,
     OBSTRUCTING,
     ROLE,
     WORKS,
@@ -78,8 +79,8 @@ def _statement(spec: ObjectSpec, spot: Spot, name: str, moving: bool) -> list[st
 def _blueprint(spec: ObjectSpec) -> str:
     if spec.model:
         return f"'{spec.model}'"
-    choices = BLUEPRINTS[spec.type]
-    return f"'{choices[0]}'" if len(choices) == 1 else f"Uniform({', '.join(repr(c) for c in choices)})"
+    named = NAMED_BLUEPRINTS.get(spec.type)
+    return f"Uniform(*{named})" if named else f"'{BLUEPRINTS[spec.type][0]}'"
 
 
 def _works(spec: ObjectSpec, spot: Spot, name: str) -> str:

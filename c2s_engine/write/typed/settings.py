@@ -53,7 +53,6 @@ def write_settings(component: Component, map_file: str, carla_map: str | None) -
         f"param map = localPath('{map_file}')",
         f"param carla_map = {carla_map!r}",
         "param use2DMap = True",
-        "param timestep = 0.1",
         f"param weather = {weather_value(spec)}",
         "model scenic.simulators.carla.model",
         driving.IMPORT,

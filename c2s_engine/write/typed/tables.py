@@ -12,7 +12,14 @@ from c2s_engine.structure.specs import ObjectSpec
 _TABLES: dict[str, Any] = yaml.safe_load(shipped("writer.yaml").read_text())
 
 CLASS: dict[str, str] = {k: v["class"] for k, v in _TABLES["types"].items()}
-BLUEPRINTS: dict[str, list[str]] = {k: v["blueprints"] for k, v in _TABLES["types"].items() if v.get("blueprints")}
+NAMED_BLUEPRINTS: dict[str, str] = {
+    k: v["blueprints"] for k, v in _TABLES["types"].items() if isinstance(v.get("blueprints"), str)
+}
+"""The list of the driving library that has a type's blueprints, where they are several."""
+BLUEPRINTS: dict[str, list[str]] = {
+    k: driving.constants()[NAMED_BLUEPRINTS[k]] if k in NAMED_BLUEPRINTS else v["blueprints"]
+    for k, v in _TABLES["types"].items()
+}
 LENGTH: dict[str, float] = {k: v["length"] for k, v in _TABLES["types"].items()}
 OBSTRUCTING: dict[str, str] = _TABLES["obstructing"]
 WIDTH: dict[str, float] = {k: v["width"] for k, v in _TABLES["types"].items()}

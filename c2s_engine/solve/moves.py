@@ -47,6 +47,9 @@ def _ending(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unkno
 
 def _ideas(structure: Structure, requirement: Requirement, result: Result, open_: Sequence[Unknown],
            usual: Usual) -> Iterator[Move]:  # fmt: skip
+    """Exact corrections where the run says by how much, then steps of the table."""
+    if result.due is not None and (move := _in_time(structure, requirement, result.due, open_, usual)):
+        yield move
     if requirement.check in TIMES and result.value is not None and result.bounds is not None:
         below = result.value < result.bounds[0]
         due = result.bounds[0] + ROOM if below else result.bounds[1] - ROOM
@@ -78,6 +81,28 @@ def _later(structure: Structure, seconds: float, begins: float, open_: Sequence[
         if value != round(unknown.value, 1):
             found.append((unknown, value))
     return tuple(found)
+
+
+def _in_time(structure: Structure, requirement: Requirement, due: float, open_: Sequence[Unknown],
+             usual: Usual) -> Move:  # fmt: skip
+    """The requirement's actor `due` s later where it is to be (ego's counterpart so much earlier): by when it is where
+    their ways meet, when it begins, or where it starts."""
+    who = requirement.actor
+    if who == EGO:
+        who, due = requirement.other or EGO, -due
+    for name, grows in (("placement.arrives", 1.0), ("phases.0.trigger", 1.0), ("placement.gap", 0.0)):
+        unknown = next((u for u in open_ if u.component == who and u.path == name), None)
+        if unknown is None:
+            continue
+        spec = structure[who].spec
+        if name == "placement.gap" and isinstance(spec, ObjectSpec):
+            back = spec.placement.position in ("behind", "oncoming_lane") or spec.placement.along == "behind"
+            grows = (1.0 if back else -1.0) * usual.speeds.get(who, 0.0)
+        low, high = unknown.limits
+        value = round(min(max(unknown.value + grows * due, low), high), 2)
+        if value != unknown.value:
+            return ((unknown, value),)
+    return ()
 
 
 def _parting(spec: ObjectSpec, own: float, speed: float) -> float:

@@ -15,8 +15,8 @@ REASON = "left open: chosen so that the run shows what is required"
 BY_OTHERS = ("wait", "stationary", "cross_road", "yield", "follow")
 """First phases whose moment follows from where others are, or that have none."""
 LIMITS = {"gap": (2.0, 250.0), "speed": (1.0, 36.0), "rate": (1.0, 9.0), "duration": (1.0, 60.0),
-          "distance": (15.0, 190.0), "trigger": (1.0, 15.0)}  # fmt: skip
-"""What may be chosen, by the last part of the path: m, m/s, m/s2, s, m, s."""
+          "distance": (15.0, 190.0), "trigger": (1.0, 15.0), "arrives": (-4.0, 4.0)}  # fmt: skip
+"""What may be chosen, by the last part of the path: m, m/s, m/s2, s, m, s, s."""
 
 
 @dataclass(frozen=True)
@@ -75,6 +75,8 @@ def _of(component: Component, usual: Usual) -> Iterator[Unknown]:
             yield from _of_phase(cid, i, phase, speed, is_open(f"phases.{i}.trigger", phase.trigger), assumed)
     if isinstance(spec, ObjectSpec) and cid in usual.gaps and is_open("placement.gap", spec.placement.gap):
         yield Unknown(cid, "placement.gap", usual.gaps[cid])
+    if isinstance(spec, ObjectSpec) and cid in usual.arrives and is_open("placement.arrives", spec.placement.arrives):
+        yield Unknown(cid, "placement.arrives", usual.arrives[cid])
     if cid == "R" and usual.distance and is_open("distance", getattr(spec, "distance", None)):
         yield Unknown(cid, "distance", usual.distance)
     if cid == "T" and is_open("duration", getattr(spec, "duration", None)) and not getattr(spec, "terminate_when", ()):
@@ -99,5 +101,5 @@ def _shown(path: str, value: float) -> str:
     last = path.rsplit(".", 1)[-1]
     if last == "speed":
         return f"{value * 3.6:.3g} km/h"
-    unit = {"rate": "m/s2", "duration": "s", "trigger": "s after the start"}.get(last, "m")
+    unit = {"rate": "m/s2", "duration": "s", "trigger": "s after the start", "arrives": "s after ego"}.get(last, "m")
     return f"{value:.4g} {unit}"

@@ -144,6 +144,33 @@ REACTIONS = {
 }
 
 
+DUE = [  # position, what else S says of the other, s by which it is due, what is tried first
+    ("crossing_left", {}, 0.8, ("placement.arrives", 0.8)),
+    ("opposite_approach", {"arrives": -0.5}, -0.4, ("placement.arrives", -0.9)),
+    ("oncoming_lane", {"gap": 80.0}, 0.5, ("placement.gap", 85.0)),
+    ("ahead", {"gap": 30.0}, 0.5, ("placement.gap", 25.0)),
+]
+
+
+@pytest.mark.parametrize(("position", "said", "due", "expected"), DUE)
+@pytest.mark.parametrize("of", ["other", "ego"])
+def test_who_comes_too_early_or_too_late_is_set_right_at_once(position, said, due, expected, of):
+    """By so much as the run shows, whoever of the two the requirement is about."""
+    spec = ObjectSpec(speed=10.0, placement=Placement(position=position, **said))
+    notes = tuple(Assumption(field=f"placement.{f}", value="", reason="") for f in said)
+    structure = Structure(
+        place=Component(id="R", spec=PlaceSpec(kind="road" if position in ("ahead", "oncoming_lane") else "intersection")),
+        ego=Component(id="E", spec=EgoSpec(speed=10.0, reaction="brake")),
+        objects=(Component(id="O1", spec=spec, assumed=notes),),
+    )
+    who = {"actor": "O1", "other": "ego"} if of == "other" else {"actor": "ego", "other": "O1"}
+    required = Requirement(id="x", kind="outcome", component="O1", text="", check="contact", **who)
+    late = Result(requirement="x", holds=False, robustness=-0.5, due=due if of == "other" else -due)
+    usual = usual_values(structure, 1.0)
+    ((unknown, value),) = moves(structure, [(required, late)], unknowns(structure, usual), usual)[0]
+    assert (unknown.component, unknown.path, value) == ("O1", *expected)
+
+
 @pytest.mark.parametrize("case", REACTIONS)
 def test_the_usual_reaction(case):
     ego, phase, reaction = REACTIONS[case]

@@ -136,7 +136,9 @@ class Written:
             action = _RATES.get(step.rate or 0.0, "")
             goal = self._exactly(step.speed)
             told: dict[str, Any] = {"action": action, "trigger": trigger}
-            if action == "stop" and goal == 0:
+            if action == "stop" and goal == 0 and not todo and step.until is None and step.seconds is None:
+                ended = True  # and stands for good
+            elif action == "stop" and goal == 0:
                 if not self._reaches(step, ast.Lt, 0.2) or not todo or todo[0].rate != 3.5:
                     raise NotWritten
                 step = todo.pop(0)

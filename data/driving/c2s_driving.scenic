@@ -339,6 +339,11 @@ behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
         take (SetSpeedAction(max(0, self.speed + max(-step, min(step, goal - self.speed)))),
               SetSteerAction(max(-1, min(1, steer))))
 
+behavior Cruise(points, speed):
+    """Follow points at `speed` (m/s) from the first."""
+    take SetSpeedAction(speed)
+    do Drive(points, speed)
+
 behavior TurnRound(speed=4):
     """Turn left on the spot until the car faces the way that it came from."""
     begin = self.heading

@@ -1,5 +1,7 @@
 """O1..N: road users, obstacles and things at the road."""
 
+import re
+
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, middle
 from c2s_engine.structure.specs import ObjectSpec
@@ -39,19 +41,27 @@ def write_object(structure: Structure, cid: str, plan: Plan) -> str:
     if moving and high(speed) > 0:
         lines.append(f"{prefix}_SPEED = {scope.quantity(speed)}  # m/s")
     lines += [*spot.constants, *people.constants(structure, cid, plan)]
+    behavior = ""
     if moving:
-        lines += ["", f"behavior {scope.camel(name)}Behavior():"]
         statements = (
             people.walker(structure, cid, plan)
             if is_walker(spec.type)
             else _driver(structure, cid, spec, plan, spot, prefix, speed)
         )
-        lines += [f"    {s}" for s in statements] + [""]
-    lines += _statement(spec, spot, name, moving)
+        behavior = _cruises(statements) or f"{scope.camel(name)}Behavior()"
+        if not _cruises(statements):
+            lines += ["", f"behavior {behavior}:", *(f"    {s}" for s in statements), ""]
+    lines += _statement(spec, spot, name, behavior)
     return "\n".join(lines)
 
 
-def _statement(spec: ObjectSpec, spot: Spot, name: str, moving: bool) -> list[str]:
+def _cruises(statements: list[str]) -> str:
+    """The library's behaviour for who drives its way at its speed and no more; "": it does more than that."""
+    found = re.fullmatch(r"line = (.+)\ntake SetSpeedAction\((\w+)\)\ndo Drive\(line, \2\)", "\n".join(statements))
+    return f"Cruise({found[1]}, {found[2]})" if found else ""
+
+
+def _statement(spec: ObjectSpec, spot: Spot, name: str, behavior: str) -> list[str]:
     extras = [f"with blueprint {_blueprint(spec)}"]
     role = spec.type if spec.model and spec.model == OBSTRUCTING.get(spec.type) else ROLE.get(spec.type)
     if spec.type == "speed_sign":
@@ -66,8 +76,8 @@ def _statement(spec: ObjectSpec, spot: Spot, name: str, moving: bool) -> list[st
         extras.append("facing roadDirection")
     if spec.type == "bus":  # wider than most lanes
         extras.append("with regionContainedIn everywhere")
-    if moving:
-        extras.append(f"with behavior {scope.camel(name)}Behavior()")
+    if behavior:
+        extras.append(f"with behavior {behavior}")
     specifiers = list(dict.fromkeys([*spot.specifiers, *extras]))
     head = f"new {CLASS[spec.type]} {specifiers[0]}"
     if spec.count > 1:

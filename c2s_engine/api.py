@@ -21,6 +21,7 @@ from c2s_engine.structure.progress import Finished, Progress, Say
 from c2s_engine.structure.requirements import Requirement, Result
 
 if TYPE_CHECKING:
+    from c2s_engine.session.other_drivers import OtherDriver
     from c2s_engine.session.requiring import Judged
 
 RUNNER = "c2s_engine.dryrun.runner:run_scene"
@@ -275,6 +276,15 @@ class Engine:
         chosen = self.library.named_in(structure.settings.code) or self.library.find(SHIPPED)
         return await judged(structure, report, self.tools, map_name=chosen.name, seed=seed)
 
+    async def other_drivers(
+        self, structure: Structure, *, map: str, room: float = 1.0, seed: int = 0
+    ) -> "tuple[OtherDriver, ...]":
+        """The scene with two other drivers in ego's place, one that never reacts and one that is slower: what of the
+        others' doings is seen then, too. Raises MapNotFound."""
+        from c2s_engine.session.other_drivers import with_other_drivers
+
+        return await with_other_drivers(structure, self.tools, map_name=map, room=room, seed=seed)
+
     def gaps(self, ways: Trajectories) -> dict[str, list[float]]:
         """By each other's name, m between its box and ego's (bumper to bumper) at each step of a run."""
         from c2s_engine.require.measured import gaps
@@ -360,6 +370,7 @@ def finished(state: dict[str, Any], seconds: float) -> Finished:
         "rewritten": state.get("rewritten", []),
         "places": state.get("places", 0),
         "map": state.get("map_name"),
+        "room": state.get("room", 1.0),
         "folder": state.get("folder"),
         "iterations": report.get("iterations", []),
         "isolation": report.get("isolation", ""),

@@ -26,27 +26,34 @@ def report(
     form: Annotated[str, typer.Option("--format", help="md, html or json.")] = "md",
     method: Annotated[str | None, typer.Option(help="RECORDS: how texts are turned into programs.")] = None,
     seed: Annotated[int, typer.Option(help="Of the sampled scene.")] = 0,
+    drivers: Annotated[
+        bool, typer.Option("--drivers", help="RECORDS: run it with two other drivers in ego's place, too.")
+    ] = False,
 ) -> None:
     """Write the dossier: what was said, what became of it, what the run shows in pictures and numbers, the program."""
     with sentences():
         if form not in FORMATS:
             fail(f"There is no format {form}: say md, html or json.", BAD_INPUT)
-        made = work(_work(what, output, form, method, seed))
+        made = work(_work(what, output, form, method, seed, drivers))
     for material, file in made:
         out.print(Text(f"{file}{'  ' + material.problem if material.problem else ''}"), soft_wrap=True)
     raise typer.Exit(REFUSED if any(m.problem for m, _ in made) else OK)
 
 
-async def _work(what: str, output: Path, form: str, method: str | None, seed: int) -> list[tuple[Material, Path]]:
+async def _work(
+    what: str, output: Path, form: str, method: str | None, seed: int, drivers: bool
+) -> list[tuple[Material, Path]]:
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
 
     async with Engine(load_settings()) as engine:
-        return await dossiers(engine, what, output, form, method, seed, lambda at: err.print(Text(at, style="dim")))
+        tell = lambda at: err.print(Text(at, style="dim"))  # noqa: E731
+        return await dossiers(engine, what, output, form, method, seed, tell, drivers)
 
 
 async def dossiers(
-    engine: Any, what: str, output: Path, form: str, method: str | None, seed: int, tell: Callable[[str], Any]
+    engine: Any, what: str, output: Path, form: str, method: str | None, seed: int, tell: Callable[[str], Any],
+    drivers: bool = False,
 ) -> list[tuple[Material, Path]]:
     """The dossiers of a program, a session or a file of texts, written; `tell` is told which text it is at.
 
@@ -63,7 +70,7 @@ async def dossiers(
     told = gather.read_records(file) if records else []
     for number, record in enumerate(told, 1):
         tell(f"{number}/{len(told)} {record.id}")
-        material = await gather.of_text(engine, record, method=method, seed=seed)
+        material = await gather.of_text(engine, record, method=method, seed=seed, drivers=drivers)
         made.append((material, write(material, output / record.id, form)))  # type: ignore[arg-type]
     if not records:
         if file.is_file() or file.suffix == ".scenic":

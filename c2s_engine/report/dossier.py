@@ -38,7 +38,8 @@ def dossier(material: Material, blind: bool = False) -> dict[str, Any]:
     if blind:
         return shown
     return {
-        **shown, "origin": material.origin, "requirements": _requirements(material), "digests": _digests(material),
+        **shown, "origin": material.origin, "requirements": _requirements(material),
+        "drivers": [d.model_dump(mode="json") for d in material.drivers], "digests": _digests(material),
     }  # fmt: skip
 
 

@@ -99,8 +99,10 @@ def _problems(items: list[Any]) -> Iterator[str]:
         seen.add(name)
 
 
-async def of_text(engine: Engine, told: Told, *, method: str | None = None, seed: int = 0) -> Material:
-    """A text that is generated and run now."""
+async def of_text(
+    engine: Engine, told: Told, *, method: str | None = None, seed: int = 0, drivers: bool = False
+) -> Material:
+    """A text that is generated and run now; with other `drivers` in ego's place, too."""
     done: Finished | None = None
     ways: Trajectories | None = None
     said = ""
@@ -121,10 +123,14 @@ async def of_text(engine: Engine, told: Told, *, method: str | None = None, seed
         return Material(id=told.id, text=told.text, matters=told.matters, problem=said or "Nothing came of the text.")
     facts = done.facts[0] if done.facts else None
     name, folder = done.details.get("map") or "", done.details.get("folder")
+    others = (
+        await engine.other_drivers(done.structure, map=name, room=done.details.get("room", 1.0), seed=seed)
+        if drivers and facts is not None and name else ()
+    )  # fmt: skip
     return Material(
         id=told.id, text=told.text, matters=told.matters, origin=f"method {method or engine.settings.method}",
         structure=done.structure, program=done.program, faults=done.diagnostics, facts=facts, ways=ways,
-        results=done.results, seed=seed,
+        results=done.results, drivers=others, seed=seed,
         map_name=name, map_digest=_digest_of(done.program, folder), problem=problem_of(done.diagnostics, facts),
     )  # fmt: skip
 

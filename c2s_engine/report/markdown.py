@@ -18,7 +18,7 @@ def markdown(shown: dict[str, Any], pictures: Sequence[str] = ()) -> str:
     parts += _structure(shown)
     if shown["run"]:
         parts += [*_run(shown, pictures), *_timeline(shown), *_criticality(shown), *_tracks(shown)]
-    parts += [*_requirements(shown), *_program(shown)]
+    parts += [*_requirements(shown), *_drivers(shown), *_program(shown)]
     return "\n\n".join(parts) + "\n"
 
 
@@ -147,6 +147,19 @@ def _requirements(shown: dict[str, Any]) -> Iterator[str]:
         for r in asked
     ]  # fmt: skip
     yield table(["required", "holds", "seen", "by", "id"], lines)
+
+
+def _drivers(shown: dict[str, Any]) -> Iterator[str]:
+    if not shown.get("drivers"):
+        return
+    yield "## Other drivers in ego's place"
+    yield "What S requires of where the others start and what they do; they drive by the same code."
+    lines = [
+        [d["name"], f"{d['required'] - len(d['missed'])} of {d['required']}",
+         d["problem"] or "; ".join(d["missed"]) or "-"]
+        for d in shown["drivers"]
+    ]  # fmt: skip
+    yield table(["driver", "seen", "not seen"], lines)
 
 
 def _program(shown: dict[str, Any]) -> Iterator[str]:

@@ -2,6 +2,7 @@
 
 from pydantic import BaseModel, ConfigDict
 
+from c2s_engine.session.other_drivers import OtherDriver
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import Diagnostic
 from c2s_engine.structure.facts import RunFacts, Trajectories
@@ -28,6 +29,7 @@ class Material(BaseModel):
     facts: RunFacts | None = None
     ways: Trajectories | None = None
     results: tuple[Result, ...] = ()  # of what S requires, as the engine judged it with ego's reaction switched off too
+    drivers: tuple[OtherDriver, ...] = ()  # how it went with others in ego's place, where that was asked for
     seed: int = 0
     map_name: str = ""
     map_digest: str = ""

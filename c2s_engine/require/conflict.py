@@ -45,12 +45,17 @@ def answers(phase: Phase, structure: Structure) -> bool:
 
 
 def without_reaction(structure: Structure) -> Structure | None:
-    """S with ego's reaction switched off; None where S says no conflict, or ego's code is not written from S.
+    """S with ego's reaction switched off; None where S says no conflict, or ego's code is not written from S."""
+    if not any(r.check == "reacts" or r.values.get("reaction") for r in required(Scene(structure))):
+        return None
+    return unaware(structure)
+
+
+def unaware(structure: Structure) -> Structure:
+    """S whose ego does what it does of its own accord and answers to nobody.
 
     Who follows drives on at its speed: keeping the distance is a reaction too.
     """
-    if not any(r.check == "reacts" or r.values.get("reaction") for r in required(Scene(structure))):
-        return None
     spec = structure.ego.spec
     assert isinstance(spec, EgoSpec)
     first = next((i for i, p in enumerate(spec.phases) if answers(p, structure)), len(spec.phases))

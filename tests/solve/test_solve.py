@@ -158,8 +158,9 @@ def test_who_comes_too_early_or_too_late_is_set_right_at_once(position, said, du
     """By so much as the run shows, whoever of the two the requirement is about."""
     spec = ObjectSpec(speed=10.0, placement=Placement(position=position, **said))
     notes = tuple(Assumption(field=f"placement.{f}", value="", reason="") for f in said)
+    kind = "road" if position in ("ahead", "oncoming_lane") else "intersection"
     structure = Structure(
-        place=Component(id="R", spec=PlaceSpec(kind="road" if position in ("ahead", "oncoming_lane") else "intersection")),
+        place=Component(id="R", spec=PlaceSpec(kind=kind)),
         ego=Component(id="E", spec=EgoSpec(speed=10.0, reaction="brake")),
         objects=(Component(id="O1", spec=spec, assumed=notes),),
     )

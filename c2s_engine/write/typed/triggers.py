@@ -109,7 +109,9 @@ def _before(course: Course, cid: str | None) -> str:
 
 def observed(structure: Structure, other: str, cid: str, action: str | None) -> str:
     """What can be seen of another's action while it is at it."""
-    if action in ("stop", "stationary", "wait"):
+    if action == "stop":  # whoever drives has its speed from the first step on
+        return f"simulation().currentTime * simulation().timestep > 1 and {other}.speed < 0.3"
+    if action in ("stationary", "wait"):
         return f"{other}.speed < 0.3"
     if action in ("start", "accelerate", "enter_road", "cross_road", "move_along"):
         return f"{other}.speed > 0.5"

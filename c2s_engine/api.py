@@ -79,14 +79,16 @@ class Engine:
         improve: bool | None = None,
         own: Structure | None = None,
         strict: bool = False,
+        widen: bool = False,
     ) -> AsyncGenerator[Progress, None]:
         """A new scenario from a text, with the code by hand of `own` kept in it. The last event is Finished.
 
+        `widen`: what the text left open is varied as far as at least 90 % of the sampled scenes show what is required.
         `strict`: refuse a place that no map (or not the one given) has, rather than leave some of its fields open.
         `improve`: whether a model is told what the run did not show, to change S (default: as the settings say)."""
         kept = own.model_dump(mode="json") if own is not None else {}
         inputs: dict[str, Any] = {"text": text, "own": kept, "structure": {}, "edits": [], "improve": improve}
-        inputs["strict"] = strict
+        inputs |= {"strict": strict, "widen": widen}
         async with aclosing(self.turn(inputs, method, map, seed, run, runs, trajectories)) as events:
             async for event in events:
                 yield event

@@ -45,8 +45,8 @@ def names() -> frozenset[str]:
 @functools.cache
 def constants() -> dict[str, list[str]]:
     """Its lists of blueprints, by name."""
-    lists = (re.match(r"[A-Z_]+ = \['", part) and ast.parse(part).body[0] for part in _parts())
-    return {n.targets[0].id: ast.literal_eval(n.value) for n in lists if n}
+    lists = [part.partition(" = ") for part in _parts() if re.match(r"[A-Z_]+ = \['", part)]
+    return {name: ast.literal_eval(value) for name, _, value in lists}
 
 
 @functools.cache

@@ -38,6 +38,9 @@ def generate(
     improve: Annotated[
         bool | None, typer.Option("--improve/--no-improve", help="Let the model change what the run does not show.")
     ] = None,
+    widen: Annotated[
+        bool, typer.Option("--widen", help="Vary what is left open as far as 90 % of the scenes still hold.")
+    ] = False,
     no_run: Annotated[bool, typer.Option("--no-run", help="Compile and sample, but do not run it.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
 ) -> None:
@@ -52,7 +55,7 @@ def generate(
 
             raise InputError(f"There is no folder {output.parent}: make it, or save elsewhere.")
     options = {"method": method, "map": map_name, "seed": seed, "run": not no_run, "runs": runs, "improve": improve}
-    options["strict"] = strict
+    options |= {"strict": strict, "widen": widen}
     done: Finished = work(_generate(description, options, model, as_json), as_json)
     if output is not None and done.program.text:
         with sentences(as_json):

@@ -42,6 +42,7 @@ class State(TypedDict, total=False):
     trajectories: bool
     improve: bool
     strict: bool
+    widen: bool
     structure: dict[str, Any]
     before: dict[str, Any]
     program: dict[str, Any]

@@ -21,11 +21,12 @@ LONGEST = 20.0
 
 @dataclass(frozen=True)
 class Judged:
-    """What S requires, and of each the result that most runs showed."""
+    """What S requires, and of each the result that most runs showed; `whole`: the share of the runs that showed all."""
 
     requirements: tuple[Requirement, ...] = ()
     results: tuple[Result, ...] = ()
     measures: tuple[Measures, ...] = ()  # one a run that has tracks
+    whole: float = 0.0
 
     def as_state(self) -> dict[str, Any]:
         """As plain data for the graph's state."""
@@ -39,7 +40,7 @@ class Judged:
 async def judged(structure: Structure, report: CheckReport, tools: Tools, *, map_name: str, room: float = 1.0,
                  seed: int = 0) -> Judged:  # fmt: skip
     """Derive and evaluate; nothing where nothing ran. `report` holds the trajectories of its runs."""
-    from c2s_engine.require import evaluate, majority, require
+    from c2s_engine.require import evaluate, majority, require, whole
 
     if not report.facts:
         return Judged()
@@ -49,7 +50,8 @@ async def judged(structure: Structure, report: CheckReport, tools: Tools, *, map
         evaluate(requirements, run.facts, run.trajectories, without[k] if k < len(without) else None)
         for k, run in enumerate(runs_of(report))
     ]
-    return Judged(requirements, majority(columns), measures_of(report))
+    share = sum(map(whole, columns)) / len(columns)
+    return Judged(requirements, majority(columns), measures_of(report), share)
 
 
 def measures_of(report: CheckReport) -> tuple[Measures, ...]:

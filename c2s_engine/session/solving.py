@@ -8,7 +8,8 @@ from c2s_engine.session.places import map_choice
 from c2s_engine.session.requiring import judged
 from c2s_engine.session.steps import Emit, Tools
 from c2s_engine.session.trying import Tried
-from c2s_engine.solve import Outcome, solve
+from c2s_engine.solve import Outcome, solve, widened
+from c2s_engine.solve.widening import RUNS
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import RunFacts
 from c2s_engine.structure.progress import StageDone, StageStarted
@@ -20,14 +21,15 @@ AFTER_EDIT = {"most": 3}
 
 
 def can_solve(state: dict[str, Any], tools: Tools) -> bool:
-    """Whether a program ran that does not show all that is required, and anything is open that might mend it.
+    """Whether a program ran that does not show all that is required, or is to be varied, and anything is open.
 
     After an edit only where it reached more than the settings.
     """
     facts = state.get("report", {}).get("facts", [])
     ran = bool(facts) and any(RunFacts.model_validate(f).ran for f in facts)
     reached = _is_new(state) or any(c != "G" for c in state.get("rewritten", []))
-    return tools.settings.solve and ran and reached and not all(r["holds"] for r in state.get("results", []))
+    asked = state.get("widen") or not all(r["holds"] for r in state.get("results", []))
+    return tools.settings.solve and ran and reached and bool(asked)
 
 
 def _is_new(state: dict[str, Any]) -> bool:
@@ -35,25 +37,31 @@ def _is_new(state: dict[str, Any]) -> bool:
     return bool(state.get("text") or state.get("given"))
 
 
-async def solved(state: dict[str, Any], tools: Tools, emit: Emit) -> dict[str, Any]:
-    """What changes of the state: the best that was found. The events of what was tried are not shown."""
-    chosen = map_choice(tools.library, tools.library.find(state["map_name"]))
-    room, seed = state["room"], state.get("seed", 0)
-    writer = TypedWriter(chosen, room=room)
+class Trials:
+    """Changed structures, written, run and judged in a turn's place and on its map. Nothing of it is shown."""
 
-    async def tried(structure: Structure, runs: int) -> Outcome | None:
-        structure, program, written, result = steps.write(structure, [], writer, steps.silent)
+    def __init__(self, state: dict[str, Any], tools: Tools):
+        self.state, self.tools = state, tools
+        self.writer = TypedWriter(map_choice(tools.library, tools.library.find(state["map_name"])), room=state["room"])
+
+    async def run(self, structure: Structure, runs: int = 1) -> Outcome | None:
+        """What it comes to; None where it does not run."""
+        state, seed = self.state, self.state.get("seed", 0)
+        structure, program, written, result = steps.write(structure, [], self.writer, steps.silent)
         if not result.ok:
             return None
-        report = await steps.check(
-            program, tools, steps.silent, folder=state["folder"], upto="run", seed=seed, runs=runs, trajectories=True
-        )
+        report = await steps.check(program, self.tools, steps.silent, folder=state["folder"], upto="run", seed=seed,
+                                   runs=runs, trajectories=True)  # fmt: skip
         if not report.ok or not any(f.ran for f in report.facts):
             return None
-        found = await judged(structure, report, tools, map_name=state["map_name"], room=room, seed=seed)
+        found = await judged(structure, report, self.tools, map_name=state["map_name"], room=state["room"], seed=seed)
         kept = Tried(structure, program, written, [result], report, found, {})
         return Outcome(structure, found.requirements, found.results, kept)
 
+
+async def solved(state: dict[str, Any], tools: Tools, emit: Emit) -> dict[str, Any]:
+    """What changes of the state: the best that was found, varied where that was asked for."""
+    trials, room, runs = Trials(state, tools), state["room"], state.get("runs", 1)
     emit(StageStarted(stage="solve"))
     started = time.perf_counter()
     first = Outcome(
@@ -61,14 +69,27 @@ async def solved(state: dict[str, Any], tools: Tools, emit: Emit) -> dict[str, A
         tuple(Requirement.model_validate(r) for r in state["requirements"]),
         tuple(Result.model_validate(r) for r in state["results"]),
     )
-    best = await solve(first, lambda s: tried(s, 1), room, **({} if _is_new(state) else AFTER_EDIT))
-    if best is not first and state.get("runs", 1) > 1:
-        best = await tried(best.structure, state["runs"]) or first
+    best = await solve(first, trials.run, room, **({} if _is_new(state) else AFTER_EDIT))
+    if state.get("widen") and not best.failing:
+        best = await _varied(best, trials, room, runs)
+    elif best is not first and runs > 1:
+        best = await trials.run(best.structure, runs) or first
     result = steps.timed("solve", started)
     emit(StageDone(result=result))
     stages = [*state["stages"], result.model_dump(mode="json")]
-    if best.score <= first.score:
+    if best.kept is None or best.score < first.score:
         return {"stages": stages}
     kept: Tried = best.kept
     kept.show(emit, tracks=state.get("trajectories", False))
     return kept.update({**state, "stages": stages}, upto=("interpret", "resolve", "solve"))
+
+
+async def _varied(best: Outcome, trials: Trials, room: float, runs: int) -> Outcome:
+    """The same with ranges for what was left open; itself where none hold."""
+
+    async def share_whole(structure: Structure) -> float:
+        found = await trials.run(structure, RUNS)
+        return 0.0 if found is None else found.kept.judged.whole
+
+    changed = await widened(best.structure, room, share_whole)
+    return best if changed is best.structure else await trials.run(changed, runs) or best

@@ -6,5 +6,6 @@ or has assumed, is changed; each choice stands in its component's `assumed`, by 
 
 from c2s_engine.solve.search import Outcome, solve
 from c2s_engine.solve.unknowns import PLANNER, Unknown, unknowns
+from c2s_engine.solve.widening import widened
 
-__all__ = ["PLANNER", "Outcome", "Unknown", "solve", "unknowns"]
+__all__ = ["PLANNER", "Outcome", "Unknown", "solve", "unknowns", "widened"]

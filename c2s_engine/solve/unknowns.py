@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from c2s_engine.structure.components import Assumption, Component, ComponentId, Structure
 from c2s_engine.structure.edits import EditError, SetField, apply
-from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.quantity import Quantity, high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed.usual_values import Usual
 
@@ -46,8 +46,8 @@ def unknowns(structure: Structure, usual: Usual) -> tuple[Unknown, ...]:
     return tuple(found)
 
 
-def chosen(structure: Structure, unknown: Unknown, value: float) -> Structure:
-    """S with a value for an unknown, said in `assumed`; S as it is where the field cannot take it."""
+def chosen(structure: Structure, unknown: Unknown, value: Quantity, reason: str = REASON) -> Structure:
+    """S with a value or a range for an unknown, said in `assumed`; S as it is where the field cannot take it."""
     kept = structure[unknown.component].assumed
     field = unknown.path
     setting = {"kind": "time", "value": value} if field.endswith("trigger") else value
@@ -55,7 +55,7 @@ def chosen(structure: Structure, unknown: Unknown, value: float) -> Structure:
         changed = apply(structure, SetField(component=unknown.component, path=field, value=setting))
     except EditError:
         return structure
-    note = Assumption(field=field, value=_shown(field, value), reason=REASON, by=PLANNER)
+    note = Assumption(field=field, value=_shown(field, value), reason=reason, by=PLANNER)
     others = tuple(a for a in kept if a.field != field)
     return changed.with_component(changed[unknown.component].model_copy(update={"assumed": (*others, note)}))
 
@@ -96,10 +96,12 @@ def _of_phase(cid: ComponentId, i: int, phase: Phase, speed: float, untimed: boo
         yield Unknown(cid, f"{path}.speed", middle(phase.speed) if phase.speed is not None else max(speed, 5.0))
 
 
-def _shown(path: str, value: float) -> str:
-    """A value in the user's units."""
-    last = path.rsplit(".", 1)[-1]
+def _shown(path: str, value: Quantity) -> str:
+    """A value or a range in the user's units."""
+    last, scale, digits = path.rsplit(".", 1)[-1], 1.0, 4
     if last == "speed":
-        return f"{value * 3.6:.3g} km/h"
-    unit = {"rate": "m/s2", "duration": "s", "trigger": "s after the start", "arrives": "s after ego"}.get(last, "m")
-    return f"{value:.4g} {unit}"
+        scale, digits = 3.6, 3
+    least, most = f"{low(value) * scale:.{digits}g}", f"{high(value) * scale:.{digits}g}"
+    unit = {"speed": "km/h", "rate": "m/s2", "duration": "s", "trigger": "s after the start",
+            "arrives": "s after ego"}.get(last, "m")  # fmt: skip
+    return f"{least if least == most else f'{least} to {most}'} {unit}"

@@ -83,8 +83,8 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
     Where ego does not react, those whose doings are a threat to whoever is there.
     """
     if not reacts:
-        return [a for a, o in scene.objects.items() if any(p.action in STRONG and p.target in (None, EGO)
-                                                           for p in o.phases)]  # fmt: skip
+        return [a for a, o in scene.objects.items() if any(
+            p.action in STRONG and not p.abandoned and p.target in (None, EGO) for p in o.phases)]  # fmt: skip
     answering = (p for p in scene.ego.phases if answers(p, scene.structure))
     named = scene.ego.react_to or next((t for p in answering for t in _whom(p) if t), None)
     if named is not None and named != EGO:
@@ -97,7 +97,7 @@ def _whom(phase: Phase) -> tuple[str | None, ...]:
 
 
 def _threatens(spec: ObjectSpec) -> bool:
-    actions = [p.action for p in spec.phases if p.action in THREATS]
+    actions = [p.action for p in spec.phases if p.action in THREATS and not p.abandoned]
     ahead = spec.placement.position in ("ahead", "partly_in_lane", "intersection_exit") and spec.placement.of == EGO
     aimed = any(p.target in (None, EGO) for p in spec.phases if p.action in THREATS)
     return bool(aimed and any(a not in AHEAD_ONLY for a in actions)) or (bool(actions) and ahead)

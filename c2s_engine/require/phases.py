@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from c2s_engine.require import moments
 from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
 from c2s_engine.require.geometry import box_distance
 from c2s_engine.require.results import decided, scored, unknown
@@ -37,10 +38,13 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if phase.duration is not None and scene.stated(_cid(actor), f"{path}.duration"):
             values["duration"] = low(phase.duration)
         towards = f" ({scene.named(phase.target)})" if phase.target else ""
-        seen = scene.make("phase", "shown", actor, f"{path}.{phase.action}", f"{name}: {said}{towards}.",
+        check = "breaks_off" if phase.abandoned and phase.action in moments.OVER_LINE else "shown"
+        said += " begun and broken off" if check == "breaks_off" else ""
+        seen = scene.make("phase", check, actor, f"{path}.{phase.action}", f"{name}: {said}{towards}.",
                           other=phase.target, **values)  # type: ignore[arg-type]  # fmt: skip
         yield seen
         yield from _details(scene, actor, path, phase, seen.id)
+        yield from moments.required(scene, actor, path, phase, seen.id)
         if phase.action not in LASTING:
             if actor in before:
                 yield scene.make("order", "in_order", actor, f"{path}.order", f"{name}: {said} comes after what is "
@@ -82,12 +86,13 @@ def _details(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
             "place", "near_place", actor, f"{path}.trigger", text, of=of, place=trigger.place, within=value
         )
     whom = (trigger.of or (None if actor == EGO else EGO)) if trigger else None
-    if trigger and trigger.kind == "distance" and trigger.value is not None and whom is not None \
+    if trigger and trigger.kind == "distance" and trigger.value is not None and whom is not None and not trigger.delay \
             and scene.stated(_cid(actor), f"{path}.trigger.value"):  # fmt: skip
         text = f"{name}: {said} when {scene.named(whom)} is {high(trigger.value):g} m away."
         centres = not scene.recognised(actor)  # `distance from` of a program is from centre to centre
         yield scene.make("place", "at_distance", actor, f"{path}.trigger", text, other=whom, of=of,
-                         least=low(trigger.value), most=high(trigger.value), centres=centres)  # fmt: skip
+                         least=low(trigger.value), most=high(trigger.value), centres=centres,
+                         action=phase.action)  # fmt: skip
 
 
 def _awaited(scene: Scene) -> Iterator[Requirement]:
@@ -138,8 +143,17 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
         ]  # fmt: skip
         if action in AT_JUNCTION and not times:
             times = _cut_short(motion, action)
+        if action == "keep_lane" and earliest and not times:
+            times = _kept_from(motion, earliest)
     later = [t for t in times if t >= earliest - bounds()["order"]["room"]["value"]]
     return min(later) if later else min(times, default=None)
+
+
+def _kept_from(motion: Motion, time: float) -> list[float]:
+    """When what is said before was seen, if it stays from then on in the lane in which it is shortly after."""
+    at = motion.stay(time + 1.0)
+    later = [s for s in motion.course.stays if s.time > time + 1.0]
+    return [time] if at is not None and all(s.to_ego == at.to_ego for s in later) else []
 
 
 def _cut_short(motion: Motion, action: str) -> list[float]:
@@ -250,6 +264,8 @@ def at_distance(requirement: Requirement, evidence: Evidence) -> Result:
     least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
     if motion is None or other is None or time is None:
         return unknown(requirement, f"{most:g} m away", "not reached: it was not seen")
+    if str(v["action"]) in moments.SIDEWAYS:
+        time = moments.onset(motion, str(v["action"]), time)
     at, there = motion.at(time), other.at(time)
     if v["centres"]:
         gap = float(np.hypot(motion.x[at] - other.x[there], motion.y[at] - other.y[there]))
@@ -291,4 +307,4 @@ def reaches(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 CHECKS = {"shown": shown, "in_order": in_order, "to_side": to_side, "in_junction": in_junction, "rate": rate,
-          "reaches": reaches, "near_place": near_place, "at_distance": at_distance}  # fmt: skip
+          "reaches": reaches, "near_place": near_place, "at_distance": at_distance, **moments.CHECKS}  # fmt: skip

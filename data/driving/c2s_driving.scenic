@@ -294,7 +294,7 @@ def bend_speed(points, i):
         fastest = min(fastest, math.sqrt(4 / max(bend, 0.001) + 8 * max(k - i - 1, 0)))
     return fastest
 
-SIDEWAYS = 3.5  # m/s2 at which drivers begin and end to move aside
+SIDEWAYS = 3  # m/s2 at which drivers begin to move aside
 
 behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
     """Follow points at `speed` (m/s, or a function that gives it), changing it by `rate` (m/s2, likewise); `offset` m
@@ -309,13 +309,14 @@ behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
             i += 1
         goal = min(speed() if callable(speed) else speed, bend_speed(points, i), math.sqrt(12 * max(last - i - 4, 0)))
         gained = SIDEWAYS * simulation().timestep
-        aside += max(-gained, min(gained, max(-shift, min(shift, 2 * (offset - beside))) - aside))
+        aside += max(-gained, min(gained, max(-shift, min(shift, max(1.2, 0.6 * shift) * (offset - beside))) - aside))
         beside += aside * simulation().timestep
         ahead = min(i + 2 + int(0.35 * self.speed), last)
         along = (points[ahead] - points[max(ahead - 1, 0)]).normalized()
-        there = beside + aside * 2 * (ahead - i) / max(self.speed, 4)  # by when it is there
+        there = beside + aside * (points[ahead] - self.position).dot(along) / max(self.speed, 4)  # by when it is there
         target = (points[ahead] + along.rotatedBy(90 deg) * there - self.position).rotatedBy(-self.heading)
-        steer = math.atan(1.2 * self.length * target.x / max(target.x ** 2 + target.y ** 2, 1)) / 0.8
+        wheel = math.atan(1.2 * self.length * target.x / max(target.x ** 2 + target.y ** 2, 1))
+        steer = wheel / (0.8 * max(0.48, 1 - 0.0125 * self.speed))  # wheels turn less far where it is fast
         held = held if abs(held - self.speed) < 0.3 else self.speed  # what it was told to be, but for air and wheels
         step = (rate() if callable(rate) else rate) * simulation().timestep
         held = max(0, held + max(-step, min(step, goal - held)))

@@ -36,7 +36,7 @@ def answers(phase: Phase, structure: Structure) -> bool:
         return False
     trigger, place = phase.trigger, structure.place.spec
     if phase.target is not None:
-        return True
+        return phase.gap is None
     if trigger is not None:
         return trigger.of is not None or trigger.kind in ("distance", "ttc", "action")
     stands = phase.action in ("brake", "stop", "wait")
@@ -54,7 +54,10 @@ def without_reaction(structure: Structure) -> Structure | None:
     assert isinstance(spec, EgoSpec)
     first = next((i for i, p in enumerate(spec.phases) if answers(p, structure)), len(spec.phases))
     blind = {"action": "keep_lane", "target": None}
-    phases = tuple(p.model_copy(update=blind) if p.action == "follow" else p for p in spec.phases[:first])
+    kept = spec.phases[:first]
+    if first < len(spec.phases) and spec.phases[first].action == "yield":  # what it then does, it does at once
+        kept += spec.phases[first + 1 :]
+    phases = tuple(p.model_copy(update=blind) if p.action == "follow" else p for p in kept)
     changed = spec.model_copy(update={"reaction": "none", "hard": False, "react_to": None, "phases": phases})
     return structure.with_component(structure.ego.model_copy(update={"spec": changed}))
 

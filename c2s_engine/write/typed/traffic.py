@@ -22,6 +22,10 @@ ANSWERS = 0.1
 """s until the body goes where the wheels point."""
 BEGINS = 3.0
 """s for which everybody drives on before what nothing triggers."""
+LETS_BY = 5.0
+"""s in which one lets another in the next lane by."""
+FOLLOWED = 5.5
+"""s for which one follows before the other does something, so that it plainly follows."""
 LATEST = 12.0
 """s after the start by which two have come as near as is said."""
 TIGHT = 0.8
@@ -44,7 +48,7 @@ PLAIN = {*CALM, *LATERAL, "brake", "stop", "swerve", "drift"}
 def solved(structure: Structure) -> Structure:
     """S with the speeds, gaps and starts that are open and follow from those that are said; raises ResolveError where
     they do not go together."""
-    structure = _at_pace(structure)
+    structure = _clear_ahead(_at_pace(structure))
     for cid in ("E", *(c.id for c in structure.objects)):
         for i, phase in enumerate(_phases(structure, cid)):
             if any(p.action not in CALM for p in _phases(structure, cid)[:i]):
@@ -145,6 +149,26 @@ def _pace(spec: ObjectSpec, of: float) -> float:
     return round(of * (SLOWER if from_ahead else FASTER), 1)
 
 
+def _clear_ahead(structure: Structure) -> Structure:
+    """With what stands in ego's lane, nobody says how far ahead, where ego has left that lane by then."""
+    ego, place = structure.ego.spec, structure.place.spec
+    assert isinstance(ego, EgoSpec) and isinstance(place, PlaceSpec)
+    actions = [p.action for p in ego.phases]
+    own = middle(speed_of(ego, place))
+    if "lane_change" not in actions or own <= 0 or place.kind not in ("road", "straight", "motorway"):
+        return structure
+    phase = ego.phases[actions.index("lane_change")]
+    before = LETS_BY if "yield" in actions[: actions.index("lane_change")] else 0.0
+    gap = round(own * (BEGINS + before + sideways(LANE, shift_of(phase)) + 2.0), 1)
+    for component in structure.objects:
+        spec = component.spec
+        assert isinstance(spec, ObjectSpec)
+        at = spec.placement
+        if is_static(spec) and at.position == "ahead" and at.of == "ego" and at.gap is None:
+            structure = _changed(structure, component.id, placement=at.model_copy(update={"gap": gap}))
+    return structure
+
+
 # Where, and when.
 
 
@@ -232,9 +256,17 @@ def _getting_by(structure: Structure, cid: str, pair: _Pair) -> Structure:
 def _time(structure: Structure, cid: str, phase: Phase) -> float:
     """s after the start at which a phase has its moment."""
     trigger = phase.trigger
-    begins = middle(trigger.value) if trigger and trigger.kind == "time" and trigger.value is not None else BEGINS
+    begins = _begins(structure, cid)
+    if trigger is not None and trigger.kind == "time" and trigger.value is not None:
+        begins = middle(trigger.value)
     delay = middle(trigger.delay) if trigger is not None and trigger.delay is not None else 0.0
     return begins + delay + to_line(structure[cid].spec.type, phase)  # type: ignore[union-attr]
+
+
+def _begins(structure: Structure, cid: str) -> float:
+    """s for which everybody drives on before what one does, nobody says when."""
+    followed = any(p.action == "follow" and p.target == cid for p in getattr(structure.ego.spec, "phases", ()))
+    return FOLLOWED if followed else BEGINS
 
 
 def _in_front(structure: Structure, pair: _Pair, phase: Phase) -> bool:
@@ -357,7 +389,7 @@ def _revealing(structure: Structure, cid: str, i: int, phase: Phase) -> Structur
     at = thing.placement
     if at.gap is not None or trigger is not None and trigger.kind != "ttc":
         return structure
-    gap = speed * (left + BEGINS)
+    gap = speed * (left + _begins(structure, cid))
     if at.of == "ego":
         gap += LENGTH[spec.type] + middle(spec.placement.gap if spec.placement.gap is not None else
                                           default_gap(spec, speed, place))  # fmt: skip

@@ -53,6 +53,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return ""
     if phase.action in ("lane_change", "cut_in") and course.on_ramp:
         return "until self._lane is place.acceleration_lane"
+    if phase.action in traffic.LATERAL and phase.gap is not None and phase.target and not _sideways_into(course, phase):
+        return _at_gap(course, phase, first)
     if a.is_ego and phase.action in FORCED and not _stood(a, phase) and _confronted(course, phase):
         cid = phase.target or getattr(a.spec, "react_to", None) or standing(a.structure, a.plan.lane_of)
         hard = getattr(a.spec, "hard", False) or (phase.rate is not None and middle(phase.rate) >= 4)
@@ -69,7 +71,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return before_standing(course, cid)
     if phase.action == "cut_in" and (_sideways_into(course, phase) or a.is_ego and hit_next(course, phase)):
         return ""
-    if phase.action == "cut_in" or phase.action in traffic.LATERAL and phase.gap is not None and phase.target:
+    if phase.action == "cut_in":
         return _at_gap(course, phase, first)
     if phase.action == "overtake" and (
         course.oncoming_both(phase) or course.lane is not None and course.same_lane(phase)
@@ -113,14 +115,16 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
     """What can be seen of another's action while it is at it."""
     if action in ("stop", "stationary", "wait"):
         return f"{other}.speed < 0.3"
+    spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
+    prefix = "EGO" if cid in ("E", "ego") else scope.constant(structure, cid)
+    moving = cid in ("E", "ego") or isinstance(spec, ObjectSpec) and not is_static(spec)
+    known = moving and getattr(spec, "speed", None) not in (None, 0)
+    if action == "accelerate" and known:
+        return f"{other}.speed > {prefix}_SPEED + 0.5"
     if action in ("start", "accelerate", "enter_road", "cross_road", "move_along"):
         return f"{other}.speed > 0.5"
     if action == "brake":
-        spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
-        prefix = "EGO" if cid in ("E", "ego") else scope.constant(structure, cid)
-        moving = cid in ("E", "ego") or isinstance(spec, ObjectSpec) and not is_static(spec)
-        known = moving and getattr(spec, "speed", None) not in (None, 0)
-        return f"{other}.speed < {prefix}_SPEED - 1.5" if known else f"{other}.speed < 3"
+        return f"{other}.speed < {prefix}_SPEED - 1" if known else f"{other}.speed < 3"
     if action in ("turn_left", "turn_right", "go_straight", "run_red", "run_stop"):
         return f"{other}._intersection is not None"
     if action in (*traffic.LATERAL, "swerve", "drift"):
@@ -129,6 +133,9 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
 
 
 def _before_junction(course: Course, value: float, phase: Phase) -> str:
+    if phase.trigger is not None and phase.trigger.place == "merge_end":
+        near = f"(distance from self to place.acceleration_lane.centerline[-1]) < {scope.number(max(value, 10))}"
+        return f"until self._lane is place.acceleration_lane and {near}"
     lane = course.actor.to_junction
     if lane is None:
         return "for 4 seconds"

@@ -22,6 +22,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
         return
     timed = max((high(p.trigger.value) for _, _, p in scene.phases()
                  if p.trigger and p.trigger.kind == "time" and p.trigger.value is not None), default=0.0)  # fmt: skip
+    if any(p.trigger and p.trigger.place == "merge_end" for _, _, p in scene.phases()):
+        timed = max(timed, bounds()["pace"]["merge"]["value"])  # the whole acceleration lane comes first
     lasting = max((high(p.duration) for _, _, p in scene.phases() if p.duration is not None), default=0.0)
     yield scene.make("pace", "first_event", EGO, "pace.first", "What is said begins within seconds, not at once.",
                      component="T", of=ids, timed=timed)  # fmt: skip

@@ -81,10 +81,10 @@ def _details(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
     trigger = phase.trigger
     if trigger and trigger.kind == "place" and trigger.place and scene.stated(_cid(actor), f"{path}.trigger"):
         value = high(trigger.value) if trigger.value is not None else 0.0
-        text = f"{name}: {said} at the {trigger.place}."
-        yield scene.make(
-            "place", "near_place", actor, f"{path}.trigger", text, of=of, place=trigger.place, within=value
-        )
+        where = "end of the acceleration lane" if trigger.place == "merge_end" else trigger.place
+        text = f"{name}: {said} at the {where}."
+        yield scene.make("place", "near_place", actor, f"{path}.trigger", text, of=of, place=trigger.place,
+                         within=value, action=phase.action)  # fmt: skip
     whom = (trigger.of or (None if actor == EGO else EGO)) if trigger else None
     if trigger and trigger.kind == "distance" and trigger.value is not None and whom is not None and not trigger.delay \
             and scene.stated(_cid(actor), f"{path}.trigger.value"):  # fmt: skip
@@ -265,9 +265,15 @@ def near_place(requirement: Requirement, evidence: Evidence) -> Result:
     said = f"within {within:g} m of the {place}" if within else f"at the {place}"
     if motion is None or time is None:
         return unknown(requirement, said, "not reached: it was not seen")
-    kind = "junction" if place == "intersection" else "crosswalk"
+    kind = {"intersection": "junction", "merge_end": "merge"}.get(place, "crosswalk")
+    if str(requirement.values.get("action")) in moments.SIDEWAYS:
+        time = moments.onset(motion, str(requirement.values["action"]), time)
     front = float(motion.of_course("along")[motion.at(time)]) + motion.size[0] / 2
-    away = [max(m.start - front, front - motion.size[0] - m.end, 0.0) for m in motion.course.marks if m.kind == kind]
+    marks = [m for m in motion.course.marks if m.kind == kind]
+    if kind == "merge":
+        away = [max(m.end - front, 0.0) for m in marks if m.start < front]
+    else:
+        away = [max(m.start - front, front - motion.size[0] - m.end, 0.0) for m in marks]
     if not away:
         return decided(requirement, False, said, f"no {place} on its way", time)
     room = bounds()["place"]["room"]["value"]

@@ -136,6 +136,25 @@ def _setting_out_to_meet(lane, points, before, speed, other_lane, others, other_
 setting_out_to_meet = distributionFunction(_setting_out_to_meet)
 
 
+def _start_to_merge(place, speed, other_speed, from_, ahead, before_end=None):
+    """How far (m) before the end of the ramp of `place` a car starts that drives at `speed`, so that its middle is
+    `ahead` m ahead of that of another, which starts `from_` m along the lane of `place` and drives at `other_speed`, as it
+    comes onto the acceleration lane, or `before_end` m before the end of that."""
+    points, others = way(place.ramp), way(place.lane, place.turn)
+    begins = place.ramp.centerline.length + place.merging.connectingLane.centerline.length
+    spot = begins + 5
+    if before_end is not None:
+        spot = max(spot, begins + place.acceleration_lane.centerline.length - before_end)
+    beside = place.lane.centerline.length + place.turn.connectingLane.centerline.length + spot - begins
+    far, times = driving_times(others, other_speed)
+    own, own_times = driving_times(points, speed)
+    due = float(numpy.interp(beside - ahead, far, times) - numpy.interp(from_, far, times))
+    start = numpy.interp(numpy.interp(spot, own, own_times) - due, own_times, own)
+    return float(max(3, place.ramp.centerline.length - start))
+
+start_to_merge = distributionFunction(_start_to_merge)
+
+
 # Places: lanes by how they lie to ego's
 
 def approach(ego_way, angle, turn, outer=False):

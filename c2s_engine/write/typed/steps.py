@@ -158,8 +158,10 @@ def _lane_change(c: Course, p: Phase) -> list[Step]:
     if narrow or c.oncoming:  # by the lane of the other direction, or the verge
         drive = c.drive(c.set(goal), offset=scope.number(side * LANE_WIDTH), shift=shift)
         return [([drive], ending(p, over))]
-    line = c.onto(side)
-    return [([line, c.drive(c.set(goal), shift=shift)], ending(p, over))]
+    line, speed = c.onto(side), c.set(goal)
+    if p.gap is not None and p.target and not traffic.in_front(c.actor.structure, c.actor.cid, p):  # behind that one
+        speed = c.pacing(p.target, c.speed, middle(p.gap))
+    return [([line, c.drive(speed, shift=shift)], ending(p, over))]
 
 
 def _cut_in(c: Course, p: Phase) -> list[Step]:

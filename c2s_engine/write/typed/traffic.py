@@ -26,6 +26,8 @@ LETS_BY = 5.0
 """s in which one lets another in the next lane by."""
 FOLLOWED = 5.5
 """s for which one follows before the other does something, so that it plainly follows."""
+MERGES = 30.0
+"""m before the end of the acceleration lane by which one begins to change lanes."""
 LATEST = 12.0
 """s after the start by which two have come as near as is said."""
 TIGHT = 0.8
@@ -269,6 +271,12 @@ def _begins(structure: Structure, cid: str) -> float:
     return FOLLOWED if followed else BEGINS
 
 
+def in_front(structure: Structure, cid: str, phase: Phase) -> bool:
+    """Whether an actor is ahead of whom a phase is about as it comes over the lane line."""
+    pair = _pair(structure, cid, phase)
+    return pair is None or _in_front(structure, pair, phase)
+
+
 def _in_front(structure: Structure, pair: _Pair, phase: Phase) -> bool:
     """Whether the actor is ahead of the other at the moment."""
     if phase.action in ("cut_in", "cut_out"):
@@ -357,6 +365,25 @@ def _braking(structure: Structure, cid: str, i: int, pair: _Pair) -> Structure:
 def _sideways_into(structure: Structure, cid: str, i: int) -> bool:
     """Whether one comes over to hit whom it comes to: there is no gap for which it waits."""
     return any(p.action == "collide" for p in _phases(structure, cid)[i + 1 :])
+
+
+def merging(structure: Structure, cid: str) -> tuple[float, float | None]:
+    """Of one that comes up a ramp: how far (m) its middle is ahead of ego's where it begins to change onto ego's lane,
+    and how far (m) that is before the end of the acceleration lane (None: as it comes onto it)."""
+    spec, place = structure[cid].spec, structure.place.spec
+    assert isinstance(spec, ObjectSpec) and isinstance(place, PlaceSpec)
+    own, ego = middle(speed_of(spec, place)), middle(speed_of(structure.ego.spec, place))  # type: ignore[arg-type]
+    half = (LENGTH[spec.type] + LENGTH[structure.ego.spec.type]) / 2  # type: ignore[union-attr]
+    phase = next((p for p in spec.phases if p.action in LATERAL), None)
+    trigger = phase.trigger if phase is not None else None
+    at_end = trigger is not None and trigger.kind == "place" and trigger.place == "merge_end"
+    end = max(middle(trigger.value or 0.0), MERGES) if trigger is not None and at_end else None
+    if spec.placement.arrives is not None:
+        return -middle(spec.placement.arrives) * own, end
+    if phase is None or phase.action != "cut_in":
+        return 0.0, end
+    gap = middle(phase.gap) if phase.gap is not None else max(LEAST, TIGHT * min(own, ego))
+    return gap + half + (ego - own) * to_line(spec.type, phase), end
 
 
 def _revealing(structure: Structure, cid: str, i: int, phase: Phase) -> Structure:

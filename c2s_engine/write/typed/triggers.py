@@ -134,7 +134,7 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
 
 def _before_junction(course: Course, value: float, phase: Phase) -> str:
     if phase.trigger is not None and phase.trigger.place == "merge_end":
-        near = f"(distance from self to place.acceleration_lane.centerline[-1]) < {scope.number(max(value, 10))}"
+        near = f"(distance from self to place.acceleration_lane.centerline[-1]) < {scope.number(max(value, traffic.MERGES))}"
         return f"until self._lane is place.acceleration_lane and {near}"
     lane = course.actor.to_junction
     if lane is None:
@@ -231,7 +231,7 @@ def _at_gap(course: Course, phase: Phase, first: bool) -> str:
     if abs(gains) < 0.3 or phase.gap is None and gains < 0:
         return "for 3 seconds" if first else ""
     seconds = scope.number(traffic.to_line(course.actor.spec.type, phase))
-    ahead = phase.action in ("cut_in", "cut_out") or gains > 0
+    ahead = traffic.in_front(course.actor.structure, course.actor.cid, phase)
     one, two = ("self", other) if ahead else (other, "self")
     sign = ">" if (gains > 0) == ahead else "<"
     return f"until ahead_by({one}, {two}, {seconds}) {sign} {scope.number(gap)}"

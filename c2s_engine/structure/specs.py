@@ -49,7 +49,7 @@ class Phase(Spec):
     target: Reference | None = Field(None, description="whom it is about: followed, overtaken, yielded to, hit")
     duration: Seconds | None = Field(None, description="how long it lasts, s")
     gap: Metres | None = Field(
-        None, description="to `target` (default ego), bumper to bumper along the road, m: cut_in, cut_out, lane_change as "
+        None, description="to `target` (default ego), bumper to bumper, m: cut_in, cut_out, lane_change as "
         "it comes over the lane line; overtake as it comes back; brake, stop as it begins; follow all along"
     )  # fmt: skip
     lateral_speed: Quantity | None = Field(
@@ -114,8 +114,8 @@ class Placement(Spec):
         None, description="beside, roadside, partly_in_lane: between its body and that of `of`, across the road, m"
     )
     arrives: Seconds | None = Field(
-        None, description="where its way meets ego's: how long after ego it is there if neither reacts, s; 0: together, "
-        "below 0: before ego"
+        None, description="where its way meets ego's: how long after ego it is there if neither reacts, s; 0: together,"
+        " below 0: before ego"
     )  # fmt: skip
     hidden_by: Reference | None = Field(None, description="the object that blocks ego's view of it at first")
     facing: Literal["along", "against", "across"] | None = Field(None, description="its heading against the road's")

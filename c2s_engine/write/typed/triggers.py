@@ -134,8 +134,8 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
 
 def _before_junction(course: Course, value: float, phase: Phase) -> str:
     if phase.trigger is not None and phase.trigger.place == "merge_end":
-        near = f"(distance from self to place.acceleration_lane.centerline[-1]) < {scope.number(max(value, traffic.MERGES))}"
-        return f"until self._lane is place.acceleration_lane and {near}"
+        lane, metres = "place.acceleration_lane", scope.number(max(value, traffic.MERGES))
+        return f"until self._lane is {lane} and (distance from self to {lane}.centerline[-1]) < {metres}"
     lane = course.actor.to_junction
     if lane is None:
         return "for 4 seconds"

@@ -39,13 +39,20 @@ def required(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
         yield scene.make("speed", "moves_aside", actor, f"{path}.lateral_speed", f"{name}: {said} at "
                          f"{low(phase.lateral_speed):g} m/s sideways.", of=of, action=phase.action,
                          least=low(phase.lateral_speed), most=high(phase.lateral_speed))  # fmt: skip
-    trigger = phase.trigger
-    if trigger is not None and trigger.delay is not None and trigger.kind in ("time", "action") \
-            and scene.stated(cid, f"{path}.trigger.delay"):  # fmt: skip
+
+
+def delays(scene: Scene) -> Iterator[Requirement]:
+    """That phases begin so long after what they wait for as is said: after all that is seen."""
+    for actor, i, phase in scene.phases():
+        trigger, path, cid = phase.trigger, f"phases.{i}", "E" if actor == EGO else actor
+        if trigger is None or trigger.delay is None or trigger.kind not in ("time", "action") \
+                or not scene.stated(cid, f"{path}.trigger.delay"):  # fmt: skip
+            continue
         since = low(trigger.value) if trigger.kind == "time" and trigger.value is not None else 0.0
-        yield scene.make("order", "delayed", actor, f"{path}.delay", f"{name}: {said} {low(trigger.delay):g} s later.",
-                         of=of, action=phase.action, after=_awaited(scene, trigger.of, trigger.action),
-                         other=trigger.of, its=trigger.action or "", least=since + low(trigger.delay),
+        text = f"{scene.named(actor)}: {phase.action.replace('_', ' ')} {low(trigger.delay):g} s later."
+        yield scene.make("order", "delayed", actor, f"{path}.delay", text, of=f"{cid}.{path}.{phase.action}",
+                         action=phase.action, after=_awaited(scene, trigger.of, trigger.action), other=trigger.of,
+                         its=trigger.action or "", least=since + low(trigger.delay),
                          most=since + high(trigger.delay))  # fmt: skip
 
 

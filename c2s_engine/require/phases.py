@@ -51,6 +51,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
                                  "said before it.", first=before[actor], second=seen.id)  # fmt: skip
             before[actor] = seen.id
     yield from _awaited(scene)
+    yield from moments.delays(scene)
 
 
 def _leaves_later(scene: Scene, actor: str, i: int) -> bool:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
-from c2s_engine.write.typed import pockets, scope, traffic
+from c2s_engine.write.typed import lateral, pockets, scope
 from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import outwards
@@ -114,7 +114,7 @@ class Course:
             gap = middle(start.gap)
             gap = gap if gap < USUAL_GAP + USUAL_HEADWAY * pace else None
         if gap is not None:
-            seconds, standing = traffic.headway(gap, pace)
+            seconds, standing = lateral.headway(gap, pace)
             keeps = f", headway={scope.number(seconds)}" + (f", standing={scope.number(standing)}" if gap < 4 else "")
         return f"lambda: pace(self, {self.actor.ref(cid)}, {speed}{keeps})"
 

@@ -4,10 +4,10 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.lateral import LATERAL
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, HALF_LANE, LANE_NAME, MOVES_OFF_ROAD, TURN, is_static
 from c2s_engine.write.typed.threats import IN_WAY, members
-from c2s_engine.write.typed.traffic import LATERAL
 from c2s_engine.write.typed.triggers import observed
 from c2s_engine.write.typed.usual import crosses
 

@@ -3,7 +3,7 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec
-from c2s_engine.write.typed import meetings, pockets, scope, stations, traffic
+from c2s_engine.write.typed import ahead, meetings, pockets, scope, stations
 from c2s_engine.write.typed.beside import behind_junction, beside_road
 from c2s_engine.write.typed.hiding import aside, hidden
 from c2s_engine.write.typed.place import approach_name
@@ -176,10 +176,10 @@ def _on_ramp(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
     at = f"-({member(spec, name)})" if spec.count > 1 else f"-{name}"
     start = f"{scope.number(stations.to_merge(spec, plan))}  # m"
     if spec.placement.gap is None and plan.place.kind != "on_ramp" and middle(speed_of(spec, plan.place)) > 0:
-        ahead, before_end = traffic.merging(structure, cid)
+        metres, before_end = ahead.merging(structure, cid)
         own = f"{scope.constant(structure, cid)}_SPEED"
         end = f", before_end={scope.number(before_end)}" if before_end is not None else ""
-        start = f"start_to_merge(place, {own}, EGO_SPEED, EGO_AT, ahead={scope.number(ahead)}{end})"
+        start = f"start_to_merge(place, {own}, EGO_SPEED, EGO_AT, ahead={scope.number(metres)}{end})"
     return Spot(
         (f"{name} = {start}",),
         (f"at place.ramp.centerline.pointAlongBy({at})", *loose),

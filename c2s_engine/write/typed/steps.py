@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
-from c2s_engine.write.typed import scope, traffic
+from c2s_engine.write.typed import lateral, scope, traffic
 from c2s_engine.write.typed.collisions import (
     LANE_WIDTH,
     Step,
@@ -177,16 +177,16 @@ def _cut_in(c: Course, p: Phase) -> list[Step]:
 
 def _until_over(p: Phase) -> str:
     """The end of a lane change: as it is all but in the middle of the other lane."""
-    return f"for {scope.number(round(traffic.sideways(LANE_WIDTH - 0.7, traffic.shift_of(p)) + 0.4, 1))} seconds"
+    return f"for {scope.number(round(lateral.sideways(LANE_WIDTH - 0.7, lateral.shift_of(p)) + 0.4, 1))} seconds"
 
 
 def _back_again(c: Course, p: Phase, side: int) -> list[Step]:
     """A lane change that is broken off: over the line by some of its width, and back."""
-    goal, shift = c.set(c.wanted(p, _moving(c))), traffic.shift_of(p)
+    goal, shift = c.set(c.wanted(p, _moving(c))), lateral.shift_of(p)
     said = shift if p.lateral_speed is not None else None
     out = c.drive(goal, offset=scope.number(side * BROKEN_OFF), shift=said)
-    back = f"for {scope.number(round(traffic.sideways(BROKEN_OFF, shift) + 1, 1))} seconds"
-    return [([out], ending(p, f"for {scope.number(round(traffic.sideways(BROKEN_OFF, shift) + 0.4, 1))} seconds")),
+    back = f"for {scope.number(round(lateral.sideways(BROKEN_OFF, shift) + 1, 1))} seconds"
+    return [([out], ending(p, f"for {scope.number(round(lateral.sideways(BROKEN_OFF, shift) + 0.4, 1))} seconds")),
             ([c.drive(goal, shift=said)], back)]  # fmt: skip
 
 
@@ -205,7 +205,7 @@ def _sideways(c: Course, p: Phase, metres: float, shift: float, seconds: float |
     side = _side(p, -1 if metres < 0 else 1)
     if p.lateral_speed is not None:
         shift = middle(p.lateral_speed)
-        seconds = seconds and max(seconds, round(traffic.sideways(abs(metres), shift) + 0.5, 1))
+        seconds = seconds and max(seconds, round(lateral.sideways(abs(metres), shift) + 0.5, 1))
     out = c.drive(c.set(c.wanted(p, c.value)), offset=scope.number(side * abs(metres)), shift=shift)
     if hit_next(c, p):
         return [([out], ending(p, HITS_SOON))]

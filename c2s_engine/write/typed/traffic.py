@@ -3,99 +3,40 @@ is what S says (or what is usual) at its moment: as one comes over the lane line
 Everybody keeps its speed until then; nothing is steered for it in the run. Lengths in m, times in s, speeds in m/s.
 """
 
-import math
 from dataclasses import dataclass
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.write.typed.ahead import LEAST, TIGHT, begins, changed, clear_ahead, phases_of, revealing, with_phase
 from c2s_engine.write.typed.contradictions import ResolveError
-from c2s_engine.write.typed.tables import LENGTH, WIDTH, is_static, is_vehicle
-from c2s_engine.write.typed.usual import default_gap, speed_of
+from c2s_engine.write.typed.lateral import LATERAL, to_line
+from c2s_engine.write.typed.tables import LENGTH, is_static, is_vehicle
+from c2s_engine.write.typed.usual import speed_of
 
-LANE = 3.5
-SHIFT = 2.2
-"""m/s at which lanes are changed where nothing is said, as Drive does."""
-SIDEWAYS = 3.0
-"""m/s2 at which that is gained, as in the driving library."""
-ANSWERS = 0.1
-"""s until the body goes where the wheels point."""
-BEGINS = 3.0
-"""s for which everybody drives on before what nothing triggers."""
-LETS_BY = 5.0
-"""s in which one lets another in the next lane by."""
-FOLLOWED = 5.5
-"""s for which one follows before the other does something, so that it plainly follows."""
-MERGES = 30.0
-"""m before the end of the acceleration lane by which one begins to change lanes."""
 LATEST = 12.0
 """s after the start by which two have come as near as is said."""
-TIGHT = 0.8
-"""s: the time gap at which one cuts in, so that whoever is behind has to do something about it."""
-LEAST = 6.0
-"""m between the two then, at least."""
 SLOWER, FASTER = 0.8, 1.15
 """Of the other's speed, where nothing says how fast one cuts in from ahead, from behind or beside."""
 SLOWED = 0.7
 """Of ego's speed, down to which one brakes that cut in, where ego has to brake and nothing else makes it."""
-CLEAR = 0.6
-"""s between being out of the lane and being where somebody stands in it."""
 CALM = {"keep_lane", "follow", "move_along"}
 LANES = {"ahead", "behind", "beside", "left_lane", "right_lane"}
-LATERAL = {"cut_in", "cut_out", "lane_change"}
-"""What has its moment as it comes over the lane line."""
 PLAIN = {*CALM, *LATERAL, "brake", "stop", "swerve", "drift"}
 
 
 def solved(structure: Structure) -> Structure:
     """S with the speeds, gaps and starts that are open and follow from those that are said; raises ResolveError where
     they do not go together."""
-    structure = _clear_ahead(_at_pace(structure))
+    structure = clear_ahead(_at_pace(structure))
     for cid in ("E", *(c.id for c in structure.objects)):
-        for i, phase in enumerate(_phases(structure, cid)):
-            if any(p.action not in CALM for p in _phases(structure, cid)[:i]):
+        for i, phase in enumerate(phases_of(structure, cid)):
+            if any(p.action not in CALM for p in phases_of(structure, cid)[:i]):
                 break
             if phase.action in (*LATERAL, "brake", "stop", "follow"):
                 structure = _met(structure, cid, i, phase)
                 break
     return structure
-
-
-def sideways(metres: float, shift: float) -> float:
-    """s until one has moved so far to the side."""
-    gained = shift**2 / (2 * SIDEWAYS)
-    return math.sqrt(2 * metres / SIDEWAYS) if metres < gained else shift / SIDEWAYS + (metres - gained) / shift
-
-
-def to_line(kind: str, phase: Phase) -> float:
-    """s from the beginning of a phase until the side of a vehicle of a kind comes over the lane line."""
-    return sideways((LANE - WIDTH[kind]) / 2, shift_of(phase)) + ANSWERS if phase.action in LATERAL else 0.0
-
-
-def shift_of(phase: Phase) -> float:
-    """m/s at which one moves sideways in a phase."""
-    return middle(phase.lateral_speed) if phase.lateral_speed is not None else SHIFT
-
-
-def headway(gap: float, speed: float) -> tuple[float, float]:
-    """(s, m) for `pace`: how the gap that one keeps at a speed grows with that, and what it is at a stand."""
-    standing = min(gap, 4.0)
-    return (gap - standing) / max(speed, 1.0), standing
-
-
-def _phases(structure: Structure, cid: str) -> tuple[Phase, ...]:
-    return getattr(structure[cid].spec, "phases", ())
-
-
-def _changed(structure: Structure, cid: str, **changes: object) -> Structure:
-    component = structure[cid]
-    return structure.with_component(component.model_copy(update={"spec": component.spec.model_copy(update=changes)}))
-
-
-def _with_phase(structure: Structure, cid: str, i: int, **changes: object) -> Structure:
-    phases = _phases(structure, cid)
-    changed = (*phases[:i], phases[i].model_copy(update=changes), *phases[i + 1 :])
-    return _changed(structure, cid, phases=changed)
 
 
 # How fast.
@@ -107,7 +48,7 @@ def _at_pace(structure: Structure) -> Structure:
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
     if ego.speed is None and (pace := _pace_for_ego(structure, ego)) is not None:
-        structure = _changed(structure, "E", speed=pace)
+        structure = changed(structure, "E", speed=pace)
     for component in structure.objects:
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
@@ -117,7 +58,7 @@ def _at_pace(structure: Structure) -> Structure:
             continue
         if spec.placement.position == "ahead" and spec.type not in ("car", "van", "motorcycle", "police_car"):
             continue  # slower ones are caught up with
-        structure = _changed(structure, component.id, speed=_pace(spec, middle(speed)))
+        structure = changed(structure, component.id, speed=_pace(spec, middle(speed)))
     return structure
 
 
@@ -149,26 +90,6 @@ def _pace(spec: ObjectSpec, of: float) -> float:
     if from_ahead and {"brake", "stop"} & set(actions[actions.index("cut_in") :]):
         return round(of, 2)
     return round(of * (SLOWER if from_ahead else FASTER), 1)
-
-
-def _clear_ahead(structure: Structure) -> Structure:
-    """With what stands in ego's lane, nobody says how far ahead, where ego has left that lane by then."""
-    ego, place = structure.ego.spec, structure.place.spec
-    assert isinstance(ego, EgoSpec) and isinstance(place, PlaceSpec)
-    actions = [p.action for p in ego.phases]
-    own = middle(speed_of(ego, place))
-    if "lane_change" not in actions or own <= 0 or place.kind not in ("road", "straight", "motorway"):
-        return structure
-    phase = ego.phases[actions.index("lane_change")]
-    before = LETS_BY if "yield" in actions[: actions.index("lane_change")] else 0.0
-    gap = round(own * (BEGINS + before + sideways(LANE, shift_of(phase)) + 2.0), 1)
-    for component in structure.objects:
-        spec = component.spec
-        assert isinstance(spec, ObjectSpec)
-        at = spec.placement
-        if is_static(spec) and at.position == "ahead" and at.of == "ego" and at.gap is None:
-            structure = _changed(structure, component.id, placement=at.model_copy(update={"gap": gap}))
-    return structure
 
 
 # Where, and when.
@@ -222,7 +143,7 @@ def _drives(spec: ObjectSpec) -> bool:
 def _met(structure: Structure, cid: str, i: int, phase: Phase) -> Structure:
     """S with what makes the gap of a phase hold at its moment."""
     if phase.action == "cut_out":
-        structure = _revealing(structure, cid, i, phase)
+        structure = revealing(structure, cid, i, phase)
     pair = _pair(structure, cid, phase)
     wanted = phase.gap is not None or phase.action == "cut_in"
     if pair is None or not wanted or _sideways_into(structure, cid, i):
@@ -239,7 +160,7 @@ def _met(structure: Structure, cid: str, i: int, phase: Phase) -> Structure:
     else:
         gap = round(max(LEAST, TIGHT * pair.rear), 1)
     then = gap + pair.bodies if front else -gap - pair.bodies  # of the actor's middle ahead of the other's
-    timed = _with_phase(structure, cid, i, gap=phase.gap if phase.gap is not None else gap)
+    timed = with_phase(structure, cid, i, gap=phase.gap if phase.gap is not None else gap)
     try:
         structure = (_start if at.gap is None else _kept)(timed, pair, i, phase, then, time)
     except ResolveError:
@@ -252,23 +173,17 @@ def _met(structure: Structure, cid: str, i: int, phase: Phase) -> Structure:
 def _getting_by(structure: Structure, cid: str, pair: _Pair) -> Structure:
     """One that is no faster than whom it cuts in front of, and not ahead of it, speeds up first."""
     faster = round(FASTER * middle(speed_of(structure[pair.other].spec, structure.place.spec)), 1)  # type: ignore[arg-type]
-    return _changed(structure, cid, phases=(Phase(action="accelerate", speed=faster), *_phases(structure, cid)))
+    return changed(structure, cid, phases=(Phase(action="accelerate", speed=faster), *phases_of(structure, cid)))
 
 
 def _time(structure: Structure, cid: str, phase: Phase) -> float:
     """s after the start at which a phase has its moment."""
     trigger = phase.trigger
-    begins = _begins(structure, cid)
+    first = begins(structure, cid)
     if trigger is not None and trigger.kind == "time" and trigger.value is not None:
-        begins = middle(trigger.value)
+        first = middle(trigger.value)
     delay = middle(trigger.delay) if trigger is not None and trigger.delay is not None else 0.0
-    return begins + delay + to_line(structure[cid].spec.type, phase)  # type: ignore[union-attr]
-
-
-def _begins(structure: Structure, cid: str) -> float:
-    """s for which everybody drives on before what one does, nobody says when."""
-    followed = any(p.action == "follow" and p.target == cid for p in getattr(structure.ego.spec, "phases", ()))
-    return FOLLOWED if followed else BEGINS
+    return first + delay + to_line(structure[cid].spec.type, phase)  # type: ignore[union-attr]
 
 
 def in_front(structure: Structure, cid: str, phase: Phase) -> bool:
@@ -301,7 +216,7 @@ def _start(structure: Structure, pair: _Pair, i: int, phase: Phase, then: float,
     fits = {"ahead": start >= nearest, "behind": start <= nearest, "abreast": abs(start) < half / 2}[along]
     if not fits and abs(gains) > 0.3 and phase.trigger is None:
         later = (then - nearest) / gains
-        soonest = to_line(structure[pair.actor].spec.type, phase) + 1.0  # type: ignore[union-attr]
+        soonest = to_line(structure[pair.actor].spec.type, phase) + 0.2  # type: ignore[union-attr]
         if soonest <= later <= LATEST:
             start, fits = nearest, True
         elif said is None and spec.placement.position in ("left_lane", "right_lane"):
@@ -313,7 +228,7 @@ def _start(structure: Structure, pair: _Pair, i: int, phase: Phase, then: float,
     changes: dict = {"gap": gap}
     if new != along or said is not None:
         changes["along"] = new if spec.placement.position not in ("ahead", "behind", "beside") else said
-    return _changed(structure, pair.placed, placement=spec.placement.model_copy(update=changes))
+    return changed(structure, pair.placed, placement=spec.placement.model_copy(update=changes))
 
 
 def _apart(pair: _Pair, phase: Phase, how: str) -> ResolveError:
@@ -341,92 +256,29 @@ def _kept(structure: Structure, pair: _Pair, i: int, phase: Phase, then: float, 
             return structure
         if structure[pair.actor].spec.speed is None:  # type: ignore[union-attr]
             other = middle(speed_of(structure[pair.other].spec, structure.place.spec))  # type: ignore[arg-type]
-            return _changed(structure, pair.actor, speed=round(max(other + (then - start) / time, 1.0), 2))
+            return changed(structure, pair.actor, speed=round(max(other + (then - start) / time, 1.0), 2))
         raise _apart(pair, phase, f"starts {middle(spec.placement.gap):g} m {along}")
     if phase.gap is None:
         gap = start + pair.gains * time - pair.bodies
         if abs(pair.gains) > 0.3 and gap > LEAST:
-            return _with_phase(structure, pair.actor, i, gap=round(gap, 1))
+            return with_phase(structure, pair.actor, i, gap=round(gap, 1))
     return structure
 
 
 def _braking(structure: Structure, cid: str, i: int, pair: _Pair) -> Structure:
     """One that cuts in and draws away is no reason to brake: where ego is to, and nothing else makes it, it brakes."""
-    ego, phases = structure.ego.spec, _phases(structure, cid)
+    ego, phases = structure.ego.spec, phases_of(structure, cid)
     assert isinstance(ego, EgoSpec)
     if pair.other != "E" or ego.reaction != "brake" or pair.gains < -1 or phases[i].abandoned or len(phases) > i + 1:
         return structure
     if ego.react_to not in (None, cid) or any(p.action not in CALM for p in ego.phases):
         return structure
     slower = round(SLOWED * middle(speed_of(ego, structure.place.spec)), 1)  # type: ignore[arg-type]
-    return _changed(structure, cid, phases=(*phases, Phase(action="brake", speed=slower, rate=4.0)))
+    return changed(structure, cid, phases=(*phases, Phase(action="brake", speed=slower, rate=4.0)))
 
 
 def _sideways_into(structure: Structure, cid: str, i: int) -> bool:
     """Whether one comes over to hit whom it comes to: there is no gap for which it waits."""
-    return any(p.action == "collide" for p in _phases(structure, cid)[i + 1 :])
+    return any(p.action == "collide" for p in phases_of(structure, cid)[i + 1 :])
 
 
-def merging(structure: Structure, cid: str) -> tuple[float, float | None]:
-    """Of one that comes up a ramp: how far (m) its middle is ahead of ego's where it begins to change onto ego's lane,
-    and how far (m) that is before the end of the acceleration lane (None: as it comes onto it)."""
-    spec, place = structure[cid].spec, structure.place.spec
-    assert isinstance(spec, ObjectSpec) and isinstance(place, PlaceSpec)
-    own, ego = middle(speed_of(spec, place)), middle(speed_of(structure.ego.spec, place))  # type: ignore[arg-type]
-    half = (LENGTH[spec.type] + LENGTH[structure.ego.spec.type]) / 2  # type: ignore[union-attr]
-    phase = next((p for p in spec.phases if p.action in LATERAL), None)
-    trigger = phase.trigger if phase is not None else None
-    at_end = trigger is not None and trigger.kind == "place" and trigger.place == "merge_end"
-    end = max(middle(trigger.value or 0.0), MERGES) if trigger is not None and at_end else None
-    if spec.placement.arrives is not None:
-        return -middle(spec.placement.arrives) * own, end
-    if phase is None or phase.action != "cut_in":
-        return 0.0, end
-    gap = middle(phase.gap) if phase.gap is not None else max(LEAST, TIGHT * min(own, ego))
-    return gap + half + (ego - own) * to_line(spec.type, phase), end
-
-
-def _revealing(structure: Structure, cid: str, i: int, phase: Phase) -> Structure:
-    """One that leaves its lane before what stands in it: late, and yet out of it before it is there."""
-    spec = structure[cid].spec
-    stands = next((c for c in structure.objects if _stands_before(structure, cid, c.id)), None)
-    if stands is None or not isinstance(spec, ObjectSpec):
-        return structure
-    trigger, place, thing = phase.trigger, structure.place.spec, stands.spec
-    assert isinstance(thing, ObjectSpec) and isinstance(place, PlaceSpec)
-    speed, out = middle(speed_of(spec, place)), (WIDTH[spec.type] + WIDTH[thing.type]) / 2 + 0.2
-    ttc = middle(trigger.value) if trigger and trigger.kind == "ttc" and trigger.value is not None else None
-    shift = shift_of(phase)
-    if ttc is None:
-        left = sideways(out, shift) + CLEAR
-    else:
-        left = ttc
-        while phase.lateral_speed is None and shift < 3.5 and sideways(out, shift) + CLEAR / 2 > left:
-            shift = round(shift + 0.1, 1)
-    if sideways(out, shift) > left:
-        raise ResolveError(
-            f"{cid} has {left:g} s to {stands.id} as it begins to leave its lane, and needs "
-            f"{sideways(out, shift):.1f} s: begin earlier or let it move sideways faster",
-            (f"{cid}.phases.{i}.trigger", f"{cid}.phases.{i}.lateral_speed"),
-        )
-    if trigger is None:
-        structure = _with_phase(structure, cid, i, trigger=Trigger(kind="ttc", value=round(left, 1), of=stands.id))
-    if shift != shift_of(phase):
-        structure = _with_phase(structure, cid, i, lateral_speed=shift)
-    at = thing.placement
-    if at.gap is not None or trigger is not None and trigger.kind != "ttc":
-        return structure
-    gap = speed * (left + _begins(structure, cid))
-    if at.of == "ego":
-        gap += LENGTH[spec.type] + middle(spec.placement.gap if spec.placement.gap is not None else
-                                          default_gap(spec, speed, place))  # fmt: skip
-    return _changed(structure, stands.id, placement=at.model_copy(update={"gap": round(gap, 1)}))
-
-
-def _stands_before(structure: Structure, cid: str, other: str) -> bool:
-    """Whether another stands in the lane ahead of an object that drives."""
-    spec, own = structure[other].spec, structure[cid].spec
-    if not isinstance(spec, ObjectSpec) or not isinstance(own, ObjectSpec) or not is_static(spec) or other == cid:
-        return False
-    at = spec.placement
-    return at.position == "ahead" and (at.of == cid or at.of == "ego" and own.placement.position == "ahead")

@@ -3,7 +3,7 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
-from c2s_engine.write.typed import scope, traffic
+from c2s_engine.write.typed import ahead, lateral, scope, traffic
 from c2s_engine.write.typed.collisions import hit_beside, hit_next
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.overtakings import nearest
@@ -53,7 +53,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return ""
     if phase.action in ("lane_change", "cut_in") and course.on_ramp:
         return "until self._lane is place.acceleration_lane"
-    if phase.action in traffic.LATERAL and phase.gap is not None and phase.target and not _sideways_into(course, phase):
+    if phase.action in lateral.LATERAL and phase.gap is not None and phase.target and not _sideways_into(course, phase):
         return _at_gap(course, phase, first)
     if a.is_ego and phase.action in FORCED and not _stood(a, phase) and _confronted(course, phase):
         cid = phase.target or getattr(a.spec, "react_to", None) or standing(a.structure, a.plan.lane_of)
@@ -127,14 +127,14 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
         return f"{other}.speed < {prefix}_SPEED - 1" if known else f"{other}.speed < 3"
     if action in ("turn_left", "turn_right", "go_straight", "run_red", "run_stop"):
         return f"{other}._intersection is not None"
-    if action in (*traffic.LATERAL, "swerve", "drift"):
+    if action in (*lateral.LATERAL, "swerve", "drift"):
         return f"off_lane({other})"
     return f"(distance from ego to {other}) < 20"
 
 
 def _before_junction(course: Course, value: float, phase: Phase) -> str:
     if phase.trigger is not None and phase.trigger.place == "merge_end":
-        lane, metres = "place.acceleration_lane", scope.number(max(value, traffic.MERGES))
+        lane, metres = "place.acceleration_lane", scope.number(max(value, ahead.MERGES))
         return f"until self._lane is {lane} and (distance from self to {lane}.centerline[-1]) < {metres}"
     lane = course.actor.to_junction
     if lane is None:
@@ -227,13 +227,13 @@ def _at_gap(course: Course, phase: Phase, first: bool) -> str:
     """When one begins to come over so that it is as far from the other as is said as it comes over the lane line, both
     driving on as they do: once it has come so far ahead, or fallen back so far."""
     other, gains = course.actor.ref(phase.target), course.value - course.target_speed(phase)
-    gap = middle(phase.gap) if phase.gap is not None else traffic.LEAST
+    gap = middle(phase.gap) if phase.gap is not None else ahead.LEAST
     if abs(gains) < 0.3 or phase.gap is None and gains < 0:
         return "for 3 seconds" if first else ""
-    seconds = scope.number(traffic.to_line(course.actor.spec.type, phase))
-    ahead = traffic.in_front(course.actor.structure, course.actor.cid, phase)
-    one, two = ("self", other) if ahead else (other, "self")
-    sign = ">" if (gains > 0) == ahead else "<"
+    seconds = scope.number(lateral.to_line(course.actor.spec.type, phase))
+    before = traffic.in_front(course.actor.structure, course.actor.cid, phase)
+    one, two = ("self", other) if before else (other, "self")
+    sign = ">" if (gains > 0) == before else "<"
     return f"until ahead_by({one}, {two}, {seconds}) {sign} {scope.number(gap)}"
 
 

@@ -315,7 +315,7 @@ CASES = [
         "T.pace.dead",
         s(ObjectSpec(phases=(Phase(action="brake"), Phase(action="stop")))),
         Scene([ego(), other(speed=ramp((0, 10), (2.5, 10), (3.5, 4), (9, 4), (10, 0), (12, 0)))]),
-        Scene([ego(), other(speed=ramp((0, 10), (1.5, 10), (2.5, 4), (10.5, 4), (11.5, 0), (12, 0)))]),
+        Scene([ego(), other(speed=ramp((0, 10), (1.5, 10), (2.5, 4), (11.2, 4), (11.8, 0), (12, 0)))]),
     ),
     ("kind", "O1.type", s(ObjectSpec(type="truck")), Scene([ego(), other(kind="truck")]), Scene([ego(), other()])),
     (

@@ -12,8 +12,8 @@ BEGINS = 3.0
 """s for which everybody drives on before what nothing triggers."""
 LETS_BY = 5.0
 """s in which one lets another in the next lane by."""
-FOLLOWED = 5.5
-"""s for which one follows before the other does something, so that it plainly follows."""
+FOLLOWED = 4.3
+"""s for which one follows before the other does something, so that it plainly follows until the other is gone."""
 MERGES = 30.0
 """m before the end of the acceleration lane by which one begins to change lanes."""
 CLEAR = 0.6

@@ -145,6 +145,9 @@ def _met(structure: Structure, cid: str, i: int, phase: Phase) -> Structure:
     if phase.action == "cut_out":
         structure = revealing(structure, cid, i, phase)
     pair = _pair(structure, cid, phase)
+    if pair is None and phase.action == "cut_in" and _from_ramp(structure, cid):
+        one, ego = (middle(speed_of(structure[c].spec, structure.place.spec)) for c in (cid, "E"))  # type: ignore[arg-type]
+        return _braking(structure, cid, i, one - ego)
     wanted = phase.gap is not None or phase.action == "cut_in"
     if pair is None or not wanted or _sideways_into(structure, cid, i):
         return structure
@@ -167,7 +170,12 @@ def _met(structure: Structure, cid: str, i: int, phase: Phase) -> Structure:
         if phase.gap is not None:
             raise
         return _getting_by(structure, cid, pair)
-    return _braking(structure, cid, i, pair) if phase.action == "cut_in" else structure
+    return _braking(structure, cid, i, pair.gains) if phase.action == "cut_in" else structure
+
+
+def _from_ramp(structure: Structure, cid: str) -> bool:
+    spec = structure[cid].spec
+    return isinstance(spec, ObjectSpec) and spec.placement.position == "on_ramp"
 
 
 def _getting_by(structure: Structure, cid: str, pair: _Pair) -> Structure:
@@ -265,11 +273,12 @@ def _kept(structure: Structure, pair: _Pair, i: int, phase: Phase, then: float, 
     return structure
 
 
-def _braking(structure: Structure, cid: str, i: int, pair: _Pair) -> Structure:
+def _braking(structure: Structure, cid: str, i: int, gains: float) -> Structure:
     """One that cuts in and draws away is no reason to brake: where ego is to, and nothing else makes it, it brakes."""
     ego, phases = structure.ego.spec, phases_of(structure, cid)
     assert isinstance(ego, EgoSpec)
-    if pair.other != "E" or ego.reaction != "brake" or pair.gains < -1 or phases[i].abandoned or len(phases) > i + 1:
+    aimed = cid != "E" and phases[i].target in (None, "ego") and not phases[i].abandoned
+    if not aimed or ego.reaction != "brake" or gains < -1 or len(phases) > i + 1:
         return structure
     if ego.react_to not in (None, cid) or any(p.action not in CALM for p in ego.phases):
         return structure

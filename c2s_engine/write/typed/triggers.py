@@ -93,7 +93,12 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     if course.oncoming:
         ahead = 5.5 if phase.action == "drift" else 2.8  # s that it takes to be over
         return f"until (distance from self to ego) < {scope.number(ahead * (a.value + a.plan.ego_speed))}"
-    return "for 3 seconds"
+    return _undisturbed(a)
+
+
+def _undisturbed(actor: Actor) -> str:
+    """What goes before the first thing that somebody does of its own accord."""
+    return f"for {scope.number(ahead.begins(actor.structure, actor.cid))} seconds"
 
 
 def _stood(actor: Actor, phase: Phase) -> bool:
@@ -229,7 +234,7 @@ def _at_gap(course: Course, phase: Phase, first: bool) -> str:
     other, gains = course.actor.ref(phase.target), course.value - course.target_speed(phase)
     gap = middle(phase.gap) if phase.gap is not None else ahead.LEAST
     if abs(gains) < 0.3 or phase.gap is None and gains < 0:
-        return "for 3 seconds" if first else ""
+        return _undisturbed(course.actor) if first else ""
     seconds = scope.number(lateral.to_line(course.actor.spec.type, phase))
     before = traffic.in_front(course.actor.structure, course.actor.cid, phase)
     one, two = ("self", other) if before else (other, "self")

@@ -53,7 +53,7 @@ def without_reaction(structure: Structure) -> Structure | None:
     spec = structure.ego.spec
     assert isinstance(spec, EgoSpec)
     first = next((i for i, p in enumerate(spec.phases) if answers(p, structure)), len(spec.phases))
-    blind = {"action": "keep_lane", "target": None}
+    blind = {"action": "keep_lane", "target": None, "gap": None}
     kept = spec.phases[:first]
     if first < len(spec.phases) and spec.phases[first].action == "yield":  # what it then does, it does at once
         kept += spec.phases[first + 1 :]

@@ -37,7 +37,7 @@ def answers(phase: Phase, structure: Structure) -> bool:
         return False
     trigger, place = phase.trigger, structure.place.spec
     if phase.target is not None:
-        return True
+        return phase.gap is None
     if trigger is not None:
         return trigger.of is not None or trigger.kind in ("distance", "ttc", "action")
     stands = phase.action in ("brake", "stop", "wait")
@@ -59,8 +59,11 @@ def unaware(structure: Structure) -> Structure:
     spec = structure.ego.spec
     assert isinstance(spec, EgoSpec)
     first = next((i for i, p in enumerate(spec.phases) if answers(p, structure)), len(spec.phases))
-    blind = {"action": "keep_lane", "target": None}
-    phases = tuple(p.model_copy(update=blind) if p.action == "follow" else p for p in spec.phases[:first])
+    blind = {"action": "keep_lane", "target": None, "gap": None}
+    kept = spec.phases[:first]
+    if first < len(spec.phases) and spec.phases[first].action == "yield":  # what it then does, it does at once
+        kept += spec.phases[first + 1 :]
+    phases = tuple(p.model_copy(update=blind) if p.action == "follow" else p for p in kept)
     changed = spec.model_copy(update={"reaction": "none", "hard": False, "react_to": None, "phases": phases})
     return structure.with_component(structure.ego.model_copy(update={"spec": changed}))
 
@@ -89,8 +92,8 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
     Where ego does not react, those whose doings are a threat to whoever is there.
     """
     if not reacts:
-        return [a for a, o in scene.objects.items() if any(p.action in STRONG and p.target in (None, EGO)
-                                                           for p in o.phases)]  # fmt: skip
+        return [a for a, o in scene.objects.items() if any(
+            p.action in STRONG and not p.abandoned and p.target in (None, EGO) for p in o.phases)]  # fmt: skip
     answering = (p for p in scene.ego.phases if answers(p, scene.structure))
     named = scene.ego.react_to or next((t for p in answering for t in _whom(p) if t), None)
     if named is not None and named != EGO:
@@ -103,7 +106,7 @@ def _whom(phase: Phase) -> tuple[str | None, ...]:
 
 
 def _threatens(spec: ObjectSpec) -> bool:
-    actions = [p.action for p in spec.phases if p.action in THREATS]
+    actions = [p.action for p in spec.phases if p.action in THREATS and not p.abandoned]
     ahead = spec.placement.position in ("ahead", "partly_in_lane", "intersection_exit") and spec.placement.of == EGO
     aimed = any(p.target in (None, EGO) for p in spec.phases if p.action in THREATS)
     return bool(aimed and any(a not in AHEAD_ONLY for a in actions)) or (bool(actions) and ahead)

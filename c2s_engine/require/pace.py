@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from c2s_engine.require.evidence import STANDING, Evidence, Motion
+from c2s_engine.require.moments import beside
 from c2s_engine.require.phases import AT_JUNCTION, LASTING
 from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
@@ -22,6 +23,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
         return
     timed = max((high(p.trigger.value) for _, _, p in scene.phases()
                  if p.trigger and p.trigger.kind == "time" and p.trigger.value is not None), default=0.0)  # fmt: skip
+    if any(p.trigger and p.trigger.place == "merge_end" for _, _, p in scene.phases()):
+        timed = max(timed, bounds()["pace"]["merge"]["value"])  # the whole acceleration lane comes first
     lasting = max((high(p.duration) for _, _, p in scene.phases() if p.duration is not None), default=0.0)
     yield scene.make("pace", "first_event", EGO, "pace.first", "What is said begins within seconds, not at once.",
                      component="T", of=ids, timed=timed)  # fmt: skip
@@ -116,9 +119,14 @@ def no_dead_time(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 def _speed_moments(evidence: Evidence) -> list[float]:
-    """When somebody brakes, gains speed or turns: not said, and yet something that happens."""
+    """When somebody brakes (all the while), gains speed, turns or first moves aside: not said, and yet something that
+    happens."""
+    limits, moving = bounds()["phase"], [m for m in evidence.everybody if m.moves]
+    times = [m.time[m.acceleration < -limits["change_rate"]["value"]] for m in moving]
+    times += [m.time[np.abs(beside(m)) > limits["begun"]["value"]][:1] for m in moving]
     telling = ("brake", "accelerate", "stop", "turn_left", "turn_right", "cross_path", "lane_change", "yield")
-    return [e.time for o in evidence.facts.objects for e in o.events if e.event in telling]
+    seen = [e.time for o in evidence.facts.objects for e in o.events if e.event in telling]
+    return [*seen, *(float(t) for some in times for t in some)]
 
 
 def not_cut_short(requirement: Requirement, evidence: Evidence) -> Result:

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from c2s_engine.require import moments
 from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
 from c2s_engine.require.geometry import box_distance
 from c2s_engine.require.results import decided, scored, unknown
@@ -37,16 +38,20 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if phase.duration is not None and scene.stated(_cid(actor), f"{path}.duration"):
             values["duration"] = low(phase.duration)
         towards = f" ({scene.named(phase.target)})" if phase.target else ""
-        seen = scene.make("phase", "shown", actor, f"{path}.{phase.action}", f"{name}: {said}{towards}.",
+        check = "breaks_off" if phase.abandoned and phase.action in moments.OVER_LINE else "shown"
+        said += " begun and broken off" if check == "breaks_off" else ""
+        seen = scene.make("phase", check, actor, f"{path}.{phase.action}", f"{name}: {said}{towards}.",
                           other=phase.target, **values)  # type: ignore[arg-type]  # fmt: skip
         yield seen
         yield from _details(scene, actor, path, phase, seen.id)
+        yield from moments.required(scene, actor, path, phase, seen.id)
         if phase.action not in LASTING:
             if actor in before:
                 yield scene.make("order", "in_order", actor, f"{path}.order", f"{name}: {said} comes after what is "
                                  "said before it.", first=before[actor], second=seen.id)  # fmt: skip
             before[actor] = seen.id
     yield from _awaited(scene)
+    yield from moments.delays(scene)
 
 
 def _leaves_later(scene: Scene, actor: str, i: int) -> bool:
@@ -77,17 +82,18 @@ def _details(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
     trigger = phase.trigger
     if trigger and trigger.kind == "place" and trigger.place and scene.stated(_cid(actor), f"{path}.trigger"):
         value = high(trigger.value) if trigger.value is not None else 0.0
-        text = f"{name}: {said} at the {trigger.place}."
-        yield scene.make(
-            "place", "near_place", actor, f"{path}.trigger", text, of=of, place=trigger.place, within=value
-        )
+        where = "end of the acceleration lane" if trigger.place == "merge_end" else trigger.place
+        text = f"{name}: {said} at the {where}."
+        yield scene.make("place", "near_place", actor, f"{path}.trigger", text, of=of, place=trigger.place,
+                         within=value, action=phase.action)  # fmt: skip
     whom = (trigger.of or (None if actor == EGO else EGO)) if trigger else None
-    if trigger and trigger.kind == "distance" and trigger.value is not None and whom is not None \
+    if trigger and trigger.kind == "distance" and trigger.value is not None and whom is not None and not trigger.delay \
             and scene.stated(_cid(actor), f"{path}.trigger.value"):  # fmt: skip
         text = f"{name}: {said} when {scene.named(whom)} is {high(trigger.value):g} m away."
         centres = not scene.recognised(actor)  # `distance from` of a program is from centre to centre
         yield scene.make("place", "at_distance", actor, f"{path}.trigger", text, other=whom, of=of,
-                         least=low(trigger.value), most=high(trigger.value), centres=centres)  # fmt: skip
+                         least=low(trigger.value), most=high(trigger.value), centres=centres,
+                         action=phase.action)  # fmt: skip
 
 
 def _awaited(scene: Scene) -> Iterator[Requirement]:
@@ -138,8 +144,33 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
         ]  # fmt: skip
         if action in AT_JUNCTION and not times:
             times = _cut_short(motion, action)
+        if action == "yield" and not times:
+            times = _let_go_first(motion, evidence.motion(requirement.other or EGO))
+        if action == "keep_lane" and earliest and not times:
+            times = _kept_from(motion, earliest)
     later = [t for t in times if t >= earliest - bounds()["order"]["room"]["value"]]
     return min(later) if later else min(times, default=None)
+
+
+def _let_go_first(motion: Motion, other: Motion | None) -> list[float]:
+    """When it begins to slow down for one level with it or behind it in the next lane, that is ahead of it then."""
+    if other is None or motion is other:
+        return []
+    n = min(len(motion.x), len(other.x))
+    sin, cos = np.sin(motion.heading[:n]), np.cos(motion.heading[:n])
+    ahead = -sin * (other.x[:n] - motion.x[:n]) + cos * (other.y[:n] - motion.y[:n])
+    need, half = bounds()["phase"]["change"]["value"], (motion.size[0] + other.size[0]) / 2
+    for a, b in stretches(motion.acceleration[:n] < -bounds()["phase"]["change_rate"]["value"] / 2):
+        if motion.smooth[a] - motion.smooth[b] > need and ahead[a] < half and (ahead[a:] > half).any():
+            return [float(motion.time[a])]
+    return []
+
+
+def _kept_from(motion: Motion, time: float) -> list[float]:
+    """When what is said before was seen, if it stays from then on in the lane in which it is shortly after."""
+    at = motion.stay(time + 1.0)
+    later = [s for s in motion.course.stays if s.time > time + 1.0]
+    return [time] if at is not None and all(s.to_ego == at.to_ego for s in later) else []
 
 
 def _cut_short(motion: Motion, action: str) -> list[float]:
@@ -235,9 +266,15 @@ def near_place(requirement: Requirement, evidence: Evidence) -> Result:
     said = f"within {within:g} m of the {place}" if within else f"at the {place}"
     if motion is None or time is None:
         return unknown(requirement, said, "not reached: it was not seen")
-    kind = "junction" if place == "intersection" else "crosswalk"
+    kind = {"intersection": "junction", "merge_end": "merge"}.get(place, "crosswalk")
+    if str(requirement.values.get("action")) in moments.SIDEWAYS:
+        time = moments.onset(motion, str(requirement.values["action"]), time)
     front = float(motion.of_course("along")[motion.at(time)]) + motion.size[0] / 2
-    away = [max(m.start - front, front - motion.size[0] - m.end, 0.0) for m in motion.course.marks if m.kind == kind]
+    marks = [m for m in motion.course.marks if m.kind == kind]
+    if kind == "merge":
+        away = [max(m.end - front, 0.0) for m in marks if m.start < front]
+    else:
+        away = [max(m.start - front, front - motion.size[0] - m.end, 0.0) for m in marks]
     if not away:
         return decided(requirement, False, said, f"no {place} on its way", time)
     room = bounds()["place"]["room"]["value"]
@@ -250,6 +287,8 @@ def at_distance(requirement: Requirement, evidence: Evidence) -> Result:
     least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
     if motion is None or other is None or time is None:
         return unknown(requirement, f"{most:g} m away", "not reached: it was not seen")
+    if str(v["action"]) in moments.SIDEWAYS:
+        time = moments.onset(motion, str(v["action"]), time)
     at, there = motion.at(time), other.at(time)
     if v["centres"]:
         gap = float(np.hypot(motion.x[at] - other.x[there], motion.y[at] - other.y[there]))
@@ -291,4 +330,4 @@ def reaches(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 CHECKS = {"shown": shown, "in_order": in_order, "to_side": to_side, "in_junction": in_junction, "rate": rate,
-          "reaches": reaches, "near_place": near_place, "at_distance": at_distance}  # fmt: skip
+          "reaches": reaches, "near_place": near_place, "at_distance": at_distance, **moments.CHECKS}  # fmt: skip

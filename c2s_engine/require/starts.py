@@ -21,6 +21,8 @@ LENGTHWISE = {"ahead": "ahead", "behind": "behind", "oncoming_lane": "ahead", "o
               "roadside": "ahead", "sidewalk": "ahead", "parked": "ahead", "partly_in_lane": "ahead",
               "intersection_exit": "ahead"}  # fmt: skip
 SIDEWAYS = {"left_lane": "left", "right_lane": "right", "crossing_left": "left", "crossing_right": "right"}
+WIDE = 3.5
+"""m to the side at which one is beyond the next lane."""
 OFF_LANES = ("roadside", "sidewalk", "parked")
 
 
@@ -35,7 +37,8 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
     lanes = LANES.get(place.position)
     if place.position == "beside":
         lanes = (place.side,) if place.side else ("adjacent",)
-    if lanes:
+    beyond = place.lateral is not None and low(place.lateral) > WIDE  # not the next lane
+    if lanes and not beyond and not (place.position == "beside" and scene.place.kind == "on_ramp"):
         yield scene.make("start", "start_lane", actor, "placement.position", f"{name} starts {where} of {of}.",
                          other=place.of, lanes=tuple(str(lane) for lane in lanes), where=where)  # fmt: skip
     along = {"abreast": "abreast"}.get(str(place.along)) or place.along or LENGTHWISE.get(place.position)

@@ -92,7 +92,7 @@ def _of_phase(cid: ComponentId, i: int, phase: Phase, speed: float, untimed: boo
         yield Unknown(cid, f"{path}.trigger", value)
     if phase.action in ("brake", "stop") and (phase.rate is None or f"{path}.rate" in assumed):
         yield Unknown(cid, f"{path}.rate", middle(phase.rate) if phase.rate is not None else 3.5)
-    if phase.action in ("overtake", "cut_in", "accelerate") and (phase.speed is None or f"{path}.speed" in assumed):
+    if phase.action in ("overtake", "accelerate") and (phase.speed is None or f"{path}.speed" in assumed):
         yield Unknown(cid, f"{path}.speed", middle(phase.speed) if phase.speed is not None else max(speed, 5.0))
 
 

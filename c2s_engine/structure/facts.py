@@ -122,12 +122,13 @@ class Stay(_Frozen):
 
 
 class Mark(_Frozen):
-    """A junction, crosswalk or stop line on an object's own way: from where to where, m along it.
+    """A junction, crosswalk, stop line or the lane in which a ramp goes on, on an object's own way: from where to
+    where, m along it.
 
     `name`: the junction; of a line `junction/road`, as in `Trajectories.lights`, with what regulates it.
     """
 
-    kind: Literal["junction", "crosswalk", "line"]
+    kind: Literal["junction", "crosswalk", "line", "merge"]
     start: float
     end: float
     name: str = ""

@@ -50,8 +50,8 @@ class Phase(Spec):
     duration: Seconds | None = Field(None, description="how long it lasts, s")
     gap: Metres | None = Field(
         None,
-        description="to `target` (default ego), bumper to bumper along the road, m: cut_in, cut_out, lane_change as "
-        "it comes over the lane line; overtake as it comes back; brake as it begins; follow all along",
+        description="to `target` (default ego), bumper to bumper, m: cut_in, cut_out, lane_change as "
+        "it comes over the lane line; overtake as it comes back; brake, stop as it begins; follow all along",
     )
     lateral_speed: Quantity | None = Field(
         None, description="lane_change, cut_in, cut_out, swerve, drift: how fast it moves sideways, m/s"

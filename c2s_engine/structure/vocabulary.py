@@ -39,7 +39,7 @@ Action = Literal[
 ]  # fmt: skip
 
 TriggerKind = Literal["distance", "ttc", "time", "place", "action"]
-TriggerPlace = Literal["intersection", "crosswalk"]
+TriggerPlace = Literal["intersection", "crosswalk", "merge_end"]
 Reaction = Literal["brake", "follow", "yield", "evade", "none"]
 
 Weather = Literal["clear", "cloudy", "wet", "rain", "heavy_rain", "fog", "snow", "wind"]

@@ -114,12 +114,11 @@ def driving_times(points, speed):
     return way, [0, *itertools.accumulate(spent)]
 
 def setting_out(metres, speed, rate=2):
-    """The time (s) in which a car that stands drives so far (m), up to `speed`; 0.75 m/s2 of its rate go to the air and
-    its wheels."""
-    gained = speed ** 2 / (2 * rate - 1.5)
+    """The time (s) in which a car that stands drives so far (m), up to `speed`."""
+    gained = speed ** 2 / (2 * rate)
     if metres < gained:
-        return math.sqrt(2 * max(metres, 0) / (rate - 0.75))
-    return speed / (rate - 0.75) + (metres - gained) / speed
+        return math.sqrt(2 * max(metres, 0) / rate)
+    return speed / rate + (metres - gained) / speed
 
 def _start_to_meet(lane, points, speed, others, from_, other_speed, ahead=0, front=0, other_front=0, clear=None, stands=0):
     """How far (m) before the end of its lane a car starts on its points at `speed`, so that it comes to where they cross
@@ -155,6 +154,25 @@ def _setting_out_to_meet(lane, points, before, speed, other_lane, others, other_
     return float(max(1, other_lane.centerline.length - there))
 
 setting_out_to_meet = distributionFunction(_setting_out_to_meet)
+
+
+def _start_to_merge(place, speed, other_speed, from_, ahead, before_end=None):
+    """How far (m) before the end of the ramp of `place` a car starts that drives at `speed`, so that its middle is
+    `ahead` m ahead of that of another, which starts `from_` m along the lane of `place` and drives at `other_speed`, as it
+    comes onto the acceleration lane, or `before_end` m before the end of that."""
+    points, others = way(place.ramp), way(place.lane, place.turn)
+    begins = place.ramp.centerline.length + place.merging.connectingLane.centerline.length
+    spot = begins + 5
+    if before_end is not None:
+        spot = max(spot, begins + place.acceleration_lane.centerline.length - before_end)
+    beside = place.lane.centerline.length + place.turn.connectingLane.centerline.length + spot - begins
+    far, times = driving_times(others, other_speed)
+    own, own_times = driving_times(points, speed)
+    due = float(numpy.interp(beside - ahead, far, times) - numpy.interp(from_, far, times))
+    start = numpy.interp(numpy.interp(spot, own, own_times) - due, own_times, own)
+    return float(max(3, place.ramp.centerline.length - start))
+
+start_to_merge = distributionFunction(_start_to_merge)
 
 
 # Places: lanes by how they lie to ego's
@@ -315,29 +333,33 @@ def bend_speed(points, i):
         fastest = min(fastest, math.sqrt(4 / max(bend, 0.001) + 8 * max(k - i - 1, 0)))
     return fastest
 
-SIDEWAYS = 3.5  # m/s2 at which drivers begin and end to move aside
+SIDEWAYS = 3  # m/s2 at which drivers begin to move aside
 
 behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
-    """Follow points at `speed` (m/s, or a function that gives it), changing it by at most `rate` (m/s2, likewise);
-    `offset` m to their left, moving there from where it is, as onto another lane, at up to `shift` m/s, gained at
-    `SIDEWAYS`. Pure pursuit, slower in bends."""
-    i, last = nearest(self, points), len(points) - 1
+    """Follow points at `speed` (m/s, or a function that gives it), changing it by `rate` (m/s2, likewise); `offset` m
+    to their left, moving there from where it is, as onto another lane, at `shift` m/s, gained at `SIDEWAYS`. Pure
+    pursuit, slower in bends."""
+    i, last, held = nearest(self, points), len(points) - 1, self.speed
     left = (points[min(i + 1, last)] - points[min(i, last - 1)]).normalized().rotatedBy(90 deg)
-    beside, aside = max(-8, min(8, (self.position - points[i]).dot(left))), 0
+    beside = max(-8, min(8, (self.position - points[i]).dot(left)))
+    aside = max(-shift, min(shift, self.velocity.dot(left)))
     while True:
         while i < last - 1 and (distance from self to points[i + 2]) <= (distance from self to points[i]):
             i += 1
         goal = min(speed() if callable(speed) else speed, bend_speed(points, i), math.sqrt(12 * max(last - i - 4, 0)))
         gained = SIDEWAYS * simulation().timestep
-        aside += max(-gained, min(gained, max(-shift, min(shift, 2 * (offset - beside))) - aside))
+        aside += max(-gained, min(gained, max(-shift, min(shift, max(1.2, 0.6 * shift) * (offset - beside))) - aside))
         beside += aside * simulation().timestep
         ahead = min(i + 2 + int(0.35 * self.speed), last)
         along = (points[ahead] - points[max(ahead - 1, 0)]).normalized()
-        target = (points[ahead] + along.rotatedBy(90 deg) * beside - self.position).rotatedBy(-self.heading)
-        steer = math.atan(1.2 * self.length * target.x / max(target.x ** 2 + target.y ** 2, 1)) / 0.8
+        there = beside + aside * (points[ahead] - self.position).dot(along) / max(self.speed, 4)  # by when it is there
+        target = (points[ahead] + along.rotatedBy(90 deg) * there - self.position).rotatedBy(-self.heading)
+        wheel = math.atan(1.2 * self.length * target.x / max(target.x ** 2 + target.y ** 2, 1))
+        steer = wheel / (0.8 * max(0.48, 1 - 0.0125 * self.speed))  # wheels turn less far where it is fast
+        held = held if abs(held - self.speed) < 0.3 else self.speed  # what it was told to be, but for air and wheels
         step = (rate() if callable(rate) else rate) * simulation().timestep
-        take (SetSpeedAction(max(0, self.speed + max(-step, min(step, goal - self.speed)))),
-              SetSteerAction(max(-1, min(1, steer))))
+        held = max(0, held + max(-step, min(step, goal - held)))
+        take SetSpeedAction(held), SetSteerAction(max(-1, min(1, steer)))
 
 behavior Cruise(points, speed):
     """Follow points at `speed` (m/s) from the first."""
@@ -535,13 +557,23 @@ def lead_on(car, other):
     """How far (m) `car` is ahead of `other` along the road; negative: behind."""
     return (car.position - other.position).rotatedBy(-other.heading).y
 
+def ahead_by(car, other, seconds=0):
+    """How far (m) the rear of `car` is ahead of the front of `other` along the road, whatever the lane, now or in some
+    seconds if both go on as they do; below 0 where it is not wholly ahead."""
+    return lead_on(car, other) - (car.length + other.length) / 2 + (car.speed - other.speed) * seconds
+
+def off_lane(car, metres=0.3):
+    """Whether `car` has begun to leave the middle of its lane: whether it is over so many metres beside it."""
+    lane = network.laneAt(car.position)
+    return lane is None or lane.centerline.distanceTo(car.position) > metres
+
 
 # Speeds (m/s) for Drive that depend on another
 
-def pace(car, lead, speed, headway=1.5):
-    """The speed (m/s) at which `car` follows `lead` with a time headway (s), at most `speed`."""
+def pace(car, lead, speed, headway=1.5, standing=4):
+    """The speed (m/s) at which `car` follows `lead` at `standing` m and a time headway (s) more, at most `speed`."""
     gap = (distance from car to lead) - (car.length + lead.length) / 2
-    wanted = min(speed, lead.speed + 0.4 * (gap - 4 - headway * lead.speed))
+    wanted = min(speed, lead.speed + 0.4 * (gap - standing - headway * lead.speed))
     return wanted if wanted > 0.6 or lead.speed > 0.3 and wanted > 0 else 0
 
 def up_to(rest, speed, rate=2.5):

@@ -65,6 +65,13 @@ SECOND = Phase(action="accelerate", speed=12.0)
 TWICE = ramp((0, 10), (3, 10), (4, 6), (6, 6), (8, 12), (12, 12))
 BACKWARDS = ramp((0, 10), (3, 10), (5, 14), (7, 14), (9, 8), (12, 8))
 
+BRAKES_LATER = Phase(action="brake", trigger=Trigger(kind="action", of="O1", action="brake", delay=2.0))
+
+
+def cuts_in(**values: Any) -> ObjectSpec:
+    return CUT_IN.model_copy(update={"phases": (Phase(action="cut_in", side="right", **values),)})
+
+
 CASES = [
     # what, the requirement, S, a run that shows it, one that just does not
     (
@@ -308,7 +315,7 @@ CASES = [
         "T.pace.dead",
         s(ObjectSpec(phases=(Phase(action="brake"), Phase(action="stop")))),
         Scene([ego(), other(speed=ramp((0, 10), (2.5, 10), (3.5, 4), (9, 4), (10, 0), (12, 0)))]),
-        Scene([ego(), other(speed=ramp((0, 10), (1.5, 10), (2.5, 4), (10.5, 4), (11.5, 0), (12, 0)))]),
+        Scene([ego(), other(speed=ramp((0, 10), (1.5, 10), (2.5, 4), (11.2, 4), (11.8, 0), (12, 0)))]),
     ),
     ("kind", "O1.type", s(ObjectSpec(type="truck")), Scene([ego(), other(kind="truck")]), Scene([ego(), other()])),
     (
@@ -331,6 +338,63 @@ CASES = [
         s(place=PlaceSpec(kind="crosswalk")),
         Scene([ego()], facts={"infrastructure": ("crosswalk",)}),
         Scene([ego()]),
+    ),
+    (
+        "the gap as it comes over the line",
+        "O1.phases.0.gap",
+        s(cuts_in(gap=20.0)),
+        Scene([ego(), other(**{**CUTS_IN, "y": 25.0})]),
+        Scene([ego(), other(**{**CUTS_IN, "y": 28.0})]),
+    ),
+    (
+        "the gap as it begins to brake",
+        "O1.phases.0.gap",
+        s(brakes(gap=20.0)),
+        Scene([ego(), other(speed=BRAKING, y=26.0)]),
+        Scene([ego(), other(speed=BRAKING, y=28.0)]),
+    ),
+    (
+        "the gap all along",
+        "O1.phases.0.gap",
+        s(ObjectSpec(placement=Placement(position="behind"), phases=(Phase(action="follow", target="ego", gap=20.0),))),
+        Scene([ego(), other(y=-24.5, events=(event("follow", 0.0, "ego"),))]),
+        Scene([ego(), other(y=-24.5, speed=ramp((0, 10), (12, 10.8)), events=(event("follow", 0.0, "ego"),))]),
+    ),
+    (
+        "how fast it moves sideways",
+        "O1.phases.0.lateral_speed",
+        s(cuts_in(lateral_speed=1.6)),
+        Scene([ego(), other(**CUTS_IN)]),
+        Scene([ego(), other(**{**CUTS_IN, "x": ramp((0, -3.5), (4, -3.5), (5.3, 0), (12, 0))})]),
+    ),
+    (
+        "so long after another's action",
+        "E.phases.0.delay",
+        s(brakes(), ego=EgoSpec(phases=(BRAKES_LATER,))),
+        Scene([ego(speed=ramp((0, 10), (6, 10), (7, 4), (12, 4))), other(speed=BRAKING)]),
+        Scene([ego(speed=ramp((0, 10), (7.2, 10), (8.2, 4), (12, 4))), other(speed=BRAKING)]),
+    ),
+    (
+        "broken off",
+        "O1.phases.0.cut_in",
+        s(cuts_in(abandoned=True)),
+        Scene([ego(), other(**{**CUTS_IN, "x": ramp((0, -3.5), (4, -3.5), (5, -2.3), (7, -3.5), (12, -3.5))})]),
+        Scene([ego(), other(**{**CUTS_IN, "x": ramp((0, -3.5), (4, -3.5), (5, -2.3), (7, -2.5), (12, -2.5))})]),
+    ),
+    (
+        "near the end of the acceleration lane",
+        "O1.phases.0.trigger",
+        s(cuts_in(trigger=Trigger(kind="place", place="merge_end", value=40.0))),
+        Scene([ego(), other(**CUTS_IN, marks=(Mark(kind="merge", start=20.0, end=108.0),))]),
+        Scene([ego(), other(**CUTS_IN, marks=(Mark(kind="merge", start=20.0, end=118.0),))]),
+    ),
+    (
+        "keeps the lane it came to",
+        "O1.phases.1.keep_lane",
+        s(CUT_IN.model_copy(update={"phases": (*CUT_IN.phases, Phase(action="keep_lane"))})),
+        Scene([ego(), other(**{**CUTS_IN, "stays": (*LEFT_LANE, Stay(time=5.0, lane=1, to_ego="own"))})]),
+        Scene([ego(), other(**{**CUTS_IN, "stays": (*LEFT_LANE, Stay(time=5.0, lane=1, to_ego="own"),
+                                                    Stay(time=9.0, lane=3, to_ego="right"))})]),
     ),
 ]
 

@@ -117,6 +117,10 @@ def _marks(seen: Seen, situation: Situation) -> list[Mark]:
     for k, lane in enumerate(way.lanes):
         info = index.lanes[lane]
         if not is_intersection(situation, info.junction):
+            if info.junction is not None and 0 < k < len(way.lanes) - 1:  # where a ramp joins a road
+                start, end = float(way.starts[k]) + info.length, float(way.starts[k + 1])
+                end += index.lanes[way.lanes[k + 1]].length
+                found.append(Mark(kind="merge", start=round(start, 2), end=round(end, 2), name=str(info.junction)))
             continue
         start, end = float(way.starts[k]), float(way.starts[k]) + info.length
         if found and found[-1].name == info.junction and found[-1].kind == "junction":

@@ -72,9 +72,9 @@ def _steps(course: Course) -> list[Step]:
         if condition:
             if not done:
                 done.append(([course.drive()], ""))
-            gaining = course.catching_up(phase) if phase.action == "cut_in" and not phase.trigger else None
-            before = [course.drive(scope.number(gaining))] if gaining and i == 0 else done[-1][0]
-            done[-1] = (before, condition)
+            done[-1] = (done[-1][0], condition)
+            if phase.trigger and phase.trigger.delay is not None and phase.trigger.kind != "time":
+                done.append((done[-1][0][-1:], f"for {scope.quantity(phase.trigger.delay)} seconds"))
         course.behind = _overtaken_later(course, phases[i:])
         done.extend(steps(course, phase))
         if _at_line(course.actor, phase, i) and (turn := its_turn(course.actor)):

@@ -72,6 +72,30 @@ def contradictions() -> tuple[Contradiction, ...]:
     )
 
 
+FITS = {
+    "gap": ("cut_in", "cut_out", "lane_change", "overtake", "brake", "stop", "follow"),
+    "lateral_speed": ("lane_change", "cut_in", "cut_out", "swerve", "drift"),
+    "abandoned": ("lane_change", "cut_in", "overtake"),
+}
+"""The actions of which a phase can say a field."""
+
+
+def misplaced(actors: dict[str, EgoSpec | ObjectSpec], ramp: bool) -> ResolveError | None:
+    """The first field of a phase that means nothing for its action, or there; `ramp`: whether somebody merges."""
+    for cid, spec in actors.items():
+        for i, phase in enumerate(spec.phases):
+            path, action = f"{cid}.phases.{i}", phase.action.replace("_", " ")
+            for name, actions in FITS.items():
+                if getattr(phase, name) not in (None, False) and phase.action not in actions:
+                    known = ", ".join(actions).replace("_", " ")
+                    why = f"{path}.{name} says nothing of a {action}: it is for {known}"
+                    return ResolveError(f"{why}. Leave it out, or change the action", (f"{path}.{name}",))
+            if phase.trigger is not None and phase.trigger.place == "merge_end" and not ramp:
+                why = f"{path} waits for the end of an acceleration lane, and nobody comes up a ramp"
+                return ResolveError(f"{why}: place somebody on one", (f"{path}.trigger.place", "O.placement.position"))
+    return None
+
+
 def first(place: PlaceSpec, ego: EgoSpec, objects: Iterable[ObjectSpec]) -> Contradiction | None:
     """The first row that the specs break."""
     objects = tuple(objects)

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
-from c2s_engine.write.typed import pockets, scope
+from c2s_engine.write.typed import lateral, pockets, scope
 from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import outwards
@@ -14,6 +14,8 @@ from c2s_engine.write.typed.usual import rides_beside, speed_of
 
 GUARDED = 5.0
 """m/s2 at most, behind whom one overtakes later."""
+USUAL_GAP, USUAL_HEADWAY = 4.0, 1.5
+"""m and s: how one follows another, as `pace` in the driving library has it."""
 HALF_LANE = 1.75
 """m from the lane's middle to its edge, on most maps."""
 EDGE = 1.6
@@ -97,8 +99,24 @@ class Course:
         spec = self.actor.spec
         if isinstance(spec, EgoSpec) and spec.reaction == "follow" and self.actor.others:
             speed = self.speed if self.value > 0 else scope.number(DEFAULT_SPEED["car"]["road"])  # it moves off with it
-            return f"lambda: pace(self, {self.actor.ref(spec.react_to)}, {speed})"
+            return self.pacing(spec.react_to, speed)
         return self.speed
+
+    def pacing(self, cid: str | None, speed: str, gap: float | None = None) -> str:
+        """The speed of one that follows another: at a gap (m) that is said, that at which it starts where that is
+        nearer than usual and both are as fast, or the usual one."""
+        keeps, of = "", cid or next(iter(self._objects), None)
+        lead = self._objects.get(of or "")
+        start = lead.placement if self.actor.is_ego and lead else getattr(self.actor.spec, "placement", None)
+        pace = middle(speed_of(lead, self.actor.plan.place)) if lead else self.actor.plan.ego_speed
+        directly = start is not None and start.of == ("ego" if self.actor.is_ego or not lead else of)
+        if gap is None and directly and start and start.gap is not None and abs(pace - self.value) < 1:
+            gap = middle(start.gap)
+            gap = gap if gap < USUAL_GAP + USUAL_HEADWAY * pace else None
+        if gap is not None:
+            seconds, standing = lateral.headway(gap, pace)
+            keeps = f", headway={scope.number(seconds)}" + (f", standing={scope.number(standing)}" if gap < 4 else "")
+        return f"lambda: pace(self, {self.actor.ref(cid)}, {speed}{keeps})"
 
     def set(self, value: float) -> str:
         """Drive at another speed (m/s) from now on; the cruising constant stays where it is the same."""
@@ -145,18 +163,6 @@ class Course:
             return 0 if self.actor.is_ego else plan.ego_speed
         spec = self.actor.structure[phase.target].spec
         return middle(speed_of(spec, plan.place)) if isinstance(spec, ObjectSpec) and not is_static(spec) else 0
-
-    def catching_up(self, phase: Phase) -> float | None:
-        """The speed (m/s) at which it gets ahead of the phase's target, where it starts abreast of or behind it."""
-        spec = self.actor.spec
-        if not isinstance(spec, ObjectSpec):
-            return None
-        placement = spec.placement
-        along = placement.along or {"beside": "abreast", "behind": "behind"}.get(placement.position)
-        if along not in ("abreast", "behind") or self.lane is None or placement.of != (phase.target or "ego"):
-            return None
-        needed = self.target_speed(phase) + (4 if along == "abreast" else 7)
-        return needed if self.value < needed else None
 
     @property
     def oncoming(self) -> bool:

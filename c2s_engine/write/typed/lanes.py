@@ -6,6 +6,9 @@ from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, is_static, is_vehicle
 from c2s_engine.write.typed.usual import default_gap
 
+WIDE = 3.5
+"""m: who is so far to the side is beyond the next lane."""
+
 
 def all_phases(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> list[Phase]:
     return [*ego.phases, *(p for o in objects.values() for p in o.phases)]
@@ -26,6 +29,8 @@ def lane_offset(cid: str, objects: dict[str, ObjectSpec], seen: tuple[str, ...] 
     step = {"ahead": 0, "behind": 0, "partly_in_lane": 0, "left_lane": 1, "right_lane": -1}.get(placement.position)
     if placement.position == "beside":
         step = -1 if placement.side == "right" else 1
+    if step and placement.lateral is not None:  # beyond the next lane
+        step *= 1 + int(middle(placement.lateral) // WIDE)
     return None if of is None or step is None else of + step
 
 

@@ -4,8 +4,9 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.lateral import LATERAL
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_NAME, MOVES_OFF_ROAD, TURN, is_static
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, HALF_LANE, LANE_NAME, MOVES_OFF_ROAD, TURN, is_static
 from c2s_engine.write.typed.threats import IN_WAY, members
 from c2s_engine.write.typed.triggers import observed
 from c2s_engine.write.typed.usual import crosses
@@ -49,7 +50,7 @@ def _of_ego(structure: Structure, plan: Plan, ego: EgoSpec) -> list[str] | None:
         return onward
     if last.action in STANDS:
         return ["ego.speed < 0.3"]
-    if last.action == "lane_change" and not plan.junction:
+    if last.action == "lane_change" and not plan.junction and not last.abandoned:
         return [f"ego._lane is not {LANE_NAME[0]}"]
     if last.action in ("overtake", "yield") and last.target and last.target in structure:
         other = scope.reference(structure, str(last.target))
@@ -62,7 +63,8 @@ def _of_object(structure: Structure, plan: Plan, cid: str, o: ObjectSpec) -> lis
     if crosses(o):
         return [f"lead_on({one}, ego) < -3 or ego.speed < 0.3 and {one}.speed < 0.3"]
     if is_static(o):
-        ahead = o.placement.along in (None, "ahead") and o.placement.of == "ego"
+        own = plan.lane_of.get(cid) == 0 and o.placement.position == "ahead"  # whomever it is placed by
+        ahead = o.placement.along in (None, "ahead") and (o.placement.of == "ego" or own)
         beside = o.placement.position in {*MOVES_OFF_ROAD, "left_lane", "right_lane"}
         return (
             [f"lead_on({one}, ego) < -5 or ego.speed < 0.3"]
@@ -75,16 +77,37 @@ def _of_object(structure: Structure, plan: Plan, cid: str, o: ObjectSpec) -> lis
         return [f"{one}._intersection is not None"]
     if last.action in STANDS:
         return [f"{one}.speed < 0.3", *(["ego.speed < 0.3"] if _stops_behind(structure, plan, cid) else [])]
+    if last.abandoned:
+        return Unknown
     if last.action in SEEN or last.action in ("lane_change", "cut_out") and plan.lane_of.get(cid) == 0:
         goal = middle(last.speed) if last.speed is not None and last.action == "brake" else None
-        return [f"{one}.speed < {scope.number(goal + 0.7)}" if goal else observed(structure, one, cid, last.action)]
+        done = f"{one}.speed < {scope.number(goal + 0.7)}" if goal else _done(structure, one, cid, last.action)
+        slows = last.action == "brake" and _reacts(structure) and _comes_before_ego(plan, cid, o)
+        return [f"{done} and ego.speed < {one}.speed + 1" if slows else done]
     if last.action == "overtake" and last.target in (None, "ego"):
         return [f"lead_on({one}, ego) > 8"]
     return Unknown
 
 
+def _done(structure: Structure, other: str, cid: str, action: str) -> str:
+    """What can be seen of another's action once it is done."""
+    if action in LATERAL:
+        sign = "<" if action == "cut_in" else ">"
+        return f"place.lane.centerline.distanceTo({other}.position) {sign} {HALF_LANE}"
+    return observed(structure, other, cid, action)
+
+
+def _reacts(structure: Structure) -> bool:
+    """Whether ego slows down for who is before it."""
+    return getattr(structure.ego.spec, "reaction", "") in ("brake", "follow")
+
+
+def _comes_before_ego(plan: Plan, cid: str, o: ObjectSpec) -> bool:
+    """Whether somebody is in ego's lane ahead of it when it brakes."""
+    there = plan.lane_of.get(cid) == 0 and o.placement.position == "ahead"
+    return there or any(p.action == "cut_in" and p.target in (None, "ego") for p in o.phases)
+
+
 def _stops_behind(structure: Structure, plan: Plan, cid: str) -> bool:
     """Whether ego comes to a stand behind one that stops ahead of it."""
-    ego = structure.ego.spec
-    reacts = isinstance(ego, EgoSpec) and ego.reaction in ("brake", "follow")
-    return reacts and plan.lane_of.get(cid) == 0 and structure[cid].spec.placement.position == "ahead"  # type: ignore[union-attr]
+    return _reacts(structure) and plan.lane_of.get(cid) == 0 and structure[cid].spec.placement.position == "ahead"  # type: ignore[union-attr]

@@ -1,8 +1,9 @@
 """Where an object starts, as Scenic: a point on a lane by its distance along it, or a spot beside the road."""
 
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec
-from c2s_engine.write.typed import meetings, pockets, scope, stations
+from c2s_engine.write.typed import ahead, meetings, pockets, scope, stations
 from c2s_engine.write.typed.beside import behind_junction, beside_road
 from c2s_engine.write.typed.hiding import aside, hidden
 from c2s_engine.write.typed.place import approach_name
@@ -10,7 +11,7 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.pockets import pocket_name
 from c2s_engine.write.typed.spot import Spot, measured, member, position_constant
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_NAME, LENGTH, WORKS, is_vehicle, is_walker
-from c2s_engine.write.typed.usual import right_behind, turn_of
+from c2s_engine.write.typed.usual import right_behind, speed_of, turn_of
 
 
 def place_object(structure: Structure, cid: str, plan: Plan) -> Spot:
@@ -173,8 +174,14 @@ def _on_ramp(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
     name = f"{scope.constant(structure, cid)}_TO_MERGE"
     loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
     at = f"-({member(spec, name)})" if spec.count > 1 else f"-{name}"
+    start = f"{scope.number(stations.to_merge(spec, plan))}  # m"
+    if spec.placement.gap is None and plan.place.kind != "on_ramp" and middle(speed_of(spec, plan.place)) > 0:
+        metres, before_end = ahead.merging(structure, cid)
+        own = f"{scope.constant(structure, cid)}_SPEED"
+        end = f", before_end={scope.number(before_end)}" if before_end is not None else ""
+        start = f"start_to_merge(place, {own}, EGO_SPEED, EGO_AT, ahead={scope.number(metres)}{end})"
     return Spot(
-        (f"{name} = {scope.number(stations.to_merge(spec, plan))}  # m",),
+        (f"{name} = {start}",),
         (f"at place.ramp.centerline.pointAlongBy({at})", *loose),
         "way(place.ramp)",
     )

@@ -37,6 +37,8 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     if broken := contradictions.first(place, ego, objects.values()):
         raise ResolveError(broken.because, broken.fields)
     ramp = any(o.placement.position == "on_ramp" for o in objects.values())
+    if misplaced := contradictions.misplaced({"E": ego, **objects}, ramp or place.kind == "on_ramp"):
+        raise misplaced
     oncoming = place.oncoming is True or lanes.needs_oncoming(ego, objects)
     if place.kind not in {"motorway", *RAMP} and place.oncoming is None and lanes.kerb_side(ego, objects) == "left":
         oncoming = True  # the far side of a street lies beyond its oncoming lanes

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
-from c2s_engine.write.typed import scope
+from c2s_engine.write.typed import lateral, scope, traffic
 from c2s_engine.write.typed.collisions import (
     LANE_WIDTH,
     Step,
@@ -22,6 +22,8 @@ from c2s_engine.write.typed.usual import SETS_OUT, reach
 
 AT_LINE = Trigger(kind="place", place="intersection", value=0)
 """When somebody stops at the stop line of its approach."""
+BROKEN_OFF = 1.2
+"""m to the side after which a lane change is broken off: some of the body is over the line then."""
 BEYOND_EDGE = 4
 """m beyond the road's edge to where who leaves it heads."""
 HITS_SOON = "for 1 seconds"
@@ -115,8 +117,8 @@ def _start(c: Course, p: Phase) -> list[Step]:
 
 def _follow(c: Course, p: Phase) -> list[Step]:
     c.set(c.wanted(p, _moving(c)))
-    pace = f"lambda: pace(self, {c.actor.ref(p.target)}, {c.speed})"
-    return [([c.drive(pace, 4)], ending(p, ""))]
+    gap = middle(p.gap) if p.gap is not None else None
+    return [([c.drive(c.pacing(p.target, c.speed, gap), 4)], ending(p, ""))]
 
 
 def _u_turn(c: Course, p: Phase) -> list[Step]:
@@ -147,24 +149,45 @@ def _moving(c: Course) -> float:
 
 
 def _lane_change(c: Course, p: Phase) -> list[Step]:
-    lasts = HITS_SOON if hit_next(c, p) else ""
+    side, goal = _side(p, 1), c.wanted(p, _moving(c))
+    if p.abandoned:
+        return _back_again(c, p, side)
+    shift = middle(p.lateral_speed) if p.lateral_speed is not None else None
+    over = HITS_SOON if hit_next(c, p) else _until_over(p)
     narrow = c.lane is not None and len(c.actor.plan.offsets) == 1 and not c.on_ramp
     if narrow or c.oncoming:  # by the lane of the other direction, or the verge
-        drive = c.drive(c.set(c.wanted(p, _moving(c))), offset=scope.number(_side(p, 1) * LANE_WIDTH))
-        return [([drive], ending(p, lasts or "for 6 seconds"))]
-    line = c.onto(_side(p, 1))
-    return [([line, c.drive(c.set(c.wanted(p, _moving(c))))], ending(p, lasts or "for 5 seconds"))]
+        drive = c.drive(c.set(goal), offset=scope.number(side * LANE_WIDTH), shift=shift)
+        return [([drive], ending(p, over))]
+    line, speed = c.onto(side), c.set(goal)
+    if p.gap is not None and p.target and not traffic.in_front(c.actor.structure, c.actor.cid, p):  # behind that one
+        speed = c.pacing(p.target, c.speed, middle(p.gap))
+    return [([line, c.drive(speed, shift=shift)], ending(p, over))]
 
 
 def _cut_in(c: Course, p: Phase) -> list[Step]:
-    c.lane = c.target_lane(p) or 0
-    change = [f"line = way({LANE_NAME[c.lane]})", c.drive(c.set(c.wanted(p, c.actor.value or _moving(c))))]
-    plan, ego = c.actor.plan, c.actor.structure.ego.spec
-    forces = getattr(ego, "reaction", "") == "brake" and c.value > plan.ego_speed - 1
-    if forces and p == c.actor.spec.phases[-1]:  # ego has to brake for it, so it does not pull away
-        slower = c.drive(scope.number(0.75 * min(c.value, plan.ego_speed)), 3)
-        return [(change, "for 2.5 seconds"), ([slower], "for 3 seconds"), ([c.drive()], "")]
-    return [(change, ending(p, HITS_SOON if hit_next(c, p) else "for 4 seconds"))]
+    to = c.target_lane(p) or 0
+    if p.abandoned:
+        return _back_again(c, p, 1 if to > (c.lane if c.lane is not None else -1) else -1)
+    c.lane = to
+    shift = middle(p.lateral_speed) if p.lateral_speed is not None else None
+    drive = c.drive(c.set(c.wanted(p, c.actor.value or _moving(c))), shift=shift)
+    over = HITS_SOON if hit_next(c, p) else _until_over(p)
+    return [([f"line = way({LANE_NAME[c.lane]})", drive], ending(p, over))]
+
+
+def _until_over(p: Phase) -> str:
+    """The end of a lane change: as it is all but in the middle of the other lane."""
+    return f"for {scope.number(round(lateral.sideways(LANE_WIDTH - 0.7, lateral.shift_of(p)) + 0.4, 1))} seconds"
+
+
+def _back_again(c: Course, p: Phase, side: int) -> list[Step]:
+    """A lane change that is broken off: over the line by some of its width, and back."""
+    goal, shift = c.set(c.wanted(p, _moving(c))), lateral.shift_of(p)
+    said = shift if p.lateral_speed is not None else None
+    out = c.drive(goal, offset=scope.number(side * BROKEN_OFF), shift=said)
+    back = f"for {scope.number(round(lateral.sideways(BROKEN_OFF, shift) + 1, 1))} seconds"
+    return [([out], ending(p, f"for {scope.number(round(lateral.sideways(BROKEN_OFF, shift) + 0.4, 1))} seconds")),
+            ([c.drive(goal, shift=said)], back)]  # fmt: skip
 
 
 def _enter_road(c: Course, p: Phase) -> list[Step]:
@@ -180,6 +203,9 @@ def _enter_road(c: Course, p: Phase) -> list[Step]:
 
 def _sideways(c: Course, p: Phase, metres: float, shift: float, seconds: float | None) -> list[Step]:
     side = _side(p, -1 if metres < 0 else 1)
+    if p.lateral_speed is not None:
+        shift = middle(p.lateral_speed)
+        seconds = seconds and max(seconds, round(lateral.sideways(abs(metres), shift) + 0.5, 1))
     out = c.drive(c.set(c.wanted(p, c.value)), offset=scope.number(side * abs(metres)), shift=shift)
     if hit_next(c, p):
         return [([out], ending(p, HITS_SOON))]

@@ -22,7 +22,9 @@ def yields(c: Course, p: Phase) -> list[Step]:
     other, lane = c.actor.ref(p.target), c.actor.to_junction
     go = ([c.drive(c.set(_moving_on(c, p)), 2)], "for 4 seconds")
     if _in_next_lane(c, p):
-        return [*_let_by(c, other), go]
+        phases = c.actor.spec.phases
+        then = phases[phases.index(p) + 1 :] if p in phases else ()
+        return [*_let_by(c, other), *([] if then and then[0].action == "lane_change" else [go])]
     if lane is None or _on_foot_behind(c, p) or c.behind and _comes_towards(c, p):
         return [*_until_forced(c, p, other), go]
     end = f"{lane}.centerline[-1]"
@@ -76,9 +78,9 @@ def _in_next_lane(c: Course, p: Phase) -> bool:
 def _let_by(c: Course, other: str) -> list[Step]:
     """Slower than the other, and behind what stands in its way, until that one is ahead."""
     stands = standing(c.actor.structure, c.actor.plan.lane_of)
-    goal = f"max(0, min({scope.number(0.6 * c.value)}, {other}.speed - 3))"
+    goal = f"max(0, min({scope.number(0.8 * c.value)}, {other}.speed - 3))"
     slower = f"lambda: gain(self, {c.actor.ref(stands)}, {goal})" if stands else f"lambda: {goal}"
-    return [([c.drive(slower, 3)], f"until lead_on({other}, self) > self.length + {other}.length")]
+    return [([c.drive(slower, 2)], f"until ahead_by({other}, self) > 2")]
 
 
 def _comes_towards(c: Course, p: Phase) -> bool:

@@ -1,13 +1,13 @@
 """When a phase begins: its stated trigger, or what its action waits for where none is stated."""
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.quantity import low, middle
+from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
-from c2s_engine.write.typed import scope
+from c2s_engine.write.typed import ahead, lateral, scope, traffic
 from c2s_engine.write.typed.collisions import hit_beside, hit_next
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.overtakings import nearest
-from c2s_engine.write.typed.tables import HALF_LANE, LENGTH, WORKS, is_static
+from c2s_engine.write.typed.tables import LENGTH, WORKS, is_static
 from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, standing, threatening
 from c2s_engine.write.typed.towards import before_standing, opposite_standing
 from c2s_engine.write.typed.usual import speed_of
@@ -26,13 +26,16 @@ def stated(course: Course, phase: Phase) -> str:
     other = course.actor.ref(t.of)
     value = middle(t.value) if t.value is not None else None
     if t.kind == "time":
-        return f"until simulation().currentTime * simulation().timestep >= {scope.number(value or 3)}"
+        at = (value or 0) + (middle(t.delay) if t.delay is not None else 0)
+        return f"until simulation().currentTime * simulation().timestep >= {scope.number(at or 3)}"
     if t.kind == "ttc":
         return f"until ttc(self, {other}) < {scope.number(value or 3)}"
     if t.kind == "place":
         return _before_junction(course, value or 0, phase)
     if t.kind == "action":
         return f"until {observed(course.actor.structure, other, t.of or 'ego', t.action)}"
+    if phase.action == "cut_in" and course.value > course.target_speed(phase) + 0.3:  # once it is that far ahead
+        return f"until ahead_by(self, {other}) > {scope.number(value or 25)}"
     return f"until gap(self, {other}) < {scope.number(value or 25)}"
 
 
@@ -50,6 +53,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return ""
     if phase.action in ("lane_change", "cut_in") and course.on_ramp:
         return "until self._lane is place.acceleration_lane"
+    if phase.action in lateral.LATERAL and phase.gap is not None and phase.target and not _sideways_into(course, phase):
+        return _at_gap(course, phase, first)
     if a.is_ego and phase.action in FORCED and not _stood(a, phase) and _confronted(course, phase):
         cid = phase.target or getattr(a.spec, "react_to", None) or standing(a.structure, a.plan.lane_of)
         hard = getattr(a.spec, "hard", False) or (phase.rate is not None and middle(phase.rate) >= 4)
@@ -67,8 +72,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     if phase.action == "cut_in" and (_sideways_into(course, phase) or a.is_ego and hit_next(course, phase)):
         return ""
     if phase.action == "cut_in":
-        least, most = (scope.number(m) for m in _cut_in_gaps(course))
-        return f"until {least} < lead_on(self, {a.ref(phase.target)}) - self.length < {most}"
+        return _at_gap(course, phase, first)
     if phase.action == "overtake" and (
         course.oncoming_both(phase) or course.lane is not None and course.same_lane(phase)
     ):
@@ -89,7 +93,12 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     if course.oncoming:
         ahead = 5.5 if phase.action == "drift" else 2.8  # s that it takes to be over
         return f"until (distance from self to ego) < {scope.number(ahead * (a.value + a.plan.ego_speed))}"
-    return "for 3 seconds"
+    return _undisturbed(a)
+
+
+def _undisturbed(actor: Actor) -> str:
+    """What goes before the first thing that somebody does of its own accord."""
+    return f"for {scope.number(ahead.begins(actor.structure, actor.cid))} seconds"
 
 
 def _stood(actor: Actor, phase: Phase) -> bool:
@@ -113,24 +122,27 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
         return f"simulation().currentTime * simulation().timestep > 1 and {other}.speed < 0.3"
     if action in ("stationary", "wait"):
         return f"{other}.speed < 0.3"
+    spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
+    prefix = "EGO" if cid in ("E", "ego") else scope.constant(structure, cid)
+    moving = cid in ("E", "ego") or isinstance(spec, ObjectSpec) and not is_static(spec)
+    known = moving and getattr(spec, "speed", None) not in (None, 0)
+    if action == "accelerate" and known:
+        return f"{other}.speed > {prefix}_SPEED + 0.5"
     if action in ("start", "accelerate", "enter_road", "cross_road", "move_along"):
         return f"{other}.speed > 0.5"
     if action == "brake":
-        spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
-        prefix = "EGO" if cid in ("E", "ego") else scope.constant(structure, cid)
-        moving = cid in ("E", "ego") or isinstance(spec, ObjectSpec) and not is_static(spec)
-        known = moving and getattr(spec, "speed", None) not in (None, 0)
-        return f"{other}.speed < {prefix}_SPEED - 1.5" if known else f"{other}.speed < 3"
+        return f"{other}.speed < {prefix}_SPEED - 1" if known else f"{other}.speed < 3"
     if action in ("turn_left", "turn_right", "go_straight", "run_red", "run_stop"):
         return f"{other}._intersection is not None"
-    if action == "cut_in":
-        return f"place.lane.centerline.distanceTo({other}.position) < {HALF_LANE}"
-    if action in ("lane_change", "cut_out"):
-        return f"place.lane.centerline.distanceTo({other}.position) > {HALF_LANE}"
+    if action in (*lateral.LATERAL, "swerve", "drift"):
+        return f"off_lane({other})"
     return f"(distance from ego to {other}) < 20"
 
 
 def _before_junction(course: Course, value: float, phase: Phase) -> str:
+    if phase.trigger is not None and phase.trigger.place == "merge_end":
+        lane, metres = "place.acceleration_lane", scope.number(max(value, ahead.MERGES))
+        return f"until self._lane is {lane} and (distance from self to {lane}.centerline[-1]) < {metres}"
     lane = course.actor.to_junction
     if lane is None:
         return "for 4 seconds"
@@ -218,16 +230,18 @@ def _presses(course: Course, cid: str) -> bool:
     return slower or not calm
 
 
-def _cut_in_gaps(course: Course) -> tuple[float, float]:
-    """Between which gaps (m) a driver cuts in: closer than usual, or further off, where it starts so."""
-    spec = course.actor.spec
-    placement = spec.placement if isinstance(spec, ObjectSpec) else None
-    if placement is None or placement.gap is None or placement.along == "behind":
-        return 5.0, 25.0
-    slower = course.actor.value < course.actor.plan.ego_speed - 1
-    beside = placement.position in ("left_lane", "right_lane")
-    least = max(1.0, low(placement.gap) - 2) if beside else 5.0
-    return min(5.0, least), max(25.0, 0.0 if slower else middle(placement.gap) + 8)
+def _at_gap(course: Course, phase: Phase, first: bool) -> str:
+    """When one begins to come over so that it is as far from the other as is said as it comes over the lane line, both
+    driving on as they do: once it has come so far ahead, or fallen back so far."""
+    other, gains = course.actor.ref(phase.target), course.value - course.target_speed(phase)
+    gap = middle(phase.gap) if phase.gap is not None else ahead.LEAST
+    if abs(gains) < 0.3 or phase.gap is None and gains < 0:
+        return _undisturbed(course.actor) if first else ""
+    seconds = scope.number(lateral.to_line(course.actor.spec.type, phase))
+    before = traffic.in_front(course.actor.structure, course.actor.cid, phase)
+    one, two = ("self", other) if before else (other, "self")
+    sign = ">" if (gains > 0) == before else "<"
+    return f"until ahead_by({one}, {two}, {seconds}) {sign} {scope.number(gap)}"
 
 
 def _sideways_into(course: Course, phase: Phase) -> bool:

@@ -42,6 +42,6 @@ lead = new Car at place.lane.centerline.pointAlongBy(LEAD_AT),
 
 ## T
 require monitor OnceSeen([
-    lambda: lead.speed < 5.7,
+    lambda: lead.speed < 5.7 and ego.speed < lead.speed + 1,
 ])
 terminate after 20 seconds

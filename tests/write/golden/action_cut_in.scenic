@@ -33,11 +33,10 @@ CUTTER_AT = EGO_AT
 behavior CutterBehavior():
     line = way(place.left_lane)
     take SetSpeedAction(CUTTER_SPEED)
-    do Drive(line, 26) until 5 < lead_on(self, ego) - self.length < 25
+    do Drive(line, CUTTER_SPEED) until ahead_by(self, ego, 0.76) > 17.6
     line = way(place.lane)
-    do Drive(line, CUTTER_SPEED) for 2.5 seconds
-    do Drive(line, 16.5, rate=3) for 3 seconds
-    do Drive(line, CUTTER_SPEED)
+    do Drive(line, CUTTER_SPEED) for 2 seconds
+    do Drive(line, 15.4, rate=4)
 
 cutter = new Car at place.left_lane.centerline.pointAlongBy(CUTTER_AT),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
@@ -45,6 +44,6 @@ cutter = new Car at place.left_lane.centerline.pointAlongBy(CUTTER_AT),
 
 ## T
 require monitor OnceSeen([
-    lambda: place.lane.centerline.distanceTo(cutter.position) < 1.7,
+    lambda: cutter.speed < 16.1 and ego.speed < cutter.speed + 1,
 ])
 terminate after 20 seconds

@@ -44,7 +44,7 @@ behavior FollowerBehavior():
     line = way(place.lane)
     try:
         take SetSpeedAction(FOLLOWER_SPEED)
-        do Drive(line, lambda: pace(self, ego, FOLLOWER_SPEED), rate=4)
+        do Drive(line, lambda: pace(self, ego, FOLLOWER_SPEED, headway=0.92), rate=4)
     interrupt when most_need(self, [ego, lead]) > 3:
         do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * most_need(self, [ego, lead])))) until most_need(self, [ego, lead]) <= 0
 

@@ -1,0 +1,201 @@
+"""The numbers of a phase at its moment: the gap as it comes over the lane line or begins to brake, how fast it moves
+sideways, what it waits, how far it goes before it breaks off."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from c2s_engine.require.evidence import Evidence, Motion
+from c2s_engine.require.results import scored, unknown
+from c2s_engine.require.scene import Scene, bounds
+from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.quantity import high, low
+from c2s_engine.structure.requirements import Requirement, Result
+from c2s_engine.structure.specs import Phase
+
+OVER_LINE = ("cut_in", "cut_out", "lane_change")
+SLOWS = ("brake", "stop")
+SIDEWAYS = (*OVER_LINE, "swerve", "drift")
+LANE = 3.5
+"""m, of most maps' lanes."""
+BEGUN = 0.3
+"""m to the side by which one has begun to move there."""
+LONGEST = 8.0
+"""s that a move to the side takes at most until it is seen."""
+
+
+def required(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iterator[Requirement]:
+    """What a phase states in numbers of its moment; `of`: the requirement that it is seen."""
+    name, said, cid = scene.named(actor), phase.action.replace("_", " "), "E" if actor == EGO else actor
+    if phase.gap is not None and phase.action in (*OVER_LINE, *SLOWS, "follow") and scene.stated(cid, f"{path}.gap"):
+        other = phase.target or EGO
+        when = {"follow": "all along"}.get(phase.action, "as it begins" if phase.action in SLOWS else
+                                           "as it comes over the lane line")  # fmt: skip
+        if other != actor:
+            yield scene.make("place", "gap_then", actor, f"{path}.gap", f"{name}: {said} {low(phase.gap):g} m from "
+                             f"{scene.named(other)}, {when}.", other=other, of=of, action=phase.action,
+                             least=low(phase.gap), most=high(phase.gap))  # fmt: skip
+    if phase.lateral_speed is not None and phase.action in SIDEWAYS and scene.stated(cid, f"{path}.lateral_speed"):
+        yield scene.make("speed", "moves_aside", actor, f"{path}.lateral_speed", f"{name}: {said} at "
+                         f"{low(phase.lateral_speed):g} m/s sideways.", of=of, action=phase.action,
+                         least=low(phase.lateral_speed), most=high(phase.lateral_speed))  # fmt: skip
+
+
+def delays(scene: Scene) -> Iterator[Requirement]:
+    """That phases begin so long after what they wait for as is said: after all that is seen."""
+    for actor, i, phase in scene.phases():
+        trigger, path, cid = phase.trigger, f"phases.{i}", "E" if actor == EGO else actor
+        if trigger is None or trigger.delay is None or trigger.kind not in ("time", "action") \
+                or not scene.stated(cid, f"{path}.trigger.delay"):  # fmt: skip
+            continue
+        since = low(trigger.value) if trigger.kind == "time" and trigger.value is not None else 0.0
+        text = f"{scene.named(actor)}: {phase.action.replace('_', ' ')} {low(trigger.delay):g} s later."
+        yield scene.make("order", "delayed", actor, f"{path}.delay", text, of=f"{cid}.{path}.{phase.action}",
+                         action=phase.action, after=_awaited(scene, trigger.of, trigger.action), other=trigger.of,
+                         its=trigger.action or "", least=since + low(trigger.delay),
+                         most=since + high(trigger.delay))  # fmt: skip
+
+
+def _awaited(scene: Scene, of: str | None, action: str | None) -> str:
+    """The requirement that what is waited for is seen; '' for none."""
+    for actor, i, phase in scene.phases():
+        if actor == of and phase.action == action:
+            return f"{'E' if actor == EGO else actor}.phases.{i}.{action}"
+    return ""
+
+
+def beside(motion: Motion) -> np.ndarray:
+    """m to the left of where it drives first, at each step, over lane changes too."""
+    aside = motion.of_course("aside")
+    steps = np.diff(aside, prepend=aside[:1])
+    window = max(1, round(0.4 / motion.step))  # its way may go on in another lane from one sample to the next
+    moved = np.convolve(steps, np.ones(window), mode="same")
+    steps[np.abs(moved) > LANE / 2] = 0.0
+    return np.asarray(np.cumsum(steps))
+
+
+def onset(motion: Motion, action: str, time: float) -> float:
+    """When what is seen of an action at a time began, s."""
+    at = motion.at(time)
+    if action in SIDEWAYS:
+        first = motion.at(time - LONGEST)
+        moved = np.abs(beside(motion)[first : at + 1] - beside(motion)[first])
+        return float(motion.time[first + int((moved > BEGUN).argmax())]) if (moved > BEGUN).any() else time
+    if action in (*SLOWS, "accelerate", "start"):
+        sign, rate = (-1 if action in SLOWS else 1), bounds()["phase"]["change_rate"]["value"] / 2
+        while at > 0 and sign * motion.acceleration[at] <= rate and motion.time[at] > time - 1.0:
+            at -= 1
+        while at > 0 and sign * motion.acceleration[at - 1] > rate:
+            at -= 1
+        return float(motion.time[at])
+    return time
+
+
+def over_line(motion: Motion, time: float) -> float | None:
+    """When its side comes over the lane line in a move to the side that is seen at a time, s."""
+    first, last = motion.at(time - LONGEST), motion.at(time + 1.0)
+    moved = np.abs(beside(motion)[first : last + 1] - beside(motion)[first]) >= (LANE - motion.size[1]) / 2
+    return float(motion.time[first + int(moved.argmax())]) if moved.any() else None
+
+
+def lengthwise(one: Motion, other: Motion, at: int) -> float:
+    """m along the road from bumper to bumper of two at a step; below 0 where they are side by side."""
+    a, b = min(at, len(one.x) - 1), min(at, len(other.x) - 1)
+    dx, dy = one.x[a] - other.x[b], one.y[a] - other.y[b]
+    along = -np.sin(other.heading[b]) * dx + np.cos(other.heading[b]) * dy
+    return float(abs(along) - (one.size[0] + other.size[0]) / 2)
+
+
+def gap_then(requirement: Requirement, evidence: Evidence) -> Result:
+    v, limits = requirement.values, bounds()["phase"]
+    least, most, action = float(v["least"]), float(v["most"]), str(v["action"])  # type: ignore[arg-type]
+    said = f"{least:g} m" if least == most else f"{least:g} to {most:g} m"
+    motion, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
+    time = evidence.times.get(str(v["of"]))
+    if motion is None or other is None or time is None:
+        return unknown(requirement, said, "not reached: it was not seen")
+    if action == "follow":
+        when = _while_followed(motion, other, time)
+        gaps = [lengthwise(motion, other, at) for at in when]
+        gap = gaps[int(np.abs(np.array(gaps) - (least + most) / 2).argmax())]
+        moment: float | None = time
+    else:
+        moment = over_line(motion, time) if action in OVER_LINE else onset(motion, action, time)
+        if moment is None:
+            return unknown(requirement, said, "not reached: it comes over no lane line")
+        gap = lengthwise(motion, other, motion.at(moment))
+    room = max(limits["gap"]["value"], limits["gap_share"]["value"] * most)
+    off = max(least - gap, gap - most, 0.0)
+    return scored(requirement, 1.0 - off / room, said, f"{gap:.1f} m", moment,
+                  measured=(gap, least - room, most + room))  # fmt: skip
+
+
+def _while_followed(motion: Motion, other: Motion, time: float) -> list[int]:
+    """The steps from when both have settled, or it follows, until either changes its speed or moves aside."""
+    first = motion.at(max(time, bounds()["natural"]["settles"]["value"]))
+    last = min(len(motion.x), len(other.x)) - 1
+    changed = [
+        np.flatnonzero((np.abs(m.smooth[: last + 1] - m.smooth[first]) > 1.0)
+                       | (np.abs(beside(m)[: last + 1] - beside(m)[first]) > BEGUN))
+        for m in (motion, other)
+    ]  # fmt: skip
+    ends = [int(c[c > first][0]) for c in changed if (c > first).any()]
+    return list(range(first, max(first + 1, min([last, *ends]))))
+
+
+def moves_aside(requirement: Requirement, evidence: Evidence) -> Result:
+    v, limits = requirement.values, bounds()["phase"]
+    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
+    said = f"{least:g} m/s sideways"
+    motion, time = evidence.motion(requirement.actor), evidence.times.get(str(v["of"]))
+    if motion is None or time is None:
+        return unknown(requirement, said, "not reached: it was not seen")
+    window = slice(motion.at(time - LONGEST), motion.at(time + 2.0) + 1)
+    width = max(1, round(0.4 / motion.step))
+    moved = beside(motion)[window]
+    if len(moved) <= width:
+        return unknown(requirement, said, "not reached: the run is too short")
+    speeds = np.abs(moved[width:] - moved[:-width]) / (width * motion.step)
+    seen = float(np.median(speeds[speeds > 0.5 * speeds.max()]))
+    room = limits["lateral"]["value"] + limits["lateral_share"]["value"] * most
+    off = max(least - seen, seen - most, 0.0)
+    return scored(requirement, 1.0 - off / room, said, f"{seen:.1f} m/s", time,
+                  measured=(seen, least - room, most + room))  # fmt: skip
+
+
+def delayed(requirement: Requirement, evidence: Evidence) -> Result:
+    v = requirement.values
+    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
+    said = f"{least:g} s later" if v["after"] else f"{least:g} s after the start"
+    motion, time = evidence.motion(requirement.actor), evidence.times.get(str(v["of"]))
+    cause, first = evidence.motion(requirement.other or EGO), evidence.times.get(str(v["after"]))
+    if motion is None or time is None or v["after"] and (first is None or cause is None):
+        return unknown(requirement, said, "not reached: one of the two was not seen")
+    since = onset(cause, str(v["its"]), first) if cause is not None and first is not None and v["after"] else 0.0
+    seen = onset(motion, str(v["action"]), time) - since
+    room = bounds()["order"]["delay"]["value"] + 0.2 * most
+    off = max(least - seen, seen - most, 0.0)
+    return scored(requirement, 1.0 - off / room, said, f"{seen:.1f} s", time,
+                  measured=(seen, least - room, most + room))  # fmt: skip
+
+
+def breaks_off(requirement: Requirement, evidence: Evidence) -> Result:
+    """It goes some way towards the next lane, and is back in the middle of its own without having been in the other."""
+    limits, said = bounds()["phase"], "begun, and back in its own lane"
+    motion = evidence.motion(requirement.actor)
+    if motion is None:
+        return unknown(requirement, said, "not reached: it is not there")
+    moved = beside(motion)
+    back = limits["back"]["value"]
+    out = np.flatnonzero(np.abs(moved - moved[0]) > limits["begun"]["value"])
+    evidence.times[requirement.id] = float(motion.time[out[0]]) if len(out) else None
+    if not len(out):
+        return scored(requirement, -1.0, said, f"{np.abs(moved - moved[0]).max():.1f} m to the side at most")
+    far = float(np.abs(moved - moved[0]).max())
+    again = np.abs(moved[out[0] :] - moved[0]) < back
+    seen = f"{far:.1f} m to the side, " + ("and back" if again.any() else "and stays there")
+    margin = min((LANE / 2 + motion.size[1] / 2 - far) / 1.0, 1.0) if again.any() else -1.0
+    return scored(requirement, margin, said, seen, float(motion.time[out[0]]))
+
+
+CHECKS = {"gap_then": gap_then, "moves_aside": moves_aside, "delayed": delayed, "breaks_off": breaks_off}

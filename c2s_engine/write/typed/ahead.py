@@ -1,0 +1,130 @@
+"""What lies ahead of those who change lanes: what stands there, and where a ramp's lane ends. m, s, m/s."""
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
+from c2s_engine.write.typed.contradictions import ResolveError
+from c2s_engine.write.typed.lateral import LANE, LATERAL, shift_of, sideways, to_line
+from c2s_engine.write.typed.tables import LENGTH, WIDTH, is_static
+from c2s_engine.write.typed.usual import default_gap, speed_of
+
+BEGINS = 3.0
+"""s for which everybody drives on before what nothing triggers."""
+LETS_BY = 5.0
+"""s in which one lets another in the next lane by."""
+FOLLOWED = 4.3
+"""s for which one follows before the other does something, so that it plainly follows until the other is gone."""
+MERGES = 30.0
+"""m before the end of the acceleration lane by which one begins to change lanes."""
+CLEAR = 0.6
+"""s between being out of the lane and being where somebody stands in it."""
+TIGHT = 0.8
+"""s: the time gap at which one cuts in, so that whoever is behind has to do something about it."""
+LEAST = 6.0
+"""m between the two then, at least."""
+
+
+def phases_of(structure: Structure, cid: str) -> tuple[Phase, ...]:
+    return getattr(structure[cid].spec, "phases", ())
+
+
+def changed(structure: Structure, cid: str, **changes: object) -> Structure:
+    component = structure[cid]
+    return structure.with_component(component.model_copy(update={"spec": component.spec.model_copy(update=changes)}))
+
+
+def with_phase(structure: Structure, cid: str, i: int, **changes: object) -> Structure:
+    phases = phases_of(structure, cid)
+    found = (*phases[:i], phases[i].model_copy(update=changes), *phases[i + 1 :])
+    return changed(structure, cid, phases=found)
+
+
+def begins(structure: Structure, cid: str) -> float:
+    """s for which everybody drives on before what one does, nobody says when."""
+    followed = any(p.action == "follow" and p.target == cid for p in getattr(structure.ego.spec, "phases", ()))
+    return FOLLOWED if followed else BEGINS
+
+
+def clear_ahead(structure: Structure) -> Structure:
+    """With what stands in ego's lane, nobody says how far ahead, where ego has left that lane by then."""
+    ego, place = structure.ego.spec, structure.place.spec
+    assert isinstance(ego, EgoSpec) and isinstance(place, PlaceSpec)
+    actions = [p.action for p in ego.phases]
+    own = middle(speed_of(ego, place))
+    if "lane_change" not in actions or own <= 0 or place.kind not in ("road", "straight", "motorway"):
+        return structure
+    phase = ego.phases[actions.index("lane_change")]
+    before = LETS_BY if "yield" in actions[: actions.index("lane_change")] else 0.0
+    gap = round(own * (BEGINS + before + sideways(LANE, shift_of(phase)) + 2.0), 1)
+    for component in structure.objects:
+        spec = component.spec
+        assert isinstance(spec, ObjectSpec)
+        at = spec.placement
+        if is_static(spec) and at.position == "ahead" and at.of == "ego" and at.gap is None:
+            structure = changed(structure, component.id, placement=at.model_copy(update={"gap": gap}))
+    return structure
+
+
+def revealing(structure: Structure, cid: str, i: int, phase: Phase) -> Structure:
+    """One that leaves its lane before what stands in it: late, and yet out of it before it is there."""
+    spec = structure[cid].spec
+    stands = next((c for c in structure.objects if _stands_before(structure, cid, c.id)), None)
+    if stands is None or not isinstance(spec, ObjectSpec):
+        return structure
+    trigger, place, thing = phase.trigger, structure.place.spec, stands.spec
+    assert isinstance(thing, ObjectSpec) and isinstance(place, PlaceSpec)
+    speed, out = middle(speed_of(spec, place)), (WIDTH[spec.type] + WIDTH[thing.type]) / 2 + 0.2
+    ttc = middle(trigger.value) if trigger and trigger.kind == "ttc" and trigger.value is not None else None
+    shift = shift_of(phase)
+    if ttc is None:
+        left = sideways(out, shift) + CLEAR
+    else:
+        left = ttc
+        while phase.lateral_speed is None and shift < 3.5 and sideways(out, shift) + CLEAR / 2 > left:
+            shift = round(shift + 0.1, 1)
+    if sideways(out, shift) > left:
+        raise ResolveError(
+            f"{cid} has {left:g} s to {stands.id} as it begins to leave its lane, and needs "
+            f"{sideways(out, shift):.1f} s: begin earlier or let it move sideways faster",
+            (f"{cid}.phases.{i}.trigger", f"{cid}.phases.{i}.lateral_speed"),
+        )
+    if trigger is None:
+        structure = with_phase(structure, cid, i, trigger=Trigger(kind="ttc", value=round(left, 1), of=stands.id))
+    if shift != shift_of(phase):
+        structure = with_phase(structure, cid, i, lateral_speed=shift)
+    at = thing.placement
+    if at.gap is not None or trigger is not None and trigger.kind != "ttc":
+        return structure
+    gap = speed * (left + begins(structure, cid))
+    if at.of == "ego":
+        gap += LENGTH[spec.type] + middle(spec.placement.gap if spec.placement.gap is not None else
+                                          default_gap(spec, speed, place))  # fmt: skip
+    return changed(structure, stands.id, placement=at.model_copy(update={"gap": round(gap, 1)}))
+
+
+def _stands_before(structure: Structure, cid: str, other: str) -> bool:
+    """Whether another stands in the lane ahead of an object that drives."""
+    spec, own = structure[other].spec, structure[cid].spec
+    if not isinstance(spec, ObjectSpec) or not isinstance(own, ObjectSpec) or not is_static(spec) or other == cid:
+        return False
+    at = spec.placement
+    return at.position == "ahead" and (at.of == cid or at.of == "ego" and own.placement.position == "ahead")
+
+
+def merging(structure: Structure, cid: str) -> tuple[float, float | None]:
+    """Of one that comes up a ramp: how far (m) its middle is ahead of ego's where it begins to change onto ego's lane,
+    and how far (m) that is before the end of the acceleration lane (None: as it comes onto it)."""
+    spec, place = structure[cid].spec, structure.place.spec
+    assert isinstance(spec, ObjectSpec) and isinstance(place, PlaceSpec)
+    own, ego = middle(speed_of(spec, place)), middle(speed_of(structure.ego.spec, place))  # type: ignore[arg-type]
+    half = (LENGTH[spec.type] + LENGTH[structure.ego.spec.type]) / 2  # type: ignore[union-attr]
+    phase = next((p for p in spec.phases if p.action in LATERAL), None)
+    trigger = phase.trigger if phase is not None else None
+    at_end = trigger is not None and trigger.kind == "place" and trigger.place == "merge_end"
+    end = max(middle(trigger.value or 0.0), MERGES) if trigger is not None and at_end else None
+    if spec.placement.arrives is not None:
+        return 0.0 - middle(spec.placement.arrives) * own, end
+    if phase is None or phase.action != "cut_in":
+        return 0.0, end
+    gap = middle(phase.gap) if phase.gap is not None else max(LEAST, TIGHT * min(own, ego))
+    return gap + half + (ego - own) * to_line(spec.type, phase), end

@@ -1,0 +1,39 @@
+"""How one moves to the side: the times of a lane change, as Drive of the driving library makes it. m, s, m/s, m/s2."""
+
+import math
+
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import Phase
+from c2s_engine.write.typed.tables import WIDTH
+
+LANE = 3.5
+SHIFT = 2.2
+"""m/s at which lanes are changed where nothing is said, as Drive does."""
+SIDEWAYS = 3.0
+"""m/s2 at which that is gained, as in the driving library."""
+ANSWERS = 0.1
+"""s until the body goes where the wheels point."""
+LATERAL = {"cut_in", "cut_out", "lane_change"}
+"""What has its moment as it comes over the lane line."""
+
+
+def sideways(metres: float, shift: float) -> float:
+    """s until one has moved so far to the side."""
+    gained = shift**2 / (2 * SIDEWAYS)
+    return math.sqrt(2 * metres / SIDEWAYS) if metres < gained else shift / SIDEWAYS + (metres - gained) / shift
+
+
+def to_line(kind: str, phase: Phase) -> float:
+    """s from the beginning of a phase until the side of a vehicle of a kind comes over the lane line."""
+    return sideways((LANE - WIDTH[kind]) / 2, shift_of(phase)) + ANSWERS if phase.action in LATERAL else 0.0
+
+
+def shift_of(phase: Phase) -> float:
+    """m/s at which one moves sideways in a phase."""
+    return middle(phase.lateral_speed) if phase.lateral_speed is not None else SHIFT
+
+
+def headway(gap: float, speed: float) -> tuple[float, float]:
+    """(s, m) for `pace`: how the gap that one keeps at a speed grows with that, and what it is at a stand."""
+    standing = min(gap, 4.0)
+    return (gap - standing) / max(speed, 1.0), standing

@@ -400,15 +400,15 @@ def seconds_to(car, points, metres):
         here += step
     return time
 
-def sets_out(self, car, points, speed, ahead, rate=math.inf):
+def sets_out(self, car, points, speed, arrives, rate=math.inf):
     """Whether one beside the road has to set out across it now, at `speed` (m/s, gained at `rate` m/s2), to be in the
-    middle of the way of `car`, its points, `ahead` s before that would be there; or `car` stands for it already."""
+    middle of the way of `car`, its points, `arrives` s after its front would be there; or `car` stands for it already."""
     there, metres = along_line(points, self.position)
     gained = speed ** 2 / (2 * rate)
     time = metres / speed + speed / (2 * rate) if metres > gained else math.sqrt(2 * metres / rate)
     if car.speed < 0.3:
         return simulation().currentTime * simulation().timestep > 1.5 and (distance from self to car) < 25
-    return seconds_to(car, points, there) < time + ahead
+    return seconds_to(car, points, there) < time - arrives
 
 def to_far_side(self, points, heading):
     """How far (m) it is in a direction (rad), over the way of a car, its points, until a little off the road."""

@@ -1,6 +1,6 @@
 """What hides somebody who crosses: where it stands, when and how far off, and where who is hidden by it stands."""
 
-from c2s_engine.structure.components import Structure
+from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed import scope
@@ -8,7 +8,14 @@ from c2s_engine.write.typed.course import EDGE, HALF_LANE
 from c2s_engine.write.typed.spot import Spot, member
 from c2s_engine.write.typed.stations import RIGHT_BEHIND
 from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, WIDTH, is_static
-from c2s_engine.write.typed.usual import crosses, default_gap, right_behind, speed_of, while_crossing
+from c2s_engine.write.typed.usual import (
+    NOSE_TO_TAIL,
+    crosses,
+    right_behind,
+    row_length,
+    speed_of,
+    while_crossing,
+)
 
 OUT = 0.15
 """m beside a lane of one who is just out of it."""
@@ -78,9 +85,27 @@ def standing(structure: Structure) -> Structure:
         speed = middle(speed_of(ego, place))
         seen = who.model_copy(update={"placement": who.placement.model_copy(update={"hidden_by": None})})
         least = while_crossing(seen, speed, place)
-        beside = spec.placement.position in MOVES_OFF_ROAD
-        if beside and spec.placement.gap is None and default_gap(spec, speed, place) < least:
-            spec = spec.model_copy(update={"placement": spec.placement.model_copy(update={"gap": round(least)})})
         if spec is not component.spec:
             structure = structure.with_component(component.model_copy(update={"spec": spec}))
+        first, beyond = _row_of(structure, component.id)
+        if spec.placement.position in MOVES_OFF_ROAD and first.spec.placement.gap is None:  # type: ignore[union-attr]
+            gap = max(float(round(least - beyond)), NOSE_TO_TAIL)
+            placed = first.spec.placement.model_copy(update={"gap": gap})  # type: ignore[union-attr]
+            changed = first.spec.model_copy(update={"placement": placed})
+            structure = structure.with_component(first.model_copy(update={"spec": changed}))
     return structure
+
+
+def _row_of(structure: Structure, cid: str) -> tuple[Component, float]:
+    """The first of those that stand one by the other up to an object, and how far (m) it is from its rear to the front
+    of that object."""
+    component, reached = structure[cid], 0.0
+    for _ in structure.objects:
+        spec = component.spec
+        assert isinstance(spec, ObjectSpec)
+        reached += row_length(spec)
+        if spec.placement.of == "ego":
+            break
+        reached += middle(spec.placement.gap) if spec.placement.gap is not None else NOSE_TO_TAIL
+        component = structure[spec.placement.of]
+    return component, reached

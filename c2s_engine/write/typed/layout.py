@@ -18,7 +18,7 @@ from c2s_engine.write.typed.lanes import pulls_out
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, MOVES_OFF_ROAD, WIDTH, WORKS
-from c2s_engine.write.typed.usual import right_behind, turn_of, uses_crosswalk
+from c2s_engine.write.typed.usual import right_behind, row_step, turn_of, uses_crosswalk
 
 LANE = 3.5
 DRAWS = 12
@@ -204,7 +204,7 @@ def _row(spec: ObjectSpec, start: _Start, plan: Plan) -> Iterator[Box]:
         length, width = width, length
     end = plan.distance if plan.place.kind == "on_ramp" and start.track == "road" and start.y > LANE / 2 else None
     for i in range(spec.count):
-        s = start.s + start.onward * stations.step(spec) * i
+        s = start.s + start.onward * row_step(spec) * i
         yield Box(start.track, s if end is None else min(s, high(end) - 1), start.y, length, width)
 
 

@@ -7,21 +7,28 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, MOVES_OFF_ROAD, WIDTH, WORKS, is_vehicle, is_walker
-from c2s_engine.write.typed.usual import crosses, crosses_there, default_gap, pace_of, right_behind, speed_of
+from c2s_engine.write.typed.usual import (
+    NOSE_TO_TAIL,
+    crosses,
+    crosses_there,
+    default_gap,
+    pace_of,
+    right_behind,
+    row_step,
+    speed_of,
+)
 
 OWN_PLACE = {*APPROACH_ANGLE, "oncoming_lane", "on_ramp", "intersection_exit", *MOVES_OFF_ROAD}
 """Positions that name where somebody is, whomever they are seen from."""
 FROM_END = {*APPROACH_ANGLE, "on_ramp"}
 """Positions measured back from the end of their lane."""
-CLOSEST = 0.3
-"""m between the members of a row at least."""
 BEFORE_JUNCTION = 5.0
 """m before a junction where those cross who cross at its crosswalk."""
 LONGEST_APPROACH = 130.0
 """m before a junction from which somebody comes who meets ego there."""
 SEEN_RUNNING = 1.8
 """s before it is in ego's way for which an animal is seen that comes running."""
-RIGHT_BEHIND = 0.6
+RIGHT_BEHIND = 0.4
 """m from what hides somebody to who stands by it."""
 
 
@@ -35,11 +42,6 @@ def along(spec: ObjectSpec) -> int:
     return {"behind": -1, "beside": 0}.get(position, 1)
 
 
-def step(spec: ObjectSpec) -> float:
-    """From one member of a row to the next."""
-    return LENGTH[spec.type] + max(middle(spec.spacing) if spec.spacing is not None else 3.0, CLOSEST)
-
-
 def gap(spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
     """The stated gap, or the usual one."""
     if spec.placement.gap is not None:
@@ -47,7 +49,7 @@ def gap(spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
     place = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place  # it stands before the merge
     usual = default_gap(spec, plan.ego_top if along(spec) > 0 else plan.ego_speed, place)
     if place.kind == "intersection" and place.crosswalk and plan.distance is not None and crosses_there(spec):
-        return max(usual, middle(plan.distance) - BEFORE_JUNCTION - (spec.count - 1) * step(spec))
+        return max(usual, middle(plan.distance) - BEFORE_JUNCTION - (spec.count - 1) * row_step(spec))
     return usual
 
 
@@ -56,7 +58,7 @@ def row_beyond(parent: ObjectSpec, ahead: bool) -> float:
     if parent.type in WORKS:  # always one
         return 0.0
     backwards = parent.placement.position in (*FROM_END, "oncoming_lane") or along(parent) < 0
-    return (parent.count - 1) * step(parent) if ahead != backwards else 0.0
+    return (parent.count - 1) * row_step(parent) if ahead != backwards else 0.0
 
 
 def length_of(structure: Structure, of: str) -> float:
@@ -95,7 +97,7 @@ def from_base(
     half = (LENGTH[spec.type] + length_of(structure, of)) / 2 + 0.2
     own = gap(spec, plan)
     if stands_there(structure, of):
-        own = 2.0 if spec.placement.gap is None else own
+        own = NOSE_TO_TAIL if spec.placement.gap is None else own
     start = base(structure, of, plan)
     if start == of and start != "ego":
         parent = structure[of].spec

@@ -88,10 +88,10 @@ def once_seen(structure: Structure, cids: list[str]) -> list[str]:
 
 
 def on_foot(structure: Structure) -> list[str]:
-    """The ids of those who cross the road on foot: ego stops for them where it brakes for what comes into its way."""
+    """The ids of those who come onto the road on foot: ego stops for them where it brakes for what comes into its way."""
     objects = [(c.id, c.spec) for c in structure.objects if isinstance(c.spec, ObjectSpec) and is_walker(c.spec.type)]
     does = {cid: {p.action for p in o.phases} for cid, o in objects}
-    return [cid for cid, _ in objects if "cross_road" in does[cid] and "collide" not in does[cid]]
+    return [cid for cid, _ in objects if {"cross_road", "enter_road"} & does[cid] and "collide" not in does[cid]]
 
 
 def is_stopped(spec: EgoSpec | ObjectSpec) -> bool:

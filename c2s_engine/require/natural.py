@@ -37,7 +37,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
             text = f"{name} neither surges nor slows without a reason" + (" before it is said to." if changes else ".")
             yield scene.make("natural", "steady", actor, "steady", text, until=changes)
         if (target := next((t for a, t in hits if a == actor), None)) is not None:
-            gains = bool(actions & set(GAINS)) or spec.speed == 0
+            gains = bool(actions & set(GAINS)) or spec.speed == 0 or spec.type in ON_FOOT  # these set out
             yield scene.make("natural", "no_aiming", actor, "no_aiming", f"{name} neither speeds up into nor steers "
                              f"at {scene.named(target)}.", other=target, gains=gains,
                              steers=bool(actions & {*SIDEWARD, "turn_left", "turn_right", "oncoming"})

@@ -26,6 +26,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
     for actor, i, phase in scene.phases():
         path, name = f"phases.{i}", scene.named(actor)
         shows = shown_by(phase.action)
+        if phase.action == "cross_road" and _broken_off(scene, actor, i):
+            shows = ("enter_road", *shows)
         if phase.action == "lane_change" and phase.side:
             shows = (f"lane_change_{phase.side}",)
         if not shows and phase.action not in BY_SPEED or phase.action == "keep_lane" and _leaves_later(scene, actor, i):
@@ -53,6 +55,12 @@ def _leaves_later(scene: Scene, actor: str, i: int) -> bool:
     """Whether somebody who keeps its lane at first leaves it in a later phase."""
     return any(p.action in (*SIDED, *AT_JUNCTION, "lane_change", "overtake", "u_turn", "collide", "lose_control",
                             "oncoming") for p in scene.actors[actor].phases[i + 1 :])  # fmt: skip
+
+
+def _broken_off(scene: Scene, actor: str, i: int) -> bool:
+    """Whether somebody who crosses stops on the way over, or turns back."""
+    after = scene.actors[actor].phases[i + 1 : i + 2]
+    return any(p.action in ("stop", "stationary", "wait", "leave_road") for p in after)
 
 
 def _cid(actor: str) -> str:

@@ -408,7 +408,7 @@ def sets_out(self, car, points, speed, arrives, rate=math.inf):
     time = metres / speed + speed / (2 * rate) if metres > gained else math.sqrt(2 * metres / rate)
     if car.speed < 0.3:
         return simulation().currentTime * simulation().timestep > 1.5 and (distance from self to car) < 25
-    return seconds_to(car, points, there) < time - arrives
+    return seconds_to(car, points, there) < time - arrives + simulation().timestep / 2
 
 def to_far_side(self, points, heading):
     """How far (m) it is in a direction (rad), over the way of a car, its points, until a little off the road."""
@@ -775,7 +775,8 @@ def exits(ego_on='exit', approach=0, exit=0, limit=None, across=False, **lanes):
 
 def lane_fits(lane, section, lanes=1, ego_lane=None, oncoming=None, shoulder=None, sidewalk=None):
     """Whether ego's lane has so many `lanes` in its direction, is the 'leftmost', 'middle' or 'rightmost' of them, with
-    an `oncoming` lane that adjoins (no divider), a `shoulder` or parking lane, a `sidewalk` (False: without)."""
+    an `oncoming` lane that adjoins (no divider), a `shoulder` or parking lane, a `sidewalk` (False: without; along roads
+    `shoulder` may be 'preferred': where the map has such a place)."""
     group, left, right = lane.group, section._fasterLane, section._slowerLane
     place = {None: True, 'leftmost': not left, 'rightmost': not right, 'middle': left and right}
     def adjoins():
@@ -784,6 +785,9 @@ def lane_fits(lane, section, lanes=1, ego_lane=None, oncoming=None, shoulder=Non
             and shoulder in (None, bool(group._shoulder)) and sidewalk in (None, bool(group._sidewalk)))
 
 def _along_roads(fits, length=0, least=0, limit=None, **lanes):
+    if lanes.get('shoulder') == 'preferred':
+        return next((found for shoulder in (True, None)
+                     for found in [_along_roads(fits, length, least, limit, **{**lanes, 'shoulder': shoulder})] if found), [])
     found = [Place(lane) for road in network.roads for lane in road.lanes
              if lane_fits(lane, lane.sections[0], **lanes) and fits(lane)]
     for share, over in SHARES:

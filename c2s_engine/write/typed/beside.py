@@ -5,7 +5,7 @@ from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed import scope, stations
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.spot import Spot, measured, member, position_constant
-from c2s_engine.write.typed.tables import is_vehicle, is_walker
+from c2s_engine.write.typed.tables import WIDTH, is_vehicle, is_walker
 from c2s_engine.write.typed.usual import uses_crosswalk, walks_first
 
 
@@ -34,6 +34,15 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
         line = measured(structure, cid, spec, plan, sign)
     point = f"place.lane.centerline.pointAlongBy({member(spec, at, sign or 1)})"
     return _edge(spec, line, point, "place.lane", plan)
+
+
+def by_door(structure: Structure, spec: ObjectSpec) -> Spot:
+    """At the door of a vehicle beside the road, on the side of the traffic, looking that way."""
+    car, left = scope.reference(structure, spec.placement.of), stations.from_door(structure, spec)
+    facing = f"facing {'90' if left > 0 else '-90'} deg relative to {car}"
+    clear = scope.number(stations.AT_DOOR + WIDTH[spec.type] / 2)
+    where = f"at {car} offset by {'-' if left > 0 else ''}({car}.width / 2 + {clear}) @ 0"
+    return Spot((), (where, facing, "with regionContainedIn everywhere"), "straight_on(self)", off_road=True)
 
 
 def _edge(spec: ObjectSpec, constant: str, point: str, lane: str, plan: Plan) -> Spot:

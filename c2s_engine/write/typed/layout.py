@@ -110,6 +110,9 @@ def _start(
         to = (last.length + LENGTH[spec.type]) / 2 + stations.RIGHT_BEHIND
         ahead = -hider.ahead if faces_ego(structure, by) else hider.ahead
         return replace(hider, s=last.s + ahead * to, y=last.y, onward=ahead)
+    if stations.at_door(structure, spec):
+        by = starts[placement.of]
+        return replace(by, y=by.y + by.ahead * stations.from_door(structure, spec))
     if stations.in_line(structure, spec, plan):
         return _in_line(structure, cid, spec, plan, draw, starts[placement.of], found)
     if position in APPROACH_ANGLE:

@@ -6,6 +6,7 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.meetings import way_of_ego
 from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.stations import at_door
 from c2s_engine.write.typed.tables import LANE_NAME, LENGTH, WIDTH, is_walker
 from c2s_engine.write.typed.threats import is_hit
 from c2s_engine.write.typed.usual import crosses, pace_of, reach, walks_first
@@ -63,9 +64,10 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Qu
     if spec.phases[at].action == "cross_road" and _stays(spec.phases[at + 1 : at + 2]):
         ahead = max(GONE / pace, TO_STOP + plan.ego_top / (2 * BRAKES))
     elif _ego_reacts(structure):
-        seen = (reach(spec, plan.place) - _half_width(structure, spec.placement.hidden_by)) / pace
+        by = spec.placement.hidden_by or (spec.placement.of if at_door(structure, spec) else None)
+        seen = (reach(spec, plan.place) - _half_width(structure, by)) / pace
         needed = TO_STOP + plan.ego_top / (2 * BRAKES) - seen
-        ahead = max(0.0, needed if stays else min(needed, IN_WAY / pace)) if spec.placement.hidden_by else 0.0
+        ahead = max(0.0, needed if stays else min(needed, IN_WAY / pace)) if by else 0.0
     else:
         least, most = (round(IN_WAY / pace + clear, 2) for clear in NEAR_MISS)
         return -most, -least
@@ -109,13 +111,20 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
     begun = False
     for i, phase in enumerate(phases):
         then = phases[i + 1] if i + 1 < len(phases) else None
+        if phase.action == "collide" and begun:  # it is on its way already
+            continue
         own = scope.quantity(phase.speed) if phase.speed is not None and i > 0 else usual
         until = f" for {scope.quantity(phase.duration)} seconds" if phase.duration is not None else ""
-        if then is not None and (then.trigger and not until or _crosses_next(then) and not begun):
+        waits = then is not None and (
+            then.trigger and not until or _crosses_next(then) and not begun and phase.action not in ACROSS
+        )
+        if then is not None and waits:
             until = f" until {_sets_out(structure, cid, spec, then, plan, own)}"
         if phase.action in ACROSS:
             if i == 0:
                 lines.append(f"do Stand() until {_sets_out(structure, cid, spec, phase, plan, own)}")
+                if phase.trigger and phase.trigger.delay is not None:
+                    lines.append(f"do Stand() for {scope.quantity(phase.trigger.delay)} seconds")
             lines.append(f"do Walk({heading}, {own}, {_how_far(structure, phase, then, heading)}){until}")
             heading, begun = "self.heading", True
         elif phase.action == "leave_road":
@@ -128,6 +137,8 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
             lines.append(f"do Stand(){until or ('' if then is None else ' for 2 seconds')}")
         else:
             lines.append(f"do Walk(self.heading, {own}){until or ('' if then is None else ' for 2 seconds')}")
+        if waits and then.trigger and then.trigger.delay is not None:
+            lines.append(f"{lines[-1].removesuffix(until)} for {scope.quantity(then.trigger.delay)} seconds")
     return lines
 
 

@@ -3,7 +3,7 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed import meetings, pockets, scope, stations
-from c2s_engine.write.typed.beside import behind_junction, beside_road
+from c2s_engine.write.typed.beside import behind_junction, beside_road, by_door
 from c2s_engine.write.typed.hiding import aside, hidden
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
@@ -20,6 +20,8 @@ def place_object(structure: Structure, cid: str, plan: Plan) -> Spot:
     position = spec.placement.position
     if right_behind(spec):
         return hidden(structure, spec)
+    if stations.at_door(structure, spec):
+        return by_door(structure, spec)
     if stations.in_line(structure, spec, plan):
         return _in_line_with(structure, cid, spec, plan)
     if position in APPROACH_ANGLE:

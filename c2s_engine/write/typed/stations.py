@@ -28,6 +28,8 @@ LONGEST_APPROACH = 130.0
 """m before a junction from which somebody comes who meets ego there."""
 SEEN_RUNNING = 1.8
 """s before it is in ego's way for which an animal is seen that comes running."""
+AT_DOOR = 0.1
+"""m from a vehicle to who stands at its door."""
 RIGHT_BEHIND = 0.4
 """m from what hides somebody to who stands by it."""
 
@@ -73,6 +75,15 @@ def stands_there(structure: Structure, of: str) -> bool:
     return isinstance(other, ObjectSpec) and other.placement.position in MOVES_OFF_ROAD
 
 
+def at_door(structure: Structure, spec: ObjectSpec) -> bool:
+    """Whether somebody on foot stands at the door of a vehicle beside the road, on the side of the traffic."""
+    placement = spec.placement
+    other = structure[placement.of].spec if stands_there(structure, placement.of) else None
+    steps_out = placement.along == "abreast" and any(p.action == "enter_road" for p in spec.phases)
+    on_foot = spec.type in ("pedestrian", "child") and isinstance(other, ObjectSpec) and is_vehicle(other.type)
+    return on_foot and (placement.position == "beside" or steps_out)
+
+
 def in_line(structure: Structure, spec: ObjectSpec, plan: Plan) -> bool:
     """Whether it is placed by one that is on no lane of ego's direction, and on the same lane as that one."""
     of = spec.placement.of
@@ -86,6 +97,8 @@ def base(structure: Structure, of: str, plan: Plan) -> str:
         return "ego"
     if right_behind(parent):
         return base(structure, parent.placement.hidden_by or "ego", plan)
+    if at_door(structure, parent):
+        return base(structure, parent.placement.of, plan)
     return "ego" if plan.lane_of[of] is None and not stands_there(structure, of) else of
 
 
@@ -104,6 +117,14 @@ def from_base(
         assert isinstance(parent, ObjectSpec)
         half += row_beyond(parent, sign > 0)
     return start, own, half
+
+
+def from_door(structure: Structure, spec: ObjectSpec) -> float:
+    """How far (m) to the left of the middle of a vehicle, as that looks, somebody at its door is."""
+    other = structure[spec.placement.of].spec
+    assert isinstance(other, ObjectSpec)
+    out = WIDTH[other.type] / 2 + AT_DOOR + WIDTH[spec.type] / 2
+    return out if (other.placement.side == "left") == (other.placement.facing == "against") else -out
 
 
 def clear_of(structure: Structure, spec: ObjectSpec) -> float:
@@ -151,7 +172,7 @@ def near_exit(spec: ObjectSpec) -> bool:
 
 def outwards(spec: ObjectSpec) -> float:
     """From the road's edge to the middle of what is beside it."""
-    out = {"parked": 1.4, "sidewalk": 3.0}.get(spec.placement.position, 1.5)
+    out = {"sidewalk": 3.0, "parked": 1.6}.get(spec.placement.position, 1.5)
     if spec.type == "animal" and crosses(spec):  # it comes running
         return max(out, round(SEEN_RUNNING * middle(pace_of(spec)) - 1.75, 1))
     if is_walker(spec.type):

@@ -151,6 +151,8 @@ def steady(requirement: Requirement, evidence: Evidence) -> Result:
             continue
         settled, gain = motion.time >= bounds()["natural"]["settles"]["value"], motion.acceleration
         for first, last in [*stretches((gain > 0.3) & settled), *stretches((gain < -0.3) & settled)]:
+            if motion.kind in ("pedestrian", "animal") and motion.smooth[max(first - 1, 0)] < STANDING:
+                continue  # on foot one sets out at once
             change = abs(float(motion.smooth[last] - motion.smooth[first]))
             if motion.time[last] < until and change > worst and not explained(motion, evidence, first, last):
                 worst, when = change, float(motion.time[first])

@@ -46,6 +46,7 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
                          other=place.of, lanes=tuple(str(lane) for lane in lanes), where=where)  # fmt: skip
     along = {"abreast": "abreast"}.get(str(place.along)) or place.along or LENGTHWISE.get(place.position)
     along = "abreast" if place.position == "beside" and place.along is None else along
+    along = None if place.along is None and place.hidden_by is not None else along  # where it is not seen
     if along and not (along == "ahead" and place.gap is not None and low(place.gap) <= 0):
         yield scene.make("start", "start_along", actor, "placement.along", f"{name} starts {along} of {of}.",
                          other=place.of, along=str(along))  # fmt: skip

@@ -3,7 +3,7 @@
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
-from c2s_engine.write.typed import scope
+from c2s_engine.write.typed import scope, stations
 from c2s_engine.write.typed.course import EDGE, HALF_LANE
 from c2s_engine.write.typed.spot import Spot, member
 from c2s_engine.write.typed.stations import RIGHT_BEHIND
@@ -11,6 +11,8 @@ from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, WIDTH, is_stat
 from c2s_engine.write.typed.usual import (
     NOSE_TO_TAIL,
     crosses,
+    pace_of,
+    reach,
     right_behind,
     row_length,
     speed_of,
@@ -34,9 +36,19 @@ def hidden(structure: Structure, spec: ObjectSpec) -> Spot:
         beyond = member(spec, f"{hider}.length / 2 + {scope.number(RIGHT_BEHIND + LENGTH[spec.type] / 2)}")
         sideways = scope.number(-off if left == front else off)
         where = f"at {hider} offset by {sideways} @ {'' if front else '-'}({beyond})"
+    elif deep := WIDTH[_spec(structure, by).type] / 2 - stations.inside(_spec(structure, by)):  # near its face
+        beyond = member(spec, f"{hider}.length / 2 + {scope.number(RIGHT_BEHIND + LENGTH[spec.type] / 2)}")
+        sideways = scope.number(deep if left == front else -deep)
+        where = f"at {hider} offset by {sideways} @ {'' if front else '-'}({beyond})"
     angle = "-90 deg" if left == front else "90 deg"
     specifiers = (where, f"facing {angle} relative to {hider}", "with regionContainedIn everywhere")
     return Spot((), specifiers, "straight_on(self)", off_road=True)
+
+
+def _spec(structure: Structure, cid: str) -> ObjectSpec:
+    spec = structure[cid].spec
+    assert isinstance(spec, ObjectSpec)
+    return spec
 
 
 def faces_ego(structure: Structure, cid: str) -> bool:
@@ -84,7 +96,10 @@ def standing(structure: Structure) -> Structure:
             spec = spec.model_copy(update={"speed": 0.0, "phases": (Phase(action="stationary"), *spec.phases[1:])})
         speed = middle(speed_of(ego, place))
         seen = who.model_copy(update={"placement": who.placement.model_copy(update={"hidden_by": None})})
-        least = while_crossing(seen, speed, place)
+        pace = max(middle(pace_of(who)), 0.8)
+        least = while_crossing(seen, speed, place) + (
+            stations.way_out(structure, who, place) - reach(who, place)
+        ) / pace * speed
         if spec is not component.spec:
             structure = structure.with_component(component.model_copy(update={"spec": spec}))
         first, beyond = _row_of(structure, component.id)

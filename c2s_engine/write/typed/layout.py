@@ -18,7 +18,7 @@ from c2s_engine.write.typed.lanes import pulls_out
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, MOVES_OFF_ROAD, WIDTH, WORKS
-from c2s_engine.write.typed.usual import right_behind, row_step, turn_of, uses_crosswalk
+from c2s_engine.write.typed.usual import at_corner, right_behind, row_step, turn_of, uses_crosswalk
 
 LANE = 3.5
 DRAWS = 12
@@ -153,6 +153,8 @@ def _beside(
     at = base + offset
     if plan.place.kind == "crosswalk" and uses_crosswalk(spec):
         at = draw("ego", plan.distance or 0.0)
+    elif at_corner(spec, plan.place):
+        at = draw("ego", plan.distance or 0.0) - stations.CORNER - LENGTH[spec.type] / 2
     elif not offset and stations.stands_there(structure, of):
         at = base + stations.clear_of(structure, spec)
     return _Start("road", at, y, at, -1 if spec.placement.facing == "against" else 1, stations.along(spec) or 1)

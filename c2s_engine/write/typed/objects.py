@@ -10,8 +10,11 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import (
     BLUEPRINTS,
     CLASS,
+    HEIGHT,
+    LENGTH,
     OBSTRUCTING,
     ROLE,
+    WIDTH,
     WORKS,
     is_static,
     is_vehicle,
@@ -65,6 +68,10 @@ def _statement(spec: ObjectSpec, spot: Spot, name: str, moving: bool) -> list[st
         extras.append("facing roadDirection")
     if spec.type == "bus":  # wider than most lanes
         extras.append("with regionContainedIn everywhere")
+    if spec.type in HEIGHT:
+        size = {"length": LENGTH[spec.type], "width": WIDTH[spec.type], "height": HEIGHT[spec.type]}
+        said = " ".join(spot.specifiers)
+        extras += [f"with {k} {scope.number(m)}" for k, m in size.items() if f"with {k} " not in said]
     if moving:
         extras.append(f"with behavior {scope.camel(name)}Behavior()")
     specifiers = list(dict.fromkeys([*spot.specifiers, *extras]))

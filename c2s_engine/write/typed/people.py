@@ -6,10 +6,10 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.meetings import way_of_ego
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.stations import at_door
+from c2s_engine.write.typed.stations import at_door, inside, way_out
 from c2s_engine.write.typed.tables import LANE_NAME, LENGTH, WIDTH, is_walker
 from c2s_engine.write.typed.threats import is_hit
-from c2s_engine.write.typed.usual import crosses, pace_of, reach, walks_first
+from c2s_engine.write.typed.usual import crosses, pace_of, walks_first
 
 ACROSS = {"cross_road", "enter_road", "collide"}
 ON_LANE = {"stop", "stationary", "wait", "move_along"}
@@ -64,10 +64,12 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Qu
     if spec.phases[at].action == "cross_road" and _stays(spec.phases[at + 1 : at + 2]):
         ahead = max(GONE / pace, TO_STOP + plan.ego_top / (2 * BRAKES))
     elif _ego_reacts(structure):
-        by = spec.placement.hidden_by or (spec.placement.of if at_door(structure, spec) else None)
-        seen = (reach(spec, plan.place) - _half_width(structure, by)) / pace
+        by = structure[spec.placement.hidden_by].spec if spec.placement.hidden_by else None
+        covered = inside(by) if isinstance(by, ObjectSpec) else 0.0
+        seen = (way_out(structure, spec, plan.place) - covered) / pace
         needed = TO_STOP + plan.ego_top / (2 * BRAKES) - seen
-        ahead = max(0.0, needed if stays else min(needed, IN_WAY / pace)) if by else 0.0
+        surprises = by is not None or at_door(structure, spec)
+        ahead = max(0.0, needed if stays else min(needed, IN_WAY / pace)) if surprises else 0.0
     else:
         least, most = (round(IN_WAY / pace + clear, 2) for clear in NEAR_MISS)
         return -most, -least
@@ -88,10 +90,6 @@ def _struck_at(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, pac
         share = 0.5 if part in ("left", "right") else 0.9
         return share * passes + (width + WIDTH[spec.type]) / 2 / pace
     return 0.0
-
-
-def _half_width(structure: Structure, cid: str | None) -> float:
-    return WIDTH[getattr(structure[cid].spec, "type", "car")] / 2 if cid and cid in structure else 0.0
 
 
 def _stays(after: tuple[Phase, ...]) -> bool:

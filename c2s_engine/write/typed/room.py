@@ -8,7 +8,7 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.lanes import all_phases
 from c2s_engine.write.typed.tables import JUNCTION, LENGTH, RAMP, TURN, is_static, is_vehicle
-from c2s_engine.write.typed.usual import default_gap, row_length, speed_of
+from c2s_engine.write.typed.usual import at_corner, default_gap, row_length, speed_of
 
 LONGEST_APPROACH = 200.0
 """m of lane before a junction that maps can be expected to have."""
@@ -155,7 +155,7 @@ def _junction_side(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
     placement = o.placement
     ways = {"ahead", "left_lane", "right_lane", "oncoming_lane", *_BESIDE}
     behind = placement.along == "behind" and placement.position != "oncoming_lane"
-    if placement.position not in ways or behind:
+    if placement.position not in ways or behind or at_corner(o, place):
         return 0
     gap = high(placement.gap) if placement.gap is not None else default_gap(o, ego_speed, place)
     return gap + 5 + row_length(o)

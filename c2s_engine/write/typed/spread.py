@@ -12,7 +12,7 @@ from c2s_engine.write.typed.forms import normal
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.pockets import pocketed
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, is_vehicle
-from c2s_engine.write.typed.usual import default_gap, right_behind, row_length, speed_of
+from c2s_engine.write.typed.usual import at_corner, default_gap, right_behind, row_length, speed_of
 
 _ROW = {"partly_in_lane": "ahead", "roadside": "kerb", "sidewalk": "kerb", "parked": "kerb"}
 ROOM = 3.0
@@ -72,7 +72,7 @@ def _rows(structure: Structure) -> Structure:
         if spec.placement.gap is not None:
             row.append((low(spec.placement.gap), high(spec.placement.gap) + size))
             continue
-        if spec.placement.position in APPROACH_ANGLE:  # timed to meet ego
+        if spec.placement.position in APPROACH_ANGLE or at_corner(spec, place):  # timed to meet ego  # type: ignore[arg-type]
             continue
         start = default_gap(spec, speed, place)  # type: ignore[arg-type]
         gap = start + _between(component.id, structure, speed)

@@ -4,15 +4,25 @@ import math
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.specs import ObjectSpec, PlaceSpec
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, MOVES_OFF_ROAD, WIDTH, WORKS, is_vehicle, is_walker
+from c2s_engine.write.typed.tables import (
+    APPROACH_ANGLE,
+    HALF_LANE,
+    LENGTH,
+    MOVES_OFF_ROAD,
+    WIDTH,
+    WORKS,
+    is_vehicle,
+    is_walker,
+)
 from c2s_engine.write.typed.usual import (
     NOSE_TO_TAIL,
     crosses,
     crosses_there,
     default_gap,
     pace_of,
+    reach,
     right_behind,
     row_step,
     speed_of,
@@ -28,6 +38,12 @@ LONGEST_APPROACH = 130.0
 """m before a junction from which somebody comes who meets ego there."""
 SEEN_RUNNING = 1.8
 """s before it is in ego's way for which an animal is seen that comes running."""
+BEHIND_WALK = 2.5
+"""m from the road to a building."""
+CORNER = 3.0
+"""m from what stands at the corner of a junction to where ego's lane ends."""
+INSIDE = 1.1
+"""m behind the face of a wide thing where somebody stands whom it hides."""
 AT_DOOR = 0.1
 """m from a vehicle to who stands at its door."""
 RIGHT_BEHIND = 0.4
@@ -178,8 +194,23 @@ def outwards(spec: ObjectSpec) -> float:
     if is_walker(spec.type):
         return out
     if not is_vehicle(spec.type):  # signs and props may be wide
-        return max(out, 2.4)
+        return max(out, 2.4, WIDTH[spec.type] / 2 + (BEHIND_WALK if spec.type == "building" else 0.5))
     return max(1.8 if spec.placement.position == "roadside" else out, WIDTH[spec.type] / 2)  # out of the lane
+
+
+def way_out(structure: Structure, spec: ObjectSpec, place: PlaceSpec) -> float:
+    """From where somebody stands who crosses to the middle of ego's way: by what hides it, or out of a vehicle."""
+    by = spec.placement.hidden_by or (spec.placement.of if at_door(structure, spec) else None)
+    other = structure[by].spec if by and by in structure else None
+    if not isinstance(other, ObjectSpec) or other.placement.position not in MOVES_OFF_ROAD:
+        return reach(spec, place)
+    face = HALF_LANE + outwards(other) - WIDTH[other.type] / 2
+    return face + (inside(other) if spec.placement.hidden_by else -AT_DOOR)
+
+
+def inside(hider: ObjectSpec) -> float:
+    """How far behind the face of what hides somebody, seen from the road, that one stands."""
+    return min(WIDTH[hider.type] / 2, INSIDE)
 
 
 def two_way(plan: Plan) -> bool:

@@ -15,6 +15,8 @@ CLASS: dict[str, str] = {k: v["class"] for k, v in _TABLES["types"].items()}
 BLUEPRINTS: dict[str, list[str]] = {k: v["blueprints"] for k, v in _TABLES["types"].items() if v.get("blueprints")}
 LENGTH: dict[str, float] = {k: v["length"] for k, v in _TABLES["types"].items()}
 OBSTRUCTING: dict[str, str] = _TABLES["obstructing"]
+HEIGHT: dict[str, float] = {k: v["height"] for k, v in _TABLES["types"].items() if v.get("height")}
+"""m, of what another prop stands in for at another size."""
 WIDTH: dict[str, float] = {k: v["width"] for k, v in _TABLES["types"].items()}
 ROLE: dict[str, str] = {k: v["role"] for k, v in _TABLES["types"].items() if v.get("role")}
 DEFAULT_SPEED: dict[str, dict[str, float]] = _TABLES["speeds"]

@@ -4,6 +4,7 @@ from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.tables import (
     DEFAULT_SPEED,
+    HEIGHT,
     JUNCTION,
     LENGTH,
     MOVES_OFF_ROAD,
@@ -198,6 +199,13 @@ def reach(o: ObjectSpec, place: PlaceSpec) -> float:
 def far_side(o: ObjectSpec, place: PlaceSpec) -> bool:
     """Whether lanes of the other direction lie between somebody beside the road and ego's: the map says how many."""
     return o.placement.side == "left" and place.kind not in {"motorway", *RAMP} and not o.placement.hidden_by
+
+
+def at_corner(o: ObjectSpec, place: PlaceSpec) -> bool:
+    """Whether it stands at the corner of the junction before ego: what hides who comes from the side there."""
+    at = o.placement
+    beside = at.position in MOVES_OFF_ROAD and at.of == "ego" and at.gap is None and at.along != "behind"
+    return o.type in HEIGHT and place.kind in JUNCTION and beside
 
 
 def uses_crosswalk(o: ObjectSpec) -> bool:

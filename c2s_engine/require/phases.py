@@ -144,6 +144,8 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
             e.time for e in motion.facts.events
             if e.event in events and (partners is None or e.other is None or e.other in partners)
         ]  # fmt: skip
+        if action == "enter_road" and not times and motion.contact is not None and motion.speed[0] < STANDING:
+            times = [float(motion.time[k]) for k in np.flatnonzero(motion.speed > 1.0)[:1]]  # struck on its way onto it
         if action in AT_JUNCTION and not times:
             times = _cut_short(motion, action)
     later = [t for t in times if t >= earliest - bounds()["order"]["room"]["value"]]

@@ -72,7 +72,8 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
         yield scene.make("start", "lateral", actor, "placement.lateral", text, other=place.of, least=least, most=most)
     if place.arrives is not None and place.position in (*OFF_LANES, "intersection_exit"):
         least, most = low(place.arrives), high(place.arrives)
-        text = f"{name} is in the middle of ego's way {abs(least):g} s {'after' if least >= 0 else 'before'} ego's " \
+        where = "ego's way" if spec.type in VEHICLES else "the middle of ego's way"
+        text = f"{name} is in {where} {abs(least):g} s {'after' if least >= 0 else 'before'} ego's " \
             "front, were neither to react."  # fmt: skip
         yield scene.make("conflict", "arrives", actor, "placement.arrives", text, least=least, most=most)
     if place.hidden_by is not None:
@@ -193,11 +194,16 @@ def arrives(requirement: Requirement, evidence: Evidence) -> Result:
     if one is None or ego is None or not one.course.ego_aside:
         return unknown(requirement, said, "not reached: one of the two is not there")
     aside, along = one.of_course("ego_aside"), one.of_course("ego_along")
-    time = _moment(one.time, aside, IN_MIDDLE)
+    within, reaches = IN_MIDDLE, 0.0
+    if one.kind in VEHICLES:  # as soon as its body is in ego's way
+        turn = one.heading[:1] - ego.heading[0]
+        within = float(ego.size[1] + np.abs(np.sin(turn[0])) * one.size[0] + np.abs(np.cos(turn[0])) * one.size[1]) / 2
+        reaches = 0.5 * float(np.abs(np.cos(turn[0])) * one.size[0])
+    time = _moment(one.time, np.sign(aside[0]) * np.abs(aside) - np.sign(aside[0]) * within)
     if time is None:
         return scored(requirement, -1.0, said, "it does not come to the middle of ego's way")
-    front = ego.of_course("along") + ego.size[0] / 2 - float(np.interp(time, one.time, along))
-    there = _moment(ego.time, front, 0.0)
+    front = ego.of_course("along") + ego.size[0] / 2 - float(np.interp(time, one.time, along)) - reaches
+    there = _moment(ego.time, front)
     if there is None:
         return scored(requirement, -1.0, said, "ego does not come there")
     seen = time - there
@@ -206,10 +212,10 @@ def arrives(requirement: Requirement, evidence: Evidence) -> Result:
     return scored(requirement, 1.0 - off / room, said, f"{seen:.1f} s", time, measured=within)
 
 
-def _moment(time: np.ndarray, values: np.ndarray, within: float) -> float | None:
-    """When values come within so much of 0, or pass it; had they gone on as they did at last, where a contact ended
+def _moment(time: np.ndarray, values: np.ndarray) -> float | None:
+    """When values pass 0; had they gone on as they did at last, where a contact ended
     them. None: never."""
-    reached = np.flatnonzero((np.abs(values) <= within) | (np.sign(values) != np.sign(values[0])))
+    reached = np.flatnonzero(np.sign(values) != np.sign(values[0]))
     if len(reached):
         k = int(reached[0])
         step = values[k] - values[k - 1] if k else 0.0

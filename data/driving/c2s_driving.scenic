@@ -410,6 +410,16 @@ def sets_out(self, car, points, speed, arrives, rate=math.inf):
         return simulation().currentTime * simulation().timestep > 1.5 and (distance from self to car) < 25
     return seconds_to(car, points, there) < time - arrives + simulation().timestep / 2
 
+def pulls_out(self, car, points, rate, arrives):
+    """Whether one at the kerb has to drive off now, gaining `rate` m/s2, for its front to be in the way of `car`, its
+    points, `arrives` s after the front of that would be there; or `car` stands for it already."""
+    there, metres = along_line(points, self.position)
+    time = math.sqrt(2 * 2.2 * max(metres - (self.width + car.width) / 2, 0.5) / rate)  # 2.2 m on for 1 m aside
+    if car.speed < 0.3:
+        return simulation().currentTime * simulation().timestep > 1.5 and (distance from self to car) < 25
+    there += self.length / 2 + rate * time ** 2 / 2
+    return seconds_to(car, points, there) < time - arrives + simulation().timestep / 2
+
 def to_far_side(self, points, heading):
     """How far (m) it is in a direction (rad), over the way of a car, its points, until a little off the road."""
     metres = along_line(points, self.position)[1]

@@ -37,7 +37,13 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
     else:
         line = measured(structure, cid, spec, plan, sign)
     point = f"place.lane.centerline.pointAlongBy({member(spec, at, sign or 1)})"
-    return _edge(spec, line, point, "place.lane", plan)
+    spot = _edge(spec, line, point, "place.lane", plan)
+    if spec.placement.lateral is None or of != "ego":
+        return spot
+    left, room = spec.placement.side == "left", stations.from_lane(structure, spec)
+    sideways = scope.number(-room if left else room)
+    where = f"at (new OrientedPoint at {point}, facing roadDirection) offset by {sideways} @ 0"
+    return replace(spot, specifiers=(where, *spot.specifiers[1:]))
 
 
 def _corner(spec: ObjectSpec, at: str, plan: Plan) -> Spot:

@@ -5,6 +5,7 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed import scope, stations
 from c2s_engine.write.typed.course import EDGE, HALF_LANE
+from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.spot import Spot, member
 from c2s_engine.write.typed.stations import RIGHT_BEHIND
 from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, WIDTH, is_static
@@ -19,12 +20,14 @@ from c2s_engine.write.typed.usual import (
     while_crossing,
 )
 
+LANE = 3.5
+"""m, of most maps' lanes."""
 OUT = 0.15
 """m beside a lane of one who is just out of it."""
 FACES_EGO = {"oncoming_lane", "opposite_approach"}
 
 
-def hidden(structure: Structure, spec: ObjectSpec) -> Spot:
+def hidden(structure: Structure, spec: ObjectSpec, plan: Plan) -> Spot:
     """Right behind what hides it, as ego sees it: at its front, or at the tail of what faces ego; one who crosses
     before what stands in a lane is just out of that lane."""
     by = spec.placement.hidden_by or "ego"
@@ -32,7 +35,7 @@ def hidden(structure: Structure, spec: ObjectSpec) -> Spot:
     left, front = spec.placement.side == "left", not faces_ego(structure, by)
     gap = scope.number(RIGHT_BEHIND)
     where = f"{'ahead of' if front else 'behind'} {hider} by {member(spec, gap)}"
-    if crosses(spec) and (off := _out_of_lane(structure, by)):
+    if crosses(spec) and (off := _out_of_lane(structure, by, plan)):
         beyond = member(spec, f"{hider}.length / 2 + {scope.number(RIGHT_BEHIND + LENGTH[spec.type] / 2)}")
         sideways = scope.number(-off if left == front else off)
         where = f"at {hider} offset by {sideways} @ {'' if front else '-'}({beyond})"
@@ -58,10 +61,15 @@ def faces_ego(structure: Structure, cid: str) -> bool:
     return at is not None and (at.position in FACES_EGO or at.facing == "against")
 
 
-def aside(structure: Structure, cid: str) -> float:
+def aside(structure: Structure, cid: str, plan: Plan) -> float:
     """How far (m) to the left of the middle of its lane something starts: what hides somebody stands near the kerb."""
     spec = structure[cid].spec
     assert isinstance(spec, ObjectSpec)
+    left = 1 if spec.placement.side == "left" or spec.placement.side is None and plan.lane_of[cid] else -1
+    if spec.placement.lateral is not None:  # from the middle of the lane of whom it is placed by
+        other = structure.ego.spec if spec.placement.of == "ego" else structure[spec.placement.of].spec
+        between = (WIDTH[getattr(other, "type", "car")] + WIDTH[spec.type]) / 2 + middle(spec.placement.lateral)
+        return round(left * between - LANE * ((plan.lane_of[cid] or 0) - (plan.lane_of.get(spec.placement.of) or 0)), 2)
     if spec.placement.position == "partly_in_lane":
         return EDGE if spec.placement.side == "left" else -EDGE
     who = _hides(structure, cid) if spec.placement.position == "ahead" and is_static(spec) else None
@@ -69,12 +77,12 @@ def aside(structure: Structure, cid: str) -> float:
     return 0.0 if who is None else to_kerb if who.placement.side == "left" else -to_kerb
 
 
-def _out_of_lane(structure: Structure, cid: str) -> float:
+def _out_of_lane(structure: Structure, cid: str, plan: Plan) -> float:
     """How far (m) beside something that stands in a lane one is who is just out of it; 0: it is not there."""
     spec = structure[cid].spec
     if not isinstance(spec, ObjectSpec) or spec.placement.position not in ("ahead", "partly_in_lane", "oncoming_lane"):
         return 0.0
-    return round(HALF_LANE + OUT - abs(aside(structure, cid)), 2)
+    return round(HALF_LANE + OUT - abs(aside(structure, cid, plan)), 2)
 
 
 def _hides(structure: Structure, cid: str) -> ObjectSpec | None:

@@ -138,7 +138,7 @@ def _start(
     at += sign * (draw(cid, gap) + half) if sign else draw(cid, placement.gap or 0.0)
     k = plan.lane_of[cid] or 0
     k = k if k in plan.offsets else 1
-    y = LANE * k + aside(structure, cid)
+    y = LANE * k + aside(structure, cid, plan)
     return _Start("road", at, y, at, -1 if placement.facing == "against" else 1, sign or 1)
 
 
@@ -147,6 +147,9 @@ def _beside(
 ) -> _Start:
     left, of = spec.placement.side == "left", spec.placement.of
     edge = LANE / 2 + stations.outwards(spec)
+    if spec.placement.lateral is not None and of == "ego":
+        edge = stations.from_lane(structure, spec)
+        return _Start("road", base + offset, edge if left else -edge, base + offset)
     y = LANE * min(plan.offsets) - edge
     if left:
         y = LANE * (max(plan.offsets) + stations.two_way(plan)) + edge

@@ -7,7 +7,7 @@ from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.meetings import way_of_ego
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import at_door, inside, way_out
-from c2s_engine.write.typed.tables import LANE_NAME, LENGTH, WIDTH, is_walker
+from c2s_engine.write.typed.tables import LANE_NAME, LENGTH, MOVES_OFF_ROAD, WIDTH, is_walker
 from c2s_engine.write.typed.threats import is_hit
 from c2s_engine.write.typed.usual import crosses, pace_of, walks_first
 
@@ -32,6 +32,10 @@ ANSWERS = {"brake", "stop", "wait", "yield", "swerve", "lane_change", "overtake"
 """What ego does of its own accord for who is in its way."""
 SHORT_OF_LANE = 2.5
 """m from the middle of ego's way to where those stand who let it pass."""
+PULLS_OUT = 3.0
+"""m/s2 at which one pulls out from the kerb."""
+CORNER = 0.5
+"""m of its rear that are in ego's way when that is struck which backs out."""
 RUN_OUT = 14
 """m by which a rider's line goes on beyond the road: it slows down on the last of them."""
 
@@ -138,6 +142,31 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
         if waits and then.trigger and then.trigger.delay is not None:
             lines.append(f"{lines[-1].removesuffix(until)} for {scope.quantity(then.trigger.delay)} seconds")
     return lines
+
+
+def comes_out(structure: Structure, cid: str, plan: Plan, phase: Phase, pace: float) -> str:
+    """Until when a vehicle waits that pulls out from the kerb, or backs out of a space or driveway, so as to meet ego;
+    "": nothing is to be met. `arrives` is when it comes into ego's way."""
+    spec = structure[cid].spec if cid in structure else None
+    if not isinstance(spec, ObjectSpec) or spec.placement.position not in MOVES_OFF_ROAD or _stated_by(phase):
+        return ""
+    meets, reacts = _meets(structure, cid, spec), _ego_reacts(structure)
+    if _ego_stays(structure, plan) or not (meets or reacts or spec.placement.arrives is not None):
+        return ""
+    corner = CORNER / max(pace, 0.5) if phase.action == "reverse" else 0.0
+    ahead = corner if meets else TO_STOP + plan.ego_top / (2 * BRAKES)
+    arrives = middle(spec.placement.arrives) if spec.placement.arrives is not None else -ahead
+    if phase.action == "reverse":  # with its rear
+        width = WIDTH[getattr(structure.ego.spec, "type", "car")]
+        arrives += (LENGTH[spec.type] + width) / 2 / max(pace, 0.5)
+        return f"until sets_out(self, ego, line, {scope.number(pace)}, {scope.number(round(arrives, 2))})"
+    rate = scope.number(middle(phase.rate) if phase.rate else PULLS_OUT)
+    return f"until pulls_out(self, ego, line, {rate}, {scope.number(round(arrives, 2))})"
+
+
+def _stated_by(phase: Phase) -> bool:
+    comes = phase.action in ("enter_road", "reverse") and phase.target in (None, "ego")
+    return phase.trigger is not None or not comes
 
 
 def _crosses_next(then: Phase) -> bool:

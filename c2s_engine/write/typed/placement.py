@@ -19,7 +19,7 @@ def place_object(structure: Structure, cid: str, plan: Plan) -> Spot:
     assert isinstance(spec, ObjectSpec)
     position = spec.placement.position
     if right_behind(spec):
-        return hidden(structure, spec)
+        return hidden(structure, spec, plan)
     if stations.at_door(structure, spec):
         return by_door(structure, spec)
     if stations.in_line(structure, spec, plan):
@@ -105,7 +105,7 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
         reached = f"min(-1, {reached} - place.lane.centerline.length)"
     point = f"{lane}.centerline.pointAlongBy({reached})"
     specifiers: tuple[str, ...] = (f"at {point}",)
-    if side := aside(structure, cid):
+    if side := aside(structure, cid, plan):
         specifiers = (
             f"at (new OrientedPoint at {point}, facing roadDirection) offset by {scope.number(-side)} @ 0",
             "with regionContainedIn everywhere",

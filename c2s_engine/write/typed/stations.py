@@ -21,6 +21,7 @@ from c2s_engine.write.typed.usual import (
     crosses,
     crosses_there,
     default_gap,
+    extent,
     pace_of,
     reach,
     right_behind,
@@ -38,6 +39,8 @@ LONGEST_APPROACH = 130.0
 """m before a junction from which somebody comes who meets ego there."""
 SEEN_RUNNING = 1.8
 """s before it is in ego's way for which an animal is seen that comes running."""
+BAY = 1.2
+"""m from the road to who stands in a bay or a driveway."""
 BEHIND_WALK = 2.5
 """m from the road to a building."""
 CORNER = 3.0
@@ -80,8 +83,10 @@ def row_beyond(parent: ObjectSpec, ahead: bool) -> float:
 
 
 def length_of(structure: Structure, of: str) -> float:
-    """The length of ego or an object."""
+    """How much of the road's length ego or an object takes."""
     spec = structure.ego.spec if of in ("ego", "E") else structure[of].spec
+    if isinstance(spec, ObjectSpec):
+        return extent(spec)
     return LENGTH.get(getattr(spec, "type", "car"), 4.8)
 
 
@@ -123,7 +128,7 @@ def from_base(
 ) -> tuple[str, float | tuple[float, float], float]:
     """Whom it is measured from, the gap, and what the bodies add to that, ahead (`sign` +1) or behind (-1)."""
     of = spec.placement.of
-    half = (LENGTH[spec.type] + length_of(structure, of)) / 2 + 0.2
+    half = (extent(spec) + length_of(structure, of)) / 2 + 0.2
     own = gap(spec, plan)
     if stands_there(structure, of):
         own = NOSE_TO_TAIL if spec.placement.gap is None else own
@@ -145,7 +150,7 @@ def from_door(structure: Structure, spec: ObjectSpec) -> float:
 
 def clear_of(structure: Structure, spec: ObjectSpec) -> float:
     """From the middle of what takes the spot beside the road to one that is placed abreast of it."""
-    return (LENGTH[spec.type] + length_of(structure, spec.placement.of)) / 2 + 0.8
+    return (extent(spec) + length_of(structure, spec.placement.of)) / 2 + 0.8
 
 
 def bodies(spec: ObjectSpec, parent: ObjectSpec, behind: bool) -> float:
@@ -195,7 +200,16 @@ def outwards(spec: ObjectSpec) -> float:
         return out
     if not is_vehicle(spec.type):  # signs and props may be wide
         return max(out, 2.4, WIDTH[spec.type] / 2 + (BEHIND_WALK if spec.type == "building" else 0.5))
-    return max(1.8 if spec.placement.position == "roadside" else out, WIDTH[spec.type] / 2)  # out of the lane
+    if spec.placement.facing == "across":  # in a bay or a driveway
+        return LENGTH[spec.type] / 2 + BAY
+    return max(1.8 if spec.placement.position == "roadside" else out, WIDTH[spec.type] / 2 + 0.3)  # out of the lane
+
+
+def from_lane(structure: Structure, spec: ObjectSpec) -> float:
+    """From the middle of ego's lane to that of one at the roadside, where S says the room between ego and its body."""
+    across = spec.placement.facing == "across" or crosses(spec)
+    own = LENGTH[spec.type] if across else WIDTH[spec.type]
+    return (WIDTH[getattr(structure.ego.spec, "type", "car")] + own) / 2 + middle(spec.placement.lateral or 0.0)
 
 
 def way_out(structure: Structure, spec: ObjectSpec, place: PlaceSpec) -> float:

@@ -7,6 +7,7 @@ from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.collisions import hit_beside, hit_next
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.overtakings import nearest
+from c2s_engine.write.typed.people import comes_out
 from c2s_engine.write.typed.tables import HALF_LANE, LENGTH, WORKS, is_static
 from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, standing, threatening
 from c2s_engine.write.typed.towards import before_standing, opposite_standing
@@ -48,6 +49,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     a = course.actor
     if phase.trigger is not None:
         return ""
+    if first and (met := comes_out(a.structure, a.cid, a.plan, phase, course.wanted(phase, a.value or 2))):
+        return met
     if phase.action in ("lane_change", "cut_in") and course.on_ramp:
         return "until self._lane is place.acceleration_lane"
     if a.is_ego and phase.action in FORCED and not _stood(a, phase) and _confronted(course, phase):

@@ -10,6 +10,7 @@ from c2s_engine.write.typed.tables import (
     MOVES_OFF_ROAD,
     RAMP,
     TURN,
+    WIDTH,
     is_static,
     is_vehicle,
     is_walker,
@@ -86,14 +87,19 @@ def spacing_of(o: ObjectSpec) -> float | tuple[float, float]:
     return NOSE_TO_TAIL if o.placement.position == "parked" else QUEUED if queues and is_vehicle(o.type) else 3.0
 
 
+def extent(o: ObjectSpec) -> float:
+    """How much of the road's length one takes, m."""
+    return WIDTH[o.type] if o.placement.facing == "across" else LENGTH[o.type]
+
+
 def row_step(o: ObjectSpec) -> float:
     """From one member of a row to the next, m."""
-    return LENGTH[o.type] + max(middle(spacing_of(o)), CLOSEST)
+    return extent(o) + max(middle(spacing_of(o)), CLOSEST)
 
 
 def row_length(o: ObjectSpec) -> float:
     """How long a row is at most, m."""
-    return o.count * LENGTH[o.type] + (o.count - 1) * max(high(spacing_of(o)), CLOSEST)
+    return o.count * extent(o) + (o.count - 1) * max(high(spacing_of(o)), CLOSEST)
 
 
 def default_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None = None) -> float:

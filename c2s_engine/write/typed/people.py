@@ -77,7 +77,7 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Qu
     else:
         least, most = (round(IN_WAY / pace + clear, 2) for clear in NEAR_MISS)
         return -most, -least
-    return round(-ahead - DRAWN, 2), round(-ahead, 2)
+    return round(-ahead - DRAWN, 2), round(0.0 - ahead, 2)
 
 
 def _struck_at(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, pace: float) -> float:

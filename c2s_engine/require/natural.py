@@ -37,7 +37,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
             text = f"{name} neither surges nor slows without a reason" + (" before it is said to." if changes else ".")
             yield scene.make("natural", "steady", actor, "steady", text, until=changes)
         if (target := next((t for a, t in hits if a == actor), None)) is not None:
-            gains = bool(actions & set(GAINS)) or spec.speed == 0
+            gains = bool(actions & set(GAINS)) or spec.speed == 0 or spec.type in ON_FOOT  # these set out
             yield scene.make("natural", "no_aiming", actor, "no_aiming", f"{name} neither speeds up into nor steers "
                              f"at {scene.named(target)}.", other=target, gains=gains,
                              steers=bool(actions & {*SIDEWARD, "turn_left", "turn_right", "oncoming"})
@@ -151,6 +151,8 @@ def steady(requirement: Requirement, evidence: Evidence) -> Result:
             continue
         settled, gain = motion.time >= bounds()["natural"]["settles"]["value"], motion.acceleration
         for first, last in [*stretches((gain > 0.3) & settled), *stretches((gain < -0.3) & settled)]:
+            if motion.kind in ("pedestrian", "animal") and motion.smooth[max(first - 1, 0)] < STANDING:
+                continue  # on foot one sets out at once
             change = abs(float(motion.smooth[last] - motion.smooth[first]))
             if motion.time[last] < until and change > worst and not explained(motion, evidence, first, last):
                 worst, when = change, float(motion.time[first])

@@ -27,6 +27,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
     for actor, i, phase in scene.phases():
         path, name = f"phases.{i}", scene.named(actor)
         shows = shown_by(phase.action)
+        if phase.action == "cross_road" and _broken_off(scene, actor, i):
+            shows = ("enter_road", *shows)
         if phase.action == "lane_change" and phase.side:
             shows = (f"lane_change_{phase.side}",)
         if not shows and phase.action not in BY_SPEED or phase.action == "keep_lane" and _leaves_later(scene, actor, i):
@@ -58,6 +60,12 @@ def _leaves_later(scene: Scene, actor: str, i: int) -> bool:
     """Whether somebody who keeps its lane at first leaves it in a later phase."""
     return any(p.action in (*SIDED, *AT_JUNCTION, "lane_change", "overtake", "u_turn", "collide", "lose_control",
                             "oncoming") for p in scene.actors[actor].phases[i + 1 :])  # fmt: skip
+
+
+def _broken_off(scene: Scene, actor: str, i: int) -> bool:
+    """Whether somebody who crosses stops on the way over, or turns back."""
+    after = scene.actors[actor].phases[i + 1 : i + 2]
+    return any(p.action in ("stop", "stationary", "wait", "leave_road") for p in after)
 
 
 def _cid(actor: str) -> str:
@@ -142,6 +150,8 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
             e.time for e in motion.facts.events
             if e.event in events and (partners is None or e.other is None or e.other in partners)
         ]  # fmt: skip
+        if action == "enter_road" and not times and motion.contact is not None and motion.speed[0] < STANDING:
+            times = [float(motion.time[k]) for k in np.flatnonzero(motion.speed > 1.0)[:1]]  # struck on its way onto it
         if action in AT_JUNCTION and not times:
             times = _cut_short(motion, action)
         if action == "yield" and not times:

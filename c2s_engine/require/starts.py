@@ -2,7 +2,10 @@
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from c2s_engine.require.evidence import Evidence
+from c2s_engine.require.geometry import HORIZON
 from c2s_engine.require.results import decided, scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO
@@ -24,6 +27,9 @@ SIDEWAYS = {"left_lane": "left", "right_lane": "right", "crossing_left": "left",
 WIDE = 3.5
 """m to the side at which one is beyond the next lane."""
 OFF_LANES = ("roadside", "sidewalk", "parked")
+VEHICLES = ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck")
+IN_MIDDLE = 0.15
+"""m from the middle of ego's way within which one is there."""
 
 
 def required(scene: Scene) -> Iterator[Requirement]:
@@ -34,8 +40,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
 
 def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Iterator[Requirement]:
     name, of, where = scene.named(actor), scene.named(place.of), place.position.replace("_", " ")
-    lanes = LANES.get(place.position)
-    if place.position == "beside":
+    lanes = None if _at_door(scene, spec) else LANES.get(place.position)
+    if place.position == "beside" and not _at_door(scene, spec):
         lanes = (place.side,) if place.side else ("adjacent",)
     beyond = place.lateral is not None and low(place.lateral) > WIDE  # not the next lane
     if lanes and not beyond and not (place.position == "beside" and scene.place.kind == "on_ramp"):
@@ -43,14 +49,16 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
                          other=place.of, lanes=tuple(str(lane) for lane in lanes), where=where)  # fmt: skip
     along = {"abreast": "abreast"}.get(str(place.along)) or place.along or LENGTHWISE.get(place.position)
     along = "abreast" if place.position == "beside" and place.along is None else along
+    along = None if place.along is None and place.hidden_by is not None else along  # where it is not seen
     if along and not (along == "ahead" and place.gap is not None and low(place.gap) <= 0):
         yield scene.make("start", "start_along", actor, "placement.along", f"{name} starts {along} of {of}.",
                          other=place.of, along=str(along))  # fmt: skip
     side = SIDEWAYS.get(place.position) or place.side
     if side and place.position != "beside":
-        yield scene.make("start", "start_side", actor, "placement.side", f"{name} starts to the {side} of {of}.",
-                         other=place.of, side=str(side))  # fmt: skip
-    if place.position in OFF_LANES:
+        seen_from = EGO if place.position in OFF_LANES else place.of  # the side of the road, whoever stands there
+        yield scene.make("start", "start_side", actor, "placement.side", f"{name} starts to the {side} of "
+                         f"{scene.named(seen_from)}.", other=seen_from, side=str(side))  # fmt: skip
+    if place.position in OFF_LANES and not _at_door(scene, spec):
         yield scene.make("start", "off_lanes", actor, "placement.off_lanes", f"{name} starts off the driving lanes.",
                          other=place.of)  # fmt: skip
     if place.position == "partly_in_lane":
@@ -61,12 +69,30 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
         text = f"{name} starts {least:g} m from {of}." if least == most else \
             f"{name} starts {least:g} to {most:g} m from {of}."  # fmt: skip
         yield scene.make("start", "start_gap", actor, "placement.gap", text, other=place.of, least=least, most=most)
+    if place.lateral is not None and scene.stated(actor, "placement.lateral"):
+        least, most = low(place.lateral), high(place.lateral)
+        text = f"{name} starts with {least:g} m between it and {of} across the road."
+        yield scene.make("start", "lateral", actor, "placement.lateral", text, other=place.of, least=least, most=most)
+    if place.arrives is not None and place.position in (*OFF_LANES, "intersection_exit"):
+        least, most = low(place.arrives), high(place.arrives)
+        where = "ego's way" if spec.type in VEHICLES else "the middle of ego's way"
+        text = f"{name} is in {where} {abs(least):g} s {'after' if least >= 0 else 'before'} ego's " \
+            "front, were neither to react."  # fmt: skip
+        yield scene.make("conflict", "arrives", actor, "placement.arrives", text, least=least, most=most)
     if place.hidden_by is not None:
         text = f"{name} is hidden from ego by {scene.named(place.hidden_by)} at first."
         yield scene.make("start", "hidden", actor, "placement.hidden_by", text, other=place.hidden_by)
     if place.facing in ("along", "against") and spec.type not in ("pedestrian", "child", "animal"):
         yield scene.make("start", "facing", actor, "placement.facing", f"{name} faces {place.facing} the road.",
                          against=place.facing == "against")  # fmt: skip
+
+
+def _at_door(scene: Scene, spec: ObjectSpec) -> bool:
+    """Whether somebody on foot steps out of a vehicle that stands beside the road, onto the side of the traffic."""
+    place, other = spec.placement, scene.objects.get(spec.placement.of)
+    steps_out = place.along == "abreast" and any(p.action == "enter_road" for p in spec.phases)
+    vehicle = other is not None and other.type in VEHICLES and other.placement.position in OFF_LANES
+    return vehicle and spec.type in ("pedestrian", "child") and (place.position == "beside" or steps_out)
 
 
 def _fact(requirement: Requirement, evidence: Evidence):  # type: ignore[no-untyped-def]
@@ -144,6 +170,64 @@ def hidden(requirement: Requirement, evidence: Evidence) -> Result:
     return decided(requirement, seen == "hidden", "hidden at first", seen, 0.0)
 
 
+def lateral(requirement: Requirement, evidence: Evidence) -> Result:
+    one, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
+    ego = evidence.motion(EGO)
+    v, room = requirement.values, bounds()["start"]["lateral"]["value"]
+    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
+    said = f"{least:g} m" if least == most else f"{least:g} to {most:g} m"
+    if one is None or other is None or ego is None or not one.course.ego_aside:
+        return unknown(requirement, said, "its place was not recorded")
+    aside = [0.0 if m is ego else m.course.ego_aside[0] for m in (one, other)]
+    turned = [m.heading[0] - ego.heading[0] for m in (one, other)]
+    half = sum(abs(np.sin(t)) * m.size[0] + abs(np.cos(t)) * m.size[1]
+               for t, m in zip(turned, (one, other), strict=True)) / 2  # fmt: skip
+    seen = abs(aside[0] - aside[1]) - half
+    off = max(least - seen, seen - most, 0.0)
+    return scored(requirement, 1.0 - off / room, said, f"{seen:.1f} m", 0.0, measured=(seen, least - room, most + room))
+
+
+def arrives(requirement: Requirement, evidence: Evidence) -> Result:
+    """Measured where ego does not react, on the ways and speeds up to their first contact."""
+    v, room = requirement.values, bounds()["conflict"]["arrives"]["value"]
+    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
+    said = f"{least:g} s after ego" if least == most else f"{least:g} to {most:g} s after ego"
+    run = evidence.without or evidence
+    one, ego = run.motion(requirement.actor), run.motion(EGO)
+    if one is None or ego is None or not one.course.ego_aside:
+        return unknown(requirement, said, "not reached: one of the two is not there")
+    aside, along = one.of_course("ego_aside"), one.of_course("ego_along")
+    within, reaches = IN_MIDDLE, 0.0
+    if one.kind in VEHICLES:  # as soon as its body is in ego's way
+        turn = one.heading[:1] - ego.heading[0]
+        within = float(ego.size[1] + np.abs(np.sin(turn[0])) * one.size[0] + np.abs(np.cos(turn[0])) * one.size[1]) / 2
+        reaches = 0.5 * float(np.abs(np.cos(turn[0])) * one.size[0])
+    time = _moment(one.time, np.sign(aside[0]) * np.abs(aside) - np.sign(aside[0]) * within)
+    if time is None:
+        return scored(requirement, -1.0, said, "it does not come to the middle of ego's way")
+    front = ego.of_course("along") + ego.size[0] / 2 - float(np.interp(time, one.time, along)) - reaches
+    there = _moment(ego.time, front)
+    if there is None:
+        return scored(requirement, -1.0, said, "ego does not come there")
+    seen = time - there
+    off = max(least - seen, seen - most, 0.0)
+    within = (seen, least - room, most + room)
+    return scored(requirement, 1.0 - off / room, said, f"{seen:.1f} s", time, measured=within)
+
+
+def _moment(time: np.ndarray, values: np.ndarray) -> float | None:
+    """When values pass 0; had they gone on as they did at last, where a contact ended
+    them. None: never."""
+    reached = np.flatnonzero(np.sign(values) != np.sign(values[0]))
+    if len(reached):
+        k = int(reached[0])
+        step = values[k] - values[k - 1] if k else 0.0
+        return float(time[k] - (values[k] / step * (time[k] - time[k - 1]) if abs(step) > 1e-6 else 0.0))
+    rate = (values[-1] - values[-3]) / (time[-1] - time[-3]) if len(values) > 2 else 0.0
+    ahead = -values[-1] / rate if abs(rate) > 0.1 else -1.0
+    return float(time[-1] + ahead) if 0 <= ahead < HORIZON else None
+
+
 def facing(requirement: Requirement, evidence: Evidence) -> Result:
     motion = evidence.motion(requirement.actor)
     stay = motion.stay(0.0) if motion else None
@@ -156,4 +240,5 @@ def facing(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 CHECKS = {"start_lane": start_lane, "start_along": start_along, "start_side": start_side, "start_gap": start_gap,
-          "off_lanes": off_lanes, "partly_in": partly_in, "hidden": hidden, "facing": facing}  # fmt: skip
+          "lateral": lateral, "arrives": arrives, "off_lanes": off_lanes, "partly_in": partly_in, "hidden": hidden,
+          "facing": facing}  # fmt: skip

@@ -12,6 +12,7 @@ ObjectType = Literal[
     "cone", "barrier", "debris", "warning_sign", "stop_sign", "yield_sign", "speed_sign",
     "construction_zone", "lane_closure",
     "obstacle", "container", "trash", "box", "bench", "bus_stop", "kiosk", "vending_machine", "plant_pot", "barrel",
+    "building", "wall", "hedge",
 ]  # fmt: skip
 
 PlaceKind = Literal[

@@ -447,15 +447,25 @@ def seconds_to(car, points, metres):
         here += step
     return time
 
-def sets_out(self, car, points, speed, ahead, rate=math.inf):
+def sets_out(self, car, points, speed, arrives, rate=math.inf):
     """Whether one beside the road has to set out across it now, at `speed` (m/s, gained at `rate` m/s2), to be in the
-    middle of the way of `car`, its points, `ahead` s before that would be there; or `car` stands for it already."""
+    middle of the way of `car`, its points, `arrives` s after its front would be there; or `car` stands for it already."""
     there, metres = along_line(points, self.position)
     gained = speed ** 2 / (2 * rate)
     time = metres / speed + speed / (2 * rate) if metres > gained else math.sqrt(2 * metres / rate)
     if car.speed < 0.3:
         return simulation().currentTime * simulation().timestep > 1.5 and (distance from self to car) < 25
-    return seconds_to(car, points, there) < time + ahead
+    return seconds_to(car, points, there) < time - arrives + simulation().timestep / 2
+
+def pulls_out(self, car, points, rate, arrives):
+    """Whether one at the kerb has to drive off now, gaining `rate` m/s2, for its front to be in the way of `car`, its
+    points, `arrives` s after the front of that would be there; or `car` stands for it already."""
+    there, metres = along_line(points, self.position)
+    time = math.sqrt(2 * 2.2 * max(metres - (self.width + car.width) / 2, 0.5) / rate)  # 2.2 m on for 1 m aside
+    if car.speed < 0.3:
+        return simulation().currentTime * simulation().timestep > 1.5 and (distance from self to car) < 25
+    there += self.length / 2 + rate * time ** 2 / 2
+    return seconds_to(car, points, there) < time - arrives + simulation().timestep / 2
 
 def to_far_side(self, points, heading):
     """How far (m) it is in a direction (rad), over the way of a car, its points, until a little off the road."""
@@ -832,7 +842,8 @@ def exits(ego_on='exit', approach=0, exit=0, limit=None, across=False, **lanes):
 
 def lane_fits(lane, section, lanes=1, ego_lane=None, oncoming=None, shoulder=None, sidewalk=None):
     """Whether ego's lane has so many `lanes` in its direction, is the 'leftmost', 'middle' or 'rightmost' of them, with
-    an `oncoming` lane that adjoins (no divider), a `shoulder` or parking lane, a `sidewalk` (False: without)."""
+    an `oncoming` lane that adjoins (no divider), a `shoulder` or parking lane, a `sidewalk` (False: without; along roads
+    `shoulder` may be 'preferred': where the map has such a place)."""
     group, left, right = lane.group, section._fasterLane, section._slowerLane
     place = {None: True, 'leftmost': not left, 'rightmost': not right, 'middle': left and right}
     def adjoins():
@@ -841,6 +852,9 @@ def lane_fits(lane, section, lanes=1, ego_lane=None, oncoming=None, shoulder=Non
             and shoulder in (None, bool(group._shoulder)) and sidewalk in (None, bool(group._sidewalk)))
 
 def _along_roads(fits, length=0, least=0, limit=None, **lanes):
+    if lanes.get('shoulder') == 'preferred':
+        return next((found for shoulder in (True, None)
+                     for found in [_along_roads(fits, length, least, limit, **{**lanes, 'shoulder': shoulder})] if found), [])
     found = [Place(lane) for road in network.roads for lane in road.lanes
              if lane_fits(lane, lane.sections[0], **lanes) and fits(lane)]
     for share, over in SHARES:

@@ -61,6 +61,7 @@ STROLL = ObjectSpec(type="pedestrian", placement=Placement(position="sidewalk", 
 WALKS = {"kind": "pedestrian", "across": True, "x": 6.0, "y": 40.0, "events": (event("cross_road", 4.0, "ego"),),
          "lanes": ("sidewalk",), "relations": ("ahead", "right", "ahead_right"),
          "stays": (Stay(time=0.0, kind="sidewalk"),)}  # fmt: skip
+STANDS = {"kind": "pedestrian", "y": 40.0, "speed": 0.0}
 SECOND = Phase(action="accelerate", speed=12.0)
 TWICE = ramp((0, 10), (3, 10), (4, 6), (6, 6), (8, 12), (12, 12))
 BACKWARDS = ramp((0, 10), (3, 10), (5, 14), (7, 14), (9, 8), (12, 8))
@@ -129,6 +130,27 @@ CASES = [
         s(STROLL.model_copy(update={"placement": Placement(hidden_by="O2")}), ObjectSpec()),
         Scene([ego(), other(**WALKS, hidden_behind=("bus",)), Actor("bus", "O2")]),
         Scene([ego(), other(**WALKS), Actor("bus", "O2")]),
+    ),
+    (
+        "room across the road",
+        "O1.placement.lateral",
+        s(ObjectSpec(placement=Placement(position="roadside", side="right", lateral=1.0))),
+        Scene([ego(), other(x=3.15, speed=0.0)]),
+        Scene([ego(), other(x=3.25, speed=0.0)]),
+    ),
+    (
+        "arrives with ego's front",
+        "O1.placement.arrives",
+        s(STROLL.model_copy(update={"placement": Placement(position="roadside", side="right", arrives=0.0)})),
+        Scene([ego(), other(**STANDS, x=ramp((0, 6), (2, 6), (4.0, 0), (6, -6), (12, -6)))]),
+        Scene([ego(), other(**STANDS, x=ramp((0, 6), (2, 6), (4.2, 0), (6, -6), (12, -6)))]),
+    ),
+    (
+        "a crossing that is broken off",
+        "O1.phases.0.cross_road",
+        s(STROLL.model_copy(update={"phases": (Phase(action="cross_road"), Phase(action="stop"))})),
+        Scene([ego(), other(**{**WALKS, "events": (event("enter_road", 4.0),)})]),
+        Scene([ego(), other(**{**WALKS, "events": (event("walk_along", 4.0),)})]),
     ),
     (
         "in order",

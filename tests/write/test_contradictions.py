@@ -8,7 +8,7 @@ import pytest
 
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.specs import Condition, ObjectSpec, Phase, Placement, PlaceSpec, RestrictionsSpec
+from c2s_engine.structure.specs import Condition, ObjectSpec, Phase, Placement, PlaceSpec, RestrictionsSpec, Trigger
 from c2s_engine.write.typed import ResolveError, contradiction, make_plan
 from c2s_engine.write.typed.contradictions import contradictions
 
@@ -37,11 +37,17 @@ def test_what_is_listed_is_refused_with_its_reason(row):
     for kind, position, action in itertools.product(
         row.places or ("road",), row.positions or ("ahead",), row.actions or ("brake",)
     ):
-        spec = ObjectSpec(name="a", placement=Placement(position=position), phases=(Phase(action=action),))
+        said = {row.said: 1.0} if row.said else {}
+        by = Placement(position=position, of="O1" if row.of_another else "ego", **said)
+        trigger = Trigger(kind="time", value=3.0) if row.triggered else None
+        spec = ObjectSpec(name="a", placement=by, phases=(Phase(action=action, trigger=trigger),))
         place = PlaceSpec(kind=kind, oncoming=row.oncoming or None, sidewalk=row.sidewalk or None)
         structure = Structure(
             place=Component(id="R", spec=place),
-            objects=(Component(id="O1", spec=spec),),
+            objects=(
+                *([Component(id="O1", spec=ObjectSpec(name="b"))] if row.of_another else ()),
+                Component(id="O2" if row.of_another else "O1", spec=spec),
+            ),
         )
         with pytest.raises(ResolveError) as refused:
             make_plan(structure)

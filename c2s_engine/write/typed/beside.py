@@ -1,12 +1,14 @@
 """Where an object starts beside the road, as Scenic: outwards from the edge of the lanes nearest to a point of one."""
 
+from dataclasses import replace
+
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed import scope, stations
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.spot import Spot, measured, member, position_constant
-from c2s_engine.write.typed.tables import is_vehicle, is_walker
-from c2s_engine.write.typed.usual import uses_crosswalk, walks_first
+from c2s_engine.write.typed.tables import LENGTH, WIDTH, is_vehicle, is_walker
+from c2s_engine.write.typed.usual import at_corner, uses_crosswalk, walks_first
 
 
 def behind_junction(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
@@ -25,6 +27,8 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
     at = position_constant(structure, cid)
     if plan.place.kind == "crosswalk" and uses_crosswalk(spec):
         line = f"{at} = EGO_AT + EGO_TO_CROSSWALK"
+    elif at_corner(spec, plan.place):
+        return _corner(spec, at, plan)
     elif sign == 0 and stations.stands_there(structure, of):  # just in front of what takes the spot itself
         clear = scope.number(stations.clear_of(structure, spec))
         line = f"{at} = {position_constant(structure, of)} + {clear}"
@@ -33,7 +37,33 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
     else:
         line = measured(structure, cid, spec, plan, sign)
     point = f"place.lane.centerline.pointAlongBy({member(spec, at, sign or 1)})"
-    return _edge(spec, line, point, "place.lane", plan)
+    spot = _edge(spec, line, point, "place.lane", plan)
+    if spec.placement.lateral is None or of != "ego":
+        return spot
+    left, room = spec.placement.side == "left", stations.from_lane(structure, spec)
+    sideways = scope.number(-room if left else room)
+    where = f"at (new OrientedPoint at {point}, facing roadDirection) offset by {sideways} @ 0"
+    return replace(spot, specifiers=(where, *spot.specifiers[1:]))
+
+
+def _corner(spec: ObjectSpec, at: str, plan: Plan) -> Spot:
+    """At the corner of the junction, as long as it takes to hide who comes there from where ego starts."""
+    length = scope.number(LENGTH[spec.type])
+    lines = (
+        f"{at[:-3]}_LENGTH = max({length}, EGO_TO_JUNCTION - {scope.number(stations.CORNER)})  # m",
+        f"{at} = place.length - {scope.number(stations.CORNER)} - {at[:-3]}_LENGTH / 2  # m along the lane",
+    )
+    spot = _edge(spec, lines[0], f"place.lane.centerline.pointAlongBy({at})", "place.lane", plan)
+    return replace(spot, constants=lines, specifiers=(*spot.specifiers, f"with length {at[:-3]}_LENGTH"))
+
+
+def by_door(structure: Structure, spec: ObjectSpec) -> Spot:
+    """At the door of a vehicle beside the road, on the side of the traffic, looking that way."""
+    car, left = scope.reference(structure, spec.placement.of), stations.from_door(structure, spec)
+    facing = f"facing {'90' if left > 0 else '-90'} deg relative to {car}"
+    clear = scope.number(stations.AT_DOOR + WIDTH[spec.type] / 2)
+    where = f"at {car} offset by {'-' if left > 0 else ''}({car}.width / 2 + {clear}) @ 0"
+    return Spot((), (where, facing, "with regionContainedIn everywhere"), "straight_on(self)", off_road=True)
 
 
 def _edge(spec: ObjectSpec, constant: str, point: str, lane: str, plan: Plan) -> Spot:

@@ -6,7 +6,7 @@ from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static, is_walker
 from c2s_engine.write.typed.threats import slowed
-from c2s_engine.write.typed.usual import SETS_OUT, reach
+from c2s_engine.write.typed.usual import SETS_OUT
 
 LANE_WIDTH = 3.5
 """m, of most maps' lanes."""
@@ -38,6 +38,8 @@ def collides(c: Course, p: Phase) -> list[Step]:
     other, goal = c.actor.ref(p.target), c.wanted(p, SETS_OUT if sets_off else c.value)
     c.set(goal)
     beside = _beside_the_lane(c, p) if c.actor.is_ego else ""
+    if not c.actor.is_ego and "enter_road" in _before(c, p):  # pulled out so as to be met
+        return _drives_on(c, other)
     if "u_turn" in _before(c, p):
         return _at_last(other, c.drive(), goal)
     if _over_the_middle(c) or beside == "oncoming_lane":
@@ -114,13 +116,11 @@ def hit_next(c: Course, p: Phase) -> Phase | None:
 
 
 def backs_into(c: Course, other: str, pace: float) -> list[Step]:
-    """Backwards until both touch; one who stands beside the road sets out when the other comes."""
-    spec, steps = c.actor.spec, []
-    back = f"do BackInto({other}, {scope.number(pace)})"
-    if isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD and other == "ego":
-        seconds = scope.number(reach(spec, c.actor.plan.place) / max(pace, 0.5))
-        steps = [(["do Backwards(0)"], f"until (distance from self to ego) < 6 + {seconds} * ego.speed")]
-    return [*steps, ([back], f"until touch(self, {other})")]
+    """Backwards until both touch: who stands beside the road waited until it meets the other so."""
+    spec = c.actor.spec
+    straight = isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD and other == "ego"
+    back = f"do Backwards({scope.number(pace)})" if straight else f"do BackInto({other}, {scope.number(pace)})"
+    return [([back], f"until touch(self, {other})")]
 
 
 def _stays_ahead(c: Course, p: Phase) -> bool:

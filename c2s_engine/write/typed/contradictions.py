@@ -29,6 +29,9 @@ class Contradiction:
     actions: frozenset[str] = frozenset()
     oncoming: bool = False
     sidewalk: bool = False
+    said: str = ""  # a field of the placement that S gives
+    of_another: bool = False  # placed by another than ego
+    triggered: bool = False  # what it does first waits for something
 
     def holds(self, place: PlaceSpec, ego: EgoSpec, objects: Iterable[ObjectSpec]) -> bool:
         """Whether a structure's specs break it."""
@@ -36,6 +39,8 @@ class Contradiction:
             return False
         if self.oncoming and not place.oncoming or self.sidewalk and not place.sidewalk:
             return False
+        if self.said:
+            return any(self._says(o) for o in objects)
         acting = [(o.placement.position, {p.action for p in o.phases}) for o in objects]
         if self.positions:
             return any(
@@ -46,10 +51,16 @@ class Contradiction:
             return any(actions & self.actions for _, actions in [("", {p.action for p in ego.phases}), *acting])
         return True
 
+    def _says(self, o: ObjectSpec) -> bool:
+        given = getattr(o.placement, self.said) is not None
+        waits = bool(o.phases) and o.phases[0].trigger is not None
+        there = not self.positions or o.placement.position in self.positions
+        return given and there and (waits or not self.triggered) and (o.placement.of != "ego" or not self.of_another)
+
     def pairs(self, place: str | None = None, position: str | None = None, action: str | None = None) -> bool:
         """Whether it rules a pair of names out by itself (with everything else open)."""
         wanted = ((self.places, place), (self.positions, position), (self.actions, action))
-        return not (self.oncoming or self.sidewalk) and all(
+        return not (self.oncoming or self.sidewalk or self.said) and all(
             name in names if names else True for names, name in wanted if names or name
         )
 
@@ -67,6 +78,9 @@ def contradictions() -> tuple[Contradiction, ...]:
             actions=frozenset(row.get("actions", ())),
             oncoming=row.get("oncoming", False),
             sidewalk=row.get("sidewalk", False),
+            said=row.get("said", ""),
+            of_another=row.get("of_another", False),
+            triggered=row.get("triggered", False),
         )
         for row in rows
     )

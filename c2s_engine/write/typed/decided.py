@@ -15,7 +15,7 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.reactions import reacting_phases
 from c2s_engine.write.typed.spread import spread
-from c2s_engine.write.typed.tables import is_static
+from c2s_engine.write.typed.tables import BLUEPRINTS, HEIGHT, LENGTH, is_static
 from c2s_engine.write.typed.threats import threatening
 from c2s_engine.write.typed.usual import speed_of
 
@@ -53,6 +53,10 @@ def _decided(structure: Structure, written: Structure, plan: Plan, cid: Componen
         spec = spec.model_copy(update={"phases": phases, "speed": _speed(spec, plan)})
     elif isinstance(spec, ObjectSpec) and not is_static(spec):
         spec = spec.model_copy(update={"speed": _speed(spec, plan)})
+    if isinstance(asked, ObjectSpec) and asked.type in HEIGHT and asked.model is None:
+        reason = f"CARLA has no {asked.type}: {BLUEPRINTS[asked.type][0]} stands in, as large as one in the dry run"
+        size = f"{LENGTH[asked.type]:g} m long, {HEIGHT[asked.type]:g} m high"
+        yield Assumption(field="model", value=size, reason=reason, by=BY)
     for path, was, now in differences(asked, spec):
         reason = "left open: the writer's choice" if was is None else f"written so for {_shown(path, was)}"
         yield Assumption(field=path, value=_shown(path, now), reason=reason, by=BY)

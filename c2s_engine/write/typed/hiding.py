@@ -1,21 +1,33 @@
 """What hides somebody who crosses: where it stands, when and how far off, and where who is hidden by it stands."""
 
-from c2s_engine.structure.components import Structure
+from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
-from c2s_engine.write.typed import scope
+from c2s_engine.write.typed import scope, stations
 from c2s_engine.write.typed.course import EDGE, HALF_LANE
+from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.spot import Spot, member
 from c2s_engine.write.typed.stations import RIGHT_BEHIND
 from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, WIDTH, is_static
-from c2s_engine.write.typed.usual import crosses, default_gap, right_behind, speed_of, while_crossing
+from c2s_engine.write.typed.usual import (
+    NOSE_TO_TAIL,
+    crosses,
+    pace_of,
+    reach,
+    right_behind,
+    row_length,
+    speed_of,
+    while_crossing,
+)
 
+LANE = 3.5
+"""m, of most maps' lanes."""
 OUT = 0.15
 """m beside a lane of one who is just out of it."""
 FACES_EGO = {"oncoming_lane", "opposite_approach"}
 
 
-def hidden(structure: Structure, spec: ObjectSpec) -> Spot:
+def hidden(structure: Structure, spec: ObjectSpec, plan: Plan) -> Spot:
     """Right behind what hides it, as ego sees it: at its front, or at the tail of what faces ego; one who crosses
     before what stands in a lane is just out of that lane."""
     by = spec.placement.hidden_by or "ego"
@@ -23,13 +35,23 @@ def hidden(structure: Structure, spec: ObjectSpec) -> Spot:
     left, front = spec.placement.side == "left", not faces_ego(structure, by)
     gap = scope.number(RIGHT_BEHIND)
     where = f"{'ahead of' if front else 'behind'} {hider} by {member(spec, gap)}"
-    if crosses(spec) and (off := _out_of_lane(structure, by)):
+    if crosses(spec) and (off := _out_of_lane(structure, by, plan)):
         beyond = member(spec, f"{hider}.length / 2 + {scope.number(RIGHT_BEHIND + LENGTH[spec.type] / 2)}")
         sideways = scope.number(-off if left == front else off)
+        where = f"at {hider} offset by {sideways} @ {'' if front else '-'}({beyond})"
+    elif deep := WIDTH[_spec(structure, by).type] / 2 - stations.inside(_spec(structure, by)):  # near its face
+        beyond = member(spec, f"{hider}.length / 2 + {scope.number(RIGHT_BEHIND + LENGTH[spec.type] / 2)}")
+        sideways = scope.number(deep if left == front else -deep)
         where = f"at {hider} offset by {sideways} @ {'' if front else '-'}({beyond})"
     angle = "-90 deg" if left == front else "90 deg"
     specifiers = (where, f"facing {angle} relative to {hider}", "with regionContainedIn everywhere")
     return Spot((), specifiers, "straight_on(self)", off_road=True)
+
+
+def _spec(structure: Structure, cid: str) -> ObjectSpec:
+    spec = structure[cid].spec
+    assert isinstance(spec, ObjectSpec)
+    return spec
 
 
 def faces_ego(structure: Structure, cid: str) -> bool:
@@ -39,10 +61,15 @@ def faces_ego(structure: Structure, cid: str) -> bool:
     return at is not None and (at.position in FACES_EGO or at.facing == "against")
 
 
-def aside(structure: Structure, cid: str) -> float:
+def aside(structure: Structure, cid: str, plan: Plan) -> float:
     """How far (m) to the left of the middle of its lane something starts: what hides somebody stands near the kerb."""
     spec = structure[cid].spec
     assert isinstance(spec, ObjectSpec)
+    left = 1 if spec.placement.side == "left" or spec.placement.side is None and plan.lane_of[cid] else -1
+    if spec.placement.lateral is not None:  # from the middle of the lane of whom it is placed by
+        other = structure.ego.spec if spec.placement.of == "ego" else structure[spec.placement.of].spec
+        between = (WIDTH[getattr(other, "type", "car")] + WIDTH[spec.type]) / 2 + middle(spec.placement.lateral)
+        return round(left * between - LANE * ((plan.lane_of[cid] or 0) - (plan.lane_of.get(spec.placement.of) or 0)), 2)
     if spec.placement.position == "partly_in_lane":
         return EDGE if spec.placement.side == "left" else -EDGE
     who = _hides(structure, cid) if spec.placement.position == "ahead" and is_static(spec) else None
@@ -50,12 +77,12 @@ def aside(structure: Structure, cid: str) -> float:
     return 0.0 if who is None else to_kerb if who.placement.side == "left" else -to_kerb
 
 
-def _out_of_lane(structure: Structure, cid: str) -> float:
+def _out_of_lane(structure: Structure, cid: str, plan: Plan) -> float:
     """How far (m) beside something that stands in a lane one is who is just out of it; 0: it is not there."""
     spec = structure[cid].spec
     if not isinstance(spec, ObjectSpec) or spec.placement.position not in ("ahead", "partly_in_lane", "oncoming_lane"):
         return 0.0
-    return round(HALF_LANE + OUT - abs(aside(structure, cid)), 2)
+    return round(HALF_LANE + OUT - abs(aside(structure, cid, plan)), 2)
 
 
 def _hides(structure: Structure, cid: str) -> ObjectSpec | None:
@@ -77,10 +104,31 @@ def standing(structure: Structure) -> Structure:
             spec = spec.model_copy(update={"speed": 0.0, "phases": (Phase(action="stationary"), *spec.phases[1:])})
         speed = middle(speed_of(ego, place))
         seen = who.model_copy(update={"placement": who.placement.model_copy(update={"hidden_by": None})})
-        least = while_crossing(seen, speed, place)
-        beside = spec.placement.position in MOVES_OFF_ROAD
-        if beside and spec.placement.gap is None and default_gap(spec, speed, place) < least:
-            spec = spec.model_copy(update={"placement": spec.placement.model_copy(update={"gap": round(least)})})
+        pace = max(middle(pace_of(who)), 0.8)
+        least = while_crossing(seen, speed, place) + (
+            stations.way_out(structure, who, place) - reach(who, place)
+        ) / pace * speed
         if spec is not component.spec:
             structure = structure.with_component(component.model_copy(update={"spec": spec}))
+        first, beyond = _row_of(structure, component.id)
+        if spec.placement.position in MOVES_OFF_ROAD and first.spec.placement.gap is None:  # type: ignore[union-attr]
+            gap = max(float(round(least - beyond)), NOSE_TO_TAIL)
+            placed = first.spec.placement.model_copy(update={"gap": gap})  # type: ignore[union-attr]
+            changed = first.spec.model_copy(update={"placement": placed})
+            structure = structure.with_component(first.model_copy(update={"spec": changed}))
     return structure
+
+
+def _row_of(structure: Structure, cid: str) -> tuple[Component, float]:
+    """The first of those that stand one by the other up to an object, and how far (m) it is from its rear to the front
+    of that object."""
+    component, reached = structure[cid], 0.0
+    for _ in structure.objects:
+        spec = component.spec
+        assert isinstance(spec, ObjectSpec)
+        reached += row_length(spec)
+        if spec.placement.of == "ego":
+            break
+        reached += middle(spec.placement.gap) if spec.placement.gap is not None else NOSE_TO_TAIL
+        component = structure[spec.placement.of]
+    return component, reached

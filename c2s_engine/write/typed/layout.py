@@ -18,7 +18,7 @@ from c2s_engine.write.typed.lanes import pulls_out
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, MOVES_OFF_ROAD, WIDTH, WORKS
-from c2s_engine.write.typed.usual import right_behind, turn_of, uses_crosswalk
+from c2s_engine.write.typed.usual import at_corner, right_behind, row_step, turn_of, uses_crosswalk
 
 LANE = 3.5
 DRAWS = 12
@@ -110,6 +110,9 @@ def _start(
         to = (last.length + LENGTH[spec.type]) / 2 + stations.RIGHT_BEHIND
         ahead = -hider.ahead if faces_ego(structure, by) else hider.ahead
         return replace(hider, s=last.s + ahead * to, y=last.y, onward=ahead)
+    if stations.at_door(structure, spec):
+        by = starts[placement.of]
+        return replace(by, y=by.y + by.ahead * stations.from_door(structure, spec))
     if stations.in_line(structure, spec, plan):
         return _in_line(structure, cid, spec, plan, draw, starts[placement.of], found)
     if position in APPROACH_ANGLE:
@@ -135,7 +138,7 @@ def _start(
     at += sign * (draw(cid, gap) + half) if sign else draw(cid, placement.gap or 0.0)
     k = plan.lane_of[cid] or 0
     k = k if k in plan.offsets else 1
-    y = LANE * k + aside(structure, cid)
+    y = LANE * k + aside(structure, cid, plan)
     return _Start("road", at, y, at, -1 if placement.facing == "against" else 1, sign or 1)
 
 
@@ -144,12 +147,17 @@ def _beside(
 ) -> _Start:
     left, of = spec.placement.side == "left", spec.placement.of
     edge = LANE / 2 + stations.outwards(spec)
+    if spec.placement.lateral is not None and of == "ego":
+        edge = stations.from_lane(structure, spec)
+        return _Start("road", base + offset, edge if left else -edge, base + offset)
     y = LANE * min(plan.offsets) - edge
     if left:
         y = LANE * (max(plan.offsets) + stations.two_way(plan)) + edge
     at = base + offset
     if plan.place.kind == "crosswalk" and uses_crosswalk(spec):
         at = draw("ego", plan.distance or 0.0)
+    elif at_corner(spec, plan.place):
+        at = draw("ego", plan.distance or 0.0) - stations.CORNER - LENGTH[spec.type] / 2
     elif not offset and stations.stands_there(structure, of):
         at = base + stations.clear_of(structure, spec)
     return _Start("road", at, y, at, -1 if spec.placement.facing == "against" else 1, stations.along(spec) or 1)
@@ -204,7 +212,7 @@ def _row(spec: ObjectSpec, start: _Start, plan: Plan) -> Iterator[Box]:
         length, width = width, length
     end = plan.distance if plan.place.kind == "on_ramp" and start.track == "road" and start.y > LANE / 2 else None
     for i in range(spec.count):
-        s = start.s + start.onward * stations.step(spec) * i
+        s = start.s + start.onward * row_step(spec) * i
         yield Box(start.track, s if end is None else min(s, high(end) - 1), start.y, length, width)
 
 

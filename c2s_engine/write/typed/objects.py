@@ -12,9 +12,12 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import (
     BLUEPRINTS,
     CLASS,
+    HEIGHT,
+    LENGTH,
     NAMED_BLUEPRINTS,
     OBSTRUCTING,
     ROLE,
+    WIDTH,
     WORKS,
     is_static,
     is_vehicle,
@@ -76,6 +79,10 @@ def _statement(spec: ObjectSpec, spot: Spot, name: str, behavior: str) -> list[s
         extras.append("facing roadDirection")
     if spec.type == "bus":  # wider than most lanes
         extras.append("with regionContainedIn everywhere")
+    if spec.type in HEIGHT:
+        size = {"length": LENGTH[spec.type], "width": WIDTH[spec.type], "height": HEIGHT[spec.type]}
+        said = " ".join(spot.specifiers)
+        extras += [f"with {k} {scope.number(m)}" for k, m in size.items() if f"with {k} " not in said]
     if behavior:
         extras.append(f"with behavior {behavior}")
     specifiers = list(dict.fromkeys([*spot.specifiers, *extras]))

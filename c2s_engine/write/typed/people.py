@@ -1,46 +1,104 @@
 """Who crosses ego's way from beside the road, on foot or riding: when they set out, how far they go."""
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.quantity import Quantity, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.meetings import way_of_ego
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import LANE_NAME, is_walker
+from c2s_engine.write.typed.stations import at_door, inside, way_out
+from c2s_engine.write.typed.tables import LANE_NAME, LENGTH, MOVES_OFF_ROAD, WIDTH, is_walker
 from c2s_engine.write.typed.threats import is_hit
 from c2s_engine.write.typed.usual import crosses, pace_of, walks_first
 
 ACROSS = {"cross_road", "enter_road", "collide"}
 ON_LANE = {"stop", "stationary", "wait", "move_along"}
 """What somebody does on ego's lane who came onto it."""
-IN_WAY = 1.5
-"""m from the middle of ego's way, within which somebody is in it."""
-CLEAR = (0.2, 0.6)
-"""s by which somebody is out of ego's way before ego is there that does nothing about it."""
+IN_WAY = 1.15
+"""m from the middle of ego's way within which ego touches somebody."""
+GONE = 2.2
+"""m from the middle of ego's way from which ego takes somebody who walks on to be out of it."""
+NEAR_MISS = (0.45, 0.85)
+"""s by which somebody has left the middle of ego's way and `IN_WAY` before ego is there that does nothing about it."""
+DRAWN = 0.2
+"""s within which the moment is drawn that S leaves open."""
+BRAKES = 7.0
+"""m/s2 at which ego stops for who comes out in front of it."""
+TO_STOP = 0.7
+"""s that ego needs for that besides: to see it, to react, and room to spare."""
 RIDER_GAINS = 1.5
 """m/s2"""
 ANSWERS = {"brake", "stop", "wait", "yield", "swerve", "lane_change", "overtake"}
 """What ego does of its own accord for who is in its way."""
 SHORT_OF_LANE = 2.5
 """m from the middle of ego's way to where those stand who let it pass."""
+PULLS_OUT = 3.0
+"""m/s2 at which one pulls out from the kerb."""
+CORNER = 0.5
+"""m of its rear that are in ego's way when that is struck which backs out."""
 RUN_OUT = 14
 """m by which a rider's line goes on beyond the road: it slows down on the last of them."""
 
 
 def constants(structure: Structure, cid: str, plan: Plan) -> list[str]:
-    """`X_AHEAD`, where it is open when somebody sets out across ego's way."""
+    """`X_ARRIVES`, where somebody sets out across ego's way so as to meet it."""
     spec = structure[cid].spec
     assert isinstance(spec, ObjectSpec)
     first = next((p for p in spec.phases if p.action in ACROSS), None)
     walks_into = is_walker(spec.type) and first is not None and first.action == "collide"
     if not (crosses(spec) or walks_into) or _ego_stays(structure, plan) or _stated(spec):
         return []
-    most = min(0.5, IN_WAY / max(middle(pace_of(spec)), 0.5))  # who runs is soon out of it
-    least = 0.0
-    if not _ego_reacts(structure):  # they just miss each other
-        least, most = (IN_WAY / max(middle(pace_of(spec)), 0.5) + margin for margin in CLEAR)
-    ahead = "0" if _meets(structure, cid, spec) else f"Range({scope.number(least)}, {scope.number(most)})"
-    return [f"{scope.constant(structure, cid)}_AHEAD = {ahead}  # s in the middle of ego's way before ego is there"]
+    arrives = scope.quantity(_arrival(structure, cid, spec, plan))
+    return [f"{scope.constant(structure, cid)}_ARRIVES = {arrives}  # s after ego in the middle of its way, unhindered"]
+
+
+def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Quantity:
+    """How long (s) after ego's front somebody is in the middle of ego's way, if neither reacts.
+
+    Where S leaves it open: so that they touch where S says so; that ego can just stop where it reacts; that ego takes
+    them to be gone in time where they stop unexpectedly; that they just miss each other where ego does nothing.
+    """
+    pace = max(middle(pace_of(spec)), 0.5)
+    if spec.placement.arrives is not None:
+        return spec.placement.arrives
+    if _meets(structure, cid, spec):
+        return round(_struck_at(structure, cid, spec, plan, pace), 2)
+    at = next(i for i, p in enumerate(spec.phases) if p.action in ACROSS)
+    stays = spec.phases[at].action == "enter_road" or _stays(spec.phases[at + 1 : at + 2])
+    if spec.phases[at].action == "cross_road" and _stays(spec.phases[at + 1 : at + 2]):
+        ahead = max(GONE / pace, TO_STOP + plan.ego_top / (2 * BRAKES))
+    elif _ego_reacts(structure):
+        by = structure[spec.placement.hidden_by].spec if spec.placement.hidden_by else None
+        covered = inside(by) if isinstance(by, ObjectSpec) else 0.0
+        seen = (way_out(structure, spec, plan.place) - covered) / pace
+        needed = TO_STOP + plan.ego_top / (2 * BRAKES) - seen
+        surprises = by is not None or at_door(structure, spec)
+        ahead = max(0.0, needed if stays else min(needed, IN_WAY / pace)) if surprises else 0.0
+    else:
+        least, most = (round(IN_WAY / pace + clear, 2) for clear in NEAR_MISS)
+        return -most, -least
+    return round(-ahead - DRAWN, 2), round(0.0 - ahead, 2)
+
+
+def _struck_at(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, pace: float) -> float:
+    """The same where they touch: by the part of ego that S says; corners are a quarter of its width from its middle."""
+    ego = structure.ego.spec
+    assert isinstance(ego, EgoSpec)
+    own = next((p.target_part for p in spec.phases if p.action == "collide"), None)
+    part = own or next((p.part for p in ego.phases if p.action == "collide" and p.target in (None, cid)), None)
+    from_left, width, passes = spec.placement.side == "left", WIDTH[ego.type], LENGTH[ego.type] / max(plan.ego_speed, 1)
+    if part in ("front_left", "front_right"):
+        short = (part == "front_left") == from_left
+        return (width if short else -width) / 4 / pace
+    if part in ("left", "right", "rear_left", "rear_right"):  # into its side, as it goes by
+        share = 0.5 if part in ("left", "right") else 0.9
+        return share * passes + (width + WIDTH[spec.type]) / 2 / pace
+    return 0.0
+
+
+def _stays(after: tuple[Phase, ...]) -> bool:
+    """Whether what comes next is to stay on ego's lane."""
+    return any(p.trigger is None and p.action in ON_LANE for p in after)
 
 
 def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
@@ -51,19 +109,29 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
     across = f"self.heading {'-' if spec.placement.side == 'left' else '+'} 90 deg"
     heading = across if walks_first(spec) else "self.heading"
     usual = f"{scope.constant(structure, cid)}_SPEED"
-    lines = [f"line = {_egos_way(plan)}"] if any(p.action in ACROSS for p in phases) else []
+    lines = [f"line = {_egos_way(plan)}"] if any(p.action in {*ACROSS, "leave_road"} for p in phases) else []
     begun = False
     for i, phase in enumerate(phases):
         then = phases[i + 1] if i + 1 < len(phases) else None
+        if phase.action == "collide" and begun:  # it is on its way already
+            continue
         own = scope.quantity(phase.speed) if phase.speed is not None and i > 0 else usual
         until = f" for {scope.quantity(phase.duration)} seconds" if phase.duration is not None else ""
-        if then is not None and (then.trigger and not until or _crosses_next(then) and not begun):
+        waits = then is not None and (
+            then.trigger and not until or _crosses_next(then) and not begun and phase.action not in ACROSS
+        )
+        if then is not None and waits:
             until = f" until {_sets_out(structure, cid, spec, then, plan, own)}"
         if phase.action in ACROSS:
             if i == 0:
                 lines.append(f"do Stand() until {_sets_out(structure, cid, spec, phase, plan, own)}")
-            lines.append(f"do Walk({heading}, {own}, {_how_far(then, heading)}){until}")
+                if phase.trigger and phase.trigger.delay is not None:
+                    lines.append(f"do Stand() for {scope.quantity(phase.trigger.delay)} seconds")
+            lines.append(f"do Walk({heading}, {own}, {_how_far(structure, phase, then, heading)}){until}")
             heading, begun = "self.heading", True
+        elif phase.action == "leave_road":
+            back = "self.heading + 180 deg" if phase.side in (None, spec.placement.side or "right") else "self.heading"
+            lines.append(f"do Walk({back}, {own}, to_far_side(self, line, {back})){until}")
         elif phase.action in ("stop", "stationary", "wait", "yield"):
             if phase.action == "yield" and not until:
                 other = scope.reference(structure, phase.target) if phase.target else "ego"
@@ -71,7 +139,34 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
             lines.append(f"do Stand(){until or ('' if then is None else ' for 2 seconds')}")
         else:
             lines.append(f"do Walk(self.heading, {own}){until or ('' if then is None else ' for 2 seconds')}")
+        if waits and then.trigger and then.trigger.delay is not None:
+            lines.append(f"{lines[-1].removesuffix(until)} for {scope.quantity(then.trigger.delay)} seconds")
     return lines
+
+
+def comes_out(structure: Structure, cid: str, plan: Plan, phase: Phase, pace: float) -> str:
+    """Until when a vehicle waits that pulls out from the kerb, or backs out of a space or driveway, so as to meet ego;
+    "": nothing is to be met. `arrives` is when it comes into ego's way."""
+    spec = structure[cid].spec if cid in structure else None
+    if not isinstance(spec, ObjectSpec) or spec.placement.position not in MOVES_OFF_ROAD or _stated_by(phase):
+        return ""
+    meets, reacts = _meets(structure, cid, spec), _ego_reacts(structure)
+    if _ego_stays(structure, plan) or not (meets or reacts or spec.placement.arrives is not None):
+        return ""
+    corner = CORNER / max(pace, 0.5) if phase.action == "reverse" else 0.0
+    ahead = corner if meets else TO_STOP + plan.ego_top / (2 * BRAKES)
+    arrives = middle(spec.placement.arrives) if spec.placement.arrives is not None else -ahead
+    if phase.action == "reverse":  # with its rear
+        width = WIDTH[getattr(structure.ego.spec, "type", "car")]
+        arrives += (LENGTH[spec.type] + width) / 2 / max(pace, 0.5)
+        return f"until sets_out(self, ego, line, {scope.number(pace)}, {scope.number(round(arrives, 2))})"
+    rate = scope.number(middle(phase.rate) if phase.rate else PULLS_OUT)
+    return f"until pulls_out(self, ego, line, {rate}, {scope.number(round(arrives, 2))})"
+
+
+def _stated_by(phase: Phase) -> bool:
+    comes = phase.action in ("enter_road", "reverse") and phase.target in (None, "ego")
+    return phase.trigger is not None or not comes
 
 
 def _crosses_next(then: Phase) -> bool:
@@ -126,9 +221,11 @@ def _meets(structure: Structure, cid: str, spec: ObjectSpec) -> bool:
     return isinstance(ego, EgoSpec) and is_hit(ego, cid) or any(p.action == "collide" for p in spec.phases)
 
 
-def _how_far(then: Phase | None, heading: str) -> str:
-    """To the other side of the road, or as far as what comes next asks."""
-    if then is not None and then.trigger is None and then.action in ON_LANE:
+def _how_far(structure: Structure, phase: Phase, then: Phase | None, heading: str) -> str:
+    """To the other side of the road, or as far as what comes next asks; who comes onto it is in ego's way then."""
+    remains = then is None and phase.action == "enter_road" and _ego_reacts(structure)
+    returns = then is not None and then.action == "leave_road"
+    if remains or returns or then is not None and _stays((then,)):
         return "along_line(line, self.position)[1]"
     if then is not None and then.trigger is None and then.action == "yield":
         return f"along_line(line, self.position)[1] - {SHORT_OF_LANE}"
@@ -155,5 +252,5 @@ def _sets_out(
     if _ego_stays(structure, plan):
         return "simulation().currentTime * simulation().timestep >= 2"
     gained = f", {scope.number(rate)}" if rate else ""
-    found = f"sets_out(self, ego, line, {speed}, {scope.constant(structure, cid)}_AHEAD{gained})"
+    found = f"sets_out(self, ego, line, {speed}, {scope.constant(structure, cid)}_ARRIVES{gained})"
     return f"{found} or {scope.reference(structure, cid)}.speed > 0.3" if spec.count > 1 else found

@@ -35,6 +35,8 @@ def call(plan: Plan) -> Call:
         more = {"ego_on": "'beside'"}
     if spec.kind == "roundabout" and not _near(plan):
         more["arms_within"] = "math.inf"
+    if plan.parked and spec.kind in ("road", "straight", "curve") and spec.shoulder is None:
+        more["shoulder"] = "'preferred'"
     if plan.across and spec.kind in JUNCTION | RAMP:
         more["across"] = "True"
     return place_call(

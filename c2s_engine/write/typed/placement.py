@@ -4,7 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed import ahead, meetings, pockets, scope, stations
-from c2s_engine.write.typed.beside import behind_junction, beside_road
+from c2s_engine.write.typed.beside import behind_junction, beside_road, by_door
 from c2s_engine.write.typed.hiding import aside, hidden
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
@@ -20,7 +20,9 @@ def place_object(structure: Structure, cid: str, plan: Plan) -> Spot:
     assert isinstance(spec, ObjectSpec)
     position = spec.placement.position
     if right_behind(spec):
-        return hidden(structure, spec)
+        return hidden(structure, spec, plan)
+    if stations.at_door(structure, spec):
+        return by_door(structure, spec)
     if stations.in_line(structure, spec, plan):
         return _in_line_with(structure, cid, spec, plan)
     if position in APPROACH_ANGLE:
@@ -104,7 +106,7 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
         reached = f"min(-1, {reached} - place.lane.centerline.length)"
     point = f"{lane}.centerline.pointAlongBy({reached})"
     specifiers: tuple[str, ...] = (f"at {point}",)
-    if side := aside(structure, cid):
+    if side := aside(structure, cid, plan):
         specifiers = (
             f"at (new OrientedPoint at {point}, facing roadDirection) offset by {scope.number(-side)} @ 0",
             "with regionContainedIn everywhere",

@@ -81,6 +81,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         lane_of=lane_of,
         set_out=set_out,
         leads=lanes.leads(ego, objects, lane_of, speed, place),
+        parked=any(o.placement.position == "parked" for o in objects.values()),
         across=room < rooms.SHORTEST,
     )
     return _with_room(structure, plan)

@@ -1,7 +1,7 @@
 """T: requirements at the start, and the end of the run."""
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.specs import Condition, RestrictionsSpec
+from c2s_engine.structure.specs import Condition, ObjectSpec, RestrictionsSpec
 from c2s_engine.write.typed import over, scope
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.triggers import observed
@@ -27,9 +27,18 @@ def write_restrictions(structure: Structure, plan: Plan) -> str:
     return "\n".join(lines)
 
 
+def _hiding(structure: Structure, c: Condition) -> str:
+    """What hides the one that ego is not to see, where S says what does: of a row the last; "": nothing."""
+    seen = structure[c.other].spec if c.kind == "not_visible" and c.subject == "ego" and c.other else None
+    by = seen.placement.hidden_by if isinstance(seen, ObjectSpec) else None
+    return scope.reference(structure, by).replace("[0]", "[-1]") if by else ""
+
+
 def _condition(structure: Structure, c: Condition) -> str:
     subject = scope.reference(structure, c.subject)
     other = scope.reference(structure, c.other) if c.other else "ego"
+    if by := _hiding(structure, c):  # Scenic's `can see` looks through everything in 2D
+        return f"hides({by}, {subject}.position, {other}.position)"
     if c.kind in ("visible", "not_visible"):
         return f"{'' if c.kind == 'visible' else 'not '}({subject} can see {other})"
     if c.kind == "time":

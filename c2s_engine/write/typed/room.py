@@ -8,7 +8,7 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.lanes import all_phases
 from c2s_engine.write.typed.tables import JUNCTION, LENGTH, RAMP, TURN, is_static, is_vehicle
-from c2s_engine.write.typed.usual import default_gap, speed_of
+from c2s_engine.write.typed.usual import at_corner, default_gap, row_length, speed_of
 
 LONGEST_APPROACH = 200.0
 """m of lane before a junction that maps can be expected to have."""
@@ -44,9 +44,8 @@ def before(ego: EgoSpec, objects: dict[str, ObjectSpec], speed: float, place: Pl
     def back(o: ObjectSpec, depth: int = 0) -> float:
         """How far behind ego an object reaches."""
         gap = high(o.placement.gap) if o.placement.gap is not None else default_gap(o, speed, place)
-        step = LENGTH[o.type] + (high(o.spacing) if o.spacing is not None else 3.0)
         behind = o.placement.along == "behind" or (o.placement.position == "behind" and o.placement.along is None)
-        own = (gap + LENGTH[o.type] + 10 + (o.count - 1) * step) * (1 if behind else -1)
+        own = (gap + 10 + row_length(o)) * (1 if behind else -1)
         parent = objects.get(o.placement.of)
         return max(own, 0) + (back(parent, depth + 1) if parent and depth < 8 else 0)
 
@@ -91,8 +90,7 @@ def behind_junction(objects: dict[str, ObjectSpec], speed: float, place: PlaceSp
     for o in objects.values():
         if o.placement.position == "intersection_exit":
             gap = high(o.placement.gap) if o.placement.gap is not None else default_gap(o, speed, place)
-            step = LENGTH[o.type] + (high(o.spacing) if o.spacing is not None else 3.0)
-            taken.append(gap + LENGTH[o.type] / 2 + (o.count - 1) * step)
+            taken.append(gap + row_length(o) - LENGTH[o.type] / 2)
     return math.ceil(max(taken))
 
 
@@ -157,11 +155,10 @@ def _junction_side(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
     placement = o.placement
     ways = {"ahead", "left_lane", "right_lane", "oncoming_lane", *_BESIDE}
     behind = placement.along == "behind" and placement.position != "oncoming_lane"
-    if placement.position not in ways or behind:
+    if placement.position not in ways or behind or at_corner(o, place):
         return 0
     gap = high(placement.gap) if placement.gap is not None else default_gap(o, ego_speed, place)
-    step = LENGTH[o.type] + (high(o.spacing) if o.spacing is not None else 3.0)
-    return gap + LENGTH[o.type] + 5 + (o.count - 1) * step
+    return gap + 5 + row_length(o)
 
 
 def _oncoming_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:

@@ -6,6 +6,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed import scope, stations
 from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.usual import row_step
 
 
 @dataclass(frozen=True)
@@ -40,4 +41,4 @@ def member(spec: ObjectSpec, base: str, sign: int = 1) -> str:
     """Where the i-th member of a row is, from where the first is."""
     if spec.count == 1:
         return base
-    return f"{base} {'+' if sign > 0 else '-'} {scope.number(stations.step(spec))} * i"
+    return f"{base} {'+' if sign > 0 else '-'} {scope.number(row_step(spec))} * i"

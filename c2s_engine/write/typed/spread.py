@@ -11,8 +11,8 @@ from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.forms import normal
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.pockets import pocketed
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, is_vehicle
-from c2s_engine.write.typed.usual import default_gap, right_behind, speed_of
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, is_vehicle
+from c2s_engine.write.typed.usual import at_corner, default_gap, right_behind, row_length, speed_of
 
 _ROW = {"partly_in_lane": "ahead", "roadside": "kerb", "sidewalk": "kerb", "parked": "kerb"}
 ROOM = 3.0
@@ -68,11 +68,11 @@ def _rows(structure: Structure) -> Structure:
     for component in sorted(objects, key=lambda c: (c.spec.placement.gap is None, _comes_later(c.spec))):  # type: ignore
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
-        row, size = taken.setdefault(_row(spec), []), _size(spec)
+        row, size = taken.setdefault(_row(spec), []), row_length(spec)
         if spec.placement.gap is not None:
             row.append((low(spec.placement.gap), high(spec.placement.gap) + size))
             continue
-        if spec.placement.position in APPROACH_ANGLE:  # timed to meet ego
+        if spec.placement.position in APPROACH_ANGLE or at_corner(spec, place):  # timed to meet ego  # type: ignore[arg-type]
             continue
         start = default_gap(spec, speed, place)  # type: ignore[arg-type]
         gap = start + _between(component.id, structure, speed)
@@ -96,7 +96,7 @@ def _between(cid: str, structure: Structure, speed: float) -> float:
     behind = [s for s in specs if s.placement.of == cid and s.placement.position == "behind" and is_vehicle(s.type)]
     place = structure.place.spec
     gaps = [high(s.placement.gap) if s.placement.gap is not None else default_gap(s, speed, place) for s in behind]  # type: ignore[arg-type]
-    return sum(gaps) + sum(_size(s) for s in behind)
+    return sum(gaps) + sum(row_length(s) for s in behind)
 
 
 def _comes_later(spec: ObjectSpec) -> bool:
@@ -136,6 +136,3 @@ def _row(spec: ObjectSpec) -> tuple:
     return row, placement.of, placement.side if row == "kerb" else None, along
 
 
-def _size(spec: ObjectSpec) -> float:
-    spacing = high(spec.spacing) if spec.spacing is not None else 3.0
-    return spec.count * LENGTH[spec.type] + (spec.count - 1) * spacing

@@ -4,24 +4,52 @@ import math
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.specs import ObjectSpec, PlaceSpec
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, MOVES_OFF_ROAD, WIDTH, WORKS, is_vehicle, is_walker
-from c2s_engine.write.typed.usual import crosses, crosses_there, default_gap, pace_of, right_behind, speed_of
+from c2s_engine.write.typed.tables import (
+    APPROACH_ANGLE,
+    HALF_LANE,
+    LENGTH,
+    MOVES_OFF_ROAD,
+    WIDTH,
+    WORKS,
+    is_vehicle,
+    is_walker,
+)
+from c2s_engine.write.typed.usual import (
+    NOSE_TO_TAIL,
+    crosses,
+    crosses_there,
+    default_gap,
+    extent,
+    pace_of,
+    reach,
+    right_behind,
+    row_step,
+    speed_of,
+)
 
 OWN_PLACE = {*APPROACH_ANGLE, "oncoming_lane", "on_ramp", "intersection_exit", *MOVES_OFF_ROAD}
 """Positions that name where somebody is, whomever they are seen from."""
 FROM_END = {*APPROACH_ANGLE, "on_ramp"}
 """Positions measured back from the end of their lane."""
-CLOSEST = 0.3
-"""m between the members of a row at least."""
 BEFORE_JUNCTION = 5.0
 """m before a junction where those cross who cross at its crosswalk."""
 LONGEST_APPROACH = 130.0
 """m before a junction from which somebody comes who meets ego there."""
 SEEN_RUNNING = 1.8
 """s before it is in ego's way for which an animal is seen that comes running."""
-RIGHT_BEHIND = 0.6
+BAY = 1.2
+"""m from the road to who stands in a bay or a driveway."""
+BEHIND_WALK = 2.5
+"""m from the road to a building."""
+CORNER = 3.0
+"""m from what stands at the corner of a junction to where ego's lane ends."""
+INSIDE = 1.1
+"""m behind the face of a wide thing where somebody stands whom it hides."""
+AT_DOOR = 0.1
+"""m from a vehicle to who stands at its door."""
+RIGHT_BEHIND = 0.4
 """m from what hides somebody to who stands by it."""
 
 
@@ -35,11 +63,6 @@ def along(spec: ObjectSpec) -> int:
     return {"behind": -1, "beside": 0}.get(position, 1)
 
 
-def step(spec: ObjectSpec) -> float:
-    """From one member of a row to the next."""
-    return LENGTH[spec.type] + max(middle(spec.spacing) if spec.spacing is not None else 3.0, CLOSEST)
-
-
 def gap(spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
     """The stated gap, or the usual one."""
     if spec.placement.gap is not None:
@@ -47,7 +70,7 @@ def gap(spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
     place = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place  # it stands before the merge
     usual = default_gap(spec, plan.ego_top if along(spec) > 0 else plan.ego_speed, place)
     if place.kind == "intersection" and place.crosswalk and plan.distance is not None and crosses_there(spec):
-        return max(usual, middle(plan.distance) - BEFORE_JUNCTION - (spec.count - 1) * step(spec))
+        return max(usual, middle(plan.distance) - BEFORE_JUNCTION - (spec.count - 1) * row_step(spec))
     return usual
 
 
@@ -56,12 +79,14 @@ def row_beyond(parent: ObjectSpec, ahead: bool) -> float:
     if parent.type in WORKS:  # always one
         return 0.0
     backwards = parent.placement.position in (*FROM_END, "oncoming_lane") or along(parent) < 0
-    return (parent.count - 1) * step(parent) if ahead != backwards else 0.0
+    return (parent.count - 1) * row_step(parent) if ahead != backwards else 0.0
 
 
 def length_of(structure: Structure, of: str) -> float:
-    """The length of ego or an object."""
+    """How much of the road's length ego or an object takes."""
     spec = structure.ego.spec if of in ("ego", "E") else structure[of].spec
+    if isinstance(spec, ObjectSpec):
+        return extent(spec)
     return LENGTH.get(getattr(spec, "type", "car"), 4.8)
 
 
@@ -69,6 +94,15 @@ def stands_there(structure: Structure, of: str) -> bool:
     """Whether the one that an object is placed by is itself beside the road."""
     other = structure[of].spec if of in structure and of not in ("ego", "E") else None
     return isinstance(other, ObjectSpec) and other.placement.position in MOVES_OFF_ROAD
+
+
+def at_door(structure: Structure, spec: ObjectSpec) -> bool:
+    """Whether somebody on foot stands at the door of a vehicle beside the road, on the side of the traffic."""
+    placement = spec.placement
+    other = structure[placement.of].spec if stands_there(structure, placement.of) else None
+    steps_out = placement.along == "abreast" and any(p.action == "enter_road" for p in spec.phases)
+    on_foot = spec.type in ("pedestrian", "child") and isinstance(other, ObjectSpec) and is_vehicle(other.type)
+    return on_foot and (placement.position == "beside" or steps_out)
 
 
 def in_line(structure: Structure, spec: ObjectSpec, plan: Plan) -> bool:
@@ -84,6 +118,8 @@ def base(structure: Structure, of: str, plan: Plan) -> str:
         return "ego"
     if right_behind(parent):
         return base(structure, parent.placement.hidden_by or "ego", plan)
+    if at_door(structure, parent):
+        return base(structure, parent.placement.of, plan)
     return "ego" if plan.lane_of[of] is None and not stands_there(structure, of) else of
 
 
@@ -92,10 +128,10 @@ def from_base(
 ) -> tuple[str, float | tuple[float, float], float]:
     """Whom it is measured from, the gap, and what the bodies add to that, ahead (`sign` +1) or behind (-1)."""
     of = spec.placement.of
-    half = (LENGTH[spec.type] + length_of(structure, of)) / 2 + 0.2
+    half = (extent(spec) + length_of(structure, of)) / 2 + 0.2
     own = gap(spec, plan)
     if stands_there(structure, of):
-        own = 2.0 if spec.placement.gap is None else own
+        own = NOSE_TO_TAIL if spec.placement.gap is None else own
     start = base(structure, of, plan)
     if start == of and start != "ego":
         parent = structure[of].spec
@@ -104,9 +140,17 @@ def from_base(
     return start, own, half
 
 
+def from_door(structure: Structure, spec: ObjectSpec) -> float:
+    """How far (m) to the left of the middle of a vehicle, as that looks, somebody at its door is."""
+    other = structure[spec.placement.of].spec
+    assert isinstance(other, ObjectSpec)
+    out = WIDTH[other.type] / 2 + AT_DOOR + WIDTH[spec.type] / 2
+    return out if (other.placement.side == "left") == (other.placement.facing == "against") else -out
+
+
 def clear_of(structure: Structure, spec: ObjectSpec) -> float:
     """From the middle of what takes the spot beside the road to one that is placed abreast of it."""
-    return (LENGTH[spec.type] + length_of(structure, spec.placement.of)) / 2 + 0.8
+    return (extent(spec) + length_of(structure, spec.placement.of)) / 2 + 0.8
 
 
 def bodies(spec: ObjectSpec, parent: ObjectSpec, behind: bool) -> float:
@@ -149,14 +193,38 @@ def near_exit(spec: ObjectSpec) -> bool:
 
 def outwards(spec: ObjectSpec) -> float:
     """From the road's edge to the middle of what is beside it."""
-    out = {"parked": 1.4, "sidewalk": 3.0}.get(spec.placement.position, 1.5)
+    out = {"sidewalk": 3.0, "parked": 1.6}.get(spec.placement.position, 1.5)
     if spec.type == "animal" and crosses(spec):  # it comes running
         return max(out, round(SEEN_RUNNING * middle(pace_of(spec)) - 1.75, 1))
     if is_walker(spec.type):
         return out
     if not is_vehicle(spec.type):  # signs and props may be wide
-        return max(out, 2.4)
-    return max(1.8 if spec.placement.position == "roadside" else out, WIDTH[spec.type] / 2)  # out of the lane
+        return max(out, 2.4, WIDTH[spec.type] / 2 + (BEHIND_WALK if spec.type == "building" else 0.5))
+    if spec.placement.facing == "across":  # in a bay or a driveway
+        return LENGTH[spec.type] / 2 + BAY
+    return max(1.8 if spec.placement.position == "roadside" else out, WIDTH[spec.type] / 2 + 0.3)  # out of the lane
+
+
+def from_lane(structure: Structure, spec: ObjectSpec) -> float:
+    """From the middle of ego's lane to that of one at the roadside, where S says the room between ego and its body."""
+    across = spec.placement.facing == "across" or crosses(spec)
+    own = LENGTH[spec.type] if across else WIDTH[spec.type]
+    return (WIDTH[getattr(structure.ego.spec, "type", "car")] + own) / 2 + middle(spec.placement.lateral or 0.0)
+
+
+def way_out(structure: Structure, spec: ObjectSpec, place: PlaceSpec) -> float:
+    """From where somebody stands who crosses to the middle of ego's way: by what hides it, or out of a vehicle."""
+    by = spec.placement.hidden_by or (spec.placement.of if at_door(structure, spec) else None)
+    other = structure[by].spec if by and by in structure else None
+    if not isinstance(other, ObjectSpec) or other.placement.position not in MOVES_OFF_ROAD:
+        return reach(spec, place)
+    face = HALF_LANE + outwards(other) - WIDTH[other.type] / 2
+    return face + (inside(other) if spec.placement.hidden_by else -AT_DOOR)
+
+
+def inside(hider: ObjectSpec) -> float:
+    """How far behind the face of what hides somebody, seen from the road, that one stands."""
+    return min(WIDTH[hider.type] / 2, INSIDE)
 
 
 def two_way(plan: Plan) -> bool:

@@ -22,6 +22,8 @@ BLUEPRINTS: dict[str, list[str]] = {
 }
 LENGTH: dict[str, float] = {k: v["length"] for k, v in _TABLES["types"].items()}
 OBSTRUCTING: dict[str, str] = _TABLES["obstructing"]
+HEIGHT: dict[str, float] = {k: v["height"] for k, v in _TABLES["types"].items() if v.get("height")}
+"""m, of what another prop stands in for at another size."""
 WIDTH: dict[str, float] = {k: v["width"] for k, v in _TABLES["types"].items()}
 ROLE: dict[str, str] = {k: v["role"] for k, v in _TABLES["types"].items() if v.get("role")}
 DEFAULT_SPEED: dict[str, dict[str, float]] = _TABLES["speeds"]

@@ -5,7 +5,9 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor
+from c2s_engine.write.typed.stations import at_door
 from c2s_engine.write.typed.tables import HALF_LANE, is_static, is_walker
+from c2s_engine.write.typed.usual import crosses
 
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
 CALM = {"follow", "keep_lane", "go_straight", "turn_left", "turn_right", "move_along", "brake"}
@@ -73,6 +75,10 @@ def in_sight(structure: Structure, cid: str) -> str:
     """The reference to an object, or to all of its members (starred), only while what hides it does not."""
     spec, name = structure[cid].spec, every(structure, cid)
     by = spec.placement.hidden_by if isinstance(spec, ObjectSpec) else None
+    if isinstance(spec, ObjectSpec) and spec.placement.of in structure and crosses(spec):  # by a thing beside the road
+        by = by or spec.placement.of
+    if isinstance(spec, ObjectSpec) and at_door(structure, spec):  # nobody was there before
+        return f"*([{name}] if {name}.speed > 0 else [])"
     if by is None or by not in structure or spec.placement.position == "ahead":  # type: ignore[union-attr]
         return name
     return f"*in_view(self, [{name}], [{every(structure, by)}])"
@@ -88,10 +94,10 @@ def once_seen(structure: Structure, cids: list[str]) -> list[str]:
 
 
 def on_foot(structure: Structure) -> list[str]:
-    """The ids of those who cross the road on foot: ego stops for them where it brakes for what comes into its way."""
+    """The ids of those who come onto the road on foot: ego stops for them where it brakes for what is in its way."""
     objects = [(c.id, c.spec) for c in structure.objects if isinstance(c.spec, ObjectSpec) and is_walker(c.spec.type)]
     does = {cid: {p.action for p in o.phases} for cid, o in objects}
-    return [cid for cid, _ in objects if "cross_road" in does[cid] and "collide" not in does[cid]]
+    return [cid for cid, _ in objects if {"cross_road", "enter_road"} & does[cid] and "collide" not in does[cid]]
 
 
 def is_stopped(spec: EgoSpec | ObjectSpec) -> bool:

@@ -7,6 +7,7 @@ from c2s_engine.write.typed import ahead, lateral, scope, traffic
 from c2s_engine.write.typed.collisions import hit_beside, hit_next
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.overtakings import nearest
+from c2s_engine.write.typed.people import comes_out
 from c2s_engine.write.typed.tables import LENGTH, WORKS, is_static
 from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, standing, threatening
 from c2s_engine.write.typed.towards import before_standing, opposite_standing
@@ -51,6 +52,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     a = course.actor
     if phase.trigger is not None:
         return ""
+    if first and (met := comes_out(a.structure, a.cid, a.plan, phase, course.wanted(phase, a.value or 2))):
+        return met
     if phase.action in ("lane_change", "cut_in") and course.on_ramp:
         return "until self._lane is place.acceleration_lane"
     if phase.action in lateral.LATERAL and phase.gap is not None and phase.target and not _sideways_into(course, phase):

@@ -4,11 +4,13 @@ from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.tables import (
     DEFAULT_SPEED,
+    HEIGHT,
     JUNCTION,
     LENGTH,
     MOVES_OFF_ROAD,
     RAMP,
     TURN,
+    WIDTH,
     is_static,
     is_vehicle,
     is_walker,
@@ -67,6 +69,37 @@ def pace_of(o: ObjectSpec) -> float | tuple[float, float]:
 
 IN_QUEUE = 3.0
 """m between those who wait at a junction one behind the other."""
+QUEUED = 2.0
+"""m between those who stand in a queue."""
+
+
+NOSE_TO_TAIL = 1.0
+"""m between those that are parked one behind the other."""
+CLOSEST = 0.3
+"""m between the members of a row at least."""
+
+
+def spacing_of(o: ObjectSpec) -> float | tuple[float, float]:
+    """The m between the members of a row: as stated, nose to tail where they are parked or stand in a queue."""
+    if o.spacing is not None:
+        return o.spacing
+    queues = o.speed == 0 and o.placement.position in ("ahead", "left_lane", "right_lane", "oncoming_lane")
+    return NOSE_TO_TAIL if o.placement.position == "parked" else QUEUED if queues and is_vehicle(o.type) else 3.0
+
+
+def extent(o: ObjectSpec) -> float:
+    """How much of the road's length one takes, m."""
+    return WIDTH[o.type] if o.placement.facing == "across" else LENGTH[o.type]
+
+
+def row_step(o: ObjectSpec) -> float:
+    """From one member of a row to the next, m."""
+    return extent(o) + max(middle(spacing_of(o)), CLOSEST)
+
+
+def row_length(o: ObjectSpec) -> float:
+    """How long a row is at most, m."""
+    return o.count * extent(o) + (o.count - 1) * max(high(spacing_of(o)), CLOSEST)
 
 
 def default_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None = None) -> float:
@@ -79,8 +112,7 @@ def default_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None = None)
         gap = near
     if place is None or place.distance is None or place.kind not in {*JUNCTION, *RAMP, "crosswalk"}:
         return gap
-    row = LENGTH[o.type] + (o.count - 1) * (LENGTH[o.type] + (high(o.spacing) if o.spacing is not None else 3.0))
-    return min(gap, max(low(place.distance) - row - 6.0, 3.0))  # it stands before what lies ahead
+    return min(gap, max(low(place.distance) - row_length(o) - 6.0, 3.0))  # it stands before what lies ahead
 
 
 def _before_trigger(o: ObjectSpec, ego_speed: float) -> float:
@@ -173,6 +205,13 @@ def reach(o: ObjectSpec, place: PlaceSpec) -> float:
 def far_side(o: ObjectSpec, place: PlaceSpec) -> bool:
     """Whether lanes of the other direction lie between somebody beside the road and ego's: the map says how many."""
     return o.placement.side == "left" and place.kind not in {"motorway", *RAMP} and not o.placement.hidden_by
+
+
+def at_corner(o: ObjectSpec, place: PlaceSpec) -> bool:
+    """Whether it stands at the corner of the junction before ego: what hides who comes from the side there."""
+    at = o.placement
+    beside = at.position in MOVES_OFF_ROAD and at.of == "ego" and at.gap is None and at.along != "behind"
+    return o.type in HEIGHT and place.kind in JUNCTION and beside
 
 
 def uses_crosswalk(o: ObjectSpec) -> bool:

@@ -29,11 +29,11 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
 ## O1
 WALKER_SPEED = 1.4  # m/s
 WALKER_AT = EGO_AT + 81.91 + 2.85  # m along the lane
-WALKER_AHEAD = Range(0, 0.5)  # s in the middle of ego's way before ego is there
+WALKER_ARRIVES = Range(-0.2, 0)  # s after ego in the middle of its way, unhindered
 
 behavior WalkerBehavior():
     line = way(place.lane)
-    do Stand() until sets_out(self, ego, line, WALKER_SPEED, WALKER_AHEAD)
+    do Stand() until sets_out(self, ego, line, WALKER_SPEED, WALKER_ARRIVES)
     do Walk(self.heading, WALKER_SPEED, to_far_side(self, line, self.heading))
 
 walker = new Pedestrian at (new OrientedPoint at place.lane.rightEdge.project(place.lane.centerline.pointAlongBy(WALKER_AT)), facing roadDirection at place.lane.centerline.pointAlongBy(WALKER_AT)) offset by 3 @ 0,

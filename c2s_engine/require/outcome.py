@@ -40,7 +40,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
             yield scene.make("outcome", "part", actor, f"phases.{index}.struck_part",
                              f"{other} is struck at its rear.", other=target, part="rear", mine=False)  # fmt: skip
     if all(scene.recognised(a) for a in scene.actors):
-        meet = [(a, EGO) for a, o in scene.objects.items() if o.placement.arrives is not None]
+        timed = [a for a, o in scene.objects.items() if o.placement.arrives is not None]
+        meet = [(a, EGO) for a in timed if scene.stated(a, "placement.arrives")]
         said = tuple(f"{a} {b}" for a, b in (*pairs, *(meet if scene.ego.reaction == "none" else ())))
         text = "Nobody else touches anybody." if said else "Nobody touches anybody."
         yield scene.make("outcome", "no_other_contact", EGO, "no_other_contact", text, component="T", pairs=said)

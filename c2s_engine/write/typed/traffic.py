@@ -126,7 +126,8 @@ def _pair(structure: Structure, cid: str, phase: Phase) -> _Pair | None:
         return None
     assert isinstance(place, PlaceSpec)
     one, two = (middle(speed_of(s, place)) for s in specs)  # type: ignore[arg-type]
-    at, half = placed[0][0], sum(LENGTH[s.type] for s in specs) / 2  # type: ignore[union-attr]
+    lengths = [LENGTH[s.type] for s in specs]  # type: ignore[union-attr]
+    at, half = placed[0][0], sum(lengths) / 2
     return _Pair(cid, other, at, 1 if at == cid else -1, half, one - two, min(one, two) if one * two else max(one, two))
 
 

@@ -144,8 +144,8 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
 
 def _before_junction(course: Course, value: float, phase: Phase) -> str:
     if phase.trigger is not None and phase.trigger.place == "merge_end":
-        lane, metres = "place.acceleration_lane", scope.number(max(value, ahead.MERGES))
-        return f"until self._lane is {lane} and (distance from self to {lane}.centerline[-1]) < {metres}"
+        there, metres = "place.acceleration_lane", scope.number(max(value, ahead.MERGES))
+        return f"until self._lane is {there} and (distance from self to {there}.centerline[-1]) < {metres}"
     lane = course.actor.to_junction
     if lane is None:
         return "for 4 seconds"

@@ -92,8 +92,8 @@ def _hides(structure: Structure, cid: str) -> ObjectSpec | None:
 
 
 def standing(structure: Structure) -> Structure:
-    """S with those standing from the first who come out from beside the road or hide somebody, these so far off that ego
-    is there no sooner than whom they hide."""
+    """S with those standing from the first who come out from beside the road or hide somebody: these so far off that
+    ego is there no sooner than whom they hide."""
     place, ego = structure.place.spec, structure.ego.spec
     assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
     for component in structure.objects:

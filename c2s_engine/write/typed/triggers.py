@@ -49,8 +49,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     a = course.actor
     if phase.trigger is not None:
         return ""
-    if first and (met := comes_out(a.structure, a.cid, a.plan, phase, course.wanted(phase, a.value or 2))):
-        return met
+    if first and (until := comes_out(a.structure, a.cid, a.plan, phase, course.wanted(phase, a.value or 2))):
+        return until
     if phase.action in ("lane_change", "cut_in") and course.on_ramp:
         return "until self._lane is place.acceleration_lane"
     if a.is_ego and phase.action in FORCED and not _stood(a, phase) and _confronted(course, phase):

@@ -212,8 +212,8 @@ def arrives(requirement: Requirement, evidence: Evidence) -> Result:
         return scored(requirement, -1.0, said, "ego does not come there")
     seen = time - there
     off = max(least - seen, seen - most, 0.0)
-    within = (seen, least - room, most + room)
-    return scored(requirement, 1.0 - off / room, said, f"{seen:.1f} s", time, measured=within)
+    measured = (seen, least - room, most + room)
+    return scored(requirement, 1.0 - off / room, said, f"{seen:.1f} s", time, measured=measured)
 
 
 def _moment(time: np.ndarray, values: np.ndarray) -> float | None:

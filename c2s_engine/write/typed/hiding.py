@@ -8,7 +8,7 @@ from c2s_engine.write.typed.course import EDGE, HALF_LANE
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.spot import Spot, member
 from c2s_engine.write.typed.stations import RIGHT_BEHIND
-from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, WIDTH, is_static
+from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, WIDTH, is_static, is_vehicle
 from c2s_engine.write.typed.usual import (
     NOSE_TO_TAIL,
     crosses,
@@ -92,12 +92,14 @@ def _hides(structure: Structure, cid: str) -> ObjectSpec | None:
 
 
 def standing(structure: Structure) -> Structure:
-    """S with those who stop and hide somebody standing from the first, and so far off that ego is there no sooner than
-    whom they hide."""
+    """S with those standing from the first who come out from beside the road or hide somebody: these so far off that
+    ego is there no sooner than whom they hide."""
     place, ego = structure.place.spec, structure.ego.spec
     assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
     for component in structure.objects:
         spec, who = component.spec, _hides(structure, component.id)
+        if isinstance(spec, ObjectSpec) and (rests := _from_rest(spec)) is not spec:
+            structure = structure.with_component(component.model_copy(update={"spec": rests}))
         if who is None or not isinstance(spec, ObjectSpec):
             continue
         if spec.phases and spec.phases[0].action == "stop":
@@ -117,6 +119,16 @@ def standing(structure: Structure) -> Structure:
             changed = first.spec.model_copy(update={"placement": placed})
             structure = structure.with_component(first.model_copy(update={"spec": changed}))
     return structure
+
+
+def _from_rest(spec: ObjectSpec) -> ObjectSpec:
+    """A vehicle that pulls out from beside the road or backs out of there stands until then."""
+    first = spec.phases[0] if spec.phases else None
+    comes = first is not None and first.action in ("enter_road", "reverse") and is_vehicle(spec.type)
+    if first is None or not comes or not spec.speed or crosses(spec) or spec.placement.position not in MOVES_OFF_ROAD:
+        return spec
+    moves = first.model_copy(update={"speed": first.speed if first.speed is not None else spec.speed})
+    return spec.model_copy(update={"speed": 0.0, "phases": (moves, *spec.phases[1:])})
 
 
 def _row_of(structure: Structure, cid: str) -> tuple[Component, float]:

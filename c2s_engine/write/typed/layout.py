@@ -111,8 +111,8 @@ def _start(
         ahead = -hider.ahead if faces_ego(structure, by) else hider.ahead
         return replace(hider, s=last.s + ahead * to, y=last.y, onward=ahead)
     if stations.at_door(structure, spec):
-        by = starts[placement.of]
-        return replace(by, y=by.y + by.ahead * stations.from_door(structure, spec))
+        car = starts[placement.of]
+        return replace(car, y=car.y + car.ahead * stations.from_door(structure, spec))
     if stations.in_line(structure, spec, plan):
         return _in_line(structure, cid, spec, plan, draw, starts[placement.of], found)
     if position in APPROACH_ANGLE:

@@ -34,7 +34,7 @@ SHORT_OF_LANE = 2.5
 """m from the middle of ego's way to where those stand who let it pass."""
 PULLS_OUT = 3.0
 """m/s2 at which one pulls out from the kerb."""
-CORNER = 0.5
+CORNER = 0.3
 """m of its rear that are in ego's way when that is struck which backs out."""
 RUN_OUT = 14
 """m by which a rider's line goes on beyond the road: it slows down on the last of them."""
@@ -139,7 +139,7 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
             lines.append(f"do Stand(){until or ('' if then is None else ' for 2 seconds')}")
         else:
             lines.append(f"do Walk(self.heading, {own}){until or ('' if then is None else ' for 2 seconds')}")
-        if waits and then.trigger and then.trigger.delay is not None:
+        if then is not None and waits and then.trigger and then.trigger.delay is not None:
             lines.append(f"{lines[-1].removesuffix(until)} for {scope.quantity(then.trigger.delay)} seconds")
     return lines
 

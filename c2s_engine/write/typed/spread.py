@@ -72,7 +72,7 @@ def _rows(structure: Structure) -> Structure:
         if spec.placement.gap is not None:
             row.append((low(spec.placement.gap), high(spec.placement.gap) + size))
             continue
-        if spec.placement.position in APPROACH_ANGLE or at_corner(spec, place):  # timed to meet ego  # type: ignore[arg-type]
+        if spec.placement.position in APPROACH_ANGLE or at_corner(spec, place):  # type: ignore[arg-type]
             continue
         start = default_gap(spec, speed, place)  # type: ignore[arg-type]
         gap = start + _between(component.id, structure, speed)

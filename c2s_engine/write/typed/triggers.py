@@ -52,8 +52,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     a = course.actor
     if phase.trigger is not None:
         return ""
-    if first and (met := comes_out(a.structure, a.cid, a.plan, phase, course.wanted(phase, a.value or 2))):
-        return met
+    if first and (until := comes_out(a.structure, a.cid, a.plan, phase, course.wanted(phase, a.value or 2))):
+        return until
     if phase.action in ("lane_change", "cut_in") and course.on_ramp:
         return "until self._lane is place.acceleration_lane"
     if phase.action in lateral.LATERAL and phase.gap is not None and phase.target and not _sideways_into(course, phase):

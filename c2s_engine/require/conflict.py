@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from c2s_engine.require.due import to_meet
 from c2s_engine.require.evidence import Evidence, Motion
 from c2s_engine.require.geometry import post_encroachment, time_to_collision
 from c2s_engine.require.outcome import struck as struck_pairs
@@ -123,7 +124,12 @@ def threatens(requirement: Requirement, evidence: Evidence) -> Result:
     margin = max((limits["pet"]["value"] - pet) / limits["pet"]["value"],
                  (limits["ttc"]["value"] - ttc) / limits["ttc"]["value"])  # fmt: skip
     words = [f"{name} {value:.1f} s" for name, value in (("PET", pet), ("TTC", ttc)) if np.isfinite(value)]
-    return scored(requirement, max(-1.0, margin), said, ", ".join(words) or "their ways do not meet")
+    due = _due(other.motion(requirement.actor), other.motion(EGO)) if margin < 0 else None
+    return scored(requirement, max(-1.0, margin), said, ", ".join(words) or "their ways do not meet", due=due)
+
+
+def _due(one: Motion | None, ego: Motion | None) -> float | None:
+    return to_meet(one, ego) if one and ego else None
 
 
 def _nearness(one: Motion, ego: Motion | None) -> tuple[float, float]:

@@ -6,6 +6,14 @@ HORIZON = 4.0
 """s for which motion is thought to go on as it is, for the time to collision."""
 
 
+def face(point: tuple[float, float], size: tuple[float, float]) -> str:
+    """The side of a box of (length, width) that a point (m ahead and to the left of its middle) is nearest to."""
+    ahead, left = point
+    if size[0] / 2 - abs(ahead) <= size[1] / 2 - abs(left):
+        return "front" if ahead > 0 else "rear"
+    return "left" if left > 0 else "right"
+
+
 def touching(a: np.ndarray, b: np.ndarray, size_a: tuple[float, float], size_b: tuple[float, float]) -> np.ndarray:
     """Whether boxes at poses (..., [x, y, heading]) overlap; the poses are broadcast, sizes are (length, width)."""
     dx, dy = b[..., 0] - a[..., 0], b[..., 1] - a[..., 1]

@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator
 
+from c2s_engine.require.due import to_meet, to_touch
 from c2s_engine.require.evidence import Evidence
-from c2s_engine.require.geometry import box_distance
+from c2s_engine.require.geometry import box_distance, face
 from c2s_engine.require.results import decided, scored, unknown
 from c2s_engine.require.scene import Scene
 from c2s_engine.structure.facts import EGO
@@ -75,7 +76,7 @@ def contact(requirement: Requirement, evidence: Evidence) -> Result:
         return unknown(requirement, "contact", "not reached: one of the two is not there")
     n = min(len(one.x), len(other.x))
     gap = float(box_distance(one.poses[:n], other.poses[:n], one.size, other.size).min())
-    return scored(requirement, min(-0.05, -gap / 5), "contact", f"no nearer than {gap:.1f} m")
+    return scored(requirement, min(-0.05, -gap / 5), "contact", f"no nearer than {gap:.1f} m", due=to_meet(one, other))
 
 
 def part(requirement: Requirement, evidence: Evidence) -> Result:
@@ -86,7 +87,18 @@ def part(requirement: Requirement, evidence: Evidence) -> Result:
     first = found[0]
     mine = (evidence.components[first.one] == requirement.actor) == bool(requirement.values["mine"])
     seen = first.part_one if mine else first.part_other
-    return decided(requirement, seen == said, said, seen, first.time)
+    due = None if seen == said else _due(requirement, evidence, said)
+    return decided(requirement, seen == said, said, seen, first.time, due=due)
+
+
+def _due(requirement: Requirement, evidence: Evidence, said: str) -> float | None:
+    """s by which the actor should come later for that part to touch."""
+    one, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
+    if one is None or other is None:
+        return None
+    if requirement.values["mine"]:
+        return to_touch(one, other, lambda own, _: face(own, one.size) == said)
+    return to_touch(one, other, lambda _, its: face(its, other.size) == said)
 
 
 def no_other_contact(requirement: Requirement, evidence: Evidence) -> Result:

@@ -9,23 +9,24 @@ MOST = 3.0
 
 
 def scored(requirement: Requirement, margin: float, said: str, seen: str, time: float | None = None,
-           why: str = "", measured: tuple[float, float, float] | None = None) -> Result:  # fmt: skip
+           why: str = "", measured: tuple[float, float, float] | None = None,
+           due: float | None = None) -> Result:  # fmt: skip
     """It holds where the margin is not negative. `margin`: 1 is comfortable; `measured`: the number that was, and
-    between which it must lie."""
+    between which it must lie; `due`: s by which the actor should be later (below 0: earlier) for it to hold."""
     if math.isnan(margin):
         return unknown(requirement, said, "cannot be judged: nothing was recorded of it")
     margin = max(-MOST, min(MOST, margin))
     return Result(
         requirement=requirement.id, holds=margin >= 0, robustness=round(margin, 3), said=said, seen=seen, why=why,
         time=None if time is None else round(time, 2), value=round(measured[0], 3) if measured else None,
-        bounds=measured[1:] if measured else None,
+        bounds=measured[1:] if measured else None, due=due if margin < 0 else None,
     )  # fmt: skip
 
 
 def decided(requirement: Requirement, holds: bool, said: str, seen: str, time: float | None = None,
-            why: str = "") -> Result:  # fmt: skip
+            why: str = "", due: float | None = None) -> Result:  # fmt: skip
     """It holds or it does not, by nothing between."""
-    return scored(requirement, 1.0 if holds else -1.0, said, seen, time, why)
+    return scored(requirement, 1.0 if holds else -1.0, said, seen, time, why, due=due)
 
 
 def unknown(requirement: Requirement, said: str, why: str) -> Result:

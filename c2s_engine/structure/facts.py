@@ -57,7 +57,10 @@ class ObjectFacts(_Frozen):
 
 
 class ContactFact(_Frozen):
-    """The first contact of two objects: when (s), the part of each that is hit, and how fast they close (m/s)."""
+    """The first contact of two objects: when (s), the part of each that is hit, and how fast they close (m/s).
+
+    `at_one`, `at_other`: where, m ahead of and to the left of the middle of each.
+    """
 
     time: float
     one: str
@@ -65,6 +68,8 @@ class ContactFact(_Frozen):
     part_one: Literal["front", "rear", "left", "right"]
     part_other: Literal["front", "rear", "left", "right"]
     closing: float = 0.0
+    at_one: tuple[float, float] | None = None
+    at_other: tuple[float, float] | None = None
 
 
 class RoadFacts(_Frozen):

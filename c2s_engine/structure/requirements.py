@@ -51,6 +51,9 @@ class Result(_Frozen):
     time: float | None = Field(None, description="when it was decided, s since the start")
     value: float | None = Field(None, description="what was measured, where that is one number, SI units")
     bounds: tuple[float, float] | None = Field(None, description="between which it must lie")
+    due: float | None = Field(
+        None, description="s by which requirement.actor should be later (over 0) or earlier (below 0) for it to hold"
+    )
     why: str = ""
 
 

@@ -206,8 +206,10 @@ def contacts(situation: Situation) -> tuple[ContactFact, ...]:
         shared = shapely.intersection(box(one).buffer(0.15), box(other).buffer(0.15))
         point = shared.centroid if not shared.is_empty else shapely.Point(*(one.xy[at] + other.xy[at]) / 2)
         closing = float(np.hypot(one.vx[before] - other.vx[before], one.vy[before] - other.vy[before]))
+        at_one, at_other = _seen_from(one, at, point), _seen_from(other, at, point)
         found.append(ContactFact(time=round(time, 2), one=one.name, other=other.name, closing=round(closing, 2),
-                                 part_one=_part(one, at, point), part_other=_part(other, at, point)))  # fmt: skip
+                                 part_one=_part(one, at_one), part_other=_part(other, at_other),
+                                 at_one=at_one, at_other=at_other))  # fmt: skip
     return tuple(found)
 
 
@@ -215,11 +217,16 @@ def _box(path, step: int) -> shapely.Polygon:  # type: ignore[no-untyped-def]
     return shapely.Polygon(corners(path.x[step], path.y[step], path.heading[step], path.length, path.width))
 
 
-def _part(path, step: int, point: shapely.Point) -> str:  # type: ignore[no-untyped-def]
-    """The side of a box that a point is nearest to."""
+def _seen_from(path, step: int, point: shapely.Point) -> tuple[float, float]:  # type: ignore[no-untyped-def]
+    """m by which a point is ahead of and to the left of the middle of a box."""
     dx, dy = point.x - path.x[step], point.y - path.y[step]
     sin, cos = np.sin(path.heading[step]), np.cos(path.heading[step])
-    ahead, aside = -sin * dx + cos * dy, -cos * dx - sin * dy
+    return round(float(-sin * dx + cos * dy), 2), round(float(-cos * dx - sin * dy), 2)
+
+
+def _part(path, point: tuple[float, float]) -> str:  # type: ignore[no-untyped-def]
+    """The side of a box that a point is nearest to."""
+    ahead, aside = point
     if path.length / 2 - abs(ahead) <= path.width / 2 - abs(aside):
         return "front" if ahead > 0 else "rear"
     return "left" if aside > 0 else "right"

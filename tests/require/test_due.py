@@ -1,0 +1,56 @@
+"""By how much one is too early or too late for what is required: another run, moved by so much, shows it."""
+
+from dataclasses import replace
+
+import pytest
+from roads import Actor, Scene
+
+from c2s_engine.require import evaluate, require
+from c2s_engine.require.due import to_touch
+from c2s_engine.require.evidence import Evidence
+from c2s_engine.require.geometry import face
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.requirements import Result
+from c2s_engine.structure.specs import ObjectSpec, Phase, Placement
+
+EGO = Actor("ego", "E", speed=10.0)
+CROSSES = Actor("van", "O1", speed=8.0, x=-64.0, y=80.0, across=True)
+"""At ego's lane at 8 s, as ego is."""
+COLLIDES = ObjectSpec(placement=Placement(position="crossing_left"), phases=(Phase(action="collide"),))
+RUNS_RED = ObjectSpec(placement=Placement(position="crossing_left"), phases=(Phase(action="run_red"),))
+
+
+def result(spec: ObjectSpec, late: float, check: str) -> Result:
+    """What a run shows in which the other comes `late` s after ego."""
+    run = Scene([EGO, replace(CROSSES, x=CROSSES.x - 8.0 * late)]).run()
+    required = [r for r in require(Structure(objects=(Component(id="O1", spec=spec),))) if r.check == check]
+    return evaluate(required, run.facts, run.trajectories)[0]
+
+
+@pytest.mark.parametrize(("spec", "check"), [(COLLIDES, "contact"), (RUNS_RED, "threatens")])
+@pytest.mark.parametrize("late", [-2.5, 2.5])
+def test_who_comes_too_early_or_too_late_to_meet_is_told_by_how_much(spec, check, late):
+    missed = result(spec, late, check)
+    assert missed.holds is False and missed.due is not None
+    assert missed.due == pytest.approx(-late, abs=0.7)  # the nearest time at which they meet, and a little inside
+    run = Scene([EGO, replace(CROSSES, x=CROSSES.x - 8.0 * (late + missed.due))]).run()
+    one, other = (Evidence(run.facts, run.trajectories).motion(a) for a in ("O1", "ego"))
+    assert float(min(abs(one.x - other.x) + abs(one.y - other.y))) < 4.0
+
+
+def test_ways_that_do_not_meet_have_no_time_at_which_they_would():
+    run = Scene([EGO, Actor("van", "O1", x=12.0, y=30.0)]).run()
+    required = [r for r in require(Structure(objects=(Component(id="O1", spec=COLLIDES),))) if r.check == "contact"]
+    (found,) = evaluate(required, run.facts, run.trajectories)
+    assert found.holds is False and found.due is None
+
+
+@pytest.mark.parametrize(("part", "other_part", "late"), [("front", "right", 0.3), ("right", "front", -0.3)])
+def test_another_part_touches_where_one_comes_later_or_earlier(part, other_part, late):
+    """The van that is there late strikes ego with its front; early it is struck in the side that ego comes to."""
+    run = Scene([EGO, replace(CROSSES, x=CROSSES.x - 8.0 * late)], seconds=7.5).run()
+    van, ego = (Evidence(run.facts, run.trajectories).motion(a) for a in ("O1", "ego"))
+    as_it_is = to_touch(van, ego, lambda own, _: face(own, van.size) == part)
+    assert as_it_is is not None and abs(as_it_is) <= 0.1
+    moved = to_touch(van, ego, lambda own, _: face(own, van.size) == other_part)
+    assert moved is not None and moved * late < 0

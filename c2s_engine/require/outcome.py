@@ -1,4 +1,4 @@
-"""Who touches whom: exactly the pairs that S says, by the parts that its placements imply, and otherwise nobody."""
+"""Who touches whom: exactly the pairs that S says, by the parts that it says or placements imply, and nobody else."""
 
 from collections.abc import Iterator
 
@@ -30,15 +30,16 @@ def required(scene: Scene) -> Iterator[Requirement]:
     pairs = struck(scene)
     for actor, target in pairs:
         name, other = scene.named(actor), scene.named(target)
-        index = next(i for a, i, p in scene.phases() if a == actor and p.action == "collide")
+        index, phase = next((i, p) for a, i, p in scene.phases() if a == actor and p.action == "collide")
         yield scene.make("outcome", "contact", actor, f"phases.{index}.contact", f"{name} and {other} touch.",
                          other=target)  # fmt: skip
-        if part := _part(scene, actor):
+        if part := phase.part or _part(scene, actor):
             yield scene.make("outcome", "part", actor, f"phases.{index}.part", f"{name} touches {other} with its "
-                             f"{part}.", other=target, part=part, mine=True)  # fmt: skip
-        if _in_line(scene, actor, target):
+                             f"{_words(part)}.", other=target, part=part, mine=True)  # fmt: skip
+        if hit := phase.target_part or ("rear" if _in_line(scene, actor, target) else None):
             yield scene.make("outcome", "part", actor, f"phases.{index}.struck_part",
-                             f"{other} is struck at its rear.", other=target, part="rear", mine=False)  # fmt: skip
+                             f"{other} is struck at its {_words(hit)}.", other=target, part=hit,
+                             mine=False)  # fmt: skip
     if all(scene.recognised(a) for a in scene.actors):
         said = tuple(f"{a} {b}" for a, b in pairs)
         text = "Nobody else touches anybody." if pairs else "Nobody touches anybody."
@@ -83,12 +84,28 @@ def part(requirement: Requirement, evidence: Evidence) -> Result:
     found = evidence.contacts(requirement.actor, requirement.other or EGO)
     said = str(requirement.values["part"])
     if not found:
-        return unknown(requirement, said, "not reached: the two do not touch")
+        return unknown(requirement, _words(said), "not reached: the two do not touch")
     first = found[0]
     mine = (evidence.components[first.one] == requirement.actor) == bool(requirement.values["mine"])
-    seen = first.part_one if mine else first.part_other
-    due = None if seen == said else _due(requirement, evidence, said)
-    return decided(requirement, seen == said, said, seen, first.time, due=due)
+    seen, at = (first.part_one, first.at_one) if mine else (first.part_other, first.at_other)
+    holds = _matches(said, seen, at)
+    due = None if holds else _due(requirement, evidence, said)
+    where = f"{seen}, {abs(at[0]):.1f} m {'ahead of' if at[0] > 0 else 'behind'} its middle" if at else seen
+    return decided(requirement, holds, _words(said), where, first.time, due=due)
+
+
+def _words(part: str) -> str:
+    """A part as sentences call it."""
+    return f"{part.replace('_', ' ')} corner" if "_" in part else part
+
+
+def _matches(said: str, seen: str, at: tuple[float, float] | None) -> bool:
+    """Whether a contact at a side, and so far ahead of and to the left of the middle (m), is at the said part: a corner
+    is the quarter of the body, by whichever of its two sides."""
+    if "_" not in said or at is None:
+        return seen in said.split("_")
+    end, side = said.split("_")
+    return seen in (end, side) and (at[0] > 0) == (end == "front") and (at[1] > 0) == (side == "left")
 
 
 def _due(requirement: Requirement, evidence: Evidence, said: str) -> float | None:
@@ -97,8 +114,8 @@ def _due(requirement: Requirement, evidence: Evidence, said: str) -> float | Non
     if one is None or other is None:
         return None
     if requirement.values["mine"]:
-        return to_touch(one, other, lambda own, _: face(own, one.size) == said)
-    return to_touch(one, other, lambda _, its: face(its, other.size) == said)
+        return to_touch(one, other, lambda own, _: _matches(said, face(own, one.size), own))
+    return to_touch(one, other, lambda _, its: _matches(said, face(its, other.size), its))
 
 
 def no_other_contact(requirement: Requirement, evidence: Evidence) -> Result:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from c2s_engine.require.due import to_meet, to_touch
+from c2s_engine.require.due import Point, to_meet, to_touch
 from c2s_engine.require.evidence import Evidence
 from c2s_engine.require.geometry import box_distance, face
 from c2s_engine.require.results import decided, scored, unknown
@@ -13,6 +13,10 @@ from c2s_engine.structure.requirements import Requirement, Result
 SIDEWARD = ("lane_change", "cut_in", "drift", "swerve", "lose_control", "overtake", "cut_out", "enter_road", "u_turn",
             "leave_road")  # fmt: skip
 """Who does one of these may touch with any part."""
+
+
+CORNER = 0.3
+"""m from an end or a side within which it is touched, too."""
 
 
 def struck(scene: Scene) -> list[tuple[str, str]]:
@@ -88,7 +92,8 @@ def part(requirement: Requirement, evidence: Evidence) -> Result:
     first = found[0]
     mine = (evidence.components[first.one] == requirement.actor) == bool(requirement.values["mine"])
     seen, at = (first.part_one, first.at_one) if mine else (first.part_other, first.at_other)
-    holds = _matches(said, seen, at)
+    motion = evidence.motion(requirement.actor if requirement.values["mine"] else requirement.other or EGO)
+    holds = _matches(said, at, motion.size) if at and motion else seen in said.split("_")
     due = None if holds else _due(requirement, evidence, said)
     where = f"{seen}, {abs(at[0]):.1f} m {'ahead of' if at[0] > 0 else 'behind'} its middle" if at else seen
     return decided(requirement, holds, _words(said), where, first.time, due=due)
@@ -99,13 +104,17 @@ def _words(part: str) -> str:
     return f"{part.replace('_', ' ')} corner" if "_" in part else part
 
 
-def _matches(said: str, seen: str, at: tuple[float, float] | None) -> bool:
-    """Whether a contact at a side, and so far ahead of and to the left of the middle (m), is at the said part: a corner
-    is the quarter of the body, by whichever of its two sides."""
-    if "_" not in said or at is None:
-        return seen in said.split("_")
+def _matches(said: str, at: Point, size: Point) -> bool:
+    """Whether a contact so far ahead of and to the left of a body.s middle (m) is at the said part: a corner is the
+    quarter of the body, by whichever of its two sides; at a corner both sides touch."""
+    length, width = size
+    seen = {face(at, size)}
+    seen |= {"front" if at[0] > 0 else "rear"} if length / 2 - abs(at[0]) < CORNER else set()
+    seen |= {"left" if at[1] > 0 else "right"} if width / 2 - abs(at[1]) < CORNER else set()
+    if "_" not in said:
+        return said in seen
     end, side = said.split("_")
-    return seen in (end, side) and (at[0] > 0) == (end == "front") and (at[1] > 0) == (side == "left")
+    return bool(seen & {end, side}) and (at[0] > 0) == (end == "front") and (at[1] > 0) == (side == "left")
 
 
 def _due(requirement: Requirement, evidence: Evidence, said: str) -> float | None:
@@ -114,8 +123,8 @@ def _due(requirement: Requirement, evidence: Evidence, said: str) -> float | Non
     if one is None or other is None:
         return None
     if requirement.values["mine"]:
-        return to_touch(one, other, lambda own, _: _matches(said, face(own, one.size), own))
-    return to_touch(one, other, lambda _, its: _matches(said, face(its, other.size), its))
+        return to_touch(one, other, lambda own, _: _matches(said, own, one.size))
+    return to_touch(one, other, lambda _, its: _matches(said, its, other.size))
 
 
 def no_other_contact(requirement: Requirement, evidence: Evidence) -> Result:

@@ -86,12 +86,26 @@ def conflict(lane, points, others, near=2.2):
     own, far = stations(points), stations(others)
     return (own[first], own[spot], own[last]), (far[begin], far[there], far[end])
 
-def driving_times(points, speed):
-    """How far along a way (m) its points lie, and when (s) somebody is there who drives it at `speed`, slower in bends."""
-    way = stations(points)
-    slow = [1 / max(0.5, min(speed, bend_speed(points, k))) for k in range(len(points))]
-    spent = [(b - a) * (p + q) / 2 for a, b, p, q in zip(way, way[1:], slow, slow[1:])]
-    return way, [0, *itertools.accumulate(spent)]
+DRAG = 0.075  # m/s by which the air and the wheels keep who drives below the speed that is set
+
+def driving_times(points, speed, stop=None, held=1, slow=None):
+    """How far along a way (m) its points lie, and when (s) somebody is there who drives it at `speed`, slower in bends;
+    stop: m along it to where it stands `held` s before it sets out again; slow: (m along it, m/s) from where it is
+    slower."""
+    way = numpy.array(stations(points), float)
+    pace = numpy.array([max(0.5, min(speed, bend_speed(points, k)) - DRAG) for k in range(len(points))])
+    if slow is not None:
+        behind = numpy.maximum(way - slow[0], 0)
+        squared = numpy.maximum(slow[1] ** 2, speed ** 2 - 6 * behind)
+        pace = numpy.minimum(pace, numpy.sqrt(squared))
+    if stop is not None:
+        k = int(numpy.searchsorted(way, stop, side='right'))
+        way, pace = numpy.insert(way, k, stop), numpy.insert(pace, k, 0)
+        rest = numpy.where(way < stop, 6 * (stop - way), 2.5 * (way - stop))
+        pace = numpy.minimum(pace, numpy.sqrt(rest))
+    mean = numpy.maximum(pace[1:] + pace[:-1], 0.02) / 2
+    times = numpy.insert(numpy.cumsum(numpy.diff(way) / mean), 0, 0)
+    return way, times if stop is None else times + held * (way > stop)
 
 def setting_out(metres, speed, rate=2):
     """The time (s) in which a car that stands drives so far (m), up to `speed`; 0.75 m/s2 of its rate go to the air and
@@ -101,21 +115,104 @@ def setting_out(metres, speed, rate=2):
         return math.sqrt(2 * max(metres, 0) / (rate - 0.75))
     return speed / (rate - 0.75) + (metres - gained) / speed
 
-def _start_to_meet(lane, points, speed, others, from_, other_speed, ahead=0, front=0, other_front=0, clear=None, stands=0):
+def along_way(points, metres):
+    """Where on a way (x, y) and in which direction (x, y; 1 m) so far along it (m, an array)."""
+    way, xs, ys = stations(points), [p.x for p in points], [p.y for p in points]
+    def point(s):
+        return numpy.stack([numpy.interp(s, way, xs), numpy.interp(s, way, ys)], axis=-1)
+    along = point(metres + 1) - point(metres - 1)
+    norm = numpy.linalg.norm(along, axis=-1, keepdims=True)
+    return point(metres), along / numpy.maximum(norm, 0.001)
+
+class Part(object):
+    """A part of a body of `length` and `width` (m): 'front', 'rear', 'left', 'right', a corner such as 'rear_left', or
+    'side': the middle of whichever side is struck."""
+    def __init__(self, name, length, width):
+        self.name, self.size = name, (length, width)
+
+    def spot(self, left):
+        """How far (m) it is ahead of and to the left of the middle; `left`: whether the left side is struck."""
+        length, width = self.size
+        if self.name == 'side':
+            return 0, width / 2 if left else -width / 2
+        aside = self.name.endswith('left') - self.name.endswith('right')
+        if self.name.startswith('front'):
+            return length / 2, 0.3 * aside * width
+        behind = {'rear': 0.5, 'rear_left': 0.22, 'rear_right': 0.22}.get(self.name, 0)
+        return -behind * length, aside * width / 2
+
+def overlapping(one, size, two, other_size):
+    """Whether bodies of (length, width) overlap: arrays of (where they are, in which direction they head)."""
+    (here, heading), (there, other_heading) = one, two
+    apart, gap = numpy.zeros(here.shape[:-1], bool), there - here
+    cos = numpy.abs((heading * other_heading).sum(axis=-1))
+    sin = numpy.sqrt(numpy.maximum(1 - cos ** 2, 0))
+    for along, mine, its in ((heading, size, other_size), (other_heading, other_size, size)):
+        left = numpy.stack([-along[..., 1], along[..., 0]], axis=-1)
+        apart |= numpy.abs((gap * along).sum(axis=-1)) > (mine[0] + its[0] * cos + its[1] * sin) / 2
+        apart |= numpy.abs((gap * left).sum(axis=-1)) > (mine[1] + its[0] * sin + its[1] * cos) / 2
+    return ~apart
+
+def spot_of(part, pose, left):
+    """Where the spot of a part is on bodies (where they are, in which direction they head)."""
+    x, y = part.spot(left)
+    here, along = pose
+    return here + x * along + y * numpy.stack([-along[..., 1], along[..., 0]], axis=-1)
+
+def comes_over(points, metres, size, others):
+    """From how far along its points (m, about `metres`) a body of (length, width) is in another's way (`in_way`)."""
+    line = shapely.geometry.LineString([(p.x, p.y) for p in others])
+    stretch = numpy.arange(metres - 20, metres + 5, 0.5)
+    here, along = along_way(points, stretch)
+    left = numpy.stack([-along[:, 1], along[:, 0]], axis=-1)
+    def over(k):
+        ends = [here[k] + x * size[0] / 2 * along[k] + y * size[1] / 2 * left[k] for x, y in CORNERS]
+        return line.distance(shapely.geometry.Polygon(ends)) < 1
+    return next((stretch[k] for k in range(len(stretch)) if over(k)), metres)
+
+CORNERS = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
+
+def lead_to_touch(points, own, spot, strikes, others, far, other_spot, struck, late=0):
+    """How long (s) before another is at its spot one has to be at its own, so that the parts of both that come first into
+    touch are these. own, far: the stations and times of both (as of `driving_times`); late: m/s2 at which the other
+    brakes from when one comes into its way."""
+    begin, other_begin = numpy.interp(spot, *own), numpy.interp(other_spot, *far)
+    leads, time = numpy.arange(-3, 3, 0.05)[:, None], numpy.arange(-3, 3, 0.05)[None, :]
+    def driven(way, known, seconds):
+        return along_way(way, numpy.interp(seconds, known[1], known[0]))
+    one = driven(points, own, begin + leads + time)
+    braked = time + begin + leads - numpy.interp(comes_over(points, spot, strikes.size, others), *own) if late else 0
+    slowed = numpy.interp(other_begin + time, far[1], far[0]) - late / 2 * numpy.maximum(braked, 0) ** 2
+    two = along_way(others, slowed + 0 * leads)
+    hit = overlapping(one, strikes.size, two, struck.size)
+    met = numpy.flatnonzero(hit.any(axis=1))
+    when = hit.argmax(axis=1)[met]
+    one, two = [(here[met, when], along[met, when]) for here, along in (one, two)]
+    turned = one[1][:, 0] * two[1][:, 1] - one[1][:, 1] * two[1][:, 0]
+    left = turned[len(met) // 2] > 0
+    apart = numpy.linalg.norm(spot_of(strikes, one, not left) - spot_of(struck, two, left), axis=-1)
+    return leads[met[int(apart.argmin())], 0]
+
+def _start_to_meet(lane, points, speed, others, from_, other_speed, ahead=0, clear=None, strikes=None, struck=None,
+                   stop=None, held=1, slow=None, late=0, moved=0):
     """How far (m) before the end of its lane a car starts on its points at `speed`, so that it comes to where they cross
     `others` `ahead` s before another that starts `from_` m along those at `other_speed`, if neither reacts.
 
-    front, other_front: m by which its middle, or that of the other, is still short of there: who strikes the other's
-    side does so with its front. clear: s between one leaving the conflict area and the other's coming: over 0 where it
-    goes first, under 0 where the other does (instead of `ahead`). stands: s that the other stands at its line first.
+    strikes, struck: the `Part` of it and that of the other that then touch, instead of both being there with their middles
+    (`ahead` s before that). clear: s between one leaving the conflict area and the other's coming: over 0 where it goes
+    first, under 0 where the other does (instead of `ahead`). stop, held, slow: how the other drives (as of
+    `driving_times`); late: m/s2 at which it brakes once it is too late. moved: m to the left of `points` that it drives.
     """
+    points = shifted(points, moved) if moved else points
     (begin, spot, end), (other_begin, other_spot, other_end) = conflict(lane, points, others)
-    far, times = driving_times(others, other_speed)
+    far, times = driving_times(others, other_speed, stop, held, slow)
     own, own_times = driving_times(points, speed)
     def due(station):
-        return float(numpy.interp(station, far, times) - numpy.interp(from_, far, times)) + stands
+        return float(numpy.interp(station, far, times) - numpy.interp(from_, far, times))
     if clear is None:
-        station, time = spot - front, due(other_spot - other_front) - ahead
+        known = (own, own_times), (far, times)
+        lead = strikes and lead_to_touch(points, known[0], spot, strikes, others, known[1], other_spot, struck, late) or 0
+        station, time = spot, due(other_spot) - lead - ahead
     elif clear > 0:
         station, time = min(end, begin + 12) + 2.5, due(other_begin - 2.5) - clear
     else:
@@ -125,16 +222,26 @@ def _start_to_meet(lane, points, speed, others, from_, other_speed, ahead=0, fro
 
 start_to_meet = distributionFunction(_start_to_meet)
 
-def _setting_out_to_meet(lane, points, before, speed, other_lane, others, other_speed, front=0, other_front=0):
+def _setting_out_to_meet(lane, points, before, speed, other_lane, others, other_speed, strikes=None, struck=None):
     """How far (m) another is from the end of `other_lane` when a car that stands with its middle `before` m before the
-    stop line of its `lane` has to set out for `speed` to meet it; `front` and `other_front` as of `start_to_meet`."""
+    stop line of its `lane` has to set out for `speed` to meet it; `strikes` and `struck` as of `start_to_meet`."""
     (_, spot, _), (_, other_spot, _) = conflict(lane, points, others)
     far, times = driving_times(others, other_speed)
-    time = setting_out(spot - front - (stop_line(lane) - before), speed)
-    there = numpy.interp(numpy.interp(other_spot - other_front, far, times) - time, times, far)
+    begin = stop_line(lane) - before
+    time = setting_out(spot - begin, speed)
+    if strikes:
+        own = numpy.arange(begin, begin + 60, 1.0)
+        known = own, [setting_out(metres - begin, speed) for metres in own]
+        time += lead_to_touch(points, known, spot, strikes, others, (far, times), other_spot, struck)
+    there = numpy.interp(numpy.interp(other_spot, far, times) - time, times, far)
     return float(max(1, other_lane.centerline.length - there))
 
 setting_out_to_meet = distributionFunction(_setting_out_to_meet)
+
+def shifted(points, metres):
+    """A way so far (m) to the left of another."""
+    ahead = [b - a for a, b in zip(points, points[1:] + [points[-1] * 2 - points[-2]])]
+    return [p + d.normalized().rotatedBy(90 deg) * metres for p, d in zip(points, ahead)]
 
 
 # Places: lanes by how they lie to ego's
@@ -458,6 +565,11 @@ def need(car, other):
         return 9
     return closing ** 2 / (2 * max(gap - 2 - 0.5 * max(motion.y, 0), 0.3))
 
+def in_way(points, other, room=1):
+    """Whether `other` is within `room` m of the middle of a way, its points."""
+    line = shapely.geometry.LineString([(p.x, p.y) for p in points])
+    return line.distance(_box(other)) < room
+
 REACTION_TIME = 0.3  # s from when somebody comes into view to a reaction
 
 def in_view(car, others, hiders):
@@ -495,8 +607,7 @@ def gap(car, other):
 
 def _box(thing):
     """The box of an object on the ground."""
-    ends = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
-    corners = [Vector(x * thing.width / 2, y * thing.length / 2).rotatedBy(thing.heading) for x, y in ends]
+    corners = [Vector(x * thing.width / 2, y * thing.length / 2).rotatedBy(thing.heading) for x, y in CORNERS]
     return shapely.geometry.Polygon([(thing.position.x + c.x, thing.position.y + c.y) for c in corners])
 
 def ttc(car, other):
@@ -524,11 +635,13 @@ def up_to(rest, speed, rate=2.5):
     (m/s2)."""
     return min(speed, math.sqrt(2 * rate * max(rest, 0)))
 
-def stop_line(lane):
+def _stop_line(lane):
     """How far along a lane (m) its stop line lies: before the crosswalk at its end, if there is one."""
     line, end = lane.centerline.lineString, lane.centerline.length
     spots = [line.project(spot) for spot in map_facts().crosswalks if line.distance(spot) < 12]
     return min([s for s in spots if end - 14 < s < end - 0.5], default=end + 2) - 3
+
+stop_line = distributionFunction(_stop_line)
 
 def to_line(car, lane):
     """How far (m) the front of `car` is from the spot before the stop line of a lane where one stands."""

@@ -6,7 +6,7 @@ from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, is_static
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static
 from c2s_engine.write.typed.threats import (
     every,
     every_passed,
@@ -75,7 +75,7 @@ def _stands(structure: Structure, cid: str | None) -> bool:
 
 def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str | None], hard: bool) -> list[str]:
     """Ego's way with braking that does not keep it from whom it hits, or who hits it."""
-    s, rate = actor.structure, "4.5" if hard else "2.5"
+    s, rate = actor.structure, scope.number(late_rate(hard))
     strikers = _strikers(s, cids)
     met = [c for c in cids if c in hit or None in hit or c in strikers]
     others = [c for c in cids if c not in met]
@@ -87,12 +87,23 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     movers = [c for c in met if not (_beside(s, c) and _stands(s, c))]
     for c in movers:
         one = scope.reference(s, c)
-        aside = f"Drive(line, {STILL}, rate={rate}) until need(self, {one}) <= 0"  # who comes from beside the road
-        lines += [
-            f"interrupt when need(self, {one}) > {9 if _beside(s, c) else 6}:",
-            f"    do {aside if _beside(s, c) else f'Ram({one}, 0, {rate})'}",
-        ]
+        need = f"need(self, {one})"
+        when, until = f"{need} > 6", f"{need} <= 0"
+        if _crosses(s, c):
+            when, until = f"in_way(line, {one})", f"not in_way(line, {one})"
+        lines += [f"interrupt when {when}:", f"    do Drive(line, {STILL}, rate={rate}) until {until}"]
     return lines if others or movers else statements
+
+
+def late_rate(hard: bool) -> float:
+    """m/s2 at which ego brakes too late."""
+    return 4.5 if hard else 2.5
+
+
+def _crosses(structure: Structure, cid: str) -> bool:
+    """Whether an object comes into ego's way from the side: from another road, or from beside its own."""
+    spec = structure[cid].spec
+    return isinstance(spec, ObjectSpec) and spec.placement.position in {*MOVES_OFF_ROAD, *APPROACH_ANGLE}
 
 
 def _strikers(structure: Structure, cids: list[str]) -> list[str]:

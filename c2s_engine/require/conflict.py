@@ -5,6 +5,7 @@ runs part.
 """
 
 from collections.abc import Iterator
+from copy import copy
 from typing import Any
 
 import numpy as np
@@ -26,6 +27,8 @@ THREATS = ("cut_in", "cross_road", "enter_road", "run_red", "run_stop", "oncomin
 STRONG = ("cut_in", "enter_road", "run_red", "run_stop")
 AHEAD_ONLY = ("stationary", "stop", "brake")
 """These threaten only who comes from behind."""
+TURNS = ("turn_left", "turn_right")
+APPROACHES = ("crossing_left", "crossing_right", "opposite_approach")
 ANSWERS = ("brake", "stop", "swerve", "lane_change", "yield", "wait")
 """What ego does of its own accord in answer to another, where it names whom or waits for what that one does."""
 
@@ -73,9 +76,10 @@ def required(scene: Scene) -> Iterator[Requirement]:
             " would collide or come very near."  # fmt: skip
         yield scene.make("conflict", "threatens", actor, "threat", text, other=EGO, reaction=reacts)
         if reacts and scene.ego.reaction != "follow":
+            others = tuple(a for a in scene.objects if a != actor)
             yield scene.make("reaction", "reacts", EGO, f"reaction.{actor}", f"Ego reacts to {name} once it can be "
-                             "seen, in time, and not before.", other=actor,
-                             action=_onset_of(scene.objects[actor]))  # fmt: skip
+                             "seen, in time, and not before.", other=actor, action=_onset_of(scene.objects[actor]),
+                             **({"others": others} if others else {}))  # fmt: skip
 
 
 def _threats(scene: Scene, reacts: bool) -> list[str]:
@@ -106,6 +110,9 @@ def _threatens(spec: ObjectSpec) -> bool:
 
 def _onset_of(spec: ObjectSpec) -> str:
     """The action with which the threat begins; '' where it is one from the start."""
+    turns = next((p.action for p in spec.phases if p.action in TURNS), "")
+    if turns and spec.placement.position not in APPROACHES:  # from beside ego, having slowed for it
+        return turns
     return next((p.action for p in spec.phases if p.action in THREATS and p.action != "stationary"), "")
 
 
@@ -119,17 +126,35 @@ def threatens(requirement: Requirement, evidence: Evidence) -> Result:
         return unknown(requirement, said, why)
     if found := other.contacts(requirement.actor, EGO):
         return scored(requirement, 1.0, said, f"contact at {found[0].time:.1f} s", found[0].time)
-    nearest = [_nearness(m, other.motion(EGO)) for m in other.motions(requirement.actor)]
+    ego = _unhindered(requirement.actor, other, evidence)
+    nearest = [_nearness(m, ego) for m in other.motions(requirement.actor)]
     pet, ttc = min((p for p, _ in nearest), default=np.inf), min((t for _, t in nearest), default=np.inf)
     margin = max((limits["pet"]["value"] - pet) / limits["pet"]["value"],
                  (limits["ttc"]["value"] - ttc) / limits["ttc"]["value"])  # fmt: skip
     words = [f"{name} {value:.1f} s" for name, value in (("PET", pet), ("TTC", ttc)) if np.isfinite(value)]
-    due = _due(other.motion(requirement.actor), other.motion(EGO)) if margin < 0 else None
+    due = _due(other.motion(requirement.actor), ego) if margin < 0 else None
     return scored(requirement, max(-1.0, margin), said, ", ".join(words) or "their ways do not meet", due=due)
 
 
 def _due(one: Motion | None, ego: Motion | None) -> float | None:
     return to_meet(one, ego) if one and ego else None
+
+
+def _unhindered(actor: str, other: Evidence, evidence: Evidence) -> Motion | None:
+    """Ego's motion without its reaction; where a contact with somebody else ends that, it goes on at its speed along
+    the way that it takes where it does react."""
+    ego, real = other.motion(EGO), evidence.motion(EGO)
+    if ego is None or real is None or ego.contact is None or other.contacts(actor, EGO) or other is evidence:
+        return ego
+    gone = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(real.x), np.diff(real.y)))])
+    own = float(np.hypot(np.diff(ego.x), np.diff(ego.y)).sum())
+    steps = max(0, len(real.x) - len(ego.x))
+    onward = own + ego.speed[-1] * ego.step * np.arange(1, steps + 1)
+    onward = onward[onward <= gone[-1]]
+    longer = copy(ego)
+    for name in ("x", "y", "heading"):
+        setattr(longer, name, np.concatenate([getattr(ego, name), np.interp(onward, gone, getattr(real, name))]))
+    return longer
 
 
 def _nearness(one: Motion, ego: Motion | None) -> tuple[float, float]:
@@ -180,6 +205,7 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
     if time is None:
         return scored(requirement, -1.0, said, "ego does not react")
     causes = [cause for m in members if (cause := _cause(m, str(requirement.values["action"]))) is not None]
+    time = _next_reaction(requirement, evidence, time, min(causes, default=0.0))
     if not causes:
         return scored(requirement, -1.0, said, f"ego reacts at {time:.1f} s to what it never could see", time)
     cause = min(causes)
@@ -189,6 +215,20 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
     words = f"at {time:.1f} s, {early:.1f} s after its cause"
     measured = (early, least, max(early, most)) if late < most else (late, 0.0, most)
     return scored(requirement, min(margins), said, words, time, why=f"cause at {cause:.1f} s", measured=measured)
+
+
+def _next_reaction(requirement: Requirement, evidence: Evidence, first: float, cause: float) -> float:
+    """When ego reacts to one of several: its first reaction, or, where that comes before its cause and another threat
+    can have been the reason, when it next begins to brake or still does."""
+    others = requirement.values.get("others", ())
+    ego = evidence.motion(EGO)
+    if first >= cause or not isinstance(others, tuple) or ego is None:
+        return first
+    reasons = [m.visible_from() for o in others for m in evidence.motions(str(o))]
+    if not any(seen is not None and seen <= first for seen in reasons):
+        return first
+    braking = np.flatnonzero((ego.acceleration < -1.0) & (ego.time >= cause))
+    return float(ego.time[braking[0]]) if len(braking) else first
 
 
 def _cause(motion: Motion, action: str) -> float | None:
@@ -222,6 +262,8 @@ def _onset(motion: Motion, action: str) -> float | None:
         moved = motion.acceleration < -1.0
     elif action in ("cross_road", "enter_road", "reverse", "u_turn"):
         moved = (motion.speed > 0.3) if motion.speed[0] <= 0.3 else np.zeros(len(motion.speed), bool)
+    elif action in TURNS:
+        moved = (np.abs(motion.heading - motion.heading[0]) > limits["turned"]["value"]) | (motion.acceleration < -1.0)
     else:
         return None
     return float(motion.time[int(np.argmax(moved))]) if moved.any() else None

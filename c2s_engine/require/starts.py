@@ -21,6 +21,8 @@ LENGTHWISE = {"ahead": "ahead", "behind": "behind", "oncoming_lane": "ahead", "o
               "roadside": "ahead", "sidewalk": "ahead", "parked": "ahead", "partly_in_lane": "ahead",
               "intersection_exit": "ahead"}  # fmt: skip
 SIDEWAYS = {"left_lane": "left", "right_lane": "right", "crossing_left": "left", "crossing_right": "right"}
+RIDERS = ("bicycle", "motorcycle")
+"""Who is beside another in its lane or at its edge, too."""
 OFF_LANES = ("roadside", "sidewalk", "parked")
 
 
@@ -35,6 +37,7 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
     lanes = LANES.get(place.position)
     if place.position == "beside":
         lanes = (place.side,) if place.side else ("adjacent",)
+        lanes = (*lanes, "same", "roadside", "sidewalk") if spec.type in RIDERS else lanes
     if lanes:
         yield scene.make("start", "start_lane", actor, "placement.position", f"{name} starts {where} of {of}.",
                          other=place.of, lanes=tuple(str(lane) for lane in lanes), where=where)  # fmt: skip
@@ -44,7 +47,7 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
         yield scene.make("start", "start_along", actor, "placement.along", f"{name} starts {along} of {of}.",
                          other=place.of, along=str(along))  # fmt: skip
     side = SIDEWAYS.get(place.position) or place.side
-    if side and place.position != "beside":
+    if side and (place.position != "beside" or spec.type in RIDERS):
         yield scene.make("start", "start_side", actor, "placement.side", f"{name} starts to the {side} of {of}.",
                          other=place.of, side=str(side))  # fmt: skip
     if place.position in OFF_LANES:

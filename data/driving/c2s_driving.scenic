@@ -194,19 +194,20 @@ def lead_to_touch(points, own, spot, strikes, others, far, other_spot, struck, l
     return leads[met[int(apart.argmin())], 0]
 
 def _start_to_meet(lane, points, speed, others, from_, other_speed, ahead=0, clear=None, strikes=None, struck=None,
-                   stop=None, held=1, slow=None, late=0, moved=0):
+                   stop=None, held=1, slow=None, late=0, slows=None, moved=0):
     """How far (m) before the end of its lane a car starts on its points at `speed`, so that it comes to where they cross
     `others` `ahead` s before another that starts `from_` m along those at `other_speed`, if neither reacts.
 
     strikes, struck: the `Part` of it and that of the other that then touch, instead of both being there with their middles
     (`ahead` s before that). clear: s between one leaving the conflict area and the other's coming: over 0 where it goes
     first, under 0 where the other does (instead of `ahead`). stop, held, slow: how the other drives (as of
-    `driving_times`); late: m/s2 at which it brakes once it is too late. moved: m to the left of `points` that it drives.
+    `driving_times`); late: m/s2 at which it brakes once it is too late. slows: as
+    `slow`, of its own. moved: m to the left of `points` that it drives.
     """
-    points = shifted(points, moved) if moved else points
-    (begin, spot, end), (other_begin, other_spot, other_end) = conflict(lane, points, others)
+    points, near = (shifted(points, moved), min(2.2, abs(moved) - 0.4)) if moved else (points, 2.2)
+    (begin, spot, end), (other_begin, other_spot, other_end) = conflict(lane, points, others, near)
     far, times = driving_times(others, other_speed, stop, held, slow)
-    own, own_times = driving_times(points, speed)
+    own, own_times = driving_times(points, speed, slow=slows)
     def due(station):
         return float(numpy.interp(station, far, times) - numpy.interp(from_, far, times))
     if clear is None:
@@ -825,12 +826,13 @@ def crosswalks(before=40, limit=None, **lanes):
                 found.append(Place(lane, mark=mark))
     return _posted(found, limit)
 
-def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, exit=0, others=(), limit=None, across=False,
-              **lanes):
+def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, exit=0, others=(), also=(), limit=None,
+              across=False, **lanes):
     """Ways of ego over intersections: by a `turn` (STRAIGHT, LEFT_TURN, RIGHT_TURN, U_TURN); with so many `arms`; where a
     `control` holds for ego ('signal', 'stop', 'yield', 'none'); with a `crosswalk` at ego's line, or without; with lanes
     of `approach` m before the junction and `exit` m behind it, over several roads (`across`: and straight over other
-    junctions) where roads are short; with `others` to meet there, a list of `From`."""
+    junctions) where roads are short; with `others` to meet there, a list of `From`, and with other ways from
+    ego's lane, `also`. Where no control is asked for, ego has no stop sign if there are such ways."""
     facts = map_facts()
     found = []
     for junction in network.intersections:
@@ -840,6 +842,9 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
             found += [m for m in junction.maneuvers if turn in (None, m.type)
                       and (control not in ('stop', 'yield') or facts.sign(m.startLane, junction) == control)
                       and crosswalk in (None, facts.crosswalk_at(m.startLane))]
+    found = [m for m in found if all(any(o.type is way for o in m.startLane.maneuvers) for way in also)]
+    if control is None:
+        found = [m for m in found if facts.sign(m.startLane, m.intersection) != 'stop'] or found
     minor = control is None and any(other.sign and other.side != 'opposite' for other in others)
     if minor:  # whom others have to give way to has no sign itself
         found = [m for m in found if facts.sign(m.startLane, m.intersection) != 'stop']

@@ -10,12 +10,13 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import behaviour, scope
+from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.reactions import late_rate, reacting_phases
 from c2s_engine.write.typed.tables import LENGTH, WIDTH, is_static
 from c2s_engine.write.typed.threats import hits_ego, is_hit, threatening
-from c2s_engine.write.typed.usual import SETS_OUT, speed_of
+from c2s_engine.write.typed.usual import SETS_OUT, speed_of, turn_of
 
 TOGETHER = (-0.3, 0.3)
 """s between them at the spot where their ways cross, if neither reacts: they would collide."""
@@ -54,8 +55,11 @@ def meeting(structure: Structure, cid: str, plan: Plan) -> Meeting | None:
     arrives = spec.placement.arrives
     if hits_ego(spec) or is_hit(ego, cid):
         return Meeting(CONTACT, parts=contact(structure, cid))
-    if arrives is not None:
-        return Meeting((-high(arrives), -low(arrives)))
+    aside = offset(spec, ego, plan.place)
+    own = "side" if turn_of(spec.phases) == "STRAIGHT" else f"rear_{'right' if aside > 0 else 'left'}"
+    beside = (_part(own, spec), _part("front", ego)) if aside else None
+    if arrives is not None or beside:
+        return Meeting((0.0 - high(arrives), 0.0 - low(arrives)) if arrives is not None else TOGETHER, parts=beside)
     if STAYS & {p.action for p in spec.phases}:
         return None
     if ego.reaction != "none" or {"yield", "brake", "stop"} & {p.action for p in ego.phases}:
@@ -80,23 +84,27 @@ def _part(name: str, spec: EgoSpec | ObjectSpec) -> str:
     return f"Part('{name}', {LENGTH[spec.type]}, {WIDTH[spec.type]})"
 
 
-def start(structure: Structure, cid: str, plan: Plan, lane: str, line: str) -> list[str] | None:
-    """The constants that place somebody on an approach, the last of them the m from its start to the junction."""
-    found, prefix = meeting(structure, cid, plan), scope.constant(structure, cid)
+def start(structure: Structure, cid: str, plan: Plan, lane: str, line: str, at: str = "") -> list[str] | None:
+    """The constants that place somebody who meets ego, the last of them the m from its start to the junction, or `at`
+    where it starts on ego's lane."""
+    found, prefix, spec = meeting(structure, cid, plan), scope.constant(structure, cid), structure[cid].spec
     egos = _egos_way(structure, plan)
     if found is None or egos is None:
         return None
     if found.clear is None:
         name = f"{prefix}_AHEAD"
         first = f"{name} = {scope.quantity(found.ahead)}  # s before ego where their ways cross, if neither reacts"
-        how = f"ahead={name}{_parts(found.parts)}{_too_late(structure, found)}"
+        how = f"ahead={name}{_parts(found.parts)}{_too_late(structure, cid)}"
     else:
         name = f"{prefix}_CLEAR"
         who = "it goes first" if found.clear > 0 else "ego goes first"
         first = f"{name} = {scope.number(found.clear)}  # s between them where their ways meet: {who}"
         how = f"clear={name}"
-    solved = f"{prefix}_TO_JUNCTION = start_to_meet("
-    return [first, solved, f"    {lane}, {line}, {prefix}_SPEED,", f"    {egos[0]}, {how}{egos[1]})  # m"]
+    solved = f"{at} = place.length - start_to_meet(" if at else f"{prefix}_TO_JUNCTION = start_to_meet("
+    own = _slower(list(spec.phases)) if at else ""  # type: ignore[union-attr]
+    slows = f", slows={own}" if own else ""
+    last = f"    {egos[0]}, {how}{egos[1]}{slows}{_moved(structure, cid, plan)})  # m"
+    return [first, solved, f"    {lane}, {line}, {prefix}_SPEED,", last]
 
 
 def sets_out(structure: Structure, cid: str, plan: Plan, lane: str, line: str) -> list[str]:
@@ -118,11 +126,19 @@ def _parts(parts: tuple[str, str] | None) -> str:
     return f",\n    strikes={parts[0]}, struck={parts[1]}" if parts else ""
 
 
-def _too_late(structure: Structure, found: Meeting) -> str:
+def _moved(structure: Structure, cid: str, plan: Plan) -> str:
+    """How far beside ego's way one drives, as an argument."""
+    spec, ego = structure[cid].spec, structure.ego.spec
+    assert isinstance(spec, ObjectSpec) and isinstance(ego, EgoSpec)
+    aside = offset(spec, ego, plan.place)
+    return f", moved={scope.number(aside)}" if aside else ""
+
+
+def _too_late(structure: Structure, cid: str) -> str:
     """How ego brakes for whom it touches, as an argument."""
-    ego = structure.ego.spec
-    assert isinstance(ego, EgoSpec)
-    brakes = found.parts is not None and ego.reaction == "brake"
+    spec, ego = structure[cid].spec, structure.ego.spec
+    assert isinstance(spec, ObjectSpec) and isinstance(ego, EgoSpec)
+    brakes = (hits_ego(spec) or is_hit(ego, cid)) and ego.reaction == "brake"
     return f", late={scope.number(late_rate(ego.hard) + DRAG)}" if brakes else ""
 
 
@@ -141,7 +157,7 @@ def _egos_way(structure: Structure, plan: Plan) -> tuple[str, str] | None:
             return None
         at_line = f"stop_line(place.lane) - {scope.number(1 + LENGTH[ego.type] / 2)}"
         more = f", stop={at_line if plan.ego_speed > 0 else 'EGO_AT'}, held={scope.number(held)}"
-    elif slower := _slower(phases, ego, plan):
+    elif plan.ego_speed > 0 and (slower := _slower(phases)):
         more = f", slow={slower}"
     if plan.ego_speed <= 0:
         speed = scope.number(next((middle(p.speed) for p in phases if p.speed), SETS_OUT))
@@ -159,14 +175,12 @@ def _stands_for(phases: list[Phase]) -> float | None:
     return None
 
 
-def _slower(phases: list[Phase], ego: EgoSpec, plan: Plan) -> str:
-    """From where ego is slower before the junction, and how fast, where it says so; "": nowhere."""
+def _slower(phases: list[Phase]) -> str:
+    """From where one on ego's lane is slower before the junction, and how fast, where it says so; "": nowhere."""
     phase = next((p for p in phases if p.action == "brake" and p.speed is not None), None)
-    if phase is None or phase.trigger is None or phase.trigger.kind != "place" or plan.ego_speed <= 0:
+    if phase is None or phase.trigger is None or phase.trigger.kind != "place":
         return ""
-    rate, goal = middle(phase.rate) if phase.rate else 3.0, middle(phase.speed or 0)
-    far = middle(phase.trigger.value or 0) + (plan.ego_speed**2 - goal**2) / (2 * rate) + 1.5 + LENGTH[ego.type] / 2
-    return f"(stop_line(place.lane) - {scope.number(round(far, 1))}, {scope.number(goal)})"
+    return f"(place.length - {scope.number(middle(phase.trigger.value or 0) + 4)}, {scope.quantity(phase.speed)})"
 
 
 BEARING = {"left": "90 deg", "right": "-90 deg", "u_turn": "180 deg"}

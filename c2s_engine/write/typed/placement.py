@@ -3,6 +3,7 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed import meetings, pockets, scope, stations
+from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.beside import behind_junction, beside_road
 from c2s_engine.write.typed.hiding import aside, hidden
 from c2s_engine.write.typed.place import approach_name
@@ -93,17 +94,20 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
     at = position_constant(structure, cid)
     if sign == 0:
         gap = spec.placement.gap
-        line = f"{at} = {position_constant(structure, spec.placement.of)}" + (
+        lines = [f"{at} = {position_constant(structure, spec.placement.of)}" + (
             f" + {scope.quantity(gap)}" if gap else ""
-        )
+        )]  # fmt: skip
     else:
-        line = measured(structure, cid, spec, plan, sign)
+        lines = [measured(structure, cid, spec, plan, sign)]
+    if way_beside := offset(spec, structure.ego.spec, plan.place):
+        turn = f"way({lane}, {turn_of(spec.phases)})"
+        lines = meetings.start(structure, cid, plan, lane, turn, at) or lines
     reached = member(spec, at, sign or 1)
     if plan.place.kind == "on_ramp" and k > 0:  # the lanes meet at their ends
         reached = f"min(-1, {reached} - place.lane.centerline.length)"
     point = f"{lane}.centerline.pointAlongBy({reached})"
     specifiers: tuple[str, ...] = (f"at {point}",)
-    if side := aside(structure, cid):
+    if side := way_beside or aside(structure, cid):
         specifiers = (
             f"at (new OrientedPoint at {point}, facing roadDirection) offset by {scope.number(-side)} @ 0",
             "with regionContainedIn everywhere",
@@ -117,7 +121,7 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
     if spec.placement.facing == "against":
         specifiers += ("facing 180 deg relative to roadDirection",)
         way = f"way({lane})[::-1]"
-    return Spot((line,), specifiers, way, lane=k if spec.placement.facing != "against" else None)
+    return Spot(tuple(lines), specifiers, way, lane=k if spec.placement.facing != "against" else None)
 
 
 def turn_given(spec: ObjectSpec) -> bool:

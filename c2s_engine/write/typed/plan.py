@@ -30,6 +30,7 @@ class Plan:
     lengths: dict[str, float] = field(default_factory=dict)  # m that rows take of lanes that end where they meet ego's
     lane_of: dict[str, int | None] = field(default_factory=dict)  # object id -> lane offset at the start
     set_out: frozenset[str] = frozenset()  # who stand before the junction and set out into a collision with ego
+    also: tuple[str, ...] = ()  # manoeuvre types by which others leave ego's lane
     across: bool = False  # whether ego may start on the other side of another junction, where roads are short
     leads: dict[str, tuple[str, ...]] = field(default_factory=dict)  # object id -> who is ahead of it in its lane
 

@@ -9,7 +9,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import references
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
-from c2s_engine.write.typed import contradictions, lanes, layout
+from c2s_engine.write.typed import alongside, contradictions, lanes, layout
 from c2s_engine.write.typed import room as rooms
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.plan import Plan
@@ -79,6 +79,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         lane_of=lane_of,
         set_out=set_out,
         leads=lanes.leads(ego, objects, lane_of, speed, place),
+        also=alongside.other_ways(structure, place),
         across=room < rooms.SHORTEST,
     )
     return _with_room(structure, plan)

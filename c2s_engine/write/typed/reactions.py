@@ -3,6 +3,7 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
@@ -151,7 +152,8 @@ def heeding(actor: Actor, statements: list[str]) -> list[str]:
     hit = isinstance(ego, EgoSpec) and is_hit(ego, actor.cid)
     leads = [c for c in actor.plan.leads.get(actor.cid, ()) if not _gets_past(actor, c) and not (hit and c == "ego")]
     heeded = [*(every(actor.structure, cid) for cid in leads), *_row(actor)]
-    if not heeded or actor.value <= 0 or any(p.action == "collide" for p in actor.spec.phases):
+    beside = isinstance(ego, EgoSpec) and offset(actor.spec, ego, actor.plan.place)  # type: ignore[arg-type]
+    if not heeded or beside or actor.value <= 0 or any(p.action == "collide" for p in actor.spec.phases):
         return statements
     return _around(statements, heeded, 3, SOFT)
 

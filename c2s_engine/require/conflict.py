@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from c2s_engine.require.due import to_meet
+from c2s_engine.require.due import arrival, to_meet
 from c2s_engine.require.evidence import Evidence, Motion
 from c2s_engine.require.geometry import post_encroachment, time_to_collision
 from c2s_engine.require.outcome import struck as struck_pairs
@@ -18,6 +18,7 @@ from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 
@@ -28,7 +29,9 @@ STRONG = ("cut_in", "enter_road", "run_red", "run_stop")
 AHEAD_ONLY = ("stationary", "stop", "brake")
 """These threaten only who comes from behind."""
 TURNS = ("turn_left", "turn_right")
-APPROACHES = ("crossing_left", "crossing_right", "opposite_approach")
+APPROACHES = ("crossing_left", "crossing_right", "opposite_approach", "circulating")
+BESIDE = ("roadside", "sidewalk", "parked", "intersection_exit")
+"""Who comes from there does not come by a way that meets ego's."""
 ANSWERS = ("brake", "stop", "swerve", "lane_change", "yield", "wait")
 """What ego does of its own accord in answer to another, where it names whom or waits for what that one does."""
 
@@ -66,6 +69,7 @@ def without_reaction(structure: Structure) -> Structure | None:
 def required(scene: Scene) -> Iterator[Requirement]:
     if not scene.recognised(EGO):
         return
+    yield from _arriving(scene)
     reacts = scene.ego.reaction != "none" or any(answers(p, scene.structure) for p in scene.ego.phases)
     struck = {frozenset(pair) for pair in struck_pairs(scene)}
     for actor in _threats(scene, reacts):
@@ -80,6 +84,19 @@ def required(scene: Scene) -> Iterator[Requirement]:
             yield scene.make("reaction", "reacts", EGO, f"reaction.{actor}", f"Ego reacts to {name} once it can be "
                              "seen, in time, and not before.", other=actor, action=_onset_of(scene.objects[actor]),
                              **({"others": others} if others else {}))  # fmt: skip
+
+
+def _arriving(scene: Scene) -> Iterator[Requirement]:
+    """When those are where their ways meet ego's of whom S says that."""
+    for actor, spec in scene.objects.items():
+        arrives = spec.placement.arrives
+        if arrives is None or spec.placement.position in BESIDE or not scene.stated(actor, "placement.arrives"):
+            continue
+        least, most = low(arrives), high(arrives)
+        when = f"{abs(least):g} s {'after' if least >= 0 else 'before'} ego" if least or most else "together with ego"
+        text = f"{scene.named(actor)} is where their ways meet {when}, were neither to react."
+        yield scene.make("conflict", "arrives_where_ways_meet", actor, "placement.arrives", text, other=EGO,
+                         least=least, most=most)  # fmt: skip
 
 
 def _threats(scene: Scene, reacts: bool) -> list[str]:
@@ -138,6 +155,22 @@ def threatens(requirement: Requirement, evidence: Evidence) -> Result:
 
 def _due(one: Motion | None, ego: Motion | None) -> float | None:
     return to_meet(one, ego) if one and ego else None
+
+
+def arrives_where_ways_meet(requirement: Requirement, evidence: Evidence) -> Result:
+    """Measured where ego does not react, by when each first is where the other's body will be or has been."""
+    v, room = requirement.values, bounds()["conflict"]["together"]["value"]
+    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
+    said = f"{least:g} s after ego" if least == most else f"{least:g} to {most:g} s after ego"
+    run = evidence.without or evidence
+    one, ego = run.motion(requirement.actor), run.motion(EGO)
+    seen = arrival(one, ego) if one and ego else None
+    if seen is None:
+        return scored(requirement, -1.0, said, "their ways do not meet")
+    off = max(least - seen, seen - most, 0.0)
+    due = round(least - seen if seen < least else most - seen, 2)
+    within = (seen, least - room, most + room)
+    return scored(requirement, 1.0 - off / room, said, f"{seen:.1f} s", measured=within, due=due)
 
 
 def _unhindered(actor: str, other: Evidence, evidence: Evidence) -> Motion | None:
@@ -262,6 +295,10 @@ def _onset(motion: Motion, action: str) -> float | None:
         moved = motion.acceleration < -1.0
     elif action in ("cross_road", "enter_road", "reverse", "u_turn"):
         moved = (motion.speed > 0.3) if motion.speed[0] <= 0.3 else np.zeros(len(motion.speed), bool)
+    elif action in ("run_red", "run_stop"):  # it can no longer stop as drivers do
+        line = next((m.start for m in motion.course.marks if m.kind == "line"), np.inf)
+        stops = motion.speed**2 / (2 * limits["stops"]["value"])
+        moved = motion.of_course("along") + motion.size[0] / 2 + stops > line
     elif action in TURNS:
         moved = (np.abs(motion.heading - motion.heading[0]) > limits["turned"]["value"]) | (motion.acceleration < -1.0)
     else:
@@ -269,4 +306,4 @@ def _onset(motion: Motion, action: str) -> float | None:
     return float(motion.time[int(np.argmax(moved))]) if moved.any() else None
 
 
-CHECKS = {"threatens": threatens, "reacts": reacts}
+CHECKS = {"threatens": threatens, "reacts": reacts, "arrives_where_ways_meet": arrives_where_ways_meet}

@@ -18,8 +18,8 @@ LANES = {
 }  # fmt: skip
 """The lane relations that show a position (any of them); others are judged by where they lie."""
 LENGTHWISE = {"ahead": "ahead", "behind": "behind", "oncoming_lane": "ahead", "opposite_approach": "ahead",
-              "roadside": "ahead", "sidewalk": "ahead", "parked": "ahead", "partly_in_lane": "ahead",
-              "intersection_exit": "ahead"}  # fmt: skip
+              "circulating": "ahead", "roadside": "ahead", "sidewalk": "ahead", "parked": "ahead",
+              "partly_in_lane": "ahead", "intersection_exit": "ahead"}  # fmt: skip
 SIDEWAYS = {"left_lane": "left", "right_lane": "right", "crossing_left": "left", "crossing_right": "right"}
 RIDERS = ("bicycle", "motorcycle")
 """Who is beside another in its lane or at its edge, too."""

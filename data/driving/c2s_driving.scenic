@@ -283,6 +283,17 @@ def ring_approach(ego_way, angle):
                 return lane
         ring = min((m.endLane for m in ring.maneuvers), key=lambda lane: lane.centerline.length)
 
+def ring_lane(ego_way):
+    """The ring of the roundabout of `ego_way` up to where ego comes in: a lane over its junctions, nearly once round."""
+    ways = [m for i in network.intersections if i.id in map_facts().roundabouts for m in i.maneuvers]
+    ring = {m.startLane for m in ways} & {m.endLane for m in ways}
+    into = {m.endLane: m for m in ways if m.startLane in ring and m.endLane in ring}
+    lane = into[ego_way.endLane].startLane
+    chain = [lane]
+    while chain[0] in into and into[chain[0]].startLane not in (*chain, ego_way.endLane):
+        chain = [into[chain[0]].startLane, into[chain[0]].connectingLane, *chain]
+    return long_lane(lane, chain, joined([each.centerline for each in chain]))
+
 def along(lane, spot):
     """How far along a lane (m) the point nearest to a spot lies."""
     return min(range(int(lane.centerline.length)), key=lambda s: distance from spot to lane.centerline.pointAlongBy(s))
@@ -363,9 +374,13 @@ def lengthened(lane, metres, ahead=False, junctions=False):
     chain, _ = chained(lane, metres, ahead, junctions)
     if len(chain) == 1:
         return lane
-    longer, group = LongLane(), LongGroup()
     line = joined([each.centerline for each in chain])
-    longer.centerline = cut(line, 0, metres) if ahead else cut(line, line.length - metres, line.length)
+    return long_lane(lane, chain, cut(line, 0, metres) if ahead else cut(line, line.length - metres, line.length))
+
+def long_lane(lane, chain, line):
+    """A lane that goes along a line, over the lanes of a chain."""
+    longer, group = LongLane(), LongGroup()
+    longer.centerline = line
     longer.leftEdge, longer.rightEdge = (joined([e for each in chain for e in [side(each)]])
                                          for side in (lambda each: each.leftEdge, lambda each: each.rightEdge))
     longer.sections, longer.road, longer.maneuvers = lane.sections, lane.road, chain[-1].maneuvers
@@ -761,7 +776,7 @@ class Place(object):
 
 # What Scenic may count on before a place is drawn.
 Place.__annotations__ = {
-    **dict.fromkeys(('lane', 'from_left', 'from_right', 'from_opposite'), Lane),
+    **dict.fromkeys(('lane', 'from_left', 'from_right', 'from_opposite', 'from_ring'), Lane),
     **dict.fromkeys(('left_pocket', 'right_pocket', 'opposite_pocket'), Lane),
     **dict.fromkeys(('mark', 'left_pocket_offset', 'right_pocket_offset', 'opposite_pocket_offset'), float),
     'turn': Maneuver, 'others': typing.List[Lane],
@@ -770,7 +785,7 @@ Place.__annotations__ = {
 SHORT, LONG = 60, 140  # m: ways of others that are shorter go on over the roads before them, so far
 
 class From(object):
-    """A way by which others reach ego's junction: from ego's `side` ('left', 'right', 'opposite'), going by `turn` over
+    """A way by which others reach ego's junction: from ego's `side` ('left', 'right', 'opposite', or the 'ring' of a roundabout), going by `turn` over
     it; with a `sign` ('stop', 'yield') if one is said; over a lane of `length` m at least. `passed`: somebody waits
     there whom others pass: in the lane `place.left_pocket`, `left_pocket_offset` m to the left of its middle.
     """
@@ -779,6 +794,8 @@ class From(object):
 
     def lane_to(self, way, roundabout=False):
         """The lane by which it comes to the junction of ego's way, or None."""
+        if self.side == 'ring':
+            return ring_lane(way) if roundabout else None
         angle = {'left': -90, 'right': 90, 'opposite': 180}[self.side]
         lane = ring_approach(way, angle) if roundabout else approach(way, angle, self.turn, self.passed)
         if lane and lane.centerline.length < max(self.length, SHORT):

@@ -10,7 +10,7 @@ RIDERS = {"bicycle", "motorcycle"}
 BESIDE = {"beside", "left_lane", "right_lane", "behind", "roadside", "partly_in_lane"}
 LATERAL = 1.0
 """m between the two across the road, where nothing says how far."""
-SLOWER = 0.95
+SLOWER = 0.85
 """How fast ego comes up to its turn with a rider beside it, of that one's speed, where nothing says how fast."""
 TURNS_AT = 4.5
 """m/s to which one slows that turns across a rider's way, where nothing says how fast it turns."""

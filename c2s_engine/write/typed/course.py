@@ -13,6 +13,8 @@ from c2s_engine.write.typed.stations import outwards
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, is_static
 from c2s_engine.write.typed.usual import rides_beside, speed_of
 
+RIDER = 2.5
+"""m/s2 by which a cyclist's speed changes, where nothing says how."""
 GUARDED = 5.0
 """m/s2 at most, behind whom one overtakes later."""
 HALF_LANE = 1.75
@@ -80,6 +82,7 @@ class Course:
         goal = self._guarded(speed if speed is not None else self.cruise())
         guarded = goal.startswith("lambda: gain(")
         rate = max(rate or 0, GUARDED) if guarded else rate
+        rate = rate or (RIDER if self.actor.is_ego and self.actor.spec.type == "bicycle" else None)
         extra = f", rate={scope.number(rate)}" if rate else ""
         offset = offset or self.aside
         extra += f", offset={offset}" if offset else ""

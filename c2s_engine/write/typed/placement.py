@@ -10,7 +10,7 @@ from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.pockets import pocket_name
 from c2s_engine.write.typed.spot import Spot, measured, member, position_constant
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_NAME, LENGTH, WORKS, is_vehicle, is_walker
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME, LENGTH, WORKS, is_vehicle, is_walker
 from c2s_engine.write.typed.usual import right_behind, turn_of
 
 
@@ -158,6 +158,8 @@ def _way_over(plan: Plan, lane: str, turn: str) -> str:
     """The way from an approach over the junction; into a roundabout one turns right, and leaves it by its bearing."""
     if plan.place.kind != "roundabout":
         return f"way({lane})" if turn == "STRAIGHT" else f"way({lane}, {turn})"
+    if lane == APPROACH_NAME["circulating"]:  # past ego's entry, and on in the ring
+        return f"way({lane}, LEFT_TURN, 90 deg)"
     bearing = {"LEFT_TURN": ", 90 deg", "RIGHT_TURN": ", -90 deg"}.get(turn, "")
     return f"way({lane}, RIGHT_TURN{bearing})"
 

@@ -162,6 +162,8 @@ def _place_kind(place: PlaceSpec, ego: EgoSpec, objects: dict[str, ObjectSpec]) 
     crossing = positions & (APPROACH_ANGLE.keys() | {"intersection_exit"})
     if (place.kind == "road" and wants) or (crossing and place.kind in ("straight", "curve", "crosswalk")):
         place = place.model_copy(update={"kind": "intersection"})
+    if "circulating" in positions:
+        place = place.model_copy(update={"kind": "roundabout", "arms": None})
     if "on_ramp" in positions and place.kind in ("road", "straight"):
         place = place.model_copy(update={"kind": "motorway"})
     if place.kind == "intersection" and place.control is None:  # who passes a light or a sign has one

@@ -5,11 +5,12 @@ runs part.
 """
 
 from collections.abc import Iterator
+from copy import copy
 from typing import Any
 
 import numpy as np
 
-from c2s_engine.require.due import to_meet
+from c2s_engine.require.due import arrival, to_meet
 from c2s_engine.require.evidence import Evidence, Motion
 from c2s_engine.require.geometry import post_encroachment, time_to_collision
 from c2s_engine.require.outcome import struck as struck_pairs
@@ -17,6 +18,7 @@ from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 
@@ -26,6 +28,10 @@ THREATS = ("cut_in", "cross_road", "enter_road", "run_red", "run_stop", "oncomin
 STRONG = ("cut_in", "enter_road", "run_red", "run_stop")
 AHEAD_ONLY = ("stationary", "stop", "brake")
 """These threaten only who comes from behind."""
+TURNS = ("turn_left", "turn_right")
+APPROACHES = ("crossing_left", "crossing_right", "opposite_approach", "circulating")
+BESIDE = ("roadside", "sidewalk", "parked", "intersection_exit")
+"""Who comes from there does not come by a way that meets ego's."""
 ANSWERS = ("brake", "stop", "swerve", "lane_change", "yield", "wait")
 """What ego does of its own accord in answer to another, where it names whom or waits for what that one does."""
 
@@ -71,6 +77,7 @@ def unaware(structure: Structure) -> Structure:
 def required(scene: Scene) -> Iterator[Requirement]:
     if not scene.recognised(EGO):
         return
+    yield from _arriving(scene)
     reacts = scene.ego.reaction != "none" or any(answers(p, scene.structure) for p in scene.ego.phases)
     struck = {frozenset(pair) for pair in struck_pairs(scene)}
     for actor in _threats(scene, reacts):
@@ -81,9 +88,23 @@ def required(scene: Scene) -> Iterator[Requirement]:
             " would collide or come very near."  # fmt: skip
         yield scene.make("conflict", "threatens", actor, "threat", text, other=EGO, reaction=reacts)
         if reacts and scene.ego.reaction != "follow":
+            others = tuple(a for a in scene.objects if a != actor)
             yield scene.make("reaction", "reacts", EGO, f"reaction.{actor}", f"Ego reacts to {name} once it can be "
-                             "seen, in time, and not before.", other=actor,
-                             action=_onset_of(scene.objects[actor]))  # fmt: skip
+                             "seen, in time, and not before.", other=actor, action=_onset_of(scene.objects[actor]),
+                             **({"others": others} if others else {}))  # fmt: skip
+
+
+def _arriving(scene: Scene) -> Iterator[Requirement]:
+    """When those are where their ways meet ego's of whom S says that."""
+    for actor, spec in scene.objects.items():
+        arrives = spec.placement.arrives
+        if arrives is None or spec.placement.position in BESIDE or not scene.stated(actor, "placement.arrives"):
+            continue
+        least, most = low(arrives), high(arrives)
+        when = f"{abs(least):g} s {'after' if least >= 0 else 'before'} ego" if least or most else "together with ego"
+        text = f"{scene.named(actor)} is where their ways meet {when}, were neither to react."
+        yield scene.make("conflict", "arrives_where_ways_meet", actor, "placement.arrives", text, other=EGO,
+                         least=least, most=most)  # fmt: skip
 
 
 def _threats(scene: Scene, reacts: bool) -> list[str]:
@@ -114,6 +135,9 @@ def _threatens(spec: ObjectSpec) -> bool:
 
 def _onset_of(spec: ObjectSpec) -> str:
     """The action with which the threat begins; '' where it is one from the start."""
+    turns = next((p.action for p in spec.phases if p.action in TURNS), "")
+    if turns and spec.placement.position not in APPROACHES:  # from beside ego, having slowed for it
+        return turns
     return next((p.action for p in spec.phases if p.action in THREATS and p.action != "stationary"), "")
 
 
@@ -127,17 +151,51 @@ def threatens(requirement: Requirement, evidence: Evidence) -> Result:
         return unknown(requirement, said, why)
     if found := other.contacts(requirement.actor, EGO):
         return scored(requirement, 1.0, said, f"contact at {found[0].time:.1f} s", found[0].time)
-    nearest = [_nearness(m, other.motion(EGO)) for m in other.motions(requirement.actor)]
+    ego = _unhindered(requirement.actor, other, evidence)
+    nearest = [_nearness(m, ego) for m in other.motions(requirement.actor)]
     pet, ttc = min((p for p, _ in nearest), default=np.inf), min((t for _, t in nearest), default=np.inf)
     margin = max((limits["pet"]["value"] - pet) / limits["pet"]["value"],
                  (limits["ttc"]["value"] - ttc) / limits["ttc"]["value"])  # fmt: skip
     words = [f"{name} {value:.1f} s" for name, value in (("PET", pet), ("TTC", ttc)) if np.isfinite(value)]
-    due = _due(other.motion(requirement.actor), other.motion(EGO)) if margin < 0 else None
+    due = _due(other.motion(requirement.actor), ego) if margin < 0 else None
     return scored(requirement, max(-1.0, margin), said, ", ".join(words) or "their ways do not meet", due=due)
 
 
 def _due(one: Motion | None, ego: Motion | None) -> float | None:
     return to_meet(one, ego) if one and ego else None
+
+
+def arrives_where_ways_meet(requirement: Requirement, evidence: Evidence) -> Result:
+    """Measured where ego does not react, by when each first is where the other's body will be or has been."""
+    v, room = requirement.values, bounds()["conflict"]["together"]["value"]
+    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
+    said = f"{least:g} s after ego" if least == most else f"{least:g} to {most:g} s after ego"
+    run = evidence.without or evidence
+    one, ego = run.motion(requirement.actor), run.motion(EGO)
+    seen = arrival(one, ego) if one and ego else None
+    if seen is None:
+        return scored(requirement, -1.0, said, "their ways do not meet")
+    off = max(least - seen, seen - most, 0.0)
+    due = round(least - seen if seen < least else most - seen, 2)
+    within = (seen, least - room, most + room)
+    return scored(requirement, 1.0 - off / room, said, f"{seen:.1f} s", measured=within, due=due)
+
+
+def _unhindered(actor: str, other: Evidence, evidence: Evidence) -> Motion | None:
+    """Ego's motion without its reaction; where a contact with somebody else ends that, it goes on at its speed along
+    the way that it takes where it does react."""
+    ego, real = other.motion(EGO), evidence.motion(EGO)
+    if ego is None or real is None or ego.contact is None or other.contacts(actor, EGO) or other is evidence:
+        return ego
+    gone = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(real.x), np.diff(real.y)))])
+    own = float(np.hypot(np.diff(ego.x), np.diff(ego.y)).sum())
+    steps = max(0, len(real.x) - len(ego.x))
+    onward = own + ego.speed[-1] * ego.step * np.arange(1, steps + 1)
+    onward = onward[onward <= gone[-1]]
+    longer = copy(ego)
+    for name in ("x", "y", "heading"):
+        setattr(longer, name, np.concatenate([getattr(ego, name), np.interp(onward, gone, getattr(real, name))]))
+    return longer
 
 
 def _nearness(one: Motion, ego: Motion | None) -> tuple[float, float]:
@@ -188,6 +246,7 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
     if time is None:
         return scored(requirement, -1.0, said, "ego does not react")
     causes = [cause for m in members if (cause := _cause(m, str(requirement.values["action"]))) is not None]
+    time = _next_reaction(requirement, evidence, time, min(causes, default=0.0))
     if not causes:
         return scored(requirement, -1.0, said, f"ego reacts at {time:.1f} s to what it never could see", time)
     cause = min(causes)
@@ -197,6 +256,20 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
     words = f"at {time:.1f} s, {early:.1f} s after its cause"
     measured = (early, least, max(early, most)) if late < most else (late, 0.0, most)
     return scored(requirement, min(margins), said, words, time, why=f"cause at {cause:.1f} s", measured=measured)
+
+
+def _next_reaction(requirement: Requirement, evidence: Evidence, first: float, cause: float) -> float:
+    """When ego reacts to one of several: its first reaction, or, where that comes before its cause and another threat
+    can have been the reason, when it next begins to brake or still does."""
+    others = requirement.values.get("others", ())
+    ego = evidence.motion(EGO)
+    if first >= cause or not isinstance(others, tuple) or ego is None:
+        return first
+    reasons = [m.visible_from() for o in others for m in evidence.motions(str(o))]
+    if not any(seen is not None and seen <= first for seen in reasons):
+        return first
+    braking = np.flatnonzero((ego.acceleration < -1.0) & (ego.time >= cause))
+    return float(ego.time[braking[0]]) if len(braking) else first
 
 
 def _cause(motion: Motion, action: str) -> float | None:
@@ -230,9 +303,15 @@ def _onset(motion: Motion, action: str) -> float | None:
         moved = motion.acceleration < -1.0
     elif action in ("cross_road", "enter_road", "reverse", "u_turn"):
         moved = (motion.speed > 0.3) if motion.speed[0] <= 0.3 else np.zeros(len(motion.speed), bool)
+    elif action in ("run_red", "run_stop"):  # it can no longer stop as drivers do
+        line = next((m.start for m in motion.course.marks if m.kind == "line"), np.inf)
+        stops = motion.speed**2 / (2 * limits["stops"]["value"])
+        moved = motion.of_course("along") + motion.size[0] / 2 + stops > line
+    elif action in TURNS:
+        moved = (np.abs(motion.heading - motion.heading[0]) > limits["turned"]["value"]) | (motion.acceleration < -1.0)
     else:
         return None
     return float(motion.time[int(np.argmax(moved))]) if moved.any() else None
 
 
-CHECKS = {"threatens": threatens, "reacts": reacts}
+CHECKS = {"threatens": threatens, "reacts": reacts, "arrives_where_ways_meet": arrives_where_ways_meet}

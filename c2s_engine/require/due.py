@@ -23,17 +23,29 @@ Point = tuple[float, float]
 def to_meet(one: Motion, other: Motion) -> float | None:
     """s by which `one` would have to be later (below 0: earlier) to touch `other`; None where their ways are apart."""
     every = max(1, round(STEP / one.step))
-    a, b = one.poses[::every], other.poses[::every]
-    apart = np.hypot(a[:, None, 0] - b[None, :, 0], a[:, None, 1] - b[None, :, 1])
-    i, j = np.nonzero(apart < 0.5 * (sum(one.size) + sum(other.size)))
-    hit = touching(a[i], b[j], one.size, other.size) if len(i) else np.zeros(0, bool)
-    if not hit.any():
+    i, j = _meeting(one.poses[::every], other.poses[::every], one, other)
+    if not len(i):
         return None
-    by = np.unique(j[hit] - i[hit])
+    by = np.unique(j - i)
     groups = np.split(by, np.flatnonzero(np.diff(by) > 1) + 1)
     low, high = min(((g[0], g[-1]) for g in groups), key=lambda g: max(g[0], -g[1], 0))
     inside = min(INSIDE / (every * one.step), (high - low) / 2)
     return round(float(min(max(0.0, low + inside), high - inside)) * every * one.step, 2)
+
+
+def arrival(one: Motion, other: Motion) -> float | None:
+    """s by which `one` comes after `other` to where their ways meet (below 0: before it); None where they do not."""
+    every = max(1, round(STEP / one.step))
+    hit = _meeting(_going_on(one)[::every], _going_on(other)[::every], one, other)
+    return round(float(hit[0].min() - hit[1].min()) * every * one.step, 2) if len(hit[0]) else None
+
+
+def _meeting(a: np.ndarray, b: np.ndarray, one: Motion, other: Motion) -> tuple[np.ndarray, np.ndarray]:
+    """The steps of both at which they would touch, were they there at the same time."""
+    apart = np.hypot(a[:, None, 0] - b[None, :, 0], a[:, None, 1] - b[None, :, 1])
+    i, j = np.nonzero(apart < 0.5 * (sum(one.size) + sum(other.size)))
+    hit = touching(a[i], b[j], one.size, other.size) if len(i) else np.zeros(0, bool)
+    return i[hit], j[hit]
 
 
 def to_touch(one: Motion, other: Motion, wanted: Callable[[Point, Point], bool]) -> float | None:

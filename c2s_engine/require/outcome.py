@@ -1,8 +1,8 @@
-"""Who touches whom: exactly the pairs that S says, by the parts that its placements imply, and otherwise nobody."""
+"""Who touches whom: exactly the pairs that S says, by the parts that it says or placements imply, and nobody else."""
 
 from collections.abc import Iterator
 
-from c2s_engine.require.due import to_meet, to_touch
+from c2s_engine.require.due import Point, to_meet, to_touch
 from c2s_engine.require.evidence import Evidence
 from c2s_engine.require.geometry import box_distance, face
 from c2s_engine.require.results import decided, scored, unknown
@@ -13,6 +13,10 @@ from c2s_engine.structure.requirements import Requirement, Result
 SIDEWARD = ("lane_change", "cut_in", "drift", "swerve", "lose_control", "overtake", "cut_out", "enter_road", "u_turn",
             "leave_road")  # fmt: skip
 """Who does one of these may touch with any part."""
+
+
+CORNER = 0.3
+"""m from an end or a side within which it is touched, too."""
 
 
 def struck(scene: Scene) -> list[tuple[str, str]]:
@@ -30,15 +34,16 @@ def required(scene: Scene) -> Iterator[Requirement]:
     pairs = struck(scene)
     for actor, target in pairs:
         name, other = scene.named(actor), scene.named(target)
-        index = next(i for a, i, p in scene.phases() if a == actor and p.action == "collide")
+        index, phase = next((i, p) for a, i, p in scene.phases() if a == actor and p.action == "collide")
         yield scene.make("outcome", "contact", actor, f"phases.{index}.contact", f"{name} and {other} touch.",
                          other=target)  # fmt: skip
-        if part := _part(scene, actor):
+        if part := phase.part or _part(scene, actor):
             yield scene.make("outcome", "part", actor, f"phases.{index}.part", f"{name} touches {other} with its "
-                             f"{part}.", other=target, part=part, mine=True)  # fmt: skip
-        if _in_line(scene, actor, target):
+                             f"{_words(part)}.", other=target, part=part, mine=True)  # fmt: skip
+        if hit := phase.target_part or ("rear" if _in_line(scene, actor, target) else None):
             yield scene.make("outcome", "part", actor, f"phases.{index}.struck_part",
-                             f"{other} is struck at its rear.", other=target, part="rear", mine=False)  # fmt: skip
+                             f"{other} is struck at its {_words(hit)}.", other=target, part=hit,
+                             mine=False)  # fmt: skip
     if all(scene.recognised(a) for a in scene.actors):
         timed = [a for a, o in scene.objects.items() if o.placement.arrives is not None]
         meet = [(a, EGO) for a in timed if scene.stated(a, "placement.arrives")]
@@ -85,12 +90,33 @@ def part(requirement: Requirement, evidence: Evidence) -> Result:
     found = evidence.contacts(requirement.actor, requirement.other or EGO)
     said = str(requirement.values["part"])
     if not found:
-        return unknown(requirement, said, "not reached: the two do not touch")
+        return unknown(requirement, _words(said), "not reached: the two do not touch")
     first = found[0]
     mine = (evidence.components[first.one] == requirement.actor) == bool(requirement.values["mine"])
-    seen = first.part_one if mine else first.part_other
-    due = None if seen == said else _due(requirement, evidence, said)
-    return decided(requirement, seen == said, said, seen, first.time, due=due)
+    seen, at = (first.part_one, first.at_one) if mine else (first.part_other, first.at_other)
+    motion = evidence.motion(requirement.actor if requirement.values["mine"] else requirement.other or EGO)
+    holds = _matches(said, at, motion.size) if at and motion else seen in said.split("_")
+    due = None if holds else _due(requirement, evidence, said)
+    where = f"{seen}, {abs(at[0]):.1f} m {'ahead of' if at[0] > 0 else 'behind'} its middle" if at else seen
+    return decided(requirement, holds, _words(said), where, first.time, due=due)
+
+
+def _words(part: str) -> str:
+    """A part as sentences call it."""
+    return f"{part.replace('_', ' ')} corner" if "_" in part else part
+
+
+def _matches(said: str, at: Point, size: Point) -> bool:
+    """Whether a contact so far ahead of and to the left of a body.s middle (m) is at the said part: a corner is the
+    quarter of the body, by whichever of its two sides; at a corner both sides touch."""
+    length, width = size
+    seen = {face(at, size)}
+    seen |= {"front" if at[0] > 0 else "rear"} if length / 2 - abs(at[0]) < CORNER else set()
+    seen |= {"left" if at[1] > 0 else "right"} if width / 2 - abs(at[1]) < CORNER else set()
+    if "_" not in said:
+        return said in seen
+    end, side = said.split("_")
+    return bool(seen & {end, side}) and (at[0] > 0) == (end == "front") and (at[1] > 0) == (side == "left")
 
 
 def _due(requirement: Requirement, evidence: Evidence, said: str) -> float | None:
@@ -99,8 +125,8 @@ def _due(requirement: Requirement, evidence: Evidence, said: str) -> float | Non
     if one is None or other is None:
         return None
     if requirement.values["mine"]:
-        return to_touch(one, other, lambda own, _: face(own, one.size) == said)
-    return to_touch(one, other, lambda _, its: face(its, other.size) == said)
+        return to_touch(one, other, lambda own, _: _matches(said, own, one.size))
+    return to_touch(one, other, lambda _, its: _matches(said, its, other.size))
 
 
 def no_other_contact(requirement: Requirement, evidence: Evidence) -> Result:

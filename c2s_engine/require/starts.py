@@ -21,11 +21,13 @@ LANES = {
 }  # fmt: skip
 """The lane relations that show a position (any of them); others are judged by where they lie."""
 LENGTHWISE = {"ahead": "ahead", "behind": "behind", "oncoming_lane": "ahead", "opposite_approach": "ahead",
-              "roadside": "ahead", "sidewalk": "ahead", "parked": "ahead", "partly_in_lane": "ahead",
-              "intersection_exit": "ahead"}  # fmt: skip
+              "circulating": "ahead", "roadside": "ahead", "sidewalk": "ahead", "parked": "ahead",
+              "partly_in_lane": "ahead", "intersection_exit": "ahead"}  # fmt: skip
 SIDEWAYS = {"left_lane": "left", "right_lane": "right", "crossing_left": "left", "crossing_right": "right"}
 WIDE = 3.5
 """m to the side at which one is beyond the next lane."""
+RIDERS = ("bicycle", "motorcycle")
+"""Who is beside another in its lane or at its edge, too."""
 OFF_LANES = ("roadside", "sidewalk", "parked")
 VEHICLES = ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck")
 IN_MIDDLE = 0.15
@@ -43,6 +45,7 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
     lanes = None if _at_door(scene, spec) else LANES.get(place.position)
     if place.position == "beside" and not _at_door(scene, spec):
         lanes = (place.side,) if place.side else ("adjacent",)
+        lanes = (*lanes, "same", "roadside", "sidewalk") if spec.type in RIDERS else lanes
     beyond = place.lateral is not None and low(place.lateral) > WIDE  # not the next lane
     if lanes and not beyond and not (place.position == "beside" and scene.place.kind == "on_ramp"):
         yield scene.make("start", "start_lane", actor, "placement.position", f"{name} starts {where} of {of}.",
@@ -54,7 +57,7 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
         yield scene.make("start", "start_along", actor, "placement.along", f"{name} starts {along} of {of}.",
                          other=place.of, along=str(along))  # fmt: skip
     side = SIDEWAYS.get(place.position) or place.side
-    if side and place.position != "beside":
+    if side and (place.position != "beside" or spec.type in RIDERS):
         seen_from = EGO if place.position in OFF_LANES else place.of  # the side of the road, whoever stands there
         yield scene.make("start", "start_side", actor, "placement.side", f"{name} starts to the {side} of "
                          f"{scene.named(seen_from)}.", other=seen_from, side=str(side))  # fmt: skip

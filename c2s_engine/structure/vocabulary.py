@@ -24,7 +24,7 @@ EgoLane = Literal["leftmost", "middle", "rightmost"]
 
 Position = Literal[
     "ahead", "behind", "beside", "left_lane", "right_lane", "oncoming_lane",
-    "crossing_left", "crossing_right", "opposite_approach",
+    "crossing_left", "crossing_right", "opposite_approach", "circulating",
     "roadside", "sidewalk", "parked", "partly_in_lane", "on_ramp", "intersection_exit",
 ]  # fmt: skip
 Side = Literal["left", "right"]

@@ -12,6 +12,7 @@ WHERE = {
     "left_lane": "in the lane to the left", "right_lane": "in the lane to the right", "ahead": "", "behind": "",
     "oncoming_lane": "in the oncoming lane", "beside": "beside", "roadside": "at the roadside",
     "sidewalk": "on the sidewalk", "parked": "parked", "partly_in_lane": "partly in the lane",
+    "circulating": "in the roundabout",
     "crossing_left": "on the road from the left", "crossing_right": "on the road from the right",
     "opposite_approach": "on the opposite approach", "intersection_exit": "at the intersection's exit",
 }  # fmt: skip

@@ -106,12 +106,26 @@ def conflict(lane, points, others, near=2.2):
     own, far = stations(points), stations(others)
     return (own[first], own[spot], own[last]), (far[begin], far[there], far[end])
 
-def driving_times(points, speed):
-    """How far along a way (m) its points lie, and when (s) somebody is there who drives it at `speed`, slower in bends."""
-    way = stations(points)
-    slow = [1 / max(0.5, min(speed, bend_speed(points, k))) for k in range(len(points))]
-    spent = [(b - a) * (p + q) / 2 for a, b, p, q in zip(way, way[1:], slow, slow[1:])]
-    return way, [0, *itertools.accumulate(spent)]
+DRAG = 0.075  # m/s by which the air and the wheels keep who drives below the speed that is set
+
+def driving_times(points, speed, stop=None, held=1, slow=None):
+    """How far along a way (m) its points lie, and when (s) somebody is there who drives it at `speed`, slower in bends;
+    stop: m along it to where it stands `held` s before it sets out again; slow: (m along it, m/s) from where it is
+    slower."""
+    way = numpy.array(stations(points), float)
+    pace = numpy.array([max(0.5, min(speed, bend_speed(points, k)) - DRAG) for k in range(len(points))])
+    if slow is not None:
+        behind = numpy.maximum(way - slow[0], 0)
+        squared = numpy.maximum(slow[1] ** 2, speed ** 2 - 6 * behind)
+        pace = numpy.minimum(pace, numpy.sqrt(squared))
+    if stop is not None:
+        k = int(numpy.searchsorted(way, stop, side='right'))
+        way, pace = numpy.insert(way, k, stop), numpy.insert(pace, k, 0)
+        rest = numpy.where(way < stop, 6 * (stop - way), 2.5 * (way - stop))
+        pace = numpy.minimum(pace, numpy.sqrt(rest))
+    mean = numpy.maximum(pace[1:] + pace[:-1], 0.02) / 2
+    times = numpy.insert(numpy.cumsum(numpy.diff(way) / mean), 0, 0)
+    return way, times if stop is None else times + held * (way > stop)
 
 def setting_out(metres, speed, rate=2):
     """The time (s) in which a car that stands drives so far (m), up to `speed`."""
@@ -120,21 +134,105 @@ def setting_out(metres, speed, rate=2):
         return math.sqrt(2 * max(metres, 0) / rate)
     return speed / rate + (metres - gained) / speed
 
-def _start_to_meet(lane, points, speed, others, from_, other_speed, ahead=0, front=0, other_front=0, clear=None, stands=0):
+def along_way(points, metres):
+    """Where on a way (x, y) and in which direction (x, y; 1 m) so far along it (m, an array)."""
+    way, xs, ys = stations(points), [p.x for p in points], [p.y for p in points]
+    def point(s):
+        return numpy.stack([numpy.interp(s, way, xs), numpy.interp(s, way, ys)], axis=-1)
+    along = point(metres + 1) - point(metres - 1)
+    norm = numpy.linalg.norm(along, axis=-1, keepdims=True)
+    return point(metres), along / numpy.maximum(norm, 0.001)
+
+class Part(object):
+    """A part of a body of `length` and `width` (m): 'front', 'rear', 'left', 'right', a corner such as 'rear_left', or
+    'side': the middle of whichever side is struck."""
+    def __init__(self, name, length, width):
+        self.name, self.size = name, (length, width)
+
+    def spot(self, left):
+        """How far (m) it is ahead of and to the left of the middle; `left`: whether the left side is struck."""
+        length, width = self.size
+        if self.name == 'side':
+            return 0, width / 2 if left else -width / 2
+        aside = self.name.endswith('left') - self.name.endswith('right')
+        if self.name.startswith('front'):
+            return length / 2, 0.3 * aside * width
+        behind = {'rear': 0.5, 'rear_left': 0.22, 'rear_right': 0.22}.get(self.name, 0)
+        return -behind * length, aside * width / 2
+
+def overlapping(one, size, two, other_size):
+    """Whether bodies of (length, width) overlap: arrays of (where they are, in which direction they head)."""
+    (here, heading), (there, other_heading) = one, two
+    apart, gap = numpy.zeros(here.shape[:-1], bool), there - here
+    cos = numpy.abs((heading * other_heading).sum(axis=-1))
+    sin = numpy.sqrt(numpy.maximum(1 - cos ** 2, 0))
+    for along, mine, its in ((heading, size, other_size), (other_heading, other_size, size)):
+        left = numpy.stack([-along[..., 1], along[..., 0]], axis=-1)
+        apart |= numpy.abs((gap * along).sum(axis=-1)) > (mine[0] + its[0] * cos + its[1] * sin) / 2
+        apart |= numpy.abs((gap * left).sum(axis=-1)) > (mine[1] + its[0] * sin + its[1] * cos) / 2
+    return ~apart
+
+def spot_of(part, pose, left):
+    """Where the spot of a part is on bodies (where they are, in which direction they head)."""
+    x, y = part.spot(left)
+    here, along = pose
+    return here + x * along + y * numpy.stack([-along[..., 1], along[..., 0]], axis=-1)
+
+def comes_over(points, metres, size, others):
+    """From how far along its points (m, about `metres`) a body of (length, width) is in another's way (`in_way`)."""
+    line = shapely.geometry.LineString([(p.x, p.y) for p in others])
+    stretch = numpy.arange(metres - 20, metres + 5, 0.5)
+    here, along = along_way(points, stretch)
+    left = numpy.stack([-along[:, 1], along[:, 0]], axis=-1)
+    def over(k):
+        ends = [here[k] + x * size[0] / 2 * along[k] + y * size[1] / 2 * left[k] for x, y in CORNERS]
+        return line.distance(shapely.geometry.Polygon(ends)) < 1
+    return next((stretch[k] for k in range(len(stretch)) if over(k)), metres)
+
+CORNERS = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
+
+def lead_to_touch(points, own, spot, strikes, others, far, other_spot, struck, late=0):
+    """How long (s) before another is at its spot one has to be at its own, so that the parts of both that come first into
+    touch are these. own, far: the stations and times of both (as of `driving_times`); late: m/s2 at which the other
+    brakes from when one comes into its way."""
+    begin, other_begin = numpy.interp(spot, *own), numpy.interp(other_spot, *far)
+    leads, time = numpy.arange(-3, 3, 0.05)[:, None], numpy.arange(-3, 3, 0.05)[None, :]
+    def driven(way, known, seconds):
+        return along_way(way, numpy.interp(seconds, known[1], known[0]))
+    one = driven(points, own, begin + leads + time)
+    braked = time + begin + leads - numpy.interp(comes_over(points, spot, strikes.size, others), *own) if late else 0
+    slowed = numpy.interp(other_begin + time, far[1], far[0]) - late / 2 * numpy.maximum(braked, 0) ** 2
+    two = along_way(others, slowed + 0 * leads)
+    hit = overlapping(one, strikes.size, two, struck.size)
+    met = numpy.flatnonzero(hit.any(axis=1))
+    when = hit.argmax(axis=1)[met]
+    one, two = [(here[met, when], along[met, when]) for here, along in (one, two)]
+    turned = one[1][:, 0] * two[1][:, 1] - one[1][:, 1] * two[1][:, 0]
+    left = turned[len(met) // 2] > 0
+    apart = numpy.linalg.norm(spot_of(strikes, one, not left) - spot_of(struck, two, left), axis=-1)
+    return leads[met[int(apart.argmin())], 0]
+
+def _start_to_meet(lane, points, speed, others, from_, other_speed, ahead=0, clear=None, strikes=None, struck=None,
+                   stop=None, held=1, slow=None, late=0, slows=None, moved=0):
     """How far (m) before the end of its lane a car starts on its points at `speed`, so that it comes to where they cross
     `others` `ahead` s before another that starts `from_` m along those at `other_speed`, if neither reacts.
 
-    front, other_front: m by which its middle, or that of the other, is still short of there: who strikes the other's
-    side does so with its front. clear: s between one leaving the conflict area and the other's coming: over 0 where it
-    goes first, under 0 where the other does (instead of `ahead`). stands: s that the other stands at its line first.
+    strikes, struck: the `Part` of it and that of the other that then touch, instead of both being there with their middles
+    (`ahead` s before that). clear: s between one leaving the conflict area and the other's coming: over 0 where it goes
+    first, under 0 where the other does (instead of `ahead`). stop, held, slow: how the other drives (as of
+    `driving_times`); late: m/s2 at which it brakes once it is too late. slows: as
+    `slow`, of its own. moved: m to the left of `points` that it drives.
     """
-    (begin, spot, end), (other_begin, other_spot, other_end) = conflict(lane, points, others)
-    far, times = driving_times(others, other_speed)
-    own, own_times = driving_times(points, speed)
+    points, near = (shifted(points, moved), min(2.2, abs(moved) - 0.4)) if moved else (points, 2.2)
+    (begin, spot, end), (other_begin, other_spot, other_end) = conflict(lane, points, others, near)
+    far, times = driving_times(others, other_speed, stop, held, slow)
+    own, own_times = driving_times(points, speed, slow=slows)
     def due(station):
-        return float(numpy.interp(station, far, times) - numpy.interp(from_, far, times)) + stands
+        return float(numpy.interp(station, far, times) - numpy.interp(from_, far, times))
     if clear is None:
-        station, time = spot - front, due(other_spot - other_front) - ahead
+        known = (own, own_times), (far, times)
+        lead = strikes and lead_to_touch(points, known[0], spot, strikes, others, known[1], other_spot, struck, late) or 0
+        station, time = spot, due(other_spot) - lead - ahead
     elif clear > 0:
         station, time = min(end, begin + 12) + 2.5, due(other_begin - 2.5) - clear
     else:
@@ -144,16 +242,26 @@ def _start_to_meet(lane, points, speed, others, from_, other_speed, ahead=0, fro
 
 start_to_meet = distributionFunction(_start_to_meet)
 
-def _setting_out_to_meet(lane, points, before, speed, other_lane, others, other_speed, front=0, other_front=0):
+def _setting_out_to_meet(lane, points, before, speed, other_lane, others, other_speed, strikes=None, struck=None):
     """How far (m) another is from the end of `other_lane` when a car that stands with its middle `before` m before the
-    stop line of its `lane` has to set out for `speed` to meet it; `front` and `other_front` as of `start_to_meet`."""
+    stop line of its `lane` has to set out for `speed` to meet it; `strikes` and `struck` as of `start_to_meet`."""
     (_, spot, _), (_, other_spot, _) = conflict(lane, points, others)
     far, times = driving_times(others, other_speed)
-    time = setting_out(spot - front - (stop_line(lane) - before), speed)
-    there = numpy.interp(numpy.interp(other_spot - other_front, far, times) - time, times, far)
+    begin = stop_line(lane) - before
+    time = setting_out(spot - begin, speed)
+    if strikes:
+        own = numpy.arange(begin, begin + 60, 1.0)
+        known = own, [setting_out(metres - begin, speed) for metres in own]
+        time += lead_to_touch(points, known, spot, strikes, others, (far, times), other_spot, struck)
+    there = numpy.interp(numpy.interp(other_spot, far, times) - time, times, far)
     return float(max(1, other_lane.centerline.length - there))
 
 setting_out_to_meet = distributionFunction(_setting_out_to_meet)
+
+def shifted(points, metres):
+    """A way so far (m) to the left of another."""
+    ahead = [b - a for a, b in zip(points, points[1:] + [points[-1] * 2 - points[-2]])]
+    return [p + d.normalized().rotatedBy(90 deg) * metres for p, d in zip(points, ahead)]
 
 
 def _start_to_merge(place, speed, other_speed, from_, ahead, before_end=None):
@@ -212,6 +320,17 @@ def ring_approach(ego_way, angle):
             if abs((heading(lane) - heading(ego_way.startLane) - angle + 180) % 360 - 180) < 50:
                 return lane
         ring = min((m.endLane for m in ring.maneuvers), key=lambda lane: lane.centerline.length)
+
+def ring_lane(ego_way):
+    """The ring of the roundabout of `ego_way` up to where ego comes in: a lane over its junctions, nearly once round."""
+    ways = [m for i in network.intersections if i.id in map_facts().roundabouts for m in i.maneuvers]
+    ring = {m.startLane for m in ways} & {m.endLane for m in ways}
+    into = {m.endLane: m for m in ways if m.startLane in ring and m.endLane in ring}
+    lane = into[ego_way.endLane].startLane
+    chain = [lane]
+    while chain[0] in into and into[chain[0]].startLane not in (*chain, ego_way.endLane):
+        chain = [into[chain[0]].startLane, into[chain[0]].connectingLane, *chain]
+    return long_lane(lane, chain, joined([each.centerline for each in chain]))
 
 def along(lane, spot):
     """How far along a lane (m) the point nearest to a spot lies."""
@@ -293,9 +412,13 @@ def lengthened(lane, metres, ahead=False, junctions=False):
     chain, _ = chained(lane, metres, ahead, junctions)
     if len(chain) == 1:
         return lane
-    longer, group = LongLane(), LongGroup()
     line = joined([each.centerline for each in chain])
-    longer.centerline = cut(line, 0, metres) if ahead else cut(line, line.length - metres, line.length)
+    return long_lane(lane, chain, cut(line, 0, metres) if ahead else cut(line, line.length - metres, line.length))
+
+def long_lane(lane, chain, line):
+    """A lane that goes along a line, over the lanes of a chain."""
+    longer, group = LongLane(), LongGroup()
+    longer.centerline = line
     longer.leftEdge, longer.rightEdge = (joined([e for each in chain for e in [side(each)]])
                                          for side in (lambda each: each.leftEdge, lambda each: each.rightEdge))
     longer.sections, longer.road, longer.maneuvers = lane.sections, lane.road, chain[-1].maneuvers
@@ -515,6 +638,11 @@ def need(car, other):
         return 9
     return closing ** 2 / (2 * max(gap - 2 - 0.5 * max(motion.y, 0), 0.3))
 
+def in_way(points, other, room=1):
+    """Whether `other` is within `room` m of the middle of a way, its points."""
+    line = shapely.geometry.LineString([(p.x, p.y) for p in points])
+    return line.distance(_box(other)) < room
+
 REACTION_TIME = 0.3  # s from when somebody comes into view to a reaction
 
 def in_view(car, others, hiders):
@@ -552,8 +680,7 @@ def gap(car, other):
 
 def _box(thing):
     """The box of an object on the ground."""
-    ends = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
-    corners = [Vector(x * thing.width / 2, y * thing.length / 2).rotatedBy(thing.heading) for x, y in ends]
+    corners = [Vector(x * thing.width / 2, y * thing.length / 2).rotatedBy(thing.heading) for x, y in CORNERS]
     return shapely.geometry.Polygon([(thing.position.x + c.x, thing.position.y + c.y) for c in corners])
 
 def ttc(car, other):
@@ -591,11 +718,13 @@ def up_to(rest, speed, rate=2.5):
     (m/s2)."""
     return min(speed, math.sqrt(2 * rate * max(rest, 0)))
 
-def stop_line(lane):
+def _stop_line(lane):
     """How far along a lane (m) its stop line lies: before the crosswalk at its end, if there is one."""
     line, end = lane.centerline.lineString, lane.centerline.length
     spots = [line.project(spot) for spot in map_facts().crosswalks if line.distance(spot) < 12]
     return min([s for s in spots if end - 14 < s < end - 0.5], default=end + 2) - 3
+
+stop_line = distributionFunction(_stop_line)
 
 def to_line(car, lane):
     """How far (m) the front of `car` is from the spot before the stop line of a lane where one stands."""
@@ -714,7 +843,7 @@ class Place(object):
 
 # What Scenic may count on before a place is drawn.
 Place.__annotations__ = {
-    **dict.fromkeys(('lane', 'from_left', 'from_right', 'from_opposite'), Lane),
+    **dict.fromkeys(('lane', 'from_left', 'from_right', 'from_opposite', 'from_ring'), Lane),
     **dict.fromkeys(('left_pocket', 'right_pocket', 'opposite_pocket'), Lane),
     **dict.fromkeys(('mark', 'left_pocket_offset', 'right_pocket_offset', 'opposite_pocket_offset'), float),
     'turn': Maneuver, 'others': typing.List[Lane],
@@ -723,7 +852,7 @@ Place.__annotations__ = {
 SHORT, LONG = 60, 140  # m: ways of others that are shorter go on over the roads before them, so far
 
 class From(object):
-    """A way by which others reach ego's junction: from ego's `side` ('left', 'right', 'opposite'), going by `turn` over
+    """A way by which others reach ego's junction: from ego's `side` ('left', 'right', 'opposite', or the 'ring' of a roundabout), going by `turn` over
     it; with a `sign` ('stop', 'yield') if one is said; over a lane of `length` m at least. `passed`: somebody waits
     there whom others pass: in the lane `place.left_pocket`, `left_pocket_offset` m to the left of its middle.
     """
@@ -732,6 +861,8 @@ class From(object):
 
     def lane_to(self, way, roundabout=False):
         """The lane by which it comes to the junction of ego's way, or None."""
+        if self.side == 'ring':
+            return ring_lane(way) if roundabout else None
         angle = {'left': -90, 'right': 90, 'opposite': 180}[self.side]
         lane = ring_approach(way, angle) if roundabout else approach(way, angle, self.turn, self.passed)
         if lane and lane.centerline.length < max(self.length, SHORT):
@@ -779,12 +910,13 @@ def crosswalks(before=40, limit=None, **lanes):
                 found.append(Place(lane, mark=mark))
     return _posted(found, limit)
 
-def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, exit=0, others=(), limit=None, across=False,
-              **lanes):
+def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, exit=0, others=(), also=(), limit=None,
+              across=False, **lanes):
     """Ways of ego over intersections: by a `turn` (STRAIGHT, LEFT_TURN, RIGHT_TURN, U_TURN); with so many `arms`; where a
     `control` holds for ego ('signal', 'stop', 'yield', 'none'); with a `crosswalk` at ego's line, or without; with lanes
     of `approach` m before the junction and `exit` m behind it, over several roads (`across`: and straight over other
-    junctions) where roads are short; with `others` to meet there, a list of `From`."""
+    junctions) where roads are short; with `others` to meet there, a list of `From`, and with other ways from
+    ego's lane, `also`. Where no control is asked for, ego has no stop sign if there are such ways."""
     facts = map_facts()
     found = []
     for junction in network.intersections:
@@ -794,6 +926,9 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
             found += [m for m in junction.maneuvers if turn in (None, m.type)
                       and (control not in ('stop', 'yield') or facts.sign(m.startLane, junction) == control)
                       and crosswalk in (None, facts.crosswalk_at(m.startLane))]
+    found = [m for m in found if all(any(o.type is way for o in m.startLane.maneuvers) for way in also)]
+    if control is None:
+        found = [m for m in found if facts.sign(m.startLane, m.intersection) != 'stop'] or found
     minor = control is None and any(other.sign and other.side != 'opposite' for other in others)
     if minor:  # whom others have to give way to has no sign itself
         found = [m for m in found if facts.sign(m.startLane, m.intersection) != 'stop']

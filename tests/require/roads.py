@@ -146,4 +146,5 @@ def _start(start: StartFact) -> StartFact:
 
 def _contact(contact: ContactFact) -> ContactFact:
     parts = {k: swap(getattr(contact, k)) for k in ("part_one", "part_other")}
-    return contact.model_copy(update=parts)
+    spots = {k: (at[0], -at[1]) for k in ("at_one", "at_other") if (at := getattr(contact, k))}
+    return contact.model_copy(update={**parts, **spots})

@@ -55,6 +55,9 @@ STOP_AT = ramp((0, 10), (2, 10), (6, 0), (12, 0))
 CRASH = ObjectSpec(phases=(Phase(action="collide"),), placement=Placement(position="behind"))
 STRUCK = ContactFact(time=4.0, one="ego", other="other", part_one="rear", part_other="front")
 BEHIND = {"y": -25.0, "relations": ("behind",)}
+AT_CORNERS = ContactFact(time=4.0, one="ego", other="other", part_one="front", part_other="right", at_one=(2.2, 0.6),
+                         at_other=(-1.2, -0.9))  # fmt: skip
+AIMS_AT_A_CORNER = EgoSpec(phases=(Phase(action="collide", target="O1", part="front_left", target_part="rear_right"),))
 AIMED = ramp((0, 10), (2, 10), (3.9, 16), (12, 16))
 STROLL = ObjectSpec(type="pedestrian", placement=Placement(position="sidewalk", side="right"),
                     phases=(Phase(action="cross_road"),))  # fmt: skip
@@ -212,6 +215,20 @@ CASES = [
         s(CRASH),
         Scene([ego(), other(**BEHIND)], contacts=(STRUCK,)),
         Scene([ego(), other(**BEHIND)], contacts=(STRUCK.model_copy(update={"part_one": "right"}),)),
+    ),
+    (
+        "with the corner that is said",
+        "E.phases.0.part",
+        s(ObjectSpec(), ego=AIMS_AT_A_CORNER),
+        Scene([ego(), other()], contacts=(AT_CORNERS,)),
+        Scene([ego(), other()], contacts=(AT_CORNERS.model_copy(update={"at_one": (2.2, -0.6)}),)),
+    ),
+    (
+        "at the quarter that is said",
+        "E.phases.0.struck_part",
+        s(ObjectSpec(), ego=AIMS_AT_A_CORNER),
+        Scene([ego(), other()], contacts=(AT_CORNERS,)),
+        Scene([ego(), other()], contacts=(AT_CORNERS.model_copy(update={"at_other": (0.2, -0.9)}),)),
     ),
     (
         "nobody touches",

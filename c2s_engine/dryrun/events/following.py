@@ -119,10 +119,14 @@ def lets_by(seen: Seen, other: Seen, placed: Beside) -> int | None:
 
 
 def overtake(seen: Seen, other: Seen, placed: Beside) -> int | None:
-    """The step at which it is ahead of the other, having begun behind it."""
+    """The step at which it is ahead of the other, having begun behind it; what one does that has turned off does not
+    count."""
     limits = definitions()["overtake"]
     lead, apart = placed.lead, 0.5 * (seen.path.length + other.path.length)
     near = np.abs(placed.aside) < limits.beside
-    if lead[0] >= -0.5 * apart or not near[0] or lead[-1] <= apart or not near[-1]:
+    n = min(len(lead), len(seen.path.heading), len(other.path.heading))
+    off = np.cos(seen.path.heading[:n] - other.path.heading[:n]) < 0.9
+    last = int(off.argmax()) - 1 if off.any() and not off[0] else len(lead) - 1
+    if lead[0] >= -0.5 * apart or not near[0] or lead[last] <= apart or not near[last]:
         return None
     return int(np.argmax(lead > apart))

@@ -15,7 +15,7 @@ AT_THE_START = ("distance", "visible", "not_visible")
 _THINGS_STAND = {
     "ahead", "left_lane", "right_lane", "oncoming_lane", "roadside", "sidewalk", "partly_in_lane", "intersection_exit",
 }  # fmt: skip
-_NO_PERSONS = {"beside", "parked", "on_ramp", "crossing_left", "crossing_right", "opposite_approach"}
+_NO_PERSONS = {"beside", "parked", "on_ramp", "crossing_left", "crossing_right", "opposite_approach", "circulating"}
 
 
 class Form(NamedTuple):

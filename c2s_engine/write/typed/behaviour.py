@@ -62,7 +62,7 @@ def _up_to_contact(phases: list[Phase]) -> list[Phase]:
 
 
 def _steps(course: Course) -> list[Step]:
-    phases = _phases(course.actor)
+    phases = phases_of(course.actor)
     done: list[Step] = []
     course.behind = _overtaken_later(course, phases)
     if not phases or phases[0].trigger is not None or implicit(course, phases[0]):
@@ -138,7 +138,7 @@ def _at_the_line(phases: list[Phase], red: bool) -> list[Phase]:
     return [stop, *phases[1:]]
 
 
-def _phases(actor: Actor) -> list[Phase]:
+def phases_of(actor: Actor) -> list[Phase]:
     """The phases, with what the place asks of ego (its red light, its stop sign) put first."""
     phases = list(actor.spec.phases)
     if actor.approach:

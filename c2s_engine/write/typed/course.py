@@ -6,12 +6,15 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import lateral, pockets, scope
+from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import outwards
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, is_static
 from c2s_engine.write.typed.usual import rides_beside, speed_of
 
+RIDER = 2.5
+"""m/s2 by which a cyclist's speed changes, where nothing says how."""
 GUARDED = 5.0
 """m/s2 at most, behind whom one overtakes later."""
 USUAL_GAP, USUAL_HEADWAY = 4.0, 1.5
@@ -81,6 +84,7 @@ class Course:
         goal = self._guarded(speed if speed is not None else self.cruise())
         guarded = goal.startswith("lambda: gain(")
         rate = max(rate or 0, GUARDED) if guarded else rate
+        rate = rate or (RIDER if self.actor.is_ego and self.actor.spec.type == "bicycle" else None)
         extra = f", rate={scope.number(rate)}" if rate else ""
         offset = offset or self.aside
         extra += f", offset={offset}" if offset else ""
@@ -200,6 +204,9 @@ def _aside(actor: Actor) -> str:
         return ""
     if squeezes := pockets.aside(actor.structure, actor.plan, actor.cid):
         return squeezes
+    ego = actor.structure.ego.spec
+    if isinstance(ego, EgoSpec) and (beside := offset(spec, ego, actor.plan.place)):
+        return scope.number(beside)
     if rides_beside(spec) and min(actor.plan.offsets) >= 0:
         return scope.number(-(HALF_LANE + outwards(spec)))
     if spec.placement.position != "partly_in_lane" or spec.type not in ("bicycle", "motorcycle"):

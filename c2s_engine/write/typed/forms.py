@@ -3,6 +3,7 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.write.typed.alongside import beside_ego
 from c2s_engine.write.typed.hiding import standing
 from c2s_engine.write.typed.lanes import pulls_out
 from c2s_engine.write.typed.passing import passing
@@ -31,9 +32,10 @@ AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
 
 def normal(structure: Structure) -> Structure:
     """S as the writer reads it."""
+    structure = own_ways(beside_ego(structure))
     place, ego = structure.place.spec, structure.ego.spec
     assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
-    turn, structure = _turn(place, ego), own_ways(structure)
+    turn = _turn(place, ego)
     for component in structure.objects:
         spec = component.spec
         if isinstance(spec, ObjectSpec) and spec.type in OBSTRUCTING and _in_the_way(component.id, structure):
@@ -45,10 +47,6 @@ def normal(structure: Structure) -> Structure:
         if _meets_turning(spec, place, turn):
             found = _placed(spec, position="opposite_approach", along=None, gap=None)
             place = place.model_copy(update={"oncoming": place.oncoming is not False or None})
-        elif turn == "right" and spec.type == "bicycle" and spec.placement.position == "right_lane":
-            behind = "behind" if spec.placement.along == "behind" else None
-            found = _placed(spec, position="partly_in_lane", side="right", along=behind)
-            place = place.model_copy(update={"ego_lane": "rightmost" if place.ego_lane else None})
         elif _leaves_side_road(spec, place, turn):
             found = spec.model_copy(update={"phases": _with_turn(spec.phases)})
         elif _passes_where_ego_comes_out(component.id, spec, ego):

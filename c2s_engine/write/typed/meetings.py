@@ -7,95 +7,180 @@ is steered in the run.
 from dataclasses import dataclass
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.quantity import high, middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec
-from c2s_engine.write.typed import scope
+from c2s_engine.structure.quantity import high, low, middle
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
+from c2s_engine.write.typed import behaviour, scope
+from c2s_engine.write.typed.alongside import offset
+from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.reactions import late_rate, reacting_phases
 from c2s_engine.write.typed.tables import LENGTH, WIDTH, is_static
-from c2s_engine.write.typed.threats import hits_ego, is_hit
-from c2s_engine.write.typed.usual import SETS_OUT, speed_of
+from c2s_engine.write.typed.threats import hits_ego, is_hit, threatening
+from c2s_engine.write.typed.usual import SETS_OUT, speed_of, turn_of
 
 TOGETHER = (-0.3, 0.3)
 """s between them at the spot where their ways cross, if neither reacts: they would collide."""
-CONTACT = (-0.15, 0.15)
-"""s, the same where they do collide: the one that is struck is struck in its side."""
-INTO_TURN = 3.0
-"""m by which ego is past the spot when it is struck in its turn: its front gets there long before."""
+CONTACT = (-0.05, 0.05)
+"""s, the same where they do collide, by the parts that touch."""
 APART = 1.5
-"""s between one leaving where their ways meet and the other's coming, where S says no conflict."""
+"""s between one leaving where their ways meet and the other's coming, where S says who goes first."""
+NARROWLY = 0.3
+"""s, the same where S says that neither reacts, and no contact."""
+DRAG = 1.0
+"""m/s2 at which the air and the wheels slow who brakes, besides."""
 STAYS = {"yield", "stop", "wait", "stationary"}
 """What one does that lets the moment at which it comes to the junction matter little."""
+STANDS_FOR = {"stop": 1.0, "wait": 3.0, "stationary": 3.0}
+"""s for which one stands where nothing says how long."""
 
 
 @dataclass(frozen=True)
 class Meeting:
     """`ahead`: s by which it is there before ego; `clear`: s between them, over 0 where it goes first (None: they
-    meet); `front`, `ego_front`: m by which the middle of the one that strikes is short of the other's path."""
+    meet); `parts`: those of it and of ego that touch (None: their middles are there together)."""
 
     ahead: tuple[float, float] = TOGETHER
     clear: float | None = None
-    front: float = 0.0
-    ego_front: float = 0.0
+    parts: tuple[str, str] | None = None
 
 
 def meeting(structure: Structure, cid: str, plan: Plan) -> Meeting | None:
-    """How an object on an approach meets ego; None: S leaves open when it comes, or says where it starts."""
+    """How an object meets ego where their ways cross; None: S leaves open when it comes, or says where it starts."""
     spec, ego = structure[cid].spec, structure.ego.spec
     assert isinstance(spec, ObjectSpec) and isinstance(ego, EgoSpec)
-    timed = plan.junction and plan.ego_speed > 0 and high(speed_of(spec, plan.place)) > 0
-    if not timed or is_static(spec) or spec.placement.gap is not None or cid in plan.set_out or cid in plan.pocketed:
+    if not plan.junction or high(speed_of(spec, plan.place)) <= 0 or is_static(spec):
         return None
-    if hits_ego(spec):
-        across = plan.place.manoeuvre == "left" and spec.placement.position == "opposite_approach"
-        past = -INTO_TURN if across else 0.0
-        return Meeting(CONTACT, front=LENGTH[spec.type] / 2 + WIDTH[ego.type] / 2, ego_front=past)
-    if is_hit(ego, cid):
-        return Meeting(CONTACT, ego_front=LENGTH[ego.type] / 2 + WIDTH[spec.type] / 2)
+    if spec.placement.gap is not None or cid in plan.set_out or cid in plan.pocketed:
+        return None
+    arrives = spec.placement.arrives
+    if hits_ego(spec) or is_hit(ego, cid):
+        return Meeting(CONTACT, parts=contact(structure, cid))
+    aside = offset(spec, ego, plan.place)
+    own = "side" if turn_of(spec.phases) == "STRAIGHT" else f"rear_{'right' if aside > 0 else 'left'}"
+    beside = (_part(own, spec), _part("front", ego)) if aside else None
+    if arrives is not None or beside:
+        return Meeting((0.0 - high(arrives), 0.0 - low(arrives)) if arrives is not None else TOGETHER, parts=beside)
     if STAYS & {p.action for p in spec.phases}:
         return None
-    if ego.reaction in ("brake", "yield") or {"yield", "brake", "stop"} & {p.action for p in ego.phases}:
+    if ego.reaction != "none" or {"yield", "brake", "stop"} & {p.action for p in ego.phases}:
         return Meeting()
-    return Meeting(clear=APART if plan.place.manoeuvre == "straight" else -APART)
+    return Meeting(clear=NARROWLY if plan.place.manoeuvre == "straight" else -NARROWLY)
 
 
-def start(structure: Structure, cid: str, plan: Plan, lane: str, line: str) -> list[str] | None:
-    """The constants that place somebody on an approach, the last of them the m from its start to the junction."""
-    found, prefix = meeting(structure, cid, plan), scope.constant(structure, cid)
-    if found is None:
+def contact(structure: Structure, cid: str) -> tuple[str, str]:
+    """The parts of an object and of ego that touch: as S says, else the front of the one that strikes and the other's
+    side."""
+    spec, ego = structure[cid].spec, structure.ego.spec
+    assert isinstance(spec, ObjectSpec) and isinstance(ego, EgoSpec)
+    by_it = hits_ego(spec)
+    phases = [p for p in (spec if by_it else ego).phases if p.action == "collide"]
+    phase = next(p for p in phases if p.target in (None, "ego", cid))
+    parts = [phase.part or "front", phase.target_part or "side"]
+    own, egos = parts if by_it else parts[::-1]
+    return _part(own, spec), _part(egos, ego)
+
+
+def _part(name: str, spec: EgoSpec | ObjectSpec) -> str:
+    return f"Part('{name}', {LENGTH[spec.type]}, {WIDTH[spec.type]})"
+
+
+def start(structure: Structure, cid: str, plan: Plan, lane: str, line: str, at: str = "") -> list[str] | None:
+    """The constants that place somebody who meets ego, the last of them the m from its start to the junction, or `at`
+    where it starts on ego's lane."""
+    found, prefix, spec = meeting(structure, cid, plan), scope.constant(structure, cid), structure[cid].spec
+    egos = _egos_way(structure, plan)
+    if found is None or egos is None:
         return None
     if found.clear is None:
         name = f"{prefix}_AHEAD"
         first = f"{name} = {scope.quantity(found.ahead)}  # s before ego where their ways cross, if neither reacts"
-        how = f"ahead={name}"
+        how = f"ahead={name}{_parts(found.parts)}{_too_late(structure, cid)}"
     else:
         name = f"{prefix}_CLEAR"
         who = "it goes first" if found.clear > 0 else "ego goes first"
         first = f"{name} = {scope.number(found.clear)}  # s between them where their ways meet: {who}"
         how = f"clear={name}"
-    solved = f"{prefix}_TO_JUNCTION = start_to_meet("
-    ego = f"{way_of_ego(plan)}, EGO_AT, EGO_SPEED"
-    return [first, solved, f"    {lane}, {line}, {prefix}_SPEED,", f"    {ego}, {how}{_fronts(found)})  # m"]
+    solved = f"{at} = place.length - start_to_meet(" if at else f"{prefix}_TO_JUNCTION = start_to_meet("
+    own = _slower(list(spec.phases)) if at else ""  # type: ignore[union-attr]
+    slows = f", slows={own}" if own else ""
+    last = f"    {egos[0]}, {how}{egos[1]}{slows}{_moved(structure, cid, plan)})  # m"
+    return [first, solved, f"    {lane}, {line}, {prefix}_SPEED,", last]
 
 
 def sets_out(structure: Structure, cid: str, plan: Plan, lane: str, line: str) -> list[str]:
     """The constant that says how far ego is from the junction when one that stands at its line sets out."""
-    spec, ego, prefix = structure[cid].spec, structure.ego.spec, scope.constant(structure, cid)
-    assert isinstance(spec, ObjectSpec) and isinstance(ego, EgoSpec)
+    spec, prefix = structure[cid].spec, scope.constant(structure, cid)
+    assert isinstance(spec, ObjectSpec)
     own = middle(speed_of(spec, plan.place))
     speed = f"{prefix}_SPEED" if own > 0 else scope.number(SETS_OUT)
-    strikes = Meeting(front=LENGTH[spec.type] / 2 + WIDTH[ego.type] / 2)
-    struck = Meeting(ego_front=LENGTH[ego.type] / 2 + WIDTH[spec.type] / 2)
-    fronts = _fronts(strikes if hits_ego(spec) else struck)
     return [
         f"{prefix}_SETS_OUT = setting_out_to_meet(",
         f"    {lane}, {line}, {scope.number(1 + LENGTH[spec.type] / 2)}, {speed},",
-        f"    place.lane, {way_of_ego(plan)}, EGO_SPEED{fronts})  # m from ego to the junction",
+        f"    place.lane, {way_of_ego(plan)}, EGO_SPEED{_parts(contact(structure, cid))})"
+        "  # m from ego to the junction",
     ]
 
 
-def _fronts(found: Meeting) -> str:
-    own = f", front={scope.number(found.front)}" if found.front else ""
-    return own + (f", other_front={scope.number(found.ego_front)}" if found.ego_front else "")
+def _parts(parts: tuple[str, str] | None) -> str:
+    """The parts that touch, as arguments."""
+    return f",\n    strikes={parts[0]}, struck={parts[1]}" if parts else ""
+
+
+def _moved(structure: Structure, cid: str, plan: Plan) -> str:
+    """How far beside ego's way one drives, as an argument."""
+    spec, ego = structure[cid].spec, structure.ego.spec
+    assert isinstance(spec, ObjectSpec) and isinstance(ego, EgoSpec)
+    aside = offset(spec, ego, plan.place)
+    return f", moved={scope.number(aside)}" if aside else ""
+
+
+def _too_late(structure: Structure, cid: str) -> str:
+    """How ego brakes for whom it touches, as an argument."""
+    spec, ego = structure[cid].spec, structure.ego.spec
+    assert isinstance(spec, ObjectSpec) and isinstance(ego, EgoSpec)
+    brakes = (hits_ego(spec) or is_hit(ego, cid)) and ego.reaction == "brake"
+    return f", late={scope.number(late_rate(ego.hard) + DRAG)}" if brakes else ""
+
+
+def _egos_way(structure: Structure, plan: Plan) -> tuple[str, str] | None:
+    """How ego drives to where ways cross, as arguments: its way, start and speed, then where it stands or is slower on
+    it; None where that is not known before the run."""
+    ego = structure.ego.spec
+    assert isinstance(ego, EgoSpec)
+    own = ego.model_copy(update={"phases": reacting_phases(ego, threatening(structure), structure, plan)})
+    phases = behaviour.phases_of(Actor("E", own, structure, plan, "", 0, "EGO_SPEED", plan.ego_speed))
+    speed, more = "EGO_SPEED", ""
+    standing = next((i for i, p in enumerate(phases) if p.action in STANDS_FOR), len(phases))
+    if standing < len(phases) and not (standing and plan.ego_speed <= 0):
+        held = _stands_for(phases[standing:])
+        if held is None:
+            return None
+        at_line = f"stop_line(place.lane) - {scope.number(1 + LENGTH[ego.type] / 2)}"
+        more = f", stop={at_line if plan.ego_speed > 0 else 'EGO_AT'}, held={scope.number(held)}"
+    elif plan.ego_speed > 0 and (slower := _slower(phases)):
+        more = f", slow={slower}"
+    if plan.ego_speed <= 0:
+        speed = scope.number(next((middle(p.speed) for p in phases if p.speed), SETS_OUT))
+    return f"{way_of_ego(plan)}, EGO_AT, {speed}", more
+
+
+def _stands_for(phases: list[Phase]) -> float | None:
+    """How long one stands (s) that begins so; None where that is not known before the run."""
+    held = 0.0
+    for phase in phases:
+        if phase.action not in STANDS_FOR:
+            known = phase.trigger is None and phase.action != "yield"
+            return held if known else None
+        held += middle(phase.duration) if phase.duration is not None else STANDS_FOR[phase.action]
+    return None
+
+
+def _slower(phases: list[Phase]) -> str:
+    """From where one on ego's lane is slower before the junction, and how fast, where it says so; "": nowhere."""
+    phase = next((p for p in phases if p.action == "brake" and p.speed is not None), None)
+    if phase is None or phase.trigger is None or phase.trigger.kind != "place":
+        return ""
+    return f"(place.length - {scope.number(middle(phase.trigger.value or 0) + 4)}, {scope.quantity(phase.speed)})"
 
 
 BEARING = {"left": "90 deg", "right": "-90 deg", "u_turn": "180 deg"}

@@ -37,6 +37,8 @@ def call(plan: Plan) -> Call:
         more["arms_within"] = "math.inf"
     if plan.parked and spec.kind in ("road", "straight", "curve") and spec.shoulder is None:
         more["shoulder"] = "'preferred'"
+    if plan.also and spec.kind == "intersection":
+        more["also"] = f"[{', '.join(plan.also)}]"
     if plan.across and spec.kind in JUNCTION | RAMP:
         more["across"] = "True"
     return place_call(

@@ -4,13 +4,14 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed import ahead, meetings, pockets, scope, stations
+from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.beside import behind_junction, beside_road, by_door
 from c2s_engine.write.typed.hiding import aside, hidden
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.pockets import pocket_name
 from c2s_engine.write.typed.spot import Spot, measured, member, position_constant
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_NAME, LENGTH, WORKS, is_vehicle, is_walker
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME, LENGTH, WORKS, is_vehicle, is_walker
 from c2s_engine.write.typed.usual import right_behind, speed_of, turn_of
 
 
@@ -96,17 +97,20 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
     at = position_constant(structure, cid)
     if sign == 0:
         gap = spec.placement.gap
-        line = f"{at} = {position_constant(structure, spec.placement.of)}" + (
+        lines = [f"{at} = {position_constant(structure, spec.placement.of)}" + (
             f" + {scope.quantity(gap)}" if gap else ""
-        )
+        )]  # fmt: skip
     else:
-        line = measured(structure, cid, spec, plan, sign)
+        lines = [measured(structure, cid, spec, plan, sign)]
+    if way_beside := offset(spec, structure.ego.spec, plan.place):
+        turn = f"way({lane}, {turn_of(spec.phases)})"
+        lines = meetings.start(structure, cid, plan, lane, turn, at) or lines
     reached = member(spec, at, sign or 1)
     if plan.place.kind == "on_ramp" and k > 0:  # the lanes meet at their ends
         reached = f"min(-1, {reached} - place.lane.centerline.length)"
     point = f"{lane}.centerline.pointAlongBy({reached})"
     specifiers: tuple[str, ...] = (f"at {point}",)
-    if side := aside(structure, cid, plan):
+    if side := way_beside or aside(structure, cid, plan):
         specifiers = (
             f"at (new OrientedPoint at {point}, facing roadDirection) offset by {scope.number(-side)} @ 0",
             "with regionContainedIn everywhere",
@@ -120,7 +124,7 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
     if spec.placement.facing == "against":
         specifiers += ("facing 180 deg relative to roadDirection",)
         way = f"way({lane})[::-1]"
-    return Spot((line,), specifiers, way, lane=k if spec.placement.facing != "against" else None)
+    return Spot(tuple(lines), specifiers, way, lane=k if spec.placement.facing != "against" else None)
 
 
 def turn_given(spec: ObjectSpec) -> bool:
@@ -157,6 +161,8 @@ def _way_over(plan: Plan, lane: str, turn: str) -> str:
     """The way from an approach over the junction; into a roundabout one turns right, and leaves it by its bearing."""
     if plan.place.kind != "roundabout":
         return f"way({lane})" if turn == "STRAIGHT" else f"way({lane}, {turn})"
+    if lane == APPROACH_NAME["circulating"]:  # past ego's entry, and on in the ring
+        return f"way({lane}, LEFT_TURN, 90 deg)"
     bearing = {"LEFT_TURN": ", 90 deg", "RIGHT_TURN": ", -90 deg"}.get(turn, "")
     return f"way({lane}, RIGHT_TURN{bearing})"
 

@@ -31,6 +31,7 @@ class Plan:
     lane_of: dict[str, int | None] = field(default_factory=dict)  # object id -> lane offset at the start
     set_out: frozenset[str] = frozenset()  # who stand before the junction and set out into a collision with ego
     parked: bool = False  # whether somebody is: on a road with a parking lane or shoulder, where the map has one
+    also: tuple[str, ...] = ()  # manoeuvre types by which others leave ego's lane
     across: bool = False  # whether ego may start on the other side of another junction, where roads are short
     leads: dict[str, tuple[str, ...]] = field(default_factory=dict)  # object id -> who is ahead of it in its lane
 

@@ -9,7 +9,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import references
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
-from c2s_engine.write.typed import contradictions, lanes, layout
+from c2s_engine.write.typed import alongside, contradictions, lanes, layout
 from c2s_engine.write.typed import room as rooms
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.plan import Plan
@@ -82,6 +82,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         set_out=set_out,
         leads=lanes.leads(ego, objects, lane_of, speed, place),
         parked=any(o.placement.position == "parked" for o in objects.values()),
+        also=alongside.other_ways(structure, place),
         across=room < rooms.SHORTEST,
     )
     return _with_room(structure, plan)
@@ -164,6 +165,8 @@ def _place_kind(place: PlaceSpec, ego: EgoSpec, objects: dict[str, ObjectSpec]) 
     crossing = positions & (APPROACH_ANGLE.keys() | {"intersection_exit"})
     if (place.kind == "road" and wants) or (crossing and place.kind in ("straight", "curve", "crosswalk")):
         place = place.model_copy(update={"kind": "intersection"})
+    if "circulating" in positions:
+        place = place.model_copy(update={"kind": "roundabout", "arms": None})
     if "on_ramp" in positions and place.kind in ("road", "straight"):
         place = place.model_copy(update={"kind": "motorway"})
     if place.kind == "intersection" and place.control is None:  # who passes a light or a sign has one

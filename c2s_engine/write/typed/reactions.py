@@ -3,10 +3,11 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, is_static
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static
 from c2s_engine.write.typed.threats import (
     every,
     every_passed,
@@ -25,6 +26,10 @@ HARD = "lambda: max(4.5, min(9, 1.1 * {force}))"
 """m/s2: how hard drivers brake for who forces them to: a little more than it takes."""
 STOOD = "self.speed < 0.2 and {force} <= {limit}"
 """What ends the braking of one that is to come to a stand: the need of it must be over, too."""
+CAREFUL = 1.5
+"""m/s2 that it takes by then, where ego has just set out from where it stopped."""
+EMERGENCY = 7
+"""m/s2 that it takes by then, where ego brakes in an emergency for who comes by another road."""
 STILL = 3
 """m/s at which ego still is when it reaches whom it brakes for too late."""
 
@@ -48,23 +53,41 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
         return _too_late(actor, statements, cids, hit, spec.hard)
     cids = [c for c in cids if c not in strikers]
     threats = [every(actor.structure, spec.react_to)] if spec.react_to else once_seen(actor.structure, cids)
-    limit, rate = (4, HARD) if spec.hard else (3, SOFT)
     forced = {p.action for p in spec.phases if p.trigger is None}
+    limit, rate = (4, HARD) if spec.hard else (3, SOFT)
+    if spec.hard and spec.react_to and _position(actor.structure, spec.react_to) in APPROACH_ANGLE:
+        limit = EMERGENCY  # others on their way are seen long before they can be seen to come on
+    elif "stop" in forced and any(_position(actor.structure, c) in APPROACH_ANGLE for c in cids):
+        limit = CAREFUL
+    ring = [c for c in cids if _position(actor.structure, c) == "circulating"]
+    behind = "".join(f" and gap(self, {every(actor.structure, c)}) > self.speed" for c in ring)
     if "swerve" in forced:  # it gets past first
         return _around(statements, threats, 8, HARD)
     if "lane_change" in forced:
         return _around(statements, threats, 5, HARD, 2)
     on_foot = [c for c in threats_on_foot(actor.structure) if spec.react_to in (None, c)]
-    stands = is_stopped(spec)
+    stands = is_stopped(spec) or _ends_standing(actor.structure)
     stops_for = {p.target for p in spec.phases if p.action == "stop"}
     if not on_foot:
-        return _around(statements, threats, limit, rate, stands=stands)
+        return _around(statements, threats, limit, rate, stands=stands, behind=behind)
     others = [] if spec.react_to else once_seen(actor.structure, [c for c in cids if c not in on_foot])
     before_them = stands and not stops_for.isdisjoint({None, *on_foot})
     return [
         *_around(statements, others, limit, rate, stands=stands),
         *_stop_for(actor, on_foot, spec.hard, before_them),
     ]
+
+
+def _position(structure: Structure, cid: str) -> str:
+    """Where an object starts; "": it is not there."""
+    spec = structure[cid].spec if cid in structure else None
+    return spec.placement.position if isinstance(spec, ObjectSpec) else ""
+
+
+def _ends_standing(structure: Structure) -> bool:
+    """Whether the run ends as ego stands."""
+    ends = getattr(structure.restrictions.spec, "terminate_when", ())
+    return any(c.kind == "stopped" and c.subject == "ego" for c in ends)
 
 
 def _stands(structure: Structure, cid: str | None) -> bool:
@@ -75,7 +98,7 @@ def _stands(structure: Structure, cid: str | None) -> bool:
 
 def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str | None], hard: bool) -> list[str]:
     """Ego's way with braking that does not keep it from whom it hits, or who hits it."""
-    s, rate = actor.structure, "4.5" if hard else "2.5"
+    s, rate = actor.structure, scope.number(late_rate(hard))
     strikers = _strikers(s, cids)
     met = [c for c in cids if c in hit or None in hit or c in strikers]
     others = [c for c in cids if c not in met]
@@ -87,12 +110,23 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     movers = [c for c in met if not (_beside(s, c) and _stands(s, c))]
     for c in movers:
         one = scope.reference(s, c)
-        aside = f"Drive(line, {STILL}, rate={rate}) until need(self, {one}) <= 0"  # who comes from beside the road
-        lines += [
-            f"interrupt when need(self, {one}) > {9 if _beside(s, c) else 6}:",
-            f"    do {aside if _beside(s, c) else f'Ram({one}, 0, {rate})'}",
-        ]
+        need = f"need(self, {one})"
+        when, until = f"{need} > 6", f"{need} <= 0"
+        if _crosses(s, c):
+            when, until = f"in_way(line, {one})", f"not in_way(line, {one})"
+        lines += [f"interrupt when {when}:", f"    do Drive(line, {STILL}, rate={rate}) until {until}"]
     return lines if others or movers else statements
+
+
+def late_rate(hard: bool) -> float:
+    """m/s2 at which ego brakes too late."""
+    return 4.5 if hard else 2.5
+
+
+def _crosses(structure: Structure, cid: str) -> bool:
+    """Whether an object comes into ego's way from the side: from another road, or from beside its own."""
+    spec = structure[cid].spec
+    return isinstance(spec, ObjectSpec) and spec.placement.position in {*MOVES_OFF_ROAD, *APPROACH_ANGLE}
 
 
 def _strikers(structure: Structure, cids: list[str]) -> list[str]:
@@ -140,7 +174,8 @@ def heeding(actor: Actor, statements: list[str]) -> list[str]:
     hit = isinstance(ego, EgoSpec) and is_hit(ego, actor.cid)
     leads = [c for c in actor.plan.leads.get(actor.cid, ()) if not _gets_past(actor, c) and not (hit and c == "ego")]
     heeded = [*(every(actor.structure, cid) for cid in leads), *_row(actor)]
-    if not heeded or actor.value <= 0 or any(p.action == "collide" for p in actor.spec.phases):
+    beside = isinstance(ego, EgoSpec) and offset(actor.spec, ego, actor.plan.place)  # type: ignore[arg-type]
+    if not heeded or beside or actor.value <= 0 or any(p.action == "collide" for p in actor.spec.phases):
         return statements
     return _around(statements, heeded, 3, SOFT)
 
@@ -185,9 +220,11 @@ def _around(
     release: float = 0,
     when: str = "",
     stands: bool = False,
+    behind: str = "",
 ) -> list[str]:
     """The statements, interrupted by braking at `rate` when the need (m/s2) for one of the threats is over `limit`,
-    until it is no more than `release`, or to a stand; `when`: a condition of that, with its `and`."""
+    until it is no more than `release`, or to a stand; `when`: a condition of that, with its `and`; `behind`: another
+    one, of its end."""
     head, rest = statements[:1], statements[1:]
     if not threats:
         return [*head, "try:", *(f"    {s}" for s in rest)]
@@ -198,7 +235,7 @@ def _around(
         "try:",
         *(f"    {s}" for s in rest),
         f"interrupt when {when}{force} > {scope.number(limit)}:",
-        f"    do Drive(line, 0, rate={rate.format(force=force)}) until {over}",
+        f"    do Drive(line, 0, rate={rate.format(force=force)}) until {over}{behind}",
     ]
 
 

@@ -134,6 +134,8 @@ def _to_overtake(cid: str, o: ObjectSpec, ego: EgoSpec, ego_speed: float, place:
     by_ego = o.placement.position == "ahead" and _overtakes(ego.phases, (cid,))
     lane = o.placement.position in ("behind", "left_lane", "right_lane")
     by_it = lane and "behind" in (o.placement.position, o.placement.along) and _overtakes(o.phases, (None, "ego"))
+    beside = o.placement.position == "partly_in_lane" and o.placement.along == "behind" and not is_static(o)
+    by_it = by_it or beside and middle(speed_of(o, place)) > ego_speed + 2
     if ego_speed <= 0 or not (by_ego or by_it):
         return 0
     gap = middle(o.placement.gap) if o.placement.gap is not None else default_gap(o, ego_speed, place)

@@ -64,7 +64,11 @@ def _over_junction(c: Course, p: Phase) -> list[Step]:
     goal = c.set(c.wanted(p, _moving(c)))  # who stood at the line moves off
     if not (c.actor.plan.junction and (c.actor.is_ego or c.actor.approach or c.lane is not None)):
         return [([c.drive(goal)], ending(p, ""))]
-    return [([c.drive(goal)], "until self._intersection"), ([c.drive(goal)], "until not self._intersection")]
+    over = [([c.drive(goal)], "until self._intersection"), ([c.drive(goal)], "until not self._intersection")]
+    if not c.aside or p.action == "go_straight":
+        return over
+    c.aside = ""  # it turned from beside another
+    return [*over, ([c.drive(goal)], "")]
 
 
 def _stationary(c: Course, p: Phase) -> list[Step]:
@@ -90,6 +94,7 @@ def _brake(c: Course, p: Phase) -> list[Step]:
     )  # who slams the brakes on comes to a stand
     goal = c.wanted(p, 0.0 if full else c.value / 2)
     c.set(goal)
+    c.value = goal or c.value
     drive = c.drive(scope.number(goal), rate)
     return [([drive], ending(p, f"until self.speed < {scope.number(goal + 0.5)}"))]
 

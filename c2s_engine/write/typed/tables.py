@@ -36,8 +36,8 @@ JUNCTION = {"intersection", "roundabout"}
 RAMP = {"on_ramp", "off_ramp"}
 HALF_LANE = 1.7
 """m from the middle of a lane within which one is in it."""
-APPROACH_ANGLE = {"crossing_left": -90, "crossing_right": 90, "opposite_approach": 180}
-SIDE = {"crossing_left": "left", "crossing_right": "right", "opposite_approach": "opposite"}
+APPROACH_ANGLE = {"crossing_left": -90, "crossing_right": 90, "opposite_approach": 180, "circulating": -90}
+SIDE = {"crossing_left": "left", "crossing_right": "right", "opposite_approach": "opposite", "circulating": "ring"}
 APPROACH_NAME = {position: f"place.from_{side}" for position, side in SIDE.items()}
 LANE_NAME = {
     -2: "place.far_right_lane", -1: "place.right_lane", 0: "place.lane", 1: "place.left_lane", 2: "place.far_left_lane",

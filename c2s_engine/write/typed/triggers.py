@@ -150,7 +150,7 @@ def _before_junction(course: Course, value: float, phase: Phase) -> str:
     if lane is None:
         return "for 4 seconds"
     room = value + 4
-    if phase.action in ("stop", "yield", "wait", "brake") and value < 12:
+    if phase.action in ("stop", "yield", "wait", "brake") and value < 12 and not phase.speed:
         hard = phase.action == "stop" and getattr(course.actor.spec, "hard", False)
         rate = middle(phase.rate) if phase.rate else 6 if hard else 3
         return f"until to_line(self, {lane}) < {scope.number(value + 0.5)} + self.speed ** 2 / {scope.number(2 * rate)}"

@@ -58,7 +58,8 @@ def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[floa
             return first.speed
     kind = spec.type if spec.type in DEFAULT_SPEED else "car"
     usual = DEFAULT_SPEED[kind]
-    return usual[place.kind if place.kind in usual else "road"]
+    turns = isinstance(spec, ObjectSpec) and turn_of(spec.phases) != "STRAIGHT" and "turning" in usual
+    return usual["turning"] if turns else usual[place.kind if place.kind in usual else "road"]
 
 
 def pace_of(o: ObjectSpec) -> float | tuple[float, float]:

@@ -37,7 +37,7 @@ RUNNER_SPEED = 11  # m/s
 RUNNER_AHEAD = Range(-0.3, 0.3)  # s before ego where their ways cross, if neither reacts
 RUNNER_TO_JUNCTION = start_to_meet(
     place.from_right, way(place.from_right), RUNNER_SPEED,
-    way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=RUNNER_AHEAD)  # m
+    way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=RUNNER_AHEAD, stop=stop_line(place.lane) - 3.4, held=2)  # m
 
 behavior RunnerBehavior():
     line = way(place.from_right)

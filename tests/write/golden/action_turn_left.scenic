@@ -36,7 +36,7 @@ monitor TrafficLight():
 require monitor TrafficLight()
 
 ## O1
-TURNER_SPEED = 11  # m/s
+TURNER_SPEED = 8  # m/s
 TURNER_AHEAD = Range(-0.3, 0.3)  # s before ego where their ways cross, if neither reacts
 TURNER_TO_JUNCTION = start_to_meet(
     place.from_opposite, way(place.from_opposite, LEFT_TURN), TURNER_SPEED,

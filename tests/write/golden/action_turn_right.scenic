@@ -29,7 +29,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with behavior EgoBehavior()
 
 ## O1
-TURNER_SPEED = 11  # m/s
+TURNER_SPEED = 8  # m/s
 TURNER_AHEAD = Range(-0.3, 0.3)  # s before ego where their ways cross, if neither reacts
 TURNER_TO_JUNCTION = start_to_meet(
     place.from_left, way(place.from_left, RIGHT_TURN), TURNER_SPEED,

@@ -1,0 +1,84 @@
+"""Riders and vehicles side by side before a junction, of whom one turns across the other's way."""
+
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
+from c2s_engine.write.typed.tables import DEFAULT_SPEED, TURN, WIDTH, is_static, is_vehicle
+from c2s_engine.write.typed.usual import turn_of
+
+RIDERS = {"bicycle", "motorcycle"}
+BESIDE = {"beside", "left_lane", "right_lane", "behind", "roadside", "partly_in_lane"}
+LATERAL = 1.0
+"""m between the two across the road, where nothing says how far."""
+SLOWER = 0.85
+"""How fast ego comes up to its turn with a rider beside it, of that one's speed, where nothing says how fast."""
+TURNS_AT = 4.5
+"""m/s to which one slows that turns across a rider's way, where nothing says how fast it turns."""
+OVERTAKES = 3.0
+"""m/s by which one is faster than the rider that it gets past before its turn."""
+
+
+def offset(spec: ObjectSpec, ego: EgoSpec, place: PlaceSpec) -> float:
+    """m to the left of ego's way at which one rides or drives beside it up to a turn of one of the two across the
+    other's way; 0: it does not."""
+    at, own, egos = spec.placement, turn_of(spec.phases), {"left": "LEFT_TURN", "right": "RIGHT_TURN"}
+    if place.kind not in ("road", "intersection") or at.of != "ego" or at.position not in BESIDE or is_static(spec):
+        return 0.0
+    if not is_vehicle(spec.type) or not RIDERS & {spec.type, ego.type} or at.facing == "against":
+        return 0.0
+    turn = next((p.action for p in ego.phases if p.action in ("turn_left", "turn_right")), None)
+    ego_turn = egos.get(place.manoeuvre or (turn or "").removeprefix("turn_"), "STRAIGHT")
+    side = {"RIGHT_TURN": -1, "LEFT_TURN": 1}.get(ego_turn, 0) if own == "STRAIGHT" else 0
+    if ego_turn == "STRAIGHT":
+        side = {"RIGHT_TURN": 1, "LEFT_TURN": -1}.get(own, 0)
+    said = {"left_lane": 1, "right_lane": -1}.get(at.position, {"left": 1, "right": -1}.get(str(at.side), side))
+    if not side or said != side:
+        return 0.0
+    lateral = middle(at.lateral) if at.lateral is not None else LATERAL
+    return round(side * ((WIDTH[spec.type] + WIDTH[ego.type]) / 2 + lateral), 2)
+
+
+def beside_ego(structure: Structure) -> Structure:
+    """S where those who come up beside ego to a turn of one of the two are in ego's lane or at its edge, as fast as it
+    takes to be there together."""
+    place, ego = structure.place.spec, structure.ego.spec
+    assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
+    for component in structure.objects:
+        spec = component.spec
+        if not isinstance(spec, ObjectSpec) or not (aside := offset(spec, ego, place)):
+            continue
+        if spec.placement.position in ("left_lane", "right_lane") and ego.type in RIDERS:  # room to get past
+            room = {"lanes": max(place.lanes or 1, 2), "ego_lane": place.ego_lane or "rightmost"}
+            place = place.model_copy(update=room)
+            structure = structure.with_component(structure.place.model_copy(update={"spec": place}))
+        structure = structure.with_component(_placed(component, spec, ego, aside))
+        if ego.speed is None and spec.type in RIDERS:
+            rides = middle(spec.speed) if spec.speed is not None else DEFAULT_SPEED[spec.type]["road"]
+            ego = ego.model_copy(update={"speed": round(SLOWER * rides, 1)})
+            structure = structure.with_component(structure.ego.model_copy(update={"spec": ego}))
+    return structure
+
+
+def _placed(component: Component, spec: ObjectSpec, ego: EgoSpec, aside: float) -> Component:
+    passes = any(p.action == "overtake" for p in spec.phases)
+    where = {"position": "partly_in_lane", "side": "left" if aside > 0 else "right", "along": "behind", "gap": None}
+    changes: dict[str, object] = {"placement": spec.placement.model_copy(update=where)}
+    phases = tuple(p for p in spec.phases if p.action not in ("overtake", "keep_lane", "follow"))
+    goes = () if any(p.action in TURN for p in phases) else (Phase(action="go_straight"),)
+    if spec.speed is None and passes and ego.speed is not None:
+        changes["speed"] = round(middle(ego.speed) + OVERTAKES, 1)
+    own = middle(changes.get("speed") or spec.speed or 0.0)  # type: ignore[arg-type]
+    if own > TURNS_AT and turn_of(phases) != "STRAIGHT" and all(p.speed is None for p in phases):
+        at = Trigger(kind="place", place="intersection", value=round((own**2 - TURNS_AT**2) / 6, 1))
+        phases = tuple(p.model_copy(update={"speed": TURNS_AT}) if p.action in TURN else p for p in phases)
+        phases = (Phase(action="brake", speed=TURNS_AT, trigger=at), *phases)
+    changes["phases"] = (*phases, *goes)
+    return component.model_copy(update={"spec": spec.model_copy(update=changes)})
+
+
+def other_ways(structure: Structure, place: PlaceSpec) -> tuple[str, ...]:
+    """The manoeuvre types, other than ego's, by which those beside ego leave its lane."""
+    ego = structure.ego.spec
+    assert isinstance(ego, EgoSpec)
+    specs = [c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)]
+    return tuple(sorted({turn_of(s.phases) for s in specs if offset(s, ego, place)}))

@@ -549,15 +549,6 @@ def lurk(car, other, speed):
         return max(speed, other.speed + 6)
     return max(0, min(1.3 * speed, other.speed + 0.5 * (place.y - car.length - 4)))
 
-def gain(car, other, speed):
-    """The speed (m/s), at most `speed`, at which `car` goes out and by `other`: slower as long as it is still behind it
-    and would reach it."""
-    place = (car.position - other.position).rotatedBy(-other.heading)
-    gap = -place.y - (car.length + other.length) / 2
-    if gap < -car.length or abs(place.x) > (car.width + other.width) / 2 + 0.5:
-        return speed
-    return min(speed, max(1.5, other.speed + math.sqrt(8 * max(gap - 1.5, 0))))
-
 def level(car, other, speed):
     """The speed (m/s), about `speed`, at which `car` comes level with `other`, which drives the same way."""
     ahead = lead_on(car, other)

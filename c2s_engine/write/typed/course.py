@@ -12,8 +12,6 @@ from c2s_engine.write.typed.stations import outwards
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, is_static
 from c2s_engine.write.typed.usual import rides_beside, speed_of
 
-GUARDED = 5.0
-"""m/s2 at most, behind whom one overtakes later."""
 HALF_LANE = 1.75
 """m from the lane's middle to its edge, on most maps."""
 EDGE = 1.6
@@ -77,8 +75,6 @@ class Course:
     ) -> str:
         """The `do Drive` at a speed (the one in force), rate (m/s2), offset (m to the left), shift (m/s)."""
         goal = self._guarded(speed if speed is not None else self.cruise())
-        guarded = goal.startswith("lambda: gain(")
-        rate = max(rate or 0, GUARDED) if guarded else rate
         extra = f", rate={scope.number(rate)}" if rate else ""
         offset = offset or self.aside
         extra += f", offset={offset}" if offset else ""
@@ -90,7 +86,7 @@ class Course:
         expression = goal.removeprefix("lambda: ")
         if not self.behind or goal == "0" or f"(self, {self.behind}, " in goal:
             return goal
-        return f"lambda: gain(self, {self.behind}, {expression})"
+        return f"lambda: pace(self, {self.behind}, {expression})"
 
     def cruise(self) -> str:
         """The speed in force, or the pace behind whom ego follows."""

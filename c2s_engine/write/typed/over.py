@@ -4,6 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_NAME, MOVES_OFF_ROAD, TURN, is_static
 from c2s_engine.write.typed.threats import IN_WAY, members
@@ -15,6 +16,8 @@ LASTING = {"keep_lane", "move_along", "follow", "stationary", "run_red", "run_st
 STANDS = {"stop", "wait"}
 SEEN = {"brake", "cut_in"}
 """What can be seen of another at any time after it was done."""
+BACK = 0.7
+"""m from the middle of its lane within which one is back in it."""
 Unknown = None
 """What stands for a phase of which nobody can tell while it runs that it is done."""
 
@@ -52,8 +55,9 @@ def _of_ego(structure: Structure, plan: Plan, ego: EgoSpec) -> list[str] | None:
     if last.action == "lane_change" and not plan.junction:
         return [f"ego._lane is not {LANE_NAME[0]}"]
     if last.action in ("overtake", "yield") and last.target and last.target in structure:
-        other = scope.reference(structure, str(last.target))
-        return [f"lead_on(ego, {other}) > 10" if last.action == "overtake" else f"passed({other}, ego, 0)", *onward]
+        if last.action == "overtake" and not last.abandoned:
+            return [*_back(structure, plan, "E", ego, str(last.target)), *onward]
+        return [f"passed({scope.reference(structure, str(last.target))}, ego, 0)", *onward]
     return Unknown
 
 
@@ -78,9 +82,28 @@ def _of_object(structure: Structure, plan: Plan, cid: str, o: ObjectSpec) -> lis
     if last.action in SEEN or last.action in ("lane_change", "cut_out") and plan.lane_of.get(cid) == 0:
         goal = middle(last.speed) if last.speed is not None and last.action == "brake" else None
         return [f"{one}.speed < {scope.number(goal + 0.7)}" if goal else observed(structure, one, cid, last.action)]
-    if last.action == "overtake" and last.target in (None, "ego"):
-        return [f"lead_on({one}, ego) > 8"]
+    if last.action == "overtake" and not last.abandoned:
+        return _back(structure, plan, cid, o, last.target or "ego")
     return Unknown
+
+
+def _back(structure: Structure, plan: Plan, cid: str, spec: EgoSpec | ObjectSpec, whom: str) -> list[str]:
+    """That one who overtakes is ahead of the other, and back in its lane where both were in one; who came towards ego
+    is met then."""
+    one, other = scope.reference(structure, cid), scope.reference(structure, whom)
+    found = [f"lead_on({one}, {other}) > 8"]
+    lane = LANE_NAME.get(plan.lane_of.get(cid, 0) if cid != "E" else 0)  # type: ignore[arg-type]
+    both = plan.lane_of.get(whom, 0) == plan.lane_of.get(cid, 0)
+    if comes := isinstance(spec, ObjectSpec) and _from_ahead(structure, cid):
+        lane, both = "place.oncoming_lane", True
+    if lane is not None and both and not plan.junction and not plan.turning:
+        found = [f"{found[0]} and {lane}.centerline.distanceTo({one}.position) < {scope.number(BACK)}"]
+    return [*found, *([f"lead_on({one}, ego) < -3"] if comes else [])]
+
+
+def _from_ahead(structure: Structure, cid: str) -> bool:
+    """Whether one comes towards ego on the other side of the road."""
+    return oncoming(structure[cid].spec, {c.id: c.spec for c in structure.objects})  # type: ignore[misc, arg-type]
 
 
 def _stops_behind(structure: Structure, plan: Plan, cid: str) -> bool:

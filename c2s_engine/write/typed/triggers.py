@@ -6,7 +6,7 @@ from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.collisions import hit_beside, hit_next
 from c2s_engine.write.typed.course import Actor, Course
-from c2s_engine.write.typed.overtakings import nearest
+from c2s_engine.write.typed.overtakings import pulls_out
 from c2s_engine.write.typed.tables import HALF_LANE, LENGTH, WORKS, is_static
 from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, standing, threatening
 from c2s_engine.write.typed.towards import before_standing, opposite_standing
@@ -73,7 +73,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         course.oncoming_both(phase) or course.lane is not None and course.same_lane(phase)
     ):
         if course.target_speed(phase) > 0:  # it may follow
-            return f"until (distance from self to {nearest(course, phase)}) < 10 + 1.6 * self.speed"
+            return pulls_out(course, phase)
         return _before(course, phase.target)
     stands = standing(a.structure, a.plan.lane_of) if a.is_ego and phase.action == "oncoming" else None
     if stands:

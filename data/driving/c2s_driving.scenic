@@ -19,7 +19,7 @@ import shapely.geometry
 
 from scenic.core.distributions import distributionFunction
 from scenic.core.vectors import Vector
-from scenic.domains.driving.actions import SetReverseAction, SetSpeedAction, SetSteerAction
+from scenic.domains.driving.actions import SetReverseAction, SetSpeedAction, SetSteerAction, SetVelocityAction
 from scenic.domains.driving.actions import SetWalkingDirectionAction, SetWalkingSpeedAction
 from scenic.domains.driving.model import network
 from scenic.domains.driving.roads import Lane, Maneuver, ManeuverType
@@ -299,7 +299,7 @@ SIDEWAYS = 3.5  # m/s2 at which drivers begin and end to move aside
 
 behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
     """Follow points at `speed` (m/s, or a function that gives it), changing it by at most `rate` (m/s2, likewise);
-    `offset` m to their left, moving there from where it is, as onto another lane, at up to `shift` m/s, gained at
+    `offset` m (likewise) to their left, moving there from where it is, as onto another lane, at up to `shift` m/s, gained at
     `SIDEWAYS`. Pure pursuit, slower in bends."""
     i, last = nearest(self, points), len(points) - 1
     left = (points[min(i + 1, last)] - points[min(i, last - 1)]).normalized().rotatedBy(90 deg)
@@ -309,7 +309,8 @@ behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
             i += 1
         goal = min(speed() if callable(speed) else speed, bend_speed(points, i), math.sqrt(12 * max(last - i - 4, 0)))
         gained = SIDEWAYS * simulation().timestep
-        aside += max(-gained, min(gained, max(-shift, min(shift, 2 * (offset - beside))) - aside))
+        wanted = offset() if callable(offset) else offset
+        aside += max(-gained, min(gained, max(-shift, min(shift, 2 * (wanted - beside))) - aside))
         beside += aside * simulation().timestep
         ahead = min(i + 2 + int(0.35 * self.speed), last)
         along = (points[ahead] - points[max(ahead - 1, 0)]).normalized()
@@ -318,6 +319,21 @@ behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
         step = (rate() if callable(rate) else rate) * simulation().timestep
         take (SetSpeedAction(max(0, self.speed + max(-step, min(step, goal - self.speed)))),
               SetSteerAction(max(-1, min(1, steer))))
+
+behavior Skid(points, aside, rate=5, turn=0.6):
+    """Slide as one does that has lost its grip, slowing down at `rate` (m/s2): askew, so as to come to a stand `aside` m
+    to the left of the points, turned by `turn` rad to that side. Nothing is steered back."""
+    metres, turned = self.speed ** 2 / (2 * rate), self.heading + math.copysign(turn, aside)
+    k = min(nearest(self, points) + max(1, int(metres / 2)), len(points) - 2)
+    end = points[k] + (points[k + 1] - points[k]).normalized().rotatedBy(90 deg) * aside
+    course, speed = (end - self.position).normalized(), self.speed
+    while speed > 0:
+        speed = max(0, speed - rate * simulation().timestep)
+        course = (end - self.position).normalized() if (distance from self to end) > 3 else course
+        off = math.remainder(turned - self.heading, 2 * math.pi)
+        take SetVelocityAction(course.x * speed, course.y * speed), SetSteerAction(max(-1, min(1, -2 * off)))
+    while True:
+        take SetSpeedAction(0), SetSteerAction(0)
 
 behavior TurnRound(speed=4):
     """Turn left on the spot until the car faces the way that it came from."""
@@ -410,6 +426,25 @@ def sets_out(self, car, points, speed, ahead, rate=math.inf):
         return simulation().currentTime * simulation().timestep > 1.5 and (distance from self to car) < 25
     return seconds_to(car, points, there) < time + ahead
 
+def way_round(car, points, others, side=0, room=0.8):
+    """How far (m) to the left of its points `car` gets past those of the others that are in its way, with `room` m
+    between: on the `side` (1 left, -1 right), or where that takes less; 0: nobody is."""
+    here, ways = along_line(points, car.position)[0], []
+    for other in others:
+        there = along_line(points, other.position)[0]
+        if not -other.length < there - here < 100:
+            continue
+        k = min(int(there / 2), len(points) - 2)
+        left = (points[k + 1] - points[k]).normalized().rotatedBy(90 deg)
+        aside, moves = (other.position - points[k]).dot(left), other.velocity.dot(left)
+        across = abs(math.sin(other.heading - math.atan2(left.y, left.x)))
+        half = (other.width * (1 - across) + other.length * across + car.width) / 2 + room
+        ways.append((aside + min(moves, 0) - half, aside + max(moves, 0) + half))
+    low, high = min([0, *[w[0] for w in ways]]), max([0, *[w[1] for w in ways]])
+    if not any(w[0] < 0 < w[1] for w in ways):
+        return 0
+    return (high if side > 0 else low) if side else min(low, high, key=abs)
+
 def to_far_side(self, points, heading):
     """How far (m) it is in a direction (rad), over the way of a car, its points, until a little off the road."""
     metres = along_line(points, self.position)[1]
@@ -460,14 +495,26 @@ def need(car, other):
 
 REACTION_TIME = 0.3  # s from when somebody comes into view to a reaction
 
+def noticed(car, others, overlooked):
+    """Those of the others whom `car` has not `overlooked` (a function of one) for `REACTION_TIME`."""
+    now = simulation().currentTime * simulation().timestep
+    car.unseen_at = getattr(car, 'unseen_at', {}) if now > 0 else {}
+    for other in others:
+        if overlooked(other):
+            car.unseen_at[id(other)] = now
+    return [other for other in others if now - car.unseen_at.get(id(other), -1) >= REACTION_TIME]
+
 def in_view(car, others, hiders):
     """Those of the others whom none of the hiders has hidden from `car` for `REACTION_TIME`."""
-    now = simulation().currentTime * simulation().timestep
-    car.hidden_at = getattr(car, 'hidden_at', {}) if now > 0 else {}
-    for other in others:
-        if any(hides(hider, car.position, other.position) for hider in hiders):
-            car.hidden_at[id(other)] = now
-    return [other for other in others if now - car.hidden_at.get(id(other), -1) >= REACTION_TIME]
+    return noticed(car, others, lambda other: any(hides(it, car.position, other.position) for it in hiders))
+
+def could_stop(car, rate=6):
+    """Whether a car can still come to a stand before the stop line of its lane, braking at `rate` (m/s2): nobody can
+    see yet that it will not."""
+    lane = car._lane
+    if lane is None or car._intersection or not any(m.intersection for m in lane.maneuvers):
+        return not car._intersection
+    return to_line(car, lane) > car.speed ** 2 / (2 * rate) - 1
 
 def hides(thing, eye, spot):
     """Whether the line of sight to a spot goes through a thing, seen from above."""
@@ -764,14 +811,15 @@ def exits(ego_on='exit', approach=0, exit=0, limit=None, across=False, **lanes):
         return _at_junctions([Place(s.lane, m) for m, s in inner if s], approach, exit, limit, lanes, across=across)
     return _at_junctions([Place(m.startLane, m) for m in found], approach, exit, limit, lanes, across=across)
 
-def lane_fits(lane, section, lanes=1, ego_lane=None, oncoming=None, shoulder=None, sidewalk=None):
-    """Whether ego's lane has so many `lanes` in its direction, is the 'leftmost', 'middle' or 'rightmost' of them, with
+def lane_fits(lane, section, lanes=None, ego_lane=None, oncoming=None, shoulder=None, sidewalk=None):
+    """Whether ego's lane has so many `lanes` in its direction or more (1: it is the only one), is the 'leftmost', 'middle' or 'rightmost' of them, with
     an `oncoming` lane that adjoins (no divider), a `shoulder` or parking lane, a `sidewalk` (False: without)."""
     group, left, right = lane.group, section._fasterLane, section._slowerLane
     place = {None: True, 'leftmost': not left, 'rightmost': not right, 'middle': left and right}
     def adjoins():
         return any(other.group is group._opposite for one in group.lanes for other in one.adjacentLanes)
-    return (len(group.lanes) >= lanes and place[ego_lane] and (oncoming is None or oncoming == adjoins())
+    fits = lanes is None or (len(group.lanes) == 1 if lanes == 1 else len(group.lanes) >= lanes)
+    return (fits and place[ego_lane] and (oncoming is None or oncoming == adjoins())
             and shoulder in (None, bool(group._shoulder)) and sidewalk in (None, bool(group._sidewalk)))
 
 def _along_roads(fits, length=0, least=0, limit=None, **lanes):
@@ -783,6 +831,8 @@ def _along_roads(fits, length=0, least=0, limit=None, **lanes):
         long = [place for place in long if place and (over is None or fits(place.lane))]
         if long:
             return _posted(long, limit)
+    if lanes.get('lanes') == 1:  # no road that long has only one
+        return _along_roads(fits, length, least, limit, **{**lanes, 'lanes': None})
     return []
 
 SHARES = [(1, None), (1, ROADS), (0.7, None), (0.7, ROADS), (0.45, None), (0.45, ROADS), (1, JUNCTIONS),
@@ -808,7 +858,7 @@ def _longer(place, metres, over, lanes, ahead=False, exit=0):
     if over is None:
         return place if place.length > metres and after >= exit else None
     across = over == JUNCTIONS
-    beside = [(other, ahead) for other in place.lane.group.lanes if lanes.get('lanes', 1) > 1 and other is not place.lane]
+    beside = [(other, ahead) for other in place.lane.group.lanes if (lanes.get('lanes') or 1) > 1 and other is not place.lane]
     if lanes.get('oncoming'):
         beside += [(o, not ahead) for o in place.lane.group.opposite.lanes if o.sections[0]._fasterLane is None]
     if exit > after and lengthened(place.turn.endLane, exit + 1, True).centerline.length < exit:

@@ -9,6 +9,8 @@ from c2s_engine.write.typed.usual import speed_of
 
 SPARE = {"ego": 1.5, "other": 2.0}
 """s after who overtakes is back in its lane, where nobody reacts: ego, or another."""
+MET = 1.5
+"""s after it would pull out at which ego meets one whom it lets by first."""
 ANSWERED = 1.2
 """s after one began to leave its lane by which the other begins to make way."""
 GONE_BY = 3.0
@@ -44,7 +46,7 @@ def facing(structure: Structure, place: PlaceSpec) -> Structure:
         if passed is not None:
             gap = _overtaken(ego, speed, passed)
         elif own is not None and narrow and not hit:
-            until = own.back + SPARE["ego"] if ego.reaction == "none" else own.abreast
+            until = own.back + SPARE["ego"] if ego.reaction == "none" else own.begins + MET
             gap = own.travelled(until) + _drives(spec, place) * until
         elif (meets := _out_until(ego, spec, hit)) is not None:
             gap = (speed + _drives(spec, place)) * meets

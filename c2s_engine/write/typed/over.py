@@ -7,7 +7,7 @@ from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_NAME, MOVES_OFF_ROAD, TURN, is_static
-from c2s_engine.write.typed.threats import IN_WAY, members
+from c2s_engine.write.typed.threats import IN_WAY, members, threatening
 from c2s_engine.write.typed.triggers import observed
 from c2s_engine.write.typed.usual import crosses
 
@@ -44,6 +44,8 @@ def _last(phases: tuple[Phase, ...]) -> Phase | None:
 
 def _of_ego(structure: Structure, plan: Plan, ego: EgoSpec) -> list[str] | None:
     last, light = _last(ego.phases), getattr(structure.settings.spec, "light", None)
+    if last is None and ego.reaction == "evade" and (others := threatening(structure)):
+        last = Phase(action="swerve", target=ego.react_to or others[0])
     onward = ["ego._lane is place.exit_lane"] if plan.place.kind == "intersection" else []
     held = light == "red" and plan.place.control == "signal"
     if last is None and held and not any(p.action in TURN for p in ego.phases):
@@ -54,6 +56,8 @@ def _of_ego(structure: Structure, plan: Plan, ego: EgoSpec) -> list[str] | None:
         return ["ego.speed < 0.3"]
     if last.action == "lane_change" and not plan.junction:
         return [f"ego._lane is not {LANE_NAME[0]}"]
+    if last.action == "swerve" and last.target and last.target in structure:
+        return _back(structure, plan, "E", ego, str(last.target))
     if last.action in ("overtake", "yield") and last.target and last.target in structure:
         if last.action == "overtake" and not last.abandoned:
             return [*_back(structure, plan, "E", ego, str(last.target)), *onward]

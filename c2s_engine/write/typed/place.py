@@ -35,6 +35,8 @@ def call(plan: Plan) -> Call:
         more = {"ego_on": "'beside'"}
     if spec.kind == "roundabout" and not _near(plan):
         more["arms_within"] = "math.inf"
+    if plan.single:
+        more["lanes"] = "1"
     if plan.across and spec.kind in JUNCTION | RAMP:
         more["across"] = "True"
     return place_call(

@@ -239,5 +239,5 @@ def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan
         moved = tuple(p.model_copy(update={"duration": p.duration or 2.5}) for p in spec.phases[:aside])
         return (*moved, yielding, *spec.phases[aside:])
     if spec.reaction == "evade" and others and not actions & {"lane_change", "swerve", "overtake", "oncoming"}:
-        return (*spec.phases, Phase(action="lane_change", side="left", target=spec.react_to))
+        return (*spec.phases, Phase(action="swerve", target=spec.react_to or threatening(structure)[0]))
     return spec.phases

@@ -19,7 +19,7 @@ from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
-from c2s_engine.structure.requirements import Requirement, Result
+from c2s_engine.structure.requirements import Requirement, Result, Value
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 
 THREATS = ("cut_in", "cross_road", "enter_road", "run_red", "run_stop", "oncoming", "reverse", "drift", "u_turn",
@@ -89,9 +89,10 @@ def required(scene: Scene) -> Iterator[Requirement]:
         yield scene.make("conflict", "threatens", actor, "threat", text, other=EGO, reaction=reacts)
         if reacts and scene.ego.reaction != "follow":
             others = tuple(a for a in scene.objects if a != actor)
+            beside: dict[str, Value] = {"others": others} if others else {}
             yield scene.make("reaction", "reacts", EGO, f"reaction.{actor}", f"Ego reacts to {name} once it can be "
                              "seen, in time, and not before.", other=actor, action=_onset_of(scene.objects[actor]),
-                             **({"others": others} if others else {}))  # fmt: skip
+                             **beside)  # type: ignore[arg-type]  # fmt: skip
 
 
 def _arriving(scene: Scene) -> Iterator[Requirement]:
@@ -301,6 +302,11 @@ def _onset(motion: Motion, action: str) -> float | None:
         moved = np.abs(aside - aside[0]) > limits["aside"]["value"]
     elif action in ("brake", "stop"):
         moved = motion.acceleration < -1.0
+    elif action in ("run_red", "run_stop"):  # when it can no longer stop at its line
+        front = motion.of_course("along") + motion.size[0] / 2
+        lines = [m.start for m in motion.course.marks if m.kind == "line"]
+        rest = min(((s - front) for s in lines if s > front[0]), key=lambda r: r[0], default=np.zeros(len(front)))
+        moved = rest < motion.speed**2 / (2 * limits["stopping"]["value"])
     elif action in ("cross_road", "enter_road", "reverse", "u_turn"):
         moved = (motion.speed > 0.3) if motion.speed[0] <= 0.3 else np.zeros(len(motion.speed), bool)
     elif action in ("run_red", "run_stop"):  # it can no longer stop as drivers do

@@ -26,6 +26,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
     before: dict[str, str] = {}
     for actor, i, phase in scene.phases():
         path, name = f"phases.{i}", scene.named(actor)
+        if phase.action == "overtake" and phase.abandoned:
+            continue  # c2s_engine/require/manoeuvres.py
         shows = shown_by(phase.action)
         if phase.action == "cross_road" and _broken_off(scene, actor, i):
             shows = ("enter_road", *shows)
@@ -111,7 +113,7 @@ def _awaited(scene: Scene) -> Iterator[Requirement]:
         ids.setdefault((actor, phase.action), f"{_cid(actor)}.phases.{i}.{phase.action}")
     for actor, i, phase in scene.phases():
         trigger = phase.trigger
-        if trigger is None or trigger.kind != "action" or trigger.of is None or trigger.action is None:
+        if trigger is None or trigger.kind != "action" or trigger.of is None or trigger.action in (None, "overtake"):
             continue
         if (first := ids.get((trigger.of, trigger.action))) is None:
             continue
@@ -152,6 +154,8 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
         ]  # fmt: skip
         if action == "enter_road" and not times and motion.contact is not None and motion.speed[0] < STANDING:
             times = [float(motion.time[k]) for k in np.flatnonzero(motion.speed > 1.0)[:1]]  # struck on its way onto it
+        if action == "swerve":
+            times = [_begun(motion, t) for t in times]
         if action in AT_JUNCTION and not times:
             times = _cut_short(motion, action)
         if action == "yield" and not times:
@@ -181,6 +185,13 @@ def _kept_from(motion: Motion, time: float) -> list[float]:
     at = motion.stay(time + 1.0)
     later = [s for s in motion.course.stays if s.time > time + 1.0]
     return [time] if at is not None and all(s.to_ego == at.to_ego for s in later) else []
+
+
+def _begun(motion: Motion, time: float) -> float:
+    """When it left its lane's middle by what it does at a time, where it is back."""
+    aside = np.abs(motion.of_course("aside"))[: motion.at(time) + 1]
+    near = np.flatnonzero(aside[: int(aside.argmax()) + 1] < bounds()["reaction"]["aside"]["value"])
+    return float(motion.time[near[-1]]) if len(near) else time
 
 
 def _cut_short(motion: Motion, action: str) -> list[float]:

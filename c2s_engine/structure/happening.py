@@ -7,7 +7,7 @@ WORDS = {
     "brake_hard": "brakes hard", "accelerate": "accelerates", "slow": "is slow", "follow": "follows",
     "approach": "comes nearer to", "lane_change": "changes lane", "lane_change_left": "changes lane to the left",
     "lane_change_right": "changes lane to the right", "cut_in": "cuts in ahead of", "cut_out": "cuts out ahead of",
-    "overtake": "overtakes", "swerve": "swerves", "drift": "drifts", "turn_left": "turns left",
+    "overtake": "overtakes", "swerve": "swerves", "skid": "skids", "drift": "drifts", "turn_left": "turns left",
     "turn_right": "turns right", "u_turn": "turns round", "go_straight": "goes straight on",
     "cross_path": "crosses the path of", "cross_road": "crosses the road ahead of",
     "walk_along": "walks along the road",

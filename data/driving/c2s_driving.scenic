@@ -19,7 +19,7 @@ import shapely.geometry
 
 from scenic.core.distributions import distributionFunction
 from scenic.core.vectors import Vector
-from scenic.domains.driving.actions import SetReverseAction, SetSpeedAction, SetSteerAction
+from scenic.domains.driving.actions import SetReverseAction, SetSpeedAction, SetSteerAction, SetVelocityAction
 from scenic.domains.driving.actions import SetWalkingDirectionAction, SetWalkingSpeedAction
 from scenic.domains.driving.model import network
 from scenic.domains.driving.roads import Lane, Maneuver, ManeuverType
@@ -460,8 +460,8 @@ SIDEWAYS = 3  # m/s2 at which drivers begin to move aside
 
 behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
     """Follow points at `speed` (m/s, or a function that gives it), changing it by `rate` (m/s2, likewise); `offset` m
-    to their left, moving there from where it is, as onto another lane, at `shift` m/s, gained at `SIDEWAYS`. Pure
-    pursuit, slower in bends."""
+    (likewise) to their left, moving there from where it is, as onto another lane, at `shift` m/s, gained at `SIDEWAYS`.
+    Pure pursuit, slower in bends."""
     i, last, held = nearest(self, points), len(points) - 1, self.speed
     left = (points[min(i + 1, last)] - points[min(i, last - 1)]).normalized().rotatedBy(90 deg)
     beside = max(-8, min(8, (self.position - points[i]).dot(left)))
@@ -471,7 +471,8 @@ behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
             i += 1
         goal = min(speed() if callable(speed) else speed, bend_speed(points, i), math.sqrt(12 * max(last - i - 4, 0)))
         gained = SIDEWAYS * simulation().timestep
-        aside += max(-gained, min(gained, max(-shift, min(shift, max(1.2, 0.6 * shift) * (offset - beside))) - aside))
+        wanted = offset() if callable(offset) else offset
+        aside += max(-gained, min(gained, max(-shift, min(shift, max(1.2, 0.6 * shift) * (wanted - beside))) - aside))
         beside += aside * simulation().timestep
         ahead = min(i + 2 + int(0.35 * self.speed), last)
         along = (points[ahead] - points[max(ahead - 1, 0)]).normalized()
@@ -488,6 +489,21 @@ behavior Cruise(points, speed):
     """Follow points at `speed` (m/s) from the first."""
     take SetSpeedAction(speed)
     do Drive(points, speed)
+
+behavior Skid(points, aside, rate=5, turn=0.6):
+    """Slide as one does that has lost its grip, slowing down at `rate` (m/s2): askew, so as to come to a stand `aside` m
+    to the left of the points, turned by `turn` rad to that side. Nothing is steered back."""
+    metres, turned = self.speed ** 2 / (2 * rate), self.heading + math.copysign(turn, aside)
+    k = min(nearest(self, points) + max(1, int(metres / 2)), len(points) - 2)
+    end = points[k] + (points[k + 1] - points[k]).normalized().rotatedBy(90 deg) * aside
+    course, speed = (end - self.position).normalized(), self.speed
+    while speed > 0:
+        speed = max(0, speed - rate * simulation().timestep)
+        course = (end - self.position).normalized() if (distance from self to end) > 3 else course
+        off = math.remainder(turned - self.heading, 2 * math.pi)
+        take SetVelocityAction(course.x * speed, course.y * speed), SetSteerAction(max(-1, min(1, -2 * off)))
+    while True:
+        take SetSpeedAction(0), SetSteerAction(0)
 
 behavior TurnRound(speed=4):
     """Turn left on the spot until the car faces the way that it came from."""
@@ -590,6 +606,25 @@ def pulls_out(self, car, points, rate, arrives):
     there += self.length / 2 + rate * time ** 2 / 2
     return seconds_to(car, points, there) < time - arrives + simulation().timestep / 2
 
+def way_round(car, points, others, side=0, room=0.8):
+    """How far (m) to the left of its points `car` gets past those of the others that are in its way, with `room` m
+    between: on the `side` (1 left, -1 right), or where that takes less; 0: nobody is."""
+    here, ways = along_line(points, car.position)[0], []
+    for other in others:
+        there = along_line(points, other.position)[0]
+        if not -other.length < there - here < 100:
+            continue
+        k = min(int(there / 2), len(points) - 2)
+        left = (points[k + 1] - points[k]).normalized().rotatedBy(90 deg)
+        aside, moves = (other.position - points[k]).dot(left), other.velocity.dot(left)
+        across = abs(math.sin(other.heading - math.atan2(left.y, left.x)))
+        half = (other.width * (1 - across) + other.length * across + car.width) / 2 + room
+        ways.append((aside + min(moves, 0) - half, aside + max(moves, 0) + half))
+    low, high = min([0, *[w[0] for w in ways]]), max([0, *[w[1] for w in ways]])
+    if not any(w[0] < 0 < w[1] for w in ways):
+        return 0
+    return (high if side > 0 else low) if side else min(low, high, key=abs)
+
 def to_far_side(self, points, heading):
     """How far (m) it is in a direction (rad), over the way of a car, its points, until a little off the road."""
     metres = along_line(points, self.position)[1]
@@ -617,14 +652,15 @@ monitor OnceSeen(conditions, held=1, seconds=1.5):
 # How one stands to another
 
 def need(car, other):
-    """The deceleration (m/s2) that keeps `car` from reaching `other`, if both go on as they do; 0: no conflict."""
+    """The deceleration (m/s2) that keeps `car` from reaching `other`, if both go on as they do; 0: no conflict, or one
+    that crosses can still stop at its line."""
     place = (other.position - car.position).rotatedBy(-car.heading)
     motion = other.velocity.rotatedBy(-car.heading)
     across = abs(math.sin(other.heading - car.heading))
     gap = place.y - (car.length + other.width * across + other.length * (1 - across)) / 2
     reach = (car.width + other.length * across + other.width * (1 - across)) / 2 + 0.8
     closing = car.speed - motion.y
-    if place.y <= 0:
+    if place.y <= 0 or across > 0.5 and getattr(other, 'isVehicle', False) and could_stop(other):
         return 0
     if gap < 8 and car.speed < 2 and motion.y < 1 and abs(place.x) < reach:
         return 9
@@ -645,14 +681,30 @@ def in_way(points, other, room=1):
 
 REACTION_TIME = 0.3  # s from when somebody comes into view to a reaction
 
+def noticed(car, others, overlooked):
+    """Those of the others whom `car` has not `overlooked` (a function of one) for `REACTION_TIME`."""
+    now = simulation().currentTime * simulation().timestep
+    car.unseen_at = getattr(car, 'unseen_at', {}) if now > 0 else {}
+    for other in others:
+        if overlooked(other):
+            car.unseen_at[id(other)] = now
+    return [other for other in others if now - car.unseen_at.get(id(other), -1) >= REACTION_TIME]
+
 def in_view(car, others, hiders):
     """Those of the others whom none of the hiders has hidden from `car` for `REACTION_TIME`."""
-    now = simulation().currentTime * simulation().timestep
-    car.hidden_at = getattr(car, 'hidden_at', {}) if now > 0 else {}
-    for other in others:
-        if any(hides(hider, car.position, other.position) for hider in hiders):
-            car.hidden_at[id(other)] = now
-    return [other for other in others if now - car.hidden_at.get(id(other), -1) >= REACTION_TIME]
+    return noticed(car, others, lambda other: any(hides(it, car.position, other.position) for it in hiders))
+
+def in_fog(car, others, sight):
+    """Those of the others who have been within sight (m) of `car` for `REACTION_TIME`."""
+    return noticed(car, others, lambda other: gap(car, other) > sight)
+
+def could_stop(car, rate=7):
+    """Whether a vehicle on its way to a junction can still come to a stand before its line, braking at `rate` (m/s2):
+    nobody can see yet that it will not."""
+    lane = car._lane
+    if lane is None or car._intersection or not any(m.intersection for m in lane.maneuvers):
+        return False
+    return to_line(car, lane) > car.speed ** 2 / (2 * rate)
 
 def hides(thing, eye, spot):
     """Whether the line of sight to a spot goes through a thing, seen from above."""
@@ -664,6 +716,11 @@ def hides(thing, eye, spot):
         first, last = sorted(((-half - begin) / step, (half - begin) / step))
         enters, leaves = max(enters, first), min(leaves, last)
     return enters < leaves
+
+def blocked(car, others, within=40):
+    """Whether one of the others stands in the way of `car`, at most so far (m) ahead."""
+    places = [(other, (other.position - car.position).rotatedBy(-car.heading)) for other in others if other.speed < 1]
+    return any(0 < place.y < within and abs(place.x) < (car.width + other.width) / 2 + 0.5 for other, place in places)
 
 def most_need(car, others):
     """The greatest `need` of all of them."""
@@ -744,15 +801,6 @@ def lurk(car, other, speed):
     if abs(place.x) < 2.6:
         return max(speed, other.speed + 6)
     return max(0, min(1.3 * speed, other.speed + 0.5 * (place.y - car.length - 4)))
-
-def gain(car, other, speed):
-    """The speed (m/s), at most `speed`, at which `car` goes out and by `other`: slower as long as it is still behind it
-    and would reach it."""
-    place = (car.position - other.position).rotatedBy(-other.heading)
-    gap = -place.y - (car.length + other.length) / 2
-    if gap < -car.length or abs(place.x) > (car.width + other.width) / 2 + 0.5:
-        return speed
-    return min(speed, max(1.5, other.speed + math.sqrt(8 * max(gap - 1.5, 0))))
 
 def level(car, other, speed):
     """The speed (m/s), about `speed`, at which `car` comes level with `other`, which drives the same way."""
@@ -975,15 +1023,16 @@ def exits(ego_on='exit', approach=0, exit=0, limit=None, across=False, **lanes):
         return _at_junctions([Place(s.lane, m) for m, s in inner if s], approach, exit, limit, lanes, across=across)
     return _at_junctions([Place(m.startLane, m) for m in found], approach, exit, limit, lanes, across=across)
 
-def lane_fits(lane, section, lanes=1, ego_lane=None, oncoming=None, shoulder=None, sidewalk=None):
-    """Whether ego's lane has so many `lanes` in its direction, is the 'leftmost', 'middle' or 'rightmost' of them, with
-    an `oncoming` lane that adjoins (no divider), a `shoulder` or parking lane, a `sidewalk` (False: without; along roads
-    `shoulder` may be 'preferred': where the map has such a place)."""
+def lane_fits(lane, section, lanes=None, ego_lane=None, oncoming=None, shoulder=None, sidewalk=None):
+    """Whether ego's lane has so many `lanes` in its direction or more (1: it is the only one), is the 'leftmost',
+    'middle' or 'rightmost' of them, with an `oncoming` lane that adjoins (no divider), a `shoulder` or parking lane, a
+    `sidewalk` (False: without; along roads `shoulder` may be 'preferred': where the map has such a place)."""
     group, left, right = lane.group, section._fasterLane, section._slowerLane
     place = {None: True, 'leftmost': not left, 'rightmost': not right, 'middle': left and right}
     def adjoins():
         return any(other.group is group._opposite for one in group.lanes for other in one.adjacentLanes)
-    return (len(group.lanes) >= lanes and place[ego_lane] and (oncoming is None or oncoming == adjoins())
+    fits = lanes is None or (len(group.lanes) == 1 if lanes == 1 else len(group.lanes) >= lanes)
+    return (fits and place[ego_lane] and (oncoming is None or oncoming == adjoins())
             and shoulder in (None, bool(group._shoulder)) and sidewalk in (None, bool(group._sidewalk)))
 
 def _along_roads(fits, length=0, least=0, limit=None, **lanes):
@@ -998,6 +1047,8 @@ def _along_roads(fits, length=0, least=0, limit=None, **lanes):
         long = [place for place in long if place and (over is None or fits(place.lane))]
         if long:
             return _posted(long, limit)
+    if lanes.get('lanes') == 1:  # no road that long has only one
+        return _along_roads(fits, length, least, limit, **{**lanes, 'lanes': None})
     return []
 
 SHARES = [(1, None), (1, ROADS), (0.7, None), (0.7, ROADS), (0.45, None), (0.45, ROADS), (1, JUNCTIONS),
@@ -1023,7 +1074,7 @@ def _longer(place, metres, over, lanes, ahead=False, exit=0):
     if over is None:
         return place if place.length > metres and after >= exit else None
     across = over == JUNCTIONS
-    beside = [(other, ahead) for other in place.lane.group.lanes if lanes.get('lanes', 1) > 1 and other is not place.lane]
+    beside = [(other, ahead) for other in place.lane.group.lanes if (lanes.get('lanes') or 1) > 1 and other is not place.lane]
     if lanes.get('oncoming'):
         beside += [(o, not ahead) for o in place.lane.group.opposite.lanes if o.sections[0]._fasterLane is None]
     if exit > after and lengthened(place.turn.endLane, exit + 1, True).centerline.length < exit:

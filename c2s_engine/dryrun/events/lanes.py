@@ -22,6 +22,7 @@ def lanes(seen: Seen, situation: Situation) -> Iterator[EventFact]:
     for name, step in (
         ("keep_lane", keep_lane(seen, situation)),
         ("swerve", swerve(seen)),
+        ("skid", skid(seen, situation)),
         ("drift", drift(seen, situation)),
         ("oncoming_intrusion", oncoming_intrusion(seen, situation)),
     ):
@@ -105,6 +106,14 @@ def swerve(seen: Seen) -> int | None:
         elif been and value > limits.aside:
             out = True
     return None
+
+
+def skid(seen: Seen, situation: Situation) -> int | None:
+    """The step from which it slides at an angle to its heading."""
+    limits = definitions()["skid"]
+    turn = np.abs(wrap(np.arctan2(-seen.vx, seen.vy) - seen.heading[: len(seen.vx)]))
+    slides = (turn > np.radians(limits.turn)) & (turn < np.pi / 2) & (seen.speed > limits.speed)
+    return next((a for a, b in stretches(slides) if b - a + 1 >= situation.at(limits.time)), None)
 
 
 def drift(seen: Seen, situation: Situation) -> int | None:

@@ -15,8 +15,6 @@ from c2s_engine.write.typed.usual import rides_beside, speed_of
 
 RIDER = 2.5
 """m/s2 by which a cyclist's speed changes, where nothing says how."""
-GUARDED = 5.0
-"""m/s2 at most, behind whom one overtakes later."""
 USUAL_GAP, USUAL_HEADWAY = 4.0, 1.5
 """m and s: how one follows another, as `pace` in the driving library has it."""
 HALF_LANE = 1.75
@@ -82,8 +80,6 @@ class Course:
     ) -> str:
         """The `do Drive` at a speed (the one in force), rate (m/s2), offset (m to the left), shift (m/s)."""
         goal = self._guarded(speed if speed is not None else self.cruise())
-        guarded = goal.startswith("lambda: gain(")
-        rate = max(rate or 0, GUARDED) if guarded else rate
         rate = rate or (RIDER if self.actor.is_ego and self.actor.spec.type == "bicycle" else None)
         extra = f", rate={scope.number(rate)}" if rate else ""
         offset = offset or self.aside
@@ -96,7 +92,7 @@ class Course:
         expression = goal.removeprefix("lambda: ")
         if not self.behind or goal == "0" or f"(self, {self.behind}, " in goal:
             return goal
-        return f"lambda: gain(self, {self.behind}, {expression})"
+        return f"lambda: pace(self, {self.behind}, {expression})"
 
     def cruise(self) -> str:
         """The speed in force, or the pace behind whom ego follows."""
@@ -136,7 +132,7 @@ class Course:
     def onto(self, step: int) -> str:
         """The statement that makes the lane `step` lanes to the left the line to follow (the other way if none)."""
         plan = self.actor.plan
-        self.aside = ""
+        self.aside = self.behind = ""
         if self.lane is None:  # from a ramp, the kerb or a parking lane onto ego's lane
             self.lane = 0
         else:

@@ -4,6 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.alongside import beside_ego
+from c2s_engine.write.typed.facing import facing
 from c2s_engine.write.typed.hiding import standing
 from c2s_engine.write.typed.lanes import pulls_out
 from c2s_engine.write.typed.passing import passing
@@ -61,7 +62,8 @@ def normal(structure: Structure) -> Structure:
             structure = structure.with_component(component.model_copy(update={"spec": found}))
     if place is not structure.place.spec:
         structure = structure.with_component(structure.place.model_copy(update={"spec": place}))
-    return passing(_stopped_when_struck(_caught_late(_struck_first(standing(structure), ego), ego), ego), place)
+    structure = _stopped_when_struck(_struck_first(passing(standing(structure), place), ego), ego)
+    return facing(_caught_late(structure, ego), place)
 
 
 def _struck_first(structure: Structure, ego: EgoSpec) -> Structure:

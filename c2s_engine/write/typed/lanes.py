@@ -109,8 +109,9 @@ def offsets_of(
             elif phase.action == "cut_in":
                 k = 0
             elif phase.action == "overtake" and k == lane_of.get(phase.target or "", 0) and not narrow:
-                if leaves_lane(objects.get(phase.target or "")):
-                    continue
+                other = objects.get(phase.target or "")
+                if leaves_lane(other) or other and other.type in ("bicycle", "motorcycle") and phase.side != "right":
+                    continue  # it clears the way, or is passed by the lane's left line
                 used.add(k + (-1 if phase.side == "right" else 1))
             used.add(k)
         if spec is ego and ego.reaction == "evade" and not narrow:

@@ -178,7 +178,7 @@ def _stands_for(phases: list[Phase]) -> float | None:
 def _slower(phases: list[Phase]) -> str:
     """From where one on ego's lane is slower before the junction, and how fast, where it says so; "": nowhere."""
     phase = next((p for p in phases if p.action == "brake" and p.speed is not None), None)
-    if phase is None or phase.trigger is None or phase.trigger.kind != "place":
+    if phase is None or phase.speed is None or phase.trigger is None or phase.trigger.kind != "place":
         return ""
     return f"(place.length - {scope.number(middle(phase.trigger.value or 0) + 4)}, {scope.quantity(phase.speed)})"
 

@@ -4,10 +4,11 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.lateral import LATERAL
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, HALF_LANE, LANE_NAME, MOVES_OFF_ROAD, TURN, is_static
-from c2s_engine.write.typed.threats import IN_WAY, members
+from c2s_engine.write.typed.threats import IN_WAY, members, threatening
 from c2s_engine.write.typed.triggers import observed
 from c2s_engine.write.typed.usual import crosses
 
@@ -16,6 +17,8 @@ LASTING = {"keep_lane", "move_along", "follow", "stationary", "run_red", "run_st
 STANDS = {"stop", "wait"}
 SEEN = {"brake", "cut_in"}
 """What can be seen of another at any time after it was done."""
+BACK = 0.7
+"""m from the middle of its lane within which one is back in it."""
 Unknown = None
 """What stands for a phase of which nobody can tell while it runs that it is done."""
 
@@ -42,6 +45,8 @@ def _last(phases: tuple[Phase, ...]) -> Phase | None:
 
 def _of_ego(structure: Structure, plan: Plan, ego: EgoSpec) -> list[str] | None:
     last, light = _last(ego.phases), getattr(structure.settings.spec, "light", None)
+    if last is None and ego.reaction == "evade" and (others := threatening(structure)):
+        last = Phase(action="swerve", target=ego.react_to or others[0])
     onward = ["ego._lane is place.exit_lane"] if plan.place.kind == "intersection" else []
     held = light == "red" and plan.place.control == "signal"
     if last is None and held and not any(p.action in TURN for p in ego.phases):
@@ -52,9 +57,12 @@ def _of_ego(structure: Structure, plan: Plan, ego: EgoSpec) -> list[str] | None:
         return ["ego.speed < 0.3"]
     if last.action == "lane_change" and not plan.junction and not last.abandoned:
         return [f"ego._lane is not {LANE_NAME[0]}"]
+    if last.action == "swerve" and last.target and last.target in structure:
+        return _back(structure, plan, "E", ego, str(last.target))
     if last.action in ("overtake", "yield") and last.target and last.target in structure:
-        other = scope.reference(structure, str(last.target))
-        return [f"lead_on(ego, {other}) > 10" if last.action == "overtake" else f"passed({other}, ego, 0)", *onward]
+        if last.action == "overtake" and not last.abandoned:
+            return [*_back(structure, plan, "E", ego, str(last.target)), *onward]
+        return [f"passed({scope.reference(structure, str(last.target))}, ego, 0)", *onward]
     return Unknown
 
 
@@ -82,11 +90,38 @@ def _of_object(structure: Structure, plan: Plan, cid: str, o: ObjectSpec) -> lis
     if last.action in SEEN or last.action in ("lane_change", "cut_out") and plan.lane_of.get(cid) == 0:
         goal = middle(last.speed) if last.speed is not None and last.action == "brake" else None
         done = f"{one}.speed < {scope.number(goal + 0.7)}" if goal else _done(structure, one, cid, last.action)
+        hard = last.action == "brake" and getattr(structure.ego.spec, "hard", False)
+        stops = ["ego.speed < 0.3"] if hard and _stops_behind(structure, plan, cid) else []
         slows = last.action == "brake" and _reacts(structure) and _comes_before_ego(plan, cid, o)
-        return [f"{done} and ego.speed < {one}.speed + 1" if slows else done]
-    if last.action == "overtake" and last.target in (None, "ego"):
-        return [f"lead_on({one}, ego) > 8"]
+        return [f"{done} and ego.speed < {one}.speed + 1" if slows and not stops else done, *stops]
+    if last.action == "overtake" and not last.abandoned:
+        return _back(structure, plan, cid, o, last.target or "ego")
+    if last.action == "swerve" and any(p.action == "overtake" and p.target == cid for p in structure.ego.spec.phases):  # type: ignore[union-attr]
+        return []  # it is passed then
+    if last.action == "leave_road":
+        return [f"not network.drivableRegion.containsPoint({one}.position)"]
     return Unknown
+
+
+def _back(structure: Structure, plan: Plan, cid: str, spec: EgoSpec | ObjectSpec, whom: str) -> list[str]:
+    """That one who overtakes is ahead of the other, and back in its lane where both were in one; who came towards ego
+    is met then."""
+    one, other = scope.reference(structure, cid), scope.reference(structure, whom)
+    found = [f"lead_on({other}, {one}) < -8"]
+    lane = LANE_NAME.get(plan.lane_of.get(cid, 0) if cid != "E" else 0)  # type: ignore[arg-type]
+    swerves = not any(p.action == "overtake" for p in spec.phases)
+    moved = any(p.action == "lane_change" for p in spec.phases)
+    both = swerves or not moved and plan.lane_of.get(whom, 0) == plan.lane_of.get(cid, 0)
+    if comes := isinstance(spec, ObjectSpec) and _from_ahead(structure, cid):
+        lane, both = "place.oncoming_lane", True
+    if lane is not None and both and not plan.junction and not plan.turning:
+        found = [f"{found[0]} and {lane}.centerline.distanceTo({one}.position) < {scope.number(BACK)}"]
+    return [*found, *([f"lead_on({one}, ego) < -3"] if comes else [])]
+
+
+def _from_ahead(structure: Structure, cid: str) -> bool:
+    """Whether one comes towards ego on the other side of the road."""
+    return oncoming(structure[cid].spec, {c.id: c.spec for c in structure.objects})  # type: ignore[misc, arg-type]
 
 
 def _done(structure: Structure, other: str, cid: str, action: str) -> str:

@@ -2,47 +2,75 @@
 
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
-from c2s_engine.write.typed.collisions import LANE_WIDTH, Step
+from c2s_engine.write.typed.collisions import Step
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.lanes import leaves_lane
+from c2s_engine.write.typed.passing import NARROW, comes_back, faster, pull_out, sideways
 from c2s_engine.write.typed.tables import LANE_NAME, is_static, is_vehicle
 from c2s_engine.write.typed.threats import hits_ego, is_hit, members
 
-NARROW = 2.3
+INSIDE = 2.3
 """m that riders keep aside from the middle of a car's lane where they pass it on the inside."""
-NARROW_TYPES = {"bicycle", "motorcycle"}
-AHEAD = 12
-"""m between the two where one may come back."""
-BACK = "for 5 seconds"
+BACK = "for 4 seconds"
+WARY = 3.0
+"""m/s: so much as if it came nearer faster one slows down sooner who has to wait first."""
+HEADWAY = 1.2
+"""s behind whom one waits to overtake."""
 BREAKS_OFF = {"brake", "swerve", "collide", "stop", "leave_road", "lane_change"}
 """What ego does after an overtaking that somebody who comes towards it spoils."""
 
 
 def overtakes(c: Course, p: Phase) -> list[Step]:
     """The steps out, past the other (all of them where they are several) and back."""
-    c.set(c.wanted(p, max(c.value, c.target_speed(p) + 5)))
-    gains = f"lambda: gain(self, {nearest(c, p)}, {c.speed})"
-    rate = braking(c, p)
+    c.set(_top(c, p))
     scrapes = _scrapes(c, p)  # it comes back too early
-    past = " and ".join(f"lead_on(self, {one}) > {-6 if scrapes else f'{AHEAD} + self.length'}" for one in _whom(c, p))
-    if c.oncoming_both(p):  # by ego's lane
-        aside = c.drive(gains, rate, scope.number(LANE_WIDTH), 2)
-        return [([aside], f"until {past}"), ([c.drive()], BACK)]
-    if not c.same_lane(p) or c.lane is None:
+    past = " and ".join(f"lead_on(self, {one}) > {-6 if scrapes else _ahead(c, p)}" for one in _whom(c, p))
+    if not (c.oncoming_both(p) or c.same_lane(p) and c.lane is not None):
         return [([c.drive()], f"until {past}")]
-    if leaves_lane(c.other(p.target)):  # it clears the way
-        return [([c.drive(gains, rate)], f"until {past}")]
-    home, offsets = c.lane, c.actor.plan.offsets
-    if home + 1 in offsets or home - 1 in offsets:
-        line = c.onto(-1 if p.side == "right" else 1)
+    if not c.oncoming_both(p) and leaves_lane(c.other(p.target)):  # it clears the way
+        return [([c.drive(f"lambda: pace(self, {nearest(c, p)}, {c.speed}, {HEADWAY})", 4)], f"until {past}")]
+    waits = _waits(c, p)
+    home, step = c.lane, -1 if p.side == "right" else 1
+    changes = home is not None and not c.oncoming_both(p) and not _by_offset(c, p)
+    if changes:
+        line, back = c.onto(step), f"line = way({LANE_NAME[home]})"  # type: ignore[index]
         c.lane = home
-        home_line = f"line = way({LANE_NAME[home]})"
-        return [([line, c.drive(gains, rate)], f"until {past}"), *([] if scrapes else [([home_line, c.drive()], BACK)])]
-    inside = NARROW if c.actor.spec.type in NARROW_TYPES else LANE_WIDTH
-    sideways = scope.number(-inside if p.side == "right" else LANE_WIDTH)
-    aside = c.drive(gains, rate, sideways, 2)
-    waits = [([c.drive(gains, rate)], f"until {free}")] if (free := _free(c, p)) else []
-    return [*waits, ([aside], f"until {past}"), *([] if scrapes else [([c.drive()], BACK)])]
+        out, home_again = [line, c.drive()], [back, c.drive()]
+    else:
+        inside = INSIDE if c.actor.spec.type in NARROW else sideways(c.other(p.target))
+        aside = scope.number(-inside if p.side == "right" else inside)
+        out, home_again = [c.drive(offset=aside, shift=2)], [c.drive()]
+    if p.abandoned:
+        return [*waits, *_breaks_off(c, p, out, home_again)]
+    return [*waits, (out, f"until {past}"), *([] if scrapes else [(home_again, BACK)])]
+
+
+def pulls_out(c: Course, p: Phase) -> str:
+    """The condition under which it is time to pull out behind whom it overtakes."""
+    closing = max(_top(c, p) - c.target_speed(p), faster(c.other(p.target)))
+    if _waits(c, p):
+        closing += WARY
+    return f"until gap(self, {nearest(c, p)}) < {scope.number(pull_out(closing))}"
+
+
+def _top(c: Course, p: Phase) -> float:
+    """The speed (m/s) at which it overtakes."""
+    return c.wanted(p, max(c.value, c.target_speed(p) + faster(c.other(p.target))))
+
+
+def _ahead(c: Course, p: Phase) -> str:
+    """How far (m) its middle is ahead of the other's when it comes back."""
+    return f"{scope.number(comes_back(p, _top(c, p) - c.target_speed(p)))} + self.length"
+
+
+def _breaks_off(c: Course, p: Phase, out: list[str], back: list[str]) -> list[Step]:
+    """Out beside the other's tail, and back behind it."""
+    other = nearest(c, p)
+    behind = f"lambda: pace(self, {other}, {c.speed}, {HEADWAY})"
+    slower = [out[-1].replace(f"line, {c.speed}", f"line, lambda: max(0, {other}.speed - 3)")]
+    back = [*back[:-1], c.drive(behind, 4)]
+    beside = f"until lead_on(self, {other}) > -(self.length + {other}.length) / 2 - 1"
+    return [(out, beside), (slower, f"until lead_on(self, {other}) < -6 - self.length"), (back, "")]
 
 
 def nearest(c: Course, p: Phase) -> str:
@@ -56,23 +84,28 @@ def nearest(c: Course, p: Phase) -> str:
     return c.actor.ref(cid)
 
 
-def braking(c: Course, p: Phase) -> float:
-    """How hard it brakes at most behind whom it overtakes, m/s2."""
+def _by_offset(c: Course, p: Phase) -> bool:
+    """Whether it passes within the lane, or by the line of the other direction, without changing lanes."""
+    offsets, home = c.actor.plan.offsets, c.lane or 0
     spec = c.other(p.target)
-    return 7 if spec and {"brake", "stop"} & {q.action for q in spec.phases} else 4
+    alone = home + 1 not in offsets and home - 1 not in offsets
+    return alone or spec is not None and spec.type in NARROW and p.side != "right"
 
 
-def _free(c: Course, p: Phase) -> str:
-    """The condition under which nobody comes towards ego in the lane by which it passes; "": it need not wait."""
+def _waits(c: Course, p: Phase) -> list[Step]:
+    """Behind whom it overtakes, while somebody comes towards ego in the lane by which it passes; none: it goes."""
     ego = c.actor.spec
+    if not isinstance(ego, EgoSpec) or p.side == "right" or not _by_offset(c, p) or ego.reaction == "none":
+        return []
     after = {q.action for q in ego.phases[ego.phases.index(p) + 1 :]} if p in ego.phases else set()
-    if not isinstance(ego, EgoSpec) or p.side == "right" or after & BREAKS_OFF:
-        return ""
+    if after & BREAKS_OFF or p.abandoned:
+        return []
     comes = [o for o in c.actor.structure.objects if isinstance(o.spec, ObjectSpec) and _comes(o.spec)]
     if any(o.id == ego.react_to or hits_ego(o.spec) or is_hit(ego, o.id) for o in comes):  # type: ignore[arg-type]
-        return ""
+        return []
     gone = [f"(passed({one}, self, 0) or {one}.speed < 0.3)" for o in comes for one in members(c.actor.structure, o.id)]
-    return " and ".join(gone)
+    behind = c.drive(f"lambda: pace(self, {nearest(c, p)}, {c.actor.speed}, {HEADWAY})", 5)
+    return [([behind], f"until {' and '.join(gone)}")] if gone else []
 
 
 def _comes(spec: ObjectSpec) -> bool:

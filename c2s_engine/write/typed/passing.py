@@ -1,27 +1,235 @@
-"""One form for overtaking: by the side where there is a lane, with the way back in it."""
+"""Overtaking in closed form: by which side, how much slower one is who is overtaken, how far apart the two start."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Spec
 from c2s_engine.write.typed.lanes import lane_offset, leaves_lane
+from c2s_engine.write.typed.tables import LENGTH, WIDTH, is_static, is_vehicle
+from c2s_engine.write.typed.usual import speed_of
+
+SLOW = 0.6
+"""The speed of one that is overtaken, as a share of who overtakes it, where nothing says how fast it is."""
+FASTER = {"bicycle": 3.0, "motorcycle": 4.0}
+"""m/s by which one overtakes at least, by who is overtaken; else `MUCH`."""
+MUCH = 5.0
+UNDISTURBED = 3.0
+"""s for which both drive on before one pulls out."""
+ASIDE = 2.2
+"""s in which one gets out of its lane, or back into it."""
+OVER = 1.8
+"""s until one that comes back is over the line."""
+ROOM = 8.0
+"""m that are left to the other when one is out."""
+AHEAD = 10.0
+"""m, bumper to bumper, before the other from which one comes back."""
+BESIDE = 1.5
+"""m between one on two wheels and who passes it in their own lane or over its left line."""
+LANE_WIDTH = 3.5
+"""m, of most maps' lanes."""
+GAINS = 3.0
+"""m/s2 at which one speeds up to overtake."""
+NARROW = {"bicycle", "motorcycle"}
+CALM = {"keep_lane", "move_along", "follow", "go_straight"}
+
+
+@dataclass(frozen=True)
+class Overtaking:
+    """Who (`E` or an object's id) overtakes whom: from which speed at which, past which speed (m/s), over how much (m)
+    of the other and itself, from when on (s)."""
+
+    who: str
+    whom: str
+    phase: Phase
+    start: float
+    speed: float
+    other: float
+    bodies: float
+    begins: float
+
+    @property
+    def closing(self) -> float:
+        return max(self.speed - self.other, 1.0)
+
+    @property
+    def pull_out(self) -> float:
+        """The gap (m) at which one pulls out so as to be out of the lane with some room."""
+        return pull_out(self.closing)
+
+    @property
+    def gap(self) -> float:
+        """The gap (m) at the start from which it is the one at which one pulls out when it `begins`."""
+        return max(self.pull_out + (self.start - self.other) * self.begins, self.pull_out)
+
+    @property
+    def ahead(self) -> float:
+        """m before the other from which it comes back."""
+        return comes_back(self.phase, self.closing)
+
+    @property
+    def abreast(self) -> float:
+        """When (s) the two are side by side."""
+        return self._gained(self.pull_out + self.bodies / 2)
+
+    @property
+    def back(self) -> float:
+        """When (s) it is in its lane again."""
+        return self._gained(self.pull_out + self.bodies + self.ahead) + ASIDE
+
+    def travelled(self, time: float) -> float:
+        """How far (m) it has driven by then, after it pulled out."""
+        up = max(self.speed - self.start, 0.0)
+        return self.start * min(time, self.begins) + self.speed * max(time - self.begins, 0.0) - up**2 / (2 * GAINS)
+
+    def _gained(self, metres: float) -> float:
+        lost = max(self.speed - self.start, 0.0) ** 2 / (2 * GAINS)
+        return self.begins + (metres + lost) / self.closing
+
+
+def pull_out(closing: float) -> float:
+    """The gap (m) at which one pulls out who comes nearer at so many m/s."""
+    return ROOM + ASIDE * closing
+
+
+def comes_back(phase: Phase, closing: float) -> float:
+    """How far (m) before the other one begins to come back: so that it is the stated gap as it comes over the line."""
+    if phase.gap is None:
+        return AHEAD
+    return max(middle(phase.gap) - closing * OVER, -0.3 * closing)
+
+
+def faster(whom: ObjectSpec | EgoSpec | None) -> float:
+    """By how much (m/s) one is faster at least who overtakes somebody."""
+    return FASTER.get(whom.type, MUCH) if whom is not None else MUCH
+
+
+def sideways(whom: ObjectSpec | EgoSpec | None) -> float:
+    """How far (m) to the side one passes whom it does not change lanes for."""
+    if whom is None or whom.type not in NARROW:
+        return LANE_WIDTH
+    return round((WIDTH["car"] + WIDTH[whom.type]) / 2 + BESIDE - 0.2, 1)
+
+
+def overtakings(structure: Structure, place: PlaceSpec) -> Iterator[Overtaking]:
+    """Who overtakes whom in one lane, first of all that it does, both driving and each told how fast."""
+    objects = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+    for component in (structure.ego, *structure.objects):
+        spec = component.spec
+        assert isinstance(spec, EgoSpec | ObjectSpec)
+        at = next((i for i, p in enumerate(spec.phases) if p.action == "overtake"), None)
+        if at is None or not is_vehicle(spec.type) or any(p.action not in CALM or p.trigger for p in spec.phases[:at]):
+            continue
+        phase = spec.phases[at]
+        whom = phase.target or ("ego" if component.id != "E" else next(iter(objects), "ego"))
+        other = structure.ego.spec if whom == "ego" else objects.get(whom)
+        if whom == component.id or not isinstance(other, EgoSpec | ObjectSpec) or not is_vehicle(other.type):
+            continue
+        if isinstance(other, ObjectSpec) and (is_static(other) or leaves_lane(other)):
+            continue
+        if _row(component.id, objects) != _row(whom, objects):
+            continue
+        begins = UNDISTURBED
+        if phase.trigger is not None and phase.trigger.kind == "time" and phase.trigger.value is not None:
+            begins = middle(phase.trigger.value)
+        start, slow = middle(speed_of(spec, place)), middle(speed_of(other, place))
+        speed = middle(phase.speed) if phase.speed is not None else max(start, slow + faster(other))
+        yield Overtaking(component.id, whom, phase, start, speed, slow, LENGTH[spec.type] + LENGTH[other.type], begins)
 
 
 def passing(structure: Structure, place: PlaceSpec) -> Structure:
-    """S with the side of each overtaking in ego's lane, without the change of lane by which it comes back anyhow."""
-    objects = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+    """S with the side of each overtaking in ego's lane, without the change of lane by which it comes back anyhow, and
+    with what it leaves open of the two's speeds and of the gap between them."""
+    structure = _phases(structure, place)
+    for one in overtakings(structure, place):
+        structure = _slower(structure, place, one)
+    for one in overtakings(structure, place):
+        structure = _apart(structure, one)
+    return structure
+
+
+def _slower(structure: Structure, place: PlaceSpec, one: Overtaking) -> Structure:
+    """Who is overtaken is clearly slower: it where its speed is open, else who overtakes it is faster."""
+    slow, fast = structure[one.whom if one.whom != "ego" else "E"], structure[one.who]
+    least = faster(slow.spec)  # type: ignore[arg-type]
+    if one.phase.speed is None and one.start - one.other >= least:
+        return structure
+    if getattr(slow.spec, "speed", None) is None and one.whom != "ego" and not _states_speed(slow.spec):
+        start = one.start
+        own = structure.ego.spec
+        oncoming = _row(one.who, _objects(structure)) == "oncoming_lane"
+        if oncoming and getattr(fast.spec, "speed", None) is None:  # as fast as one drives there
+            start = max(start, middle(speed_of(own, place)))  # type: ignore[arg-type]
+            structure = _with(structure, one.who, speed=round(start, 1))
+        return _with(structure, one.whom, speed=round(min(SLOW * start, one.other), 1))
+    if getattr(fast.spec, "speed", None) is None and not _states_speed(fast.spec):
+        return _with(structure, one.who, speed=round(one.other + least, 1))
+    return structure
+
+
+def _states_speed(spec: object) -> bool:
+    """Whether its first phase says how fast it drives."""
+    phases: tuple[Phase, ...] = getattr(spec, "phases", ())
+    return bool(phases) and phases[0].action in CALM and phases[0].speed is not None
+
+
+def _apart(structure: Structure, one: Overtaking) -> Structure:
+    """The gap between the two, where it is open: one drives at its speed for a while, and then pulls out."""
+    gap = round(one.gap, 1)
+    for cid, of, position in ((one.whom, one.who, "ahead"), (one.who, one.whom, "behind")):
+        spec = structure[cid].spec if cid not in ("ego", "E") else None
+        if not isinstance(spec, ObjectSpec):
+            continue
+        at = spec.placement
+        near = {"ahead": "ahead", "behind": "behind"}.get(at.along or at.position)
+        named = at.of if at.of != "ego" else "E"
+        if near == position and named == ("E" if of == "ego" else of) and at.gap is None:
+            return _with(structure, cid, placement=at.model_copy(update={"gap": gap}))
+    return structure
+
+
+def _objects(structure: Structure) -> dict[str, ObjectSpec]:
+    return {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+
+
+def _row(cid: str, objects: dict[str, ObjectSpec]) -> int | str | None:
+    """The lane in which one starts: how many to the left of ego's, or the position that names it."""
+    if cid in ("ego", "E"):
+        return 0
+    if cid not in objects:
+        return None
+    lane, spec = lane_offset(cid, objects), objects[cid]
+    while lane is None and spec.placement.position in ("ahead", "behind") and spec.placement.of in objects:
+        spec = objects[spec.placement.of]
+    return lane if lane is not None else spec.placement.position
+
+
+def _with(structure: Structure, cid: str, **changes: object) -> Structure:
+    component = structure[cid]
+    assert isinstance(component.spec, Spec)
+    return structure.with_component(component.model_copy(update={"spec": component.spec.model_copy(update=changes)}))
+
+
+def _phases(structure: Structure, place: PlaceSpec) -> Structure:
+    objects = _objects(structure)
     for component in (structure.ego, *structure.objects):
         spec = component.spec
         if not isinstance(spec, EgoSpec | ObjectSpec) or all(p.action != "overtake" for p in spec.phases):
             continue
         own = lane_offset(component.id, objects) if component.id in objects else 0
         phases: list[Phase] = []
-        for phase in spec.phases:
+        for i, phase in enumerate(spec.phases):
+            then = spec.phases[i + 1] if i + 1 < len(spec.phases) else None
+            moving = then is not None and then.target in objects and not is_static(objects[then.target])
+            if then is not None and moving and own == _lane_of(then.target, objects) and _pulls_out(phase, then):
+                continue
             if phase.action == "overtake" and own == 0 == _lane_of(phase.target, objects):
                 phases.append(phase if leaves_lane(objects.get(phase.target or "")) else _sided(phase, place))
             elif not (phases and own == _lane_of(phases[-1].target, objects) and _comes_back(phases[-1], phase)):
                 phases.append(phase)
         if tuple(phases) != spec.phases:
-            spec = spec.model_copy(update={"phases": tuple(phases)})
-            structure = structure.with_component(component.model_copy(update={"spec": spec}))
+            structure = _with(structure, component.id, phases=tuple(phases))
     return structure
 
 
@@ -36,6 +244,12 @@ def _sided(phase: Phase, place: PlaceSpec) -> Phase:
     if phase.side is not None or place.ego_lane != "leftmost" or place.lanes == 1 or by_oncoming:
         return phase
     return phase.model_copy(update={"side": "right"})
+
+
+def _pulls_out(phase: Phase, then: Phase) -> bool:
+    """Whether a change of lane is no more than the beginning of the overtaking after it."""
+    sided = (phase.side or "left") == (then.side or "left")
+    return then.action == "overtake" and phase.action == "lane_change" and not (phase.trigger or then.trigger) and sided
 
 
 def _comes_back(before: Phase, phase: Phase) -> bool:

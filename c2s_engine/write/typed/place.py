@@ -39,6 +39,8 @@ def call(plan: Plan) -> Call:
         more["shoulder"] = "'preferred'"
     if plan.also and spec.kind == "intersection":
         more["also"] = f"[{', '.join(plan.also)}]"
+    if plan.single:
+        more["lanes"] = "1"
     if plan.across and spec.kind in JUNCTION | RAMP:
         more["across"] = "True"
     return place_call(

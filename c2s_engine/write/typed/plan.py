@@ -23,6 +23,7 @@ class Plan:
     pocketed: dict[str, str] = field(default_factory=dict)  # who waits on an approach -> who drives past it there
     pockets: tuple[tuple[str, str], ...] = ()  # (position, turn type of who drives past) of those
     oncoming: bool = False
+    single: bool = False  # a road with one lane each way
     ramp: bool = False
     stops: tuple[str, ...] = ()  # positions of those who pass a stop sign of their own
     exit_room: float = 0.0  # m of lane wanted behind the junction; 0: nobody stands there

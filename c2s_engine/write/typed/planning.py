@@ -30,6 +30,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     restrictions = structure.restrictions.spec
     objects = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
     _placed_after(structure)
+    two_way = place.oncoming is True and place.kind in ("road", "straight", "curve")
     place = _place_kind(place, ego, objects)
     if place.kind == "on_ramp":  # beside a ramp there is the motorway, on the left
         objects = {c: _on_the_left(o) for c, o in objects.items()}
@@ -76,6 +77,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         pockets=tuple(sorted({ways[by] for by in passed.values()})),
         stops=tuple(sorted({o.placement.position for o in objects.values() if _runs_stop(o)} & APPROACH_ANGLE.keys())),
         oncoming=oncoming,
+        single=two_way and offsets == {0} and getattr(structure.place.spec, "lanes", None) in (None, 1),
         ramp=ramp,
         exit_room=rooms.behind_junction(objects, speed, place),
         lane_of=lane_of,

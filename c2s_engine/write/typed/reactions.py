@@ -1,10 +1,12 @@
 """Reactions: what drivers do when others force them to, laid around what they do of their own accord."""
 
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.course import Actor
+from c2s_engine.write.typed.evasion import grip
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static
@@ -28,8 +30,9 @@ STOOD = "self.speed < 0.2 and {force} <= {limit}"
 """What ends the braking of one that is to come to a stand: the need of it must be over, too."""
 CAREFUL = 1.5
 """m/s2 that it takes by then, where ego has just set out from where it stopped."""
-EMERGENCY = 7
-"""m/s2 that it takes by then, where ego brakes in an emergency for who comes by another road."""
+FULL = {"wet": 7.0, "rain": 7.0, "heavy_rain": 6.0, "snow": 4.0}
+"""m/s2 of an emergency braking, by the weather; else `DRY`."""
+DRY = 8.0
 STILL = 3
 """m/s at which ego still is when it reaches whom it brakes for too late."""
 
@@ -44,20 +47,18 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     if spec.reaction == "yield" and cids:  # whom it let pass may then be ahead
         moving = [c for c in cids if not is_static(actor.structure[c].spec)]  # type: ignore[arg-type]
         return _around(statements, once_seen(actor.structure, moving), 3, SOFT) if moving else statements
-    round_it = {p.target for p in spec.phases if p.action == "overtake" and _stands(actor.structure, p.target)}
+    round_it = {p.target for p in spec.phases if p.action == "overtake" and not _slows(actor.structure, p.target)}
     cids = [c for c in cids if c not in round_it]  # ego drives past these
-    if spec.reaction != "brake" or not cids or spec.react_to in round_it:
+    if spec.reaction != "brake" or not cids or spec.react_to in {c for c in round_it if _stands(actor.structure, c)}:
         return statements
     strikers = [] if hit else _strikers(actor.structure, cids)
     if hit or strikers and (spec.react_to in strikers or len(strikers) == len(cids)):  # it brakes, but too late
         return _too_late(actor, statements, cids, hit, spec.hard)
     cids = [c for c in cids if c not in strikers]
-    threats = [every(actor.structure, spec.react_to)] if spec.react_to else once_seen(actor.structure, cids)
+    threats = once_seen(actor.structure, [spec.react_to] if spec.react_to else cids)
     forced = {p.action for p in spec.phases if p.trigger is None}
-    limit, rate = (4, HARD) if spec.hard else (3, SOFT)
-    if spec.hard and spec.react_to and _position(actor.structure, spec.react_to) in APPROACH_ANGLE:
-        limit = EMERGENCY  # others on their way are seen long before they can be seen to come on
-    elif "stop" in forced and any(_position(actor.structure, c) in APPROACH_ANGLE for c in cids):
+    limit, rate = (3.5, HARD) if spec.hard else (2.5, SOFT)
+    if "stop" in forced and any(_position(actor.structure, c) in APPROACH_ANGLE for c in cids):
         limit = CAREFUL
     ring = [c for c in cids if _position(actor.structure, c) == "circulating"]
     behind = "".join(f" and gap(self, {every(actor.structure, c)}) > self.speed" for c in ring)
@@ -68,8 +69,11 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     on_foot = [c for c in threats_on_foot(actor.structure) if spec.react_to in (None, c)]
     stands = is_stopped(spec) or _ends_standing(actor.structure)
     stops_for = {p.target for p in spec.phases if p.action == "stop"}
+    full = grip(actor.structure, FULL, DRY) if spec.hard and not stands else 0
+    stated = [middle(p.rate) for p in spec.phases if p.action in ("brake", "stop") and p.rate is not None]
+    full = stated[0] if full and stated else full
     if not on_foot:
-        return _around(statements, threats, limit, rate, stands=stands, behind=behind)
+        return _around(statements, threats, limit, rate, stands=stands, full=full, behind=behind)
     others = [] if spec.react_to else once_seen(actor.structure, [c for c in cids if c not in on_foot])
     before_them = stands and not stops_for.isdisjoint({None, *on_foot})
     return [
@@ -88,6 +92,12 @@ def _ends_standing(structure: Structure) -> bool:
     """Whether the run ends as ego stands."""
     ends = getattr(structure.restrictions.spec, "terminate_when", ())
     return any(c.kind == "stopped" and c.subject == "ego" for c in ends)
+
+
+def _slows(structure: Structure, cid: str | None) -> bool:
+    """Whether an object slows down of its own accord."""
+    spec = structure[cid].spec if cid and cid in structure else None
+    return isinstance(spec, ObjectSpec) and bool({"brake", "stop"} & {p.action for p in spec.phases})
 
 
 def _stands(structure: Structure, cid: str | None) -> bool:
@@ -221,21 +231,27 @@ def _around(
     when: str = "",
     stands: bool = False,
     behind: str = "",
+    full: float = 0,
 ) -> list[str]:
     """The statements, interrupted by braking at `rate` when the need (m/s2) for one of the threats is over `limit`,
     until it is no more than `release`, or to a stand; `when`: a condition of that, with its `and`; `behind`: another
-    one, of its end."""
+    one, of its end. `full` (m/s2): to a stand with all that the road holds, until the cause is gone."""
     head, rest = statements[:1], statements[1:]
     if not threats:
         return [*head, "try:", *(f"    {s}" for s in rest)]
     force = _force(threats)
     over = STOOD.format(force=force, limit=limit) if stands else f"{force} <= {scope.number(release)}"
+    brakes = [f"do Drive(line, 0, rate={rate.format(force=force)}) until {over}"]
+    if full:
+        clear = f"{force} <= 0 and not blocked(self, [{', '.join(threats)}])"
+        stood = ["do Drive(line, 0) for 1 seconds", f"do Drive(line, 0) until {clear}"]
+        brakes = [f"do Drive(line, 0, rate={scope.number(full)}) until self.speed < 0.2", *stood]
     return [
         *head,
         "try:",
         *(f"    {s}" for s in rest),
         f"interrupt when {when}{force} > {scope.number(limit)}:",
-        f"    do Drive(line, 0, rate={rate.format(force=force)}) until {over}{behind}",
+        *(f"    {s}" for s in brakes),
     ]
 
 
@@ -276,5 +292,5 @@ def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan
         moved = tuple(p.model_copy(update={"duration": p.duration or 2.5}) for p in spec.phases[:aside])
         return (*moved, yielding, *spec.phases[aside:])
     if spec.reaction == "evade" and others and not actions & {"lane_change", "swerve", "overtake", "oncoming"}:
-        return (*spec.phases, Phase(action="lane_change", side="left", target=spec.react_to))
+        return (*spec.phases, Phase(action="swerve", target=spec.react_to or threatening(structure)[0]))
     return spec.phases

@@ -15,6 +15,7 @@ from c2s_engine.write.typed.collisions import (
     struck_beside,
 )
 from c2s_engine.write.typed.course import Course
+from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_there, swerves_by
 from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.tables import LANE_NAME, MOVES_OFF_ROAD, RAMP
 from c2s_engine.write.typed.towards import ending, yields
@@ -34,6 +35,8 @@ FULL = 5
 
 def steps(course: Course, phase: Phase) -> list[Step]:
     """The steps of one phase; the course is moved on."""
+    if slides_there(course, phase):
+        return []
     if not course.backwards or phase.action == "reverse":
         return _OF.get(phase.action, _keep_lane)(course, phase)
     if phase.action in ("stop", "stationary", "wait"):
@@ -222,17 +225,13 @@ def _sideways(c: Course, p: Phase, metres: float, shift: float, seconds: float |
 def _swerve(c: Course, p: Phase) -> list[Step]:
     if into := struck_beside(c, p):
         return into
-    found = _sideways(c, p, 2.2, 2.5, 2.5)
+    if c.actor.is_ego and p.target is not None and not hit_next(c, p):
+        return goes_round(c, p)
+    found = _sideways(c, p, swerves_by(c), 2.5, 2.5)
     if getattr(c.actor.spec, "reaction", "") == "brake" and p.speed is None and p.trigger is None:  # both at once
-        slower = c.drive(scope.number(0.4 * c.value), 6, scope.number(_side(p, 1) * 2.2), 2.5)
+        slower = c.drive(scope.number(0.4 * c.value), 6, scope.number(_side(p, 1) * swerves_by(c)), 2.5)
         return [([slower], found[0][1]), *found[1:]]
     return found
-
-
-def _lose_control(c: Course, p: Phase) -> list[Step]:
-    if into := struck_beside(c, p):
-        return into
-    return _sideways(c, p, 2.0, 4, 1.5)
 
 
 def _drift(c: Course, p: Phase) -> list[Step]:
@@ -292,7 +291,7 @@ _OF: dict[str, Callable[[Course, Phase], list[Step]]] = {
     "reverse": _reverse,
     "oncoming": _oncoming,
     "yield": yields,
-    "lose_control": _lose_control,
+    "lose_control": loses_control,
     "collide": collides,
 }
 """The others (keep_lane, run_red, run_stop, cross_road and move_along of riders) keep the lane."""

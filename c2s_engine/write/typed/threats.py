@@ -10,6 +10,8 @@ from c2s_engine.write.typed.tables import HALF_LANE, is_static, is_walker
 from c2s_engine.write.typed.usual import crosses
 
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
+FOG = 65
+"""m that one sees in the fog: at motorway speeds just enough to stop."""
 CALM = {"follow", "keep_lane", "go_straight", "turn_left", "turn_right", "move_along", "brake"}
 """What ego does before it is to stop while nothing forces it to."""
 
@@ -79,18 +81,23 @@ def in_sight(structure: Structure, cid: str) -> str:
         by = by or spec.placement.of
     if isinstance(spec, ObjectSpec) and at_door(structure, spec):  # nobody was there before
         return f"*([{name}] if {name}.speed > 0 else [])"
-    if by is None or by not in structure or spec.placement.position == "ahead":  # type: ignore[union-attr]
+    if by is None or by not in structure:
         return name
     return f"*in_view(self, [{name}], [{every(structure, by)}])"
 
 
 def once_seen(structure: Structure, cids: list[str]) -> list[str]:
-    """References to objects, each only from when ego can see it."""
+    """References to objects, each only from when ego can see that it is in its way."""
     found = []
     for cid in cids:
-        name, condition = every(structure, cid), shown(structure, cid)
-        found.append(f"*([{name}] if {condition} else [])" if condition else in_sight(structure, cid))
+        seen, fog = in_sight(structure, cid), in_fog(structure)
+        found.append(f"*in_fog(self, [{seen}], {fog})" if fog else seen)
     return found
+
+
+def in_fog(structure: Structure) -> int:
+    """How far (m) one sees in the weather of S; 0: as far as it takes."""
+    return FOG if "fog" in getattr(structure.settings.spec, "weather", ()) else 0
 
 
 def on_foot(structure: Structure) -> list[str]:

@@ -79,7 +79,7 @@ def _let_by(c: Course, other: str) -> list[Step]:
     """Slower than the other, and behind what stands in its way, until that one is ahead."""
     stands = standing(c.actor.structure, c.actor.plan.lane_of)
     goal = f"max(0, min({scope.number(0.8 * c.value)}, {other}.speed - 3))"
-    slower = f"lambda: gain(self, {c.actor.ref(stands)}, {goal})" if stands else f"lambda: {goal}"
+    slower = f"lambda: pace(self, {c.actor.ref(stands)}, {goal})" if stands else f"lambda: {goal}"
     return [([c.drive(slower, 2)], f"until ahead_by({other}, self) > 2")]
 
 

@@ -6,13 +6,16 @@ from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import ahead, lateral, scope, traffic
 from c2s_engine.write.typed.collisions import hit_beside, hit_next
 from c2s_engine.write.typed.course import Actor, Course
-from c2s_engine.write.typed.overtakings import nearest
+from c2s_engine.write.typed.facing import AHEAD
+from c2s_engine.write.typed.overtakings import pulls_out
 from c2s_engine.write.typed.people import comes_out
 from c2s_engine.write.typed.tables import LENGTH, WORKS, is_static
 from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, standing, threatening
 from c2s_engine.write.typed.towards import before_standing, opposite_standing
-from c2s_engine.write.typed.usual import speed_of
+from c2s_engine.write.typed.usual import crosses, speed_of
 
+ASIDE = 1.0
+"""m from the middle of its lane at which one is seen to leave it."""
 FORCED = {"brake", "stop", "swerve", "lane_change"}
 DELAYED = {
     "brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road",
@@ -61,7 +64,11 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     if a.is_ego and phase.action in FORCED and not _stood(a, phase) and _confronted(course, phase):
         cid = phase.target or getattr(a.spec, "react_to", None) or standing(a.structure, a.plan.lane_of)
         hard = getattr(a.spec, "hard", False) or (phase.rate is not None and middle(phase.rate) >= 4)
-        limit = 1.2 if phase.action in ("swerve", "lane_change") else 4 if hard else 2
+        if phase.action in ("swerve", "lane_change") and cid and (spec := course.other(cid)) and crosses(spec):
+            return f"until {a.ref(cid)}.speed > 0.3"  # it sets out
+        aside = phase.action in ("swerve", "lane_change")
+        still = cid is not None and (o := course.other(cid)) is not None and is_static(o)
+        limit = (2 if still else 1.2) if aside else 4 if hard else 2
         seen = shown(a.structure, cid) if cid else ""
         met = any(p.action == "collide" for p in a.spec.phases)
         also = f" or near(self, {a.ref(cid)})" if met else ""
@@ -80,7 +87,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         course.oncoming_both(phase) or course.lane is not None and course.same_lane(phase)
     ):
         if course.target_speed(phase) > 0:  # it may follow
-            return f"until (distance from self to {nearest(course, phase)}) < 10 + 1.6 * self.speed"
+            return pulls_out(course, phase)
         return _before(course, phase.target)
     stands = standing(a.structure, a.plan.lane_of) if a.is_ego and phase.action == "oncoming" else None
     if stands:
@@ -94,8 +101,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     if not first or phase.action not in DELAYED or a.value <= 0 or hit_beside(course, phase):
         return ""
     if course.oncoming:
-        ahead = 5.5 if phase.action == "drift" else 2.8  # s that it takes to be over
-        return f"until (distance from self to ego) < {scope.number(ahead * (a.value + a.plan.ego_speed))}"
+        early = AHEAD["drift" if phase.action == "drift" else "other"]
+        return f"until (distance from self to ego) < {scope.number(early * (a.value + a.plan.ego_speed))}"
     return _undisturbed(a)
 
 
@@ -139,6 +146,12 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
         return f"{other}._intersection is not None"
     if action in (*lateral.LATERAL, "swerve", "drift"):
         return f"off_lane({other})"
+    if action == "overtake":  # it is alongside
+        spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
+        whom = next((p.target for p in getattr(spec, "phases", ()) if p.action == action), None)
+        return f"lead_on({other}, {scope.reference(structure, whom or 'ego')}) > -5"
+    if action in ("oncoming", "lose_control"):
+        return f"place.lane.centerline.distanceTo({other}.position) > {ASIDE}"
     return f"(distance from ego to {other}) < 20"
 
 

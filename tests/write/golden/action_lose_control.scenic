@@ -31,7 +31,7 @@ behavior SliderBehavior():
     line = way(place.lane)
     take SetSpeedAction(SLIDER_SPEED)
     do Drive(line, SLIDER_SPEED) for 3 seconds
-    do Drive(line, SLIDER_SPEED, offset=-2, shift=4) for 1.5 seconds
+    do Skid(line, -1.8, 6) for 1.2 seconds
     do Drive(line, SLIDER_SPEED)
 
 slider = new Car at place.lane.centerline.pointAlongBy(SLIDER_AT),

@@ -8,7 +8,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(length=225, least=92, oncoming=True))
+place = Uniform(*stretches(length=225, least=92, oncoming=True, lanes=1))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
@@ -19,7 +19,7 @@ behavior EgoBehavior():
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when need(self, turner) > 3:
+    interrupt when need(self, turner) > 2.5:
         do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, turner)))) until need(self, turner) <= 0
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),

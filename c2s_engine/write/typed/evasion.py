@@ -1,0 +1,93 @@
+"""Out of one's lane and back: round what is in the way, and how one slides that has lost control."""
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.specs import ObjectSpec, Phase
+from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.collisions import LANE_WIDTH, Step, struck_beside
+from c2s_engine.write.typed.course import Course
+from c2s_engine.write.typed.passing import BESIDE, NARROW
+from c2s_engine.write.typed.tables import is_static, is_vehicle, is_walker
+from c2s_engine.write.typed.threats import every, members
+
+SLIDING = {"snow": 3.0, "rain": 4.5, "heavy_rain": 4.0, "wet": 4.5}
+"""m/s2 at which one slows down that slides, by the weather; else `DRY`."""
+DRY = 6.0
+PARTLY = 1.8
+"""m by which one that slides into the next lane ends beside the middle of its own."""
+RECOVERS = "for 1.2 seconds"
+ENDS = {"stop", "stationary", "wait"}
+WHERE = {"drift", "swerve", "lane_change", "cut_out", "oncoming"}
+"""What says, after the loss of control, where one ends."""
+SWERVES = 2.2
+"""m"""
+CLOSE = 0.2
+"""m that are left to who passes one that swerves then."""
+CAUTION = 0.7
+"""The share of its speed at which one goes round what blocks its lane."""
+
+
+def grip(structure: Structure, table: dict[str, float], dry: float) -> float:
+    """The value of a table for the weather, the least of several; `dry` where none is in it."""
+    weather = getattr(structure.settings.spec, "weather", ())
+    return min([dry, *(table[w] for w in weather if w in table)])
+
+
+def loses_control(c: Course, p: Phase) -> list[Step]:
+    """A slide out of the lane: to a stand where that is the end of it, else until it is caught."""
+    if into := struck_beside(c, p):
+        return into
+    phases = c.actor.spec.phases
+    later = phases[phases.index(p) + 1 :] if p in phases else ()
+    sided = next((q for q in (p, *later) if q.side), p)
+    metres = (-1 if sided.side == "right" else 1) * PARTLY
+    if any(q.action in ("lane_change", "cut_out", "oncoming") for q in later[:1]):
+        metres = metres / PARTLY * LANE_WIDTH
+    rate = grip(c.actor.structure, SLIDING, DRY)
+    slides = f"do Skid(line, {scope.number(metres)}, {scope.number(rate)})"
+    if any(q.action in ENDS for q in later):
+        return [([slides], "until self.speed < 0.2")]
+    return [([slides], RECOVERS), ([c.drive()], "for 2 seconds")]
+
+
+def slides_there(c: Course, p: Phase) -> bool:
+    """Whether a phase only says where one ends that has lost control before it."""
+    phases = c.actor.spec.phases
+    before = phases[: phases.index(p)] if p in phases else ()
+    lost = any(q.action == "lose_control" for q in before)
+    stands = p in phases and any(q.action in ENDS for q in phases[phases.index(p) :])
+    return lost and stands and p.action in WHERE and p.trigger is None
+
+
+def swerves_by(c: Course) -> float:
+    """How far (m) one swerves: on two wheels, where another passes it then, to `CLOSE` of that one."""
+    if c.actor.spec.type not in NARROW:
+        return SWERVES
+    passed = [p for s in (c.actor.structure.ego, *c.actor.structure.objects) for p in getattr(s.spec, "phases", ())]
+    by = any(p.action == "overtake" and p.target == c.actor.cid for p in passed)
+    return BESIDE - CLOSE if by else SWERVES
+
+
+def goes_round(c: Course, p: Phase) -> list[Step]:
+    """Out as far as the target takes, past it, past those who are met there, and back."""
+    s, target = c.actor.structure, str(p.target)
+    side = {"left": ", 1", "right": ", -1", None: ""}[p.side]
+    aside = f"lambda: way_round(self, line, [{every(s, target)}]{side})"
+    slower = c.speed if p.speed is not None or _small(c, target) else scope.number(CAUTION * c.value)
+    past = " and ".join(f"lead_on({one}, self) < -self.length" for one in members(s, target))
+    found = [([c.drive(slower, 4, aside, 2.5)], f"until {past}")]
+    if p.side == "left" and (met := _met(s)):  # they make way for it
+        stays = c.drive(slower, 4, scope.number(0.8 * LANE_WIDTH))
+        found.append(([stays], f"until {' and '.join(f'passed({one}, self, 0)' for one in met)}"))
+    return [*found, ([c.drive()], "for 3 seconds")]
+
+
+def _small(c: Course, cid: str) -> bool:
+    spec = c.other(cid)
+    return spec is not None and is_walker(spec.type)
+
+
+def _met(structure: Structure) -> list[str]:
+    """Those who come towards ego in the lane beside its own."""
+    objects = [(o.id, o.spec) for o in structure.objects if isinstance(o.spec, ObjectSpec)]
+    coming = [i for i, o in objects if o.placement.position == "oncoming_lane" and is_vehicle(o.type)]
+    return [scope.reference(structure, i) for i in coming if not is_static(structure[i].spec)]  # type: ignore[arg-type]

@@ -177,7 +177,8 @@ async def _offers(structure: Structure, library: MapLibrary, check: CheckClient,
         if found is not None:
             ways.append(f"R.{field} left open gives {_places(found.count)} on {choice.name}")
     if not ways:
-        ways.append(await _lacking(_placed(structure, PlaceSpec(kind=place.kind)), library, check, choice, single))
+        plain = _placed(structure, PlaceSpec(kind=place.kind))
+        ways.append(await _lacking(plain, library, check, choice, tuple(single)))
     others = await having(structure, library, check, (n for n in at_hand(library, None) if n != name))
     if others:
         ways.append(f"{_listed(others)} {'has' if len(others) == 1 else 'have'} it")
@@ -189,13 +190,13 @@ def _placed(structure: Structure, spec: PlaceSpec) -> Structure:
 
 
 async def _lacking(
-    plain: Structure, library: MapLibrary, check: CheckClient, choice: MapChoice, fields: Iterable[str]
+    plain: Structure, library: MapLibrary, check: CheckClient, choice: MapChoice, fields: Sequence[str]
 ) -> str:
     """What keeps a map from having the place, where no single field does: all fields together, or none of them.
 
     `plain`: the structure with nothing of R said but its kind.
     """
-    if (found := await _quietly(plain, library, check, choice.name)) is not None:
+    if fields and (found := await _quietly(plain, library, check, choice.name)) is not None:
         together = _listed([f"R.{field}" for field in fields])
         return f"{together} left open together give {_places(found.count)} on {choice.name}"
     try:

@@ -165,22 +165,52 @@ def _chosen(name: str, library: MapLibrary) -> str:
 
 
 async def _offers(structure: Structure, library: MapLibrary, check: CheckClient, given: str | None) -> str:
-    """What the map lacks, which single field of R, left open, would give places, and which other maps have them all."""
+    """What the map lacks, which fields of R, left open, would give places, and which other maps have them all."""
     place = structure.place.spec
     assert isinstance(place, PlaceSpec)
     name = given or SHIPPED
     choice = map_choice(library, library.find(name))
     ways = [missing.rstrip(".")] if (missing := lacks(structure, choice.extras)) else []
-    for field, spec in relaxed(place).items():
-        changed = structure.with_component(structure.place.model_copy(update={"spec": spec}))
-        found = await _quietly(changed, library, check, name)
+    single = relaxed(place)
+    for field, spec in single.items():
+        found = await _quietly(_placed(structure, spec), library, check, name)
         if found is not None:
-            ways.append(f"R.{field} left open gives {found.count} places on {choice.name}")
+            ways.append(f"R.{field} left open gives {_places(found.count)} on {choice.name}")
+    if not ways:
+        plain = _placed(structure, PlaceSpec(kind=place.kind))
+        ways.append(await _lacking(plain, library, check, choice, tuple(single)))
     others = await having(structure, library, check, (n for n in at_hand(library, None) if n != name))
     if others:
-        listed = f"{', '.join(others[:-1])} and {others[-1]}" if len(others) > 1 else others[0]
-        ways.append(f"{listed} {'has' if len(others) == 1 else 'have'} it")
-    return "; ".join(ways) + "." if ways else "Change R.kind, or name another map."
+        ways.append(f"{_listed(others)} {'has' if len(others) == 1 else 'have'} it")
+    return "; ".join(way for way in ways if way) + "." if any(ways) else "Change R.kind, or name another map."
+
+
+def _placed(structure: Structure, spec: PlaceSpec) -> Structure:
+    return structure.with_component(structure.place.model_copy(update={"spec": spec}))
+
+
+async def _lacking(
+    plain: Structure, library: MapLibrary, check: CheckClient, choice: MapChoice, fields: Sequence[str]
+) -> str:
+    """What keeps a map from having the place, where no single field does: all fields together, or none of them.
+
+    `plain`: the structure with nothing of R said but its kind.
+    """
+    if fields and (found := await _quietly(plain, library, check, choice.name)) is not None:
+        together = _listed([f"R.{field}" for field in fields])
+        return f"{together} left open together give {_places(found.count)} on {choice.name}"
+    try:
+        return f"It has no {TypedWriter(choice, room=ROOMS[-1]).candidates(plain)}, whatever else of R is left open"
+    except ResolveError:
+        return ""
+
+
+def _listed(names: Sequence[str]) -> str:
+    return f"{', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else names[0]
+
+
+def _places(count: int) -> str:
+    return "one place" if count == 1 else f"{count} places"
 
 
 async def having(

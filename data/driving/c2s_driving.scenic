@@ -1105,7 +1105,7 @@ class MapFacts(object):
         self.intersections, self.roundabouts = set(), set()
         self._read_signs(root)
         roads = {road.id: road for road in network.allRoads}
-        for element in root.iter('road'):
+        for element in root.iterfind('road'):
             road = roads.get(int(element.get('id')))
             if road:
                 self._read_road(element, road, element.get('junction') == '-1')
@@ -1135,7 +1135,7 @@ class MapFacts(object):
         unit = {'km/h': 1 / 3.6, 'mph': 0.44704}
         if speed is not None and speed.get('max') not in (None, 'no limit', 'undefined'):
             self.limits[road.id] = float(speed.get('max')) * unit.get(speed.get('unit'), 1)
-        ids = [int(lane.get('id')) for lane in element.iter('lane') if lane.get('type') == 'driving']
+        ids = [int(lane.get('id')) for lane in element.iterfind("lanes/laneSection/*/lane[@type='driving']")]
         divided = min([i for i in ids if i > 0], default=1) - max([i for i in ids if i < 0], default=-1) > 2
         apart = divided or not (road.forwardLanes and road.backwardLanes)
         fast = apart and element.find(".//lane[@type='sidewalk']") is None and self.limits.get(road.id, 0) >= 24 or kind is not None and kind.get('type') == 'motorway'
@@ -1149,20 +1149,20 @@ class MapFacts(object):
 
     def _read_signs(self, root):
         kinds, into, of_way = {}, {}, {}
-        links = {road.get('id'): road.find('link') for road in root.iter('road')}
-        for junction in root.iter('junction'):
+        links = {road.get('id'): road.find('link') for road in root.iterfind('road')}
+        for junction in root.iterfind('junction'):
             for connection in junction.iterfind('connection'):
                 way, source = connection.get('connectingRoad'), connection.get('incomingRoad')
                 begin = 'predecessor' if connection.get('contactPoint') != 'end' else 'successor'
                 link = links[way].find(begin) if links.get(way) is not None else None
                 into[source, link is None or link.get('contactPoint') != 'start'] = int(junction.get('id'))
                 of_way[way] = int(junction.get('id')), int(source)
-        for signal in root.iter('signal'):
+        for signal in root.iterfind('road/signals/signal'):
             kind = {'1000001': 'signal', '1000009': 'signal', '1000010': 'signal', '1000011': 'signal',
                     '206': 'stop', '205': 'yield'}.get(signal.get('type'))
             named = 'stop' in (signal.get('name') or '').lower() and signal.get('dynamic') != 'yes'
             kinds[signal.get('id')] = kind or ('stop' if named else None)
-        for road in root.iter('road'):
+        for road in root.iterfind('road'):
             for signal in road.iterfind('signals/*'):
                 rid, kind, facing = road.get('id'), kinds.get(signal.get('id')), signal.get('orientation', '+')
                 valid = [int(v.get(end)) for v in signal.iterfind('validity') for end in ('fromLane', 'toLane')]

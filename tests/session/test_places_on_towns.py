@@ -56,6 +56,24 @@ async def test_where_places_are_found_and_what_is_told(engine):
     assert "The map has no roundabout; town has it." in found.diagnostic.message
 
 
+async def test_what_is_missing_is_named_where_no_single_field_is(engine):
+    library, check = engine.library, engine.check_client
+    narrow = asks(kind="straight", ego_lane="middle", shoulder=True, crosswalk=True)
+    refused = await resolve(narrow, library, check, given="Town07")
+    assert "R.ego_lane, R.shoulder and R.crosswalk left open together give" in refused.diagnostic.message
+    assert "town has it" in refused.diagnostic.message
+
+    runs_stop = asks(kind="intersection", arms=4, manoeuvre="straight").with_component(
+        Component(id="E", spec=EgoSpec(speed=10.0, phases=(Phase(action="run_stop"),)))
+    )
+    truck = ObjectSpec(name="truck", type="truck", placement=Placement(position="crossing_left"))
+    runs_stop = runs_stop.model_copy(update={"objects": (Component(id="O1", spec=truck),)})
+    refused = await resolve(runs_stop, library, check, given="Town10HD")
+    message = refused.diagnostic.message
+    assert "It has no junctions(STRAIGHT, control='stop'," in message
+    assert "others=[From('left')]), whatever else of R is left open; Town07 and town have it." in message
+
+
 async def test_on_a_town_of_narrow_roads_lanes_beside_ego_are_given_up_last(engine):
     library, check = engine.library, engine.check_client
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from c2s_engine.require.evidence import Evidence, Motion
+from c2s_engine.require.evidence import Evidence, Motion, stretches
 from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO
@@ -177,6 +177,27 @@ def delayed(requirement: Requirement, evidence: Evidence) -> Result:
     off = max(least - seen, seen - most, 0.0)
     return scored(requirement, 1.0 - off / room, said, f"{seen:.1f} s", time,
                   measured=(seen, least - room, most + room))  # fmt: skip
+
+
+def let_go_first(motion: Motion, other: Motion | None) -> list[float]:
+    """When it begins to slow down for one level with it or behind it in the next lane, that is ahead of it then."""
+    if other is None or motion is other:
+        return []
+    n = min(len(motion.x), len(other.x))
+    sin, cos = np.sin(motion.heading[:n]), np.cos(motion.heading[:n])
+    ahead = -sin * (other.x[:n] - motion.x[:n]) + cos * (other.y[:n] - motion.y[:n])
+    need, half = bounds()["phase"]["change"]["value"], (motion.size[0] + other.size[0]) / 2
+    for a, b in stretches(motion.acceleration[:n] < -bounds()["phase"]["change_rate"]["value"] / 2):
+        if motion.smooth[a] - motion.smooth[b] > need and ahead[a] < half and (ahead[a:] > half).any():
+            return [float(motion.time[a])]
+    return []
+
+
+def kept_from(motion: Motion, time: float) -> list[float]:
+    """When what is said before was seen, if it stays from then on in the lane in which it is shortly after."""
+    at = motion.stay(time + 1.0)
+    later = [s for s in motion.course.stays if s.time > time + 1.0]
+    return [time] if at is not None and all(s.to_ego == at.to_ego for s in later) else []
 
 
 def breaks_off(requirement: Requirement, evidence: Evidence) -> Result:

@@ -159,32 +159,11 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
         if action in AT_JUNCTION and not times:
             times = _cut_short(motion, action)
         if action == "yield" and not times:
-            times = _let_go_first(motion, evidence.motion(requirement.other or EGO))
+            times = moments.let_go_first(motion, evidence.motion(requirement.other or EGO))
         if action == "keep_lane" and earliest and not times:
-            times = _kept_from(motion, earliest)
+            times = moments.kept_from(motion, earliest)
     later = [t for t in times if t >= earliest - bounds()["order"]["room"]["value"]]
     return min(later) if later else min(times, default=None)
-
-
-def _let_go_first(motion: Motion, other: Motion | None) -> list[float]:
-    """When it begins to slow down for one level with it or behind it in the next lane, that is ahead of it then."""
-    if other is None or motion is other:
-        return []
-    n = min(len(motion.x), len(other.x))
-    sin, cos = np.sin(motion.heading[:n]), np.cos(motion.heading[:n])
-    ahead = -sin * (other.x[:n] - motion.x[:n]) + cos * (other.y[:n] - motion.y[:n])
-    need, half = bounds()["phase"]["change"]["value"], (motion.size[0] + other.size[0]) / 2
-    for a, b in stretches(motion.acceleration[:n] < -bounds()["phase"]["change_rate"]["value"] / 2):
-        if motion.smooth[a] - motion.smooth[b] > need and ahead[a] < half and (ahead[a:] > half).any():
-            return [float(motion.time[a])]
-    return []
-
-
-def _kept_from(motion: Motion, time: float) -> list[float]:
-    """When what is said before was seen, if it stays from then on in the lane in which it is shortly after."""
-    at = motion.stay(time + 1.0)
-    later = [s for s in motion.course.stays if s.time > time + 1.0]
-    return [time] if at is not None and all(s.to_ego == at.to_ego for s in later) else []
 
 
 def _begun(motion: Motion, time: float) -> float:

@@ -512,9 +512,11 @@ behavior TurnRound(speed=4):
         take SetSpeedAction(speed), SetSteerAction(-0.55)
 
 behavior Backwards(speed, steer=0):
-    """Reverse at a speed (m/s); `steer` over 0 takes the tail to the right."""
+    """Reverse at a speed (m/s), gained and lost at 3 m/s2; `steer` over 0 takes the tail to the right."""
     while True:
-        take SetReverseAction(True), SetSteerAction(steer), SetSpeedAction(-speed)
+        step = 3 * simulation().timestep
+        gained = self.speed + max(-step, min(step, speed - self.speed))
+        take SetReverseAction(True), SetSteerAction(steer), SetSpeedAction(-gained)
 
 behavior BackInto(other, speed):
     """Reverse at `speed` (m/s) with the tail towards `other`."""

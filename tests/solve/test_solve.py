@@ -182,8 +182,8 @@ def test_the_usual_reaction(case):
 
 
 async def test_a_text_is_solved_and_says_what_was_chosen(engine):
-    """Without the search the car pulls out at once, and the run goes on long after it."""
-    text = "A car parked at the right kerb pulls out right in front of ego, which is going 40 km/h and brakes."
+    """Without the search ego follows too closely to brake for a cause that it can see."""
+    text = "The lead car brakes hard and ego, which follows it, brakes too."
     last = None
     async for event in engine.generate(text):
         last = event

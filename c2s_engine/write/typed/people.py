@@ -34,6 +34,8 @@ SHORT_OF_LANE = 2.5
 """m from the middle of ego's way to where those stand who let it pass."""
 PULLS_OUT = 3.0
 """m/s2 at which one pulls out from the kerb."""
+BACKS_OUT = 3
+"""m/s2 at which one backs out."""
 CORNER = 0.3
 """m of its rear that are in ego's way when that is struck which backs out."""
 RUN_OUT = 14
@@ -159,7 +161,7 @@ def comes_out(structure: Structure, cid: str, plan: Plan, phase: Phase, pace: fl
     if phase.action == "reverse":  # with its rear
         width = WIDTH[getattr(structure.ego.spec, "type", "car")]
         arrives += (LENGTH[spec.type] + width) / 2 / max(pace, 0.5)
-        return f"until sets_out(self, ego, line, {scope.number(pace)}, {scope.number(round(arrives, 2))})"
+        return f"until sets_out(self, ego, line, {scope.number(pace)}, {scope.number(round(arrives, 2))}, {BACKS_OUT})"
     rate = scope.number(middle(phase.rate) if phase.rate else PULLS_OUT)
     return f"until pulls_out(self, ego, line, {rate}, {scope.number(round(arrives, 2))})"
 

@@ -17,6 +17,7 @@ from c2s_engine.write.typed.collisions import (
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_there, swerves_by
 from c2s_engine.write.typed.overtakings import overtakes
+from c2s_engine.write.typed.people import BACKS_OUT
 from c2s_engine.write.typed.tables import LANE_NAME, MOVES_OFF_ROAD, RAMP
 from c2s_engine.write.typed.towards import ending, yields
 from c2s_engine.write.typed.usual import SETS_OUT, reach
@@ -143,7 +144,8 @@ def _reverse(c: Course, p: Phase) -> list[Step]:
     if hit := hit_next(c, p):
         return backs_into(c, c.actor.ref(hit.target), pace)
     if isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD:  # as far as onto the lane
-        onto = f"for {scope.number(reach(spec, c.actor.plan.place) / max(pace, 0.5))} seconds"
+        seconds = reach(spec, c.actor.plan.place) / max(pace, 0.5) + pace / (2 * BACKS_OUT)
+        onto = f"for {scope.number(round(seconds, 1))} seconds"
         return [([back], ending(p, onto)), (["do Backwards(0)"], "for 3 seconds")]
     return [([back], ending(p, "for 3 seconds"))]
 

@@ -1,7 +1,6 @@
 """What can be said of a program without running it: undefined names, mistaken units, misused behaviours, no ego."""
 
 import ast
-import difflib
 import functools
 import math
 from collections.abc import Mapping
@@ -10,8 +9,9 @@ from importlib.metadata import PackageNotFoundError, distribution
 from typing import Any
 
 from c2s_engine import driving
-from c2s_engine.check import catalogue
+from c2s_engine.check import catalogue, silent
 from c2s_engine.check import world as worlds
+from c2s_engine.check.likeness import near as _near
 from c2s_engine.structure.diagnostics import Diagnostic
 
 BUILT_IN_PARAMS = frozenset({"map", "map_options", "time_step"})
@@ -35,6 +35,7 @@ class PieceFacts:
     objects: bool = False
     stars: frozenset[str] = frozenset()  # modules of which all names are imported
     found: tuple[Diagnostic, ...] = ()
+    quiet: silent.Silent = silent.Silent()
 
 
 def gather(tree: Any) -> PieceFacts:
@@ -60,9 +61,11 @@ def gather(tree: Any) -> PieceFacts:
         elif isinstance(node, s.BehaviorDef):
             bound.add(node.name)
             behaviors[node.name] = worlds.signature(node.args)
+            found += silent.lost_names(node)
         elif isinstance(node, s.MonitorDef):
             bound.add(node.name)
             monitors.append((node.name, line))
+            found += silent.lost_names(node)
         elif isinstance(node, ast.ExceptHandler) and node.name:
             bound.add(node.name)
         elif isinstance(node, ast.Import | ast.ImportFrom):
@@ -103,7 +106,7 @@ def gather(tree: Any) -> PieceFacts:
     facts.free = tuple(r for r in reads if r[0] not in bound)
     facts.behaviors, facts.monitors, facts.required = behaviors, tuple(monitors), frozenset(required)
     facts.params, facts.params_read = frozenset(params), tuple(params_read)
-    facts.steps, facts.found = tuple(steps), tuple(found)
+    facts.steps, facts.found, facts.quiet = tuple(steps), tuple(found), silent.gather(tree)
     return facts
 
 
@@ -182,17 +185,12 @@ _REGIONS = {
 """The regions of a network that hold all elements of its lists."""
 
 
-def _near(name: str, names: Any) -> str:
-    close = difflib.get_close_matches(name, sorted(names), n=1, cutoff=0.8)
-    return close[0] if close else ""
-
-
 def check(
     facts: list[PieceFacts], where: Any, beside: Mapping[str, worlds.World] | None = None, model: str | None = None
 ) -> tuple[Diagnostic, ...]:
     """The findings of a whole program; `beside`: the modules beside it; `model`: what takes its world model's place."""
     own = beside or {}
-    found = [d for f in facts for d in f.found]
+    found = [d for f in facts for d in f.found] + silent.identities(f.quiet for f in facts)
     said = next((f.model for f in facts if f.model), "")
     world = worlds.world(model or said) if said else None
     defined = frozenset().union(*(f.defines for f in facts)) if facts else frozenset()

@@ -206,6 +206,8 @@ def check(
         for name, line in (p for f in facts for p in f.params_read):
             if name not in params | TABLE_METHODS:
                 found.append(catalogue.finding("undeclared_param", line, None, name=name, near=_near(name, params)))
+    elif not said and not model and (lost := _of_a_world(facts, defined)):
+        found.append(catalogue.finding("world_untold", lost[1], lost[2], name=lost[0]))
     if any(f.objects for f in facts) and not any(f.ego for f in facts) and not own.keys() - {driving.MODULE}:
         found.append(catalogue.finding("no_ego", None, None))
     required = frozenset().union(*(f.required for f in facts)) if facts else frozenset()
@@ -213,6 +215,15 @@ def check(
         if name not in required:
             found.append(catalogue.finding("monitor_unused", line, None, name=name))
     return tuple(where.locate(d) for d in sorted(found, key=lambda d: d.line or 0))
+
+
+def _of_a_world(facts: list[PieceFacts], defined: frozenset[str]) -> tuple[str, int, int] | None:
+    """The first use of a name that only world models have, in a program that takes no other names over."""
+    if any(f.stars for f in facts):
+        return None
+    world = worlds.world("scenic.simulators.carla.model")
+    own = (world.names if world else frozenset()) - worlds.language() - defined
+    return next((use for f in facts for use in f.free if use[0] in own), None)
 
 
 def _undefined(facts: list[PieceFacts], known: frozenset[str]) -> list[Diagnostic]:
@@ -273,49 +284,3 @@ def _misused(facts: list[PieceFacts], world: worlds.World) -> list[Diagnostic]:
 def _contains(name: str, names: tuple[str, ...]) -> str:
     holding = [n for n in names if name in n]
     return holding[0] if len(holding) == 1 else ""
-
-
-_UNKNOWN = object()
-
-
-@dataclass(frozen=True)
-class Beginning:
-    """What matters of a statement if it stands before `model` or is it."""
-
-    simple: bool  # it may precede a snapshot: constant params, or a sentence
-    model: bool
-    library: bool = False  # it imports the driving library: a snapshot after `model` may have done that too
-    params: tuple[tuple[str, str], ...] = ()  # names and values, the latter as dumps of their trees
-    map: str | None = None  # the map that it sets
-
-
-def beginning(tree: Any) -> Beginning:
-    """The beginning that a statement is part of, or would be."""
-    from scenic.syntax import ast as s
-
-    node = tree.body[0] if len(tree.body) == 1 else None
-    if isinstance(node, s.Model):
-        return Beginning(True, True)
-    if isinstance(node, ast.ImportFrom) and node.module == driving.MODULE:
-        return Beginning(False, False, library=True)
-    if not isinstance(node, s.Param):
-        return Beginning(
-            isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant),
-            any(isinstance(n, s.Model) for n in tree.body),
-        )
-    values = {element.identifier: _constant(element.value) for element in node.elts}
-    return Beginning(
-        simple=_UNKNOWN not in values.values(),
-        model=False,
-        params=tuple((element.identifier, ast.dump(element.value)) for element in node.elts),
-        map=next((v for k, v in values.items() if k == "map" and isinstance(v, str)), None),
-    )
-
-
-def _constant(node: ast.AST) -> Any:
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "localPath":
-        return _constant(node.args[0]) if len(node.args) == 1 and not node.keywords else _UNKNOWN
-    try:
-        return ast.literal_eval(node)
-    except (ValueError, TypeError, SyntaxError, MemoryError, RecursionError):
-        return _UNKNOWN

@@ -74,9 +74,9 @@ def ending(facts: RunFacts, program: Program) -> list[Diagnostic]:
     line = int(said["line"]) if said and said["line"] else None
     text = said["text"] if said else reason
     if required := re.search(r"requirement on line (\d+)", text):
-        found = program.locate(catalogue.finding("run_requirement", int(required[1]), None))
+        failed = program.locate(catalogue.finding("run_requirement", int(required[1]), None))
         when = f" ({said['when']})" if said and said["when"] else ""
-        return [found.model_copy(update={"message": f"{found.message}: {found.text}{when}"})]
+        return [failed.model_copy(update={"message": f"{failed.message}: {failed.text}{when}"})]
     kind, _, words = text.partition(": ")
     doing = re.search(r"\bin (\w+) of ", said["when"] or "") if said else None
     hit = catalogue.find([kind], words, program.line(line), doing[1] if doing else "") if words else None

@@ -56,8 +56,8 @@ def retrieve(
     cosines = shelf.vectors @ vector
     agreed = _agreed(shelf, component, terms, cosines) if component and terms else None
     value = cosines
-    if agreed is not None:
-        allowed, value = allowed & (agreed > 0), cosines + AGREEMENT * agreed
+    if agreed is not None:  # rows of other components have none
+        allowed, value = agreed > 0, cosines + AGREEMENT * agreed
     near = np.where(allowed, value, -2.0) if allowed is not None else value
     by_meaning = _best(shelf, near, np.arange(len(shelf)), near, DEPTH)
     tokens = tokenise(query)

@@ -73,8 +73,13 @@ def ending(facts: RunFacts, program: Program) -> list[Diagnostic]:
     said = re.fullmatch(r"(?P<when>at .*?)?(?:, )?(?:line (?P<line>\d+))?: (?P<text>.*)", reason, re.S)
     line = int(said["line"]) if said and said["line"] else None
     text = said["text"] if said else reason
+    if required := re.search(r"requirement on line (\d+)", text):
+        failed = program.locate(catalogue.finding("run_requirement", int(required[1]), None))
+        when = f" ({said['when']})" if said and said["when"] else ""
+        return [failed.model_copy(update={"message": f"{failed.message}: {failed.text}{when}"})]
     kind, _, words = text.partition(": ")
-    hit = catalogue.find([kind], words, program.line(line)) if words else None
+    doing = re.search(r"\bin (\w+) of ", said["when"] or "") if said else None
+    hit = catalogue.find([kind], words, program.line(line), doing[1] if doing else "") if words else None
     if hit is None:
         hit = catalogue.entries()["run_" + facts.ended_by], {}
         message = reason

@@ -1,13 +1,13 @@
 """What an exception means to the author of a program: cause, code, fix, edit."""
 
 import dataclasses
-import difflib
 import re
 import sys
 import traceback
 from dataclasses import dataclass
 
 from c2s_engine.check import catalogue, fixes
+from c2s_engine.check.likeness import near
 from c2s_engine.structure.diagnostics import StageName, TextEdit
 
 
@@ -50,8 +50,7 @@ def _members(kind: str, name: str) -> dict[str, str]:
     if not isinstance(known, type):
         return {"near": "", "members": ""}
     offered = {n for k in known.__mro__ for n in (*getattr(k, "__annotations__", ()), *_properties(k)) if n[0] != "_"}
-    near = difflib.get_close_matches(name, sorted(offered), n=1, cutoff=0.8)
-    return {"near": near[0] if near else "", "members": ", ".join(sorted(offered - _INNER))}
+    return {"near": near(name, offered), "members": ", ".join(sorted(offered - _INNER))}
 
 
 def _properties(kind: type) -> list[str]:

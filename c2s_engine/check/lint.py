@@ -1,7 +1,6 @@
 """What can be said of a program without running it: undefined names, mistaken units, misused behaviours, no ego."""
 
 import ast
-import difflib
 import functools
 import math
 from collections.abc import Mapping
@@ -10,8 +9,9 @@ from importlib.metadata import PackageNotFoundError, distribution
 from typing import Any
 
 from c2s_engine import driving
-from c2s_engine.check import catalogue
+from c2s_engine.check import catalogue, silent
 from c2s_engine.check import world as worlds
+from c2s_engine.check.likeness import near as _near
 from c2s_engine.structure.diagnostics import Diagnostic
 
 BUILT_IN_PARAMS = frozenset({"map", "map_options", "time_step"})
@@ -35,6 +35,7 @@ class PieceFacts:
     objects: bool = False
     stars: frozenset[str] = frozenset()  # modules of which all names are imported
     found: tuple[Diagnostic, ...] = ()
+    quiet: silent.Silent = silent.Silent()
 
 
 def gather(tree: Any) -> PieceFacts:
@@ -60,9 +61,11 @@ def gather(tree: Any) -> PieceFacts:
         elif isinstance(node, s.BehaviorDef):
             bound.add(node.name)
             behaviors[node.name] = worlds.signature(node.args)
+            found += silent.lost_names(node)
         elif isinstance(node, s.MonitorDef):
             bound.add(node.name)
             monitors.append((node.name, line))
+            found += silent.lost_names(node)
         elif isinstance(node, ast.ExceptHandler) and node.name:
             bound.add(node.name)
         elif isinstance(node, ast.Import | ast.ImportFrom):
@@ -103,7 +106,7 @@ def gather(tree: Any) -> PieceFacts:
     facts.free = tuple(r for r in reads if r[0] not in bound)
     facts.behaviors, facts.monitors, facts.required = behaviors, tuple(monitors), frozenset(required)
     facts.params, facts.params_read = frozenset(params), tuple(params_read)
-    facts.steps, facts.found = tuple(steps), tuple(found)
+    facts.steps, facts.found, facts.quiet = tuple(steps), tuple(found), silent.gather(tree)
     return facts
 
 
@@ -182,17 +185,12 @@ _REGIONS = {
 """The regions of a network that hold all elements of its lists."""
 
 
-def _near(name: str, names: Any) -> str:
-    close = difflib.get_close_matches(name, sorted(names), n=1, cutoff=0.8)
-    return close[0] if close else ""
-
-
 def check(
     facts: list[PieceFacts], where: Any, beside: Mapping[str, worlds.World] | None = None, model: str | None = None
 ) -> tuple[Diagnostic, ...]:
     """The findings of a whole program; `beside`: the modules beside it; `model`: what takes its world model's place."""
     own = beside or {}
-    found = [d for f in facts for d in f.found]
+    found = [d for f in facts for d in f.found] + silent.identities(f.quiet for f in facts)
     said = next((f.model for f in facts if f.model), "")
     world = worlds.world(model or said) if said else None
     defined = frozenset().union(*(f.defines for f in facts)) if facts else frozenset()
@@ -208,6 +206,8 @@ def check(
         for name, line in (p for f in facts for p in f.params_read):
             if name not in params | TABLE_METHODS:
                 found.append(catalogue.finding("undeclared_param", line, None, name=name, near=_near(name, params)))
+    elif not said and not model and (lost := _of_a_world(facts, defined)):
+        found.append(catalogue.finding("world_untold", lost[1], lost[2], name=lost[0]))
     if any(f.objects for f in facts) and not any(f.ego for f in facts) and not own.keys() - {driving.MODULE}:
         found.append(catalogue.finding("no_ego", None, None))
     required = frozenset().union(*(f.required for f in facts)) if facts else frozenset()
@@ -215,6 +215,15 @@ def check(
         if name not in required:
             found.append(catalogue.finding("monitor_unused", line, None, name=name))
     return tuple(where.locate(d) for d in sorted(found, key=lambda d: d.line or 0))
+
+
+def _of_a_world(facts: list[PieceFacts], defined: frozenset[str]) -> tuple[str, int, int] | None:
+    """The first use of a name that only world models have, in a program that takes no other names over."""
+    if any(f.stars for f in facts):
+        return None
+    world = worlds.world("scenic.simulators.carla.model")
+    own = (world.names if world else frozenset()) - worlds.language() - defined
+    return next((use for f in facts for use in f.free if use[0] in own), None)
 
 
 def _undefined(facts: list[PieceFacts], known: frozenset[str]) -> list[Diagnostic]:
@@ -275,49 +284,3 @@ def _misused(facts: list[PieceFacts], world: worlds.World) -> list[Diagnostic]:
 def _contains(name: str, names: tuple[str, ...]) -> str:
     holding = [n for n in names if name in n]
     return holding[0] if len(holding) == 1 else ""
-
-
-_UNKNOWN = object()
-
-
-@dataclass(frozen=True)
-class Beginning:
-    """What matters of a statement if it stands before `model` or is it."""
-
-    simple: bool  # it may precede a snapshot: constant params, or a sentence
-    model: bool
-    library: bool = False  # it imports the driving library: a snapshot after `model` may have done that too
-    params: tuple[tuple[str, str], ...] = ()  # names and values, the latter as dumps of their trees
-    map: str | None = None  # the map that it sets
-
-
-def beginning(tree: Any) -> Beginning:
-    """The beginning that a statement is part of, or would be."""
-    from scenic.syntax import ast as s
-
-    node = tree.body[0] if len(tree.body) == 1 else None
-    if isinstance(node, s.Model):
-        return Beginning(True, True)
-    if isinstance(node, ast.ImportFrom) and node.module == driving.MODULE:
-        return Beginning(False, False, library=True)
-    if not isinstance(node, s.Param):
-        return Beginning(
-            isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant),
-            any(isinstance(n, s.Model) for n in tree.body),
-        )
-    values = {element.identifier: _constant(element.value) for element in node.elts}
-    return Beginning(
-        simple=_UNKNOWN not in values.values(),
-        model=False,
-        params=tuple((element.identifier, ast.dump(element.value)) for element in node.elts),
-        map=next((v for k, v in values.items() if k == "map" and isinstance(v, str)), None),
-    )
-
-
-def _constant(node: ast.AST) -> Any:
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "localPath":
-        return _constant(node.args[0]) if len(node.args) == 1 and not node.keywords else _UNKNOWN
-    try:
-        return ast.literal_eval(node)
-    except (ValueError, TypeError, SyntaxError, MemoryError, RecursionError):
-        return _UNKNOWN

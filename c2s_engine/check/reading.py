@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from c2s_engine import driving
-from c2s_engine.check import catalogue, diagnose, lint, pieces, safety, wire, world
+from c2s_engine.check import beginnings, catalogue, diagnose, lint, pieces, safety, wire, world
 from c2s_engine.check.beside import MODULES, Texts
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 
@@ -50,7 +50,7 @@ class Compiled:
     facts: lint.PieceFacts
     unsafe: list[Diagnostic]
     first: int
-    beginning: lint.Beginning
+    beginning: beginnings.Beginning
 
 
 @dataclass
@@ -162,7 +162,7 @@ class Reader:
         tree = self._tree(part, filename)
         facts = lint.gather(tree)
         unsafe = [] if part.text in self.trusted else safety.examine(tree)
-        beginning = lint.beginning(tree)
+        beginning = beginnings.beginning(tree)
         python, requirements, syntax_id = pieces.translate(tree, filename, [None] * count, syntax_id, part.first)
         code = marshal.dumps(compile(python, filename, "exec"))
         return Compiled(

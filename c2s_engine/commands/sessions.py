@@ -141,13 +141,13 @@ def _sessions() -> Any:
     return Sessions()
 
 
-def known(name: str) -> None:
-    """Raise InputError for a name that no session has: a slip of the keys makes no session."""
+def known(name: str, new: str = "--new") -> None:
+    """Raise InputError for a name that no session has: a slip of the keys makes no session. `new` is what makes one."""
     names = [s.name for s in _sessions().list()]
     if name not in names:
         near = difflib.get_close_matches(name, names, 3)
         there = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(names[:8]) or 'none yet'}."
-        raise InputError(f"There is no session {name!r}: {there} --new makes it.")
+        raise InputError(f"There is no session {name!r}: {there} {new} makes it.")
 
 
 def edits_of(fields: list[str], remove: list[str], code: list[str]) -> list[Any]:

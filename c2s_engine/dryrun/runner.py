@@ -11,7 +11,7 @@ import scenic
 from scenic.core.distributions import RejectionException
 from scenic.core.dynamics import GuardViolation, RejectSimulationException
 from scenic.core.dynamics.utils import StuckBehaviorWarning
-from scenic.core.simulators import TerminationType
+from scenic.core.simulators import SimulationCreationError, TerminationType
 from scenic.simulators.carla import blueprints
 
 from c2s_engine.dryrun import plain
@@ -120,14 +120,18 @@ def _ending(simulation: DryRunSimulation) -> str:
     return "time" if simulation.ended is TerminationType.timeLimit else "terminated"
 
 
+_TYPED = (
+    AssertionError, AttributeError, KeyError, IndexError, NameError, TypeError, ValueError, SimulationCreationError,
+)  # fmt: skip
+"""Faults that are told with their class: the catalogue of the check knows them by it."""
+
+
 def _reason(error: BaseException, made: list[DryRunSimulation], step: float, names: dict[int, str]) -> str:
     """One sentence: when, who, where in the program, what."""
     text = str(error) or type(error).__name__
     if isinstance(error, StuckBehaviorWarning):
         text = f"it computed for over {STUCK} s without taking an action; a loop without `take` or `wait`?"
-    elif isinstance(
-        error, AssertionError | AttributeError | KeyError | IndexError | NameError | TypeError | ValueError
-    ):
+    elif isinstance(error, _TYPED):
         text = f"{type(error).__name__}: {text}"
     parts = []
     if made:

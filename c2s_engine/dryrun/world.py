@@ -96,6 +96,7 @@ class DryRunSimulation(DrivingSimulation):
         self.ended: TerminationType | None = None
         self.substeps = max(1, round(timestep / SUBSTEP))
         self.mirrors: dict[int, Mirror] = {}
+        self.agents: list[Any] = []  # a beginning that fails stops them before Scenic has made the list
         with lookups(index.network) as self.found, watching(stuck) as self.watch:
             super().__init__(
                 scene, maxSteps=max(1, round(seconds / timestep)), name="dry run", timestep=timestep, enableReplay=False
@@ -108,10 +109,14 @@ class DryRunSimulation(DrivingSimulation):
     def setup(self) -> None:
         weather = self.scene.params.get("weather")
         if isinstance(weather, str):
-            if not hasattr(carla.WeatherParameters, weather):
-                raise SimulationCreationError(f"CARLA has no weather preset {weather!r}")
+            presets = [n for n, v in vars(carla.WeatherParameters).items() if isinstance(v, carla.WeatherParameters)]
+            if weather not in presets:
+                raise SimulationCreationError(f"CARLA has no weather preset {weather!r}: use {', '.join(presets)}")
             self.world.set_weather(getattr(carla.WeatherParameters, weather))
         elif isinstance(weather, dict):
+            known = vars(carla.WeatherParameters())
+            if wrong := [n for n in weather if n not in known]:
+                raise SimulationCreationError(f"CARLA's weather has no {wrong[0]!r}: it has {', '.join(known)}")
             self.world.set_weather(carla.WeatherParameters(**weather))
         super().setup()
         self.contacts = Contacts(self.world.actors, self.classes)
@@ -127,7 +132,8 @@ class DryRunSimulation(DrivingSimulation):
                 obj.setVelocity(obj.velocity)
         elif obj.speed:
             raise SimulationCreationError(
-                f"{obj} has an initial speed, which CARLA cannot give: let its behavior take SetSpeedAction"
+                f"a {type(obj).__name__} has an initial speed, which CARLA cannot give: "
+                "let its behavior take SetSpeedAction, or leave 'with speed' out"
             )
         actor.set_simulate_physics(bool(getattr(obj, "physics", kind != "prop")))
         obj.carlaActor = actor

@@ -199,7 +199,7 @@ class Service:
             edits, teller = edits_of(fields, remove or [], []), Teller(context)
             options = {"method": method, "seed": seed}
             if not (new or program):
-                known(session)
+                known(session, "`new`: true")
             opened = Sessions().open(session, self.engine)
             try:
                 done, passages = await teller.finish(opened.undo()) if undo else (None, [])

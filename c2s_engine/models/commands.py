@@ -69,11 +69,16 @@ def pull(model: str, host: Host = "") -> None:
 
 @app.command()
 def probe(
-    model: str, host: Host = "", again: Annotated[bool, typer.Option("--again", help="Try anew.")] = False
+    name: Annotated[str, typer.Argument(metavar="[MODEL]", help="Default: the one that is set.")] = "",
+    host: Host = "",
+    again: Annotated[bool, typer.Option("--again", help="Try anew.")] = False,
 ) -> None:
     """Try out in which ways a model keeps to a JSON schema, and whether it thinks; what holds is used from then on."""
 
     async def work() -> None:
+        model = name or load_settings().model
+        if not model:
+            raise ConfigError("Name the model to be tried: `c2s models list` shows what is there.")
         from c2s_engine.models.probe import probe as try_out
         from c2s_engine.models.probe import ways_for
 

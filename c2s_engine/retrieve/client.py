@@ -55,9 +55,11 @@ class RetrievalClient:
     _listeners: list[Progress] = field(default_factory=list, init=False)
 
     async def search(self, query: str, kind: Literal["doc", "snippet"] = "doc", component: str | None = None,
-                     limit: int = 5, *, abstain: bool = True, method: str | None = None,
+                     limit: int = 5, *, abstain: bool = True, method: str | None = None, terms: Sequence[str] = (),
                      progress: Progress | None = None) -> list[Passage]:  # fmt: skip
         """The passages for a query, best first; an empty list means that nothing fits.
+
+        `terms`: what snippets of a component are to be about (retrieve.terms); what is about others is left out.
 
         `abstain=False` gives the nearest, however far. `method`: embedding, bm25, fused (default: fused for documents,
         embedding for snippets, as in the paper). The index is built first where there is none."""
@@ -68,6 +70,7 @@ class RetrievalClient:
             "limit": limit,
             "abstain": abstain,
             "method": method,
+            "terms": list(terms),
         }
         return [Passage.model_validate(p) for p in await self._ask("search", params, progress)]
 

@@ -89,20 +89,23 @@ class Library:
         """Embed queries beforehand, all at once."""
         self._queries.update(zip(queries, self.embedder.embed([plain(q) for q in queries]), strict=True))
 
-    def find(self, query: str, kind: Kind, component: str | None, limit: int, method: Method | None) -> Found:
+    def find(self, query: str, kind: Kind, component: str | None, limit: int, method: Method | None,
+             terms: Sequence[str] = ()) -> Found:  # fmt: skip
         """The hits of a query. Snippets are ranked by cosine, documents by fusion, unless `method` says so."""
         generation = self.opened()
         chosen = method or ("embedding" if kind == "snippet" else "fused")
-        return retrieve(generation.shelves[kind], kind, query, self.vector(query), chosen, limit, component)
+        return retrieve(generation.shelves[kind], kind, query, self.vector(query), chosen, limit, component, terms)
 
     def search(self, query: str, kind: Kind = "doc", component: str | None = None, limit: int = 5,
-               abstain: bool = True, method: Method | None = None) -> list[Passage]:  # fmt: skip
-        """The passages that answer a query, best first; none where nothing fits (and `abstain` holds)."""
+               abstain: bool = True, method: Method | None = None,
+               terms: Sequence[str] = ()) -> list[Passage]:  # fmt: skip
+        """The passages that answer a query, best first; none where nothing fits (and `abstain` holds). `terms`: see
+        retriever.retrieve."""
         if not query.strip():
             return []
         if component:
             component = component[0].upper()
-        found = self.find(query, kind, component, limit, method)
+        found = self.find(query, kind, component, limit, method, terms)
         if abstain and not found.answerable:
             return []
         shelf = self.opened().shelves[kind]

@@ -1,20 +1,24 @@
 """The dual retriever over one shelf: embedding alone, BM25 alone, or both fused."""
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
 
-from c2s_engine.retrieve.abstain import answerable
+from c2s_engine.retrieve.abstain import COSINE, answerable
 from c2s_engine.retrieve.fusion import fuse
 from c2s_engine.retrieve.rows import Kind
 from c2s_engine.retrieve.store import Shelf
+from c2s_engine.retrieve.terms import agreement
 from c2s_engine.retrieve.tokens import tokenise
 
 Method = Literal["embedding", "bm25", "fused"]
 DEPTH = 50  # items of each list that are fused
 WEIGHTS = {"clause": 2.0}
+AGREEMENT = 0.5  # what full agreement in the vocabulary's words adds to a cosine
+UNKNOWN = 0.5  # the agreement of a near snippet of which no words are known (a user's own)
 CLAUSE = re.compile(r"(?<![\w.])\d{1,2}(?:\.\d{1,3}){1,6}(?![\w])")
 
 
@@ -40,17 +44,24 @@ class Found:
 
 
 def retrieve(
-    shelf: Shelf, kind: Kind, query: str, vector: np.ndarray, method: Method, limit: int, component: str | None = None
-) -> Found:
-    """The best items of a shelf for a query with its vector (filtered by component, where one is named)."""
+    shelf: Shelf, kind: Kind, query: str, vector: np.ndarray, method: Method, limit: int, component: str | None = None,
+    terms: Sequence[str] = (),
+) -> Found:  # fmt: skip
+    """The best items of a shelf for a query with its vector (filtered by component, where one is named).
+
+    `terms`: the words of the vocabulary that the items are to be about; what is about others is left out."""
     if not len(shelf):
         return Found([], False, 0.0, 0.0)
     allowed = shelf.components == component if component else None
     cosines = shelf.vectors @ vector
-    near = np.where(allowed, cosines, -2.0) if allowed is not None else cosines
+    agreed = _agreed(shelf, component, terms, cosines) if component and terms else None
+    value = cosines
+    if agreed is not None:  # rows of other components have none
+        allowed, value = agreed > 0, cosines + AGREEMENT * agreed
+    near = np.where(allowed, value, -2.0) if allowed is not None else value
     by_meaning = _best(shelf, near, np.arange(len(shelf)), near, DEPTH)
-    terms = tokenise(query)
-    documents, scores = shelf.postings.scores(terms)
+    tokens = tokenise(query)
+    documents, scores = shelf.postings.scores(tokens)
     documents = shelf.lexical_rows[documents]
     if allowed is not None:
         kept = allowed[documents]
@@ -75,9 +86,19 @@ def retrieve(
     for index, score in fuse(used, WEIGHTS)[:limit]:
         row = standing[items[index]]
         hits.append(Hit(row, items[index], score, float(cosines[row]), ranks[items[index]]))
-    cosine = float(near[by_meaning[0][0]]) if by_meaning else 0.0
-    covered = _coverage(shelf, terms, [row for row, _ in by_words[:5]])
-    return Found(hits, bool(hits) and answerable(kind, cosine, covered), cosine, covered)
+    cosine = float(cosines[by_meaning[0][0]]) if by_meaning else 0.0
+    covered = _coverage(shelf, tokens, [row for row, _ in by_words[:5]])
+    fits = agreed is not None or answerable(kind, cosine, covered)
+    return Found(hits, bool(hits) and fits, cosine, covered)
+
+
+def _agreed(shelf: Shelf, component: str, terms: Sequence[str], cosines: np.ndarray) -> np.ndarray | None:
+    """How far each row is about these words, 0 to 1; None where no row of the component is."""
+    found = np.zeros(len(shelf))
+    for row in np.flatnonzero(shelf.components == component):
+        agreed = agreement(component, terms, shelf.terms[row])
+        found[row] = UNKNOWN * (cosines[row] >= COSINE["snippet"]) if agreed is None else agreed
+    return found if found.any() else None
 
 
 def _by_clause(shelf: Shelf, query: str) -> list[int]:

@@ -8,7 +8,7 @@ from c2s_engine.retrieve.wording import plain
 
 Kind = Literal["doc", "snippet"]
 TABLES: dict[Kind, str] = {"doc": "documents", "snippet": "snippets"}
-SCHEMA = 1
+SCHEMA = 2
 """Raised with every change of the tables, the chunking or the tokeniser: an older index is built anew."""
 
 
@@ -17,7 +17,8 @@ class Row:
     """`embedded` is what the vector is of, `lexical` what BM25 reads, `text` what is shown.
 
     An item may have several rows (phrases of a snippet; heading and sentences of a chunk): its nearest one counts. Only
-    rows with a `lexical` text are known to BM25."""
+    rows with a `lexical` text are known to BM25. `terms`: the words of the vocabulary that a snippet is about, apart by
+    blanks; empty where they are not known."""
 
     item: str
     source_id: str
@@ -29,6 +30,7 @@ class Row:
     clause: str = ""
     page: int = 0
     component: str = ""
+    terms: str = ""
 
     @property
     def key(self) -> str:

@@ -28,6 +28,9 @@ class Snippet(BaseModel):
     description: str
     paraphrases: tuple[str, ...] = ()
     places: tuple[str, ...] = ()
+    manoeuvres: tuple[str, ...] = ()
+    controls: tuple[str, ...] = ()
+    ego_lanes: tuple[str, ...] = ()
     positions: tuple[str, ...] = ()
     actions: tuple[str, ...] = ()
     types: tuple[str, ...] = ()
@@ -37,10 +40,19 @@ class Snippet(BaseModel):
     code: str
 
     @property
+    def terms(self) -> tuple[str, ...]:
+        """The words of the specs' vocabulary that it is about; details of a place with their field."""
+        details = {"manoeuvre": self.manoeuvres, "control": self.controls, "ego_lane": self.ego_lanes}
+        return (*self._told, *(f"{field}={word}" for field, words in details.items() for word in words))
+
+    @property
+    def _told(self) -> tuple[str, ...]:
+        return (*self.actions, *self.reactions, *self.places, *self.positions, *self.types, *self.conditions)
+
+    @property
     def keywords(self) -> str:
-        """Its terms of the spec vocabulary, as a phrase: "cut in, left lane, car"."""
-        terms = (*self.actions, *self.reactions, *self.places, *self.positions, *self.types, *self.conditions)
-        return ", ".join(t.replace("_", " ") for t in terms)
+        """These as a phrase, without the details of places: "cut in, left lane, car"."""
+        return ", ".join(t.replace("_", " ") for t in self._told)
 
     @property
     def phrases(self) -> tuple[str, ...]:
@@ -71,22 +83,13 @@ def rows(snippets: Iterable[Snippet], source_id: str, source: str) -> list[Row]:
     """One row a phrase; the code is read by BM25 with the first of them only."""
     found = []
     for snippet in snippets:
-        tags = " ".join(
-            (
-                *snippet.places,
-                *snippet.positions,
-                *snippet.actions,
-                *snippet.types,
-                *snippet.conditions,
-                *snippet.reactions,
-            )
-        ).replace("_", " ")
+        tags = snippet.keywords.replace(",", "")
         full = f"{snippet.description}\n{tags}\n{snippet.code}"
         for i, phrase in enumerate(dict.fromkeys([*snippet.phrases, snippet.keywords] if tags else snippet.phrases)):
             found.append(
                 Row(item=snippet.id, source_id=source_id, title=snippet.description, text=snippet.code, embedded=phrase,
                     lexical="" if phrase == snippet.keywords else full if i == 0 else phrase, source=source,
-                    component=snippet.component)
+                    component=snippet.component, terms=" ".join(snippet.terms))
             )  # fmt: skip
     return found
 

@@ -22,7 +22,8 @@ from c2s_engine.retrieve.errors import RetrievalError, storage_error
 from c2s_engine.retrieve.rows import SCHEMA, TABLES, Kind, Row, Source
 from c2s_engine.retrieve.tokens import tokenise
 
-TEXT_COLUMNS = ("item", "source_id", "title", "text", "embedded", "lexical", "source", "clause", "component", "key")
+TEXT_COLUMNS = ("item", "source_id", "title", "text", "embedded", "lexical", "source", "clause", "component",
+                "terms", "key")  # fmt: skip
 KEEP = 2  # generations: the current one, and the one that a reader in another process may still be opening
 Progress = Callable[[str, int, int], None]
 
@@ -61,6 +62,7 @@ class Shelf:
         self.lexical_rows = np.flatnonzero(pc.not_equal(table.column("lexical"), "").to_numpy())
         self.clauses = table.column("clause").to_pylist()
         self.components = np.asarray(table.column("component").to_pylist(), dtype=object)
+        self.terms = [terms.split() for terms in table.column("terms").to_pylist()]
         if len(self.lexical_rows) != postings.size:
             raise ValueError("the postings do not fit the table")
 

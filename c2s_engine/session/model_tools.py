@@ -43,8 +43,8 @@ def method_tools(
     async def places(structure: Structure) -> Diagnostic | None:
         return (await resolve(structure, tools.library, tools.check, default=tools.settings.map)).diagnostic
 
-    async def search(query: str, *, kind: str = "doc", component: str | None = None, limit: int = 3) -> list[Passage]:
-        return await (await ready(tools, emit)).search(query, kind=kind, component=component, limit=limit)
+    async def search(query: str, **how: Any) -> list[Passage]:
+        return await (await ready(tools, emit)).search(query, **how)
 
     async def embed(texts: Sequence[str]) -> list[list[float]]:
         return await (await ready(tools, emit)).embed(list(texts))

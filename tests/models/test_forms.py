@@ -3,9 +3,10 @@
 import json
 import random
 import re
-from typing import Any, get_args
+from typing import Any, Literal, get_args
 
 import pytest
+from pydantic import Field
 
 from c2s_engine.interpret.llm import prose, spoken
 from c2s_engine.interpret.llm.asking import prompt
@@ -16,7 +17,7 @@ from c2s_engine.interpret.llm.settings import settings_schema
 from c2s_engine.interpret.llm.units import annotate, quantities
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, Trigger
+from c2s_engine.structure.specs import SPEC_OF, EgoSpec, ObjectSpec, Phase, Placement, Reference, Spec, Trigger
 
 _FIELD = re.compile(r"(?:^|; )(\w+)(?: \(([^()]*)\))?(?=:|;|$)")
 
@@ -131,6 +132,36 @@ def test_a_long_report_is_shown_in_its_part():
     shown = excerpt(report, "A van pulls out from the kerb.")
     assert "kerb" in shown and "pulled out" in shown and "witness" not in shown and len(shown) < 240
     assert excerpt("It rains.", "anything") == "It rains."
+
+
+class _Contact(Spec):
+    part: Literal["front", "rear"] | None = Field(None, description="where it is hit")
+    by: Reference | None = Field(None, description="who hits it")
+
+
+class _Phase(Phase):
+    modality: Literal["attempt", "abort"] | None = Field(None, description="whether it comes to that")
+    contact: _Contact | None = Field(None, description="how both touch")
+
+
+class _Object(ObjectSpec):
+    phases: tuple[_Phase, ...] = Field((), description="what it does")
+    width: float | None = Field(None, description="how wide it is, m")
+
+
+@pytest.mark.parametrize("others", [0, 2])
+def test_a_new_field_of_the_specs_is_in_schema_and_prose(monkeypatch, others):
+    monkeypatch.setitem(SPEC_OF, "O", _Object)
+    told = tuple(ObjectSentence(type="car", sentence="A car.") for _ in range(others + 1))
+    form = form_of("O1", "", Sentences(objects=told))
+    assert [t[:2] for t in prose_of(form)] == [a[:2] for a in schema_of(form.schema)]
+    fields = {name for _, name, _ in schema_of(form.schema)}
+    assert {"modality", "contact", "part", "by", "width"} <= fields, "a reference can always be ego"
+    assert "whether it comes to that" in form.system and "who hits it" in form.system
+    phase = form.schema["properties"]["phases"]["items"]["properties"]
+    assert phase["contact"]["properties"]["by"]["enum"] == ["ego", *(f"O{i}" for i in range(2, others + 2))]
+    shown = [json.loads(line) for line in form.system.splitlines() if line.startswith("{")]
+    assert shown and all(accepts(form.schema, value) == "" for value in shown)
 
 
 def test_notes_of_quantities_are_not_doubled():

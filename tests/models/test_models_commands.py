@@ -121,6 +121,16 @@ def test_probe_shows_each_way_and_doctor_remembers(server, monkeypatch):
     assert run("probe", "thinker", "--again").exit_code == 0 and len(server.requests) == 2 * asked
 
 
+def test_probe_takes_the_model_that_is_set(server, monkeypatch, tmp_path):
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    monkeypatch.delenv("C2S_MODEL", raising=False)
+    server.respond = lambda request: RIGHT
+    none = run("probe", "--host", server.host)
+    assert none.exit_code == 2 and none.output.startswith("Name the model to be tried: `c2s models list`")
+    monkeypatch.setenv("C2S_MODEL", "small")
+    assert run("probe", "--host", server.host).output.rstrip().splitlines()[-1].startswith("small:")
+
+
 def test_models_worth_trying_by_memory():
     every, some = run("suggest").output.splitlines(), run("suggest", "--memory", "8").output.splitlines()
     assert 3 < len(some) < len(every) and some == every[: len(some)], "the smallest come first"

@@ -18,8 +18,19 @@ from c2s_engine.retrieve.bm25 import Postings
 from c2s_engine.retrieve.embedder import Embedder
 from c2s_engine.retrieve.errors import BadDocument
 from c2s_engine.retrieve.fusion import fuse
+from c2s_engine.retrieve.terms import agreement, terms_of
 from c2s_engine.retrieve.tokens import tokenise
 from c2s_engine.retrieve.wording import plain
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.specs import (
+    Condition,
+    EgoSpec,
+    ObjectSpec,
+    Phase,
+    Placement,
+    PlaceSpec,
+    RestrictionsSpec,
+)
 
 WORDS = st.lists(st.sampled_from("abcdefgh"), min_size=1, max_size=12)
 
@@ -201,7 +212,49 @@ def test_snippets_cover_the_vocabulary():
         assert set(count) <= set(names), field
         assert not [n for n in names if count[n] < 2], field
     assert {t for s in snippets for t in s.types} <= set(words["object_types"])
+    for field in ("manoeuvres", "controls", "ego_lanes"):
+        assert {t for s in snippets for t in getattr(s, field)} <= set(words[field]), field
     assert all(len(s.phrases) >= 2 for s in snippets)
+
+
+def test_what_is_about_others_does_not_agree():
+    """A thing alone has nothing of a cut-out, keeping a lane nothing of a junction; nearer types come first."""
+    thing = ("container", "ahead", "stationary")
+    assert agreement("O", thing, ("cut_out", "stationary", "ahead", "car")) == 0
+    assert agreement("O", thing, ("stationary", "ahead", "container")) == 1
+    car = ("car", "ahead", "keep_lane")
+    assert agreement("O", car, ("lane_change", "ahead", "car")) == 0
+    same, van, right = (agreement("O", car, ("keep_lane", *more)) for more in (("ahead", "car"), ("ahead", "van"),
+                                                                               ("right_lane", "car")))  # fmt: skip
+    assert same == 1 > van > 0 and 1 > right > 0
+    assert agreement("O", car, ()) is None, "nothing is known of a user's own"
+    left = ("intersection", "manoeuvre=left")
+    told, untold, other, elsewhere = (
+        agreement("R", left, ("intersection", *w)) for w in (("manoeuvre=left",), (), ("manoeuvre=right",), ())
+    )
+    assert told == 1 > untold == elsewhere > other > 0 == agreement("R", left, ("motorway",))
+
+
+@pytest.mark.parametrize(
+    ("spec", "about"),
+    [
+        (ObjectSpec(type="cone"), ("cone", "ahead", "stationary")),
+        (ObjectSpec(placement=Placement(position="parked")), ("car", "parked", "stationary")),
+        (ObjectSpec(placement=Placement(position="crossing_left")), ("car", "crossing_left", "go_straight")),
+        (ObjectSpec(type="child", placement=Placement(position="sidewalk")), ("child", "sidewalk", "move_along")),
+        (ObjectSpec(phases=(Phase(action="brake"), Phase(action="brake"))), ("car", "ahead", "brake")),
+        (EgoSpec(), ("car", "turn_left")),
+        (EgoSpec(reaction="yield"), ("car", "turn_left", "yield")),
+        (PlaceSpec(kind="road", ego_lane="leftmost"), ("road", "ego_lane=leftmost")),
+        (RestrictionsSpec(duration=9, require=(Condition(kind="visible", other="O1"),)), ("visible", "time")),
+    ],
+)
+def test_what_a_component_is_about(spec, about):
+    place = PlaceSpec(kind="intersection", manoeuvre="left")
+    cid = "O1" if spec.component == "O" else spec.component
+    s = Structure(text="x", place=Component(id="R", spec=place), objects=(Component(id="O1", spec=ObjectSpec()),))
+    s = s.with_component(Component(id=cid, spec=spec))
+    assert terms_of(s, cid) == about
 
 
 def test_at_most_three_snippets_share_a_skeleton():

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+from c2s_bench.retrieval.fitting import fitting
 from c2s_engine.retrieve import commands, sources, vectors
 from c2s_engine.retrieve.client import RetrievalClient
 from c2s_engine.retrieve.embedder import Embedder
@@ -47,6 +48,14 @@ async def test_questions_snippets_and_silence(index_folder):
         assert (await client.search("5.2.5.2"))[0].clause.endswith("5.2.5.2")
         vectors = await client.embed(["one", "two"])
         assert [len(v) for v in vectors] == [384, 384]
+
+
+def test_snippets_fit_what_a_component_is_and_does(index_folder):
+    """Of what is shown for judged components (benchmark/retrieval/fitting.yaml) at least 85 % fit."""
+    rows, _ = fitting(Library(index_folder, threads=1))
+    by = {way: [r for r in rows if r["by"] == way] for way in ("sentence", "sentence and terms")}
+    share = {way: sum(r["fit"] for r in found) / sum(r["shown"] for r in found) for way, found in by.items()}
+    assert share["sentence and terms"] >= 0.85 > share["sentence"] + 0.2
 
 
 async def test_add_search_list_remove(own_index, tmp_path):

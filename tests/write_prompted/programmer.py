@@ -62,9 +62,13 @@ class Library:
 
     def __init__(self) -> None:
         self.asked: list[tuple[str, str, str | None, int]] = []
+        self.about: dict[str, tuple[str, ...]] = {}
 
-    async def __call__(self, query: str, kind: str, component: str | None, limit: int) -> list[Passage]:
+    async def __call__(
+        self, query: str, kind: str, component: str | None, limit: int, terms: tuple[str, ...] = ()
+    ) -> list[Passage]:
         self.asked.append((query, kind, component, limit))
+        self.about[query] = terms
         title = "A similar component" if kind == "snippet" else "Specifiers"
         text = "x = new Car ahead of ego by 10" if kind == "snippet" else "A specifier sets a property of an object."
         row = {"kind": kind, "title": title, "text": text, "score": 0.9, "component": component or ""}

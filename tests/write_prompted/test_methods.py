@@ -38,7 +38,9 @@ class Shelf:
             told = [_words(t) for t in (title, *re.findall(r"#   - (.*)", head))]
             self.rows.append((path.parent.name, title, told, code))
 
-    async def __call__(self, query: str, kind: str, component: str | None, limit: int) -> list[Passage]:
+    async def __call__(
+        self, query: str, kind: str, component: str | None, limit: int, terms: tuple[str, ...] = ()
+    ) -> list[Passage]:
         wanted = _words(query)
         near = [
             (max(len(wanted & words) / len(wanted | words) for words in told), title, code)

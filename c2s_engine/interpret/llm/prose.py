@@ -9,7 +9,7 @@ from typing import Any
 import yaml
 
 from c2s_engine.interpret.llm import words
-from c2s_engine.interpret.llm.schema import accepts
+from c2s_engine.interpret.llm.schema import accepts, described
 
 UNMET = "what these fields cannot say, such as paces in words"
 EXAMPLES = 2
@@ -26,15 +26,17 @@ def table() -> dict[str, Any]:
 
 def fields(kind: str, schema: dict[str, Any]) -> str:
     """`- name (choices): meaning` for each field, the fields of an object below it (several on a line), and a line for
-    each choice that the vocabulary explains."""
-    told = {**table()[kind]["fields"], "unmet": UNMET}
-    return "\n".join(_lines(schema["properties"], told, "- ", {}))
+    each choice that the vocabulary explains. A field that fields.yaml does not know is told in its class's words."""
+    known = described("O" if kind == "thing" else kind)
+    told = {**known, **table()[kind]["fields"], "unmet": UNMET}
+    return "\n".join(_lines(schema["properties"], told, "- ", {}, known))
 
 
 def _lines(
-    properties: dict[str, Any], told: Mapping[str, Any], mark: str, explained: dict[str, list[Any]]
-) -> list[str]:
-    """`explained`: the choices that were explained so far, by their field."""
+    properties: dict[str, Any], told: Mapping[str, Any], mark: str, explained: dict[str, list[Any]],
+    known: Mapping[str, str],
+) -> list[str]:  # fmt: skip
+    """`explained`: the choices that were explained so far, by their field; `known`: what the classes say."""
     rows: list[str] = []
     joins = False
     for name, node in properties.items():
@@ -44,7 +46,9 @@ def _lines(
         if inner is not None:
             each = ", each" if node.get("type") == "array" else ""
             rows.append(f"{mark}{name}: {plain}{each}:")
-            rows += _lines(inner["properties"], table()["inner"][name], f"-{mark}", explained)
+            rows += _lines(
+                inner["properties"], {**known, **table()["inner"].get(name, {})}, f"-{mark}", explained, known
+            )
         elif section:
             rows.append(f"{mark}{name}{f': {plain}' if plain else ''}:")
             rows += [row.replace("- ", " ", 1) for row in words.lines(section, choices).splitlines()]

@@ -7,15 +7,15 @@ by naming something (a blueprint, a map) are offered only where it does.
 
 from collections.abc import Iterable
 from functools import cache
-from typing import Any
+from typing import Any, get_args
 
 import yaml
 from pydantic import BaseModel
 
 from c2s_engine import paths
-from c2s_engine.structure.specs import SPEC_OF
+from c2s_engine.structure.specs import SPEC_OF, Reference
 
-REFERENCES = {"of", "target", "react_to", "hidden_by", "subject", "other"}
+_REFERENCE = next(m.pattern for m in get_args(Reference)[1].metadata if hasattr(m, "pattern"))
 ASKED = {"G": (), "R": (), "E": (), "O": ("name", "type", "placement"), "T": ()}
 """The fields that every answer must have."""
 NAMED_ONLY = {"model", "parameters", "preset", "map"}
@@ -40,6 +40,13 @@ def spec_class(kind: str) -> type[BaseModel]:
     return SPEC_OF[kind]  # type: ignore[return-value]
 
 
+def described(kind: str) -> dict[str, str]:
+    """What the specs' classes say of the fields of a kind, by name, those of the objects in it too."""
+    whole = spec_class(kind).model_json_schema()
+    parts = [*whole.get("$defs", {}).values(), whole]
+    return {n: f.get("description", "") for part in parts for n, f in part.get("properties", {}).items()}
+
+
 def compact(model: type[BaseModel], ids: tuple[str, ...] = (), allowed: dict[str, list[str]] | None = None) -> dict:
     """The inlined, closed schema of a pydantic class."""
     whole = model.model_json_schema()
@@ -54,7 +61,7 @@ def _node(node: dict[str, Any], defs: dict[str, Any], name: str, ids: tuple[str,
         if len(choices) == 1:
             return _node(choices[0], defs, name, ids, allowed)
         return {"anyOf": [_node(c, defs, name, ids, allowed) for c in choices]}
-    if name in REFERENCES:
+    if _refers(node):
         return {"type": "string", "enum": _referable(name, ids)}
     if "const" in node:
         return {"type": "string", "enum": [node["const"]]}
@@ -76,13 +83,18 @@ def _node(node: dict[str, Any], defs: dict[str, Any], name: str, ids: tuple[str,
 
 def _object(node: dict[str, Any], defs: dict, ids: tuple[str, ...], allowed: dict) -> dict[str, Any]:
     names = [n for n in node.get("properties", {}) if n != "component" and (n not in NAMED_ONLY or n in allowed)]
-    names = [n for n in names if n not in REFERENCES or _referable(n, ids)]
+    names = [n for n in names if not _refers(node["properties"][n]) or _referable(n, ids)]
     properties = {n: _node(node["properties"][n], defs, n, ids, allowed) for n in names}
     schema: dict[str, Any] = {"type": "object", "properties": properties, "additionalProperties": False}
     required = [n for n in node.get("required", ()) if n in names]
     if required:
         schema["required"] = required
     return schema
+
+
+def _refers(node: dict[str, Any]) -> bool:
+    """Whether a field names ego or an object."""
+    return any(n.get("pattern") == _REFERENCE for n in (node, *node.get("anyOf", ())))
 
 
 def _referable(name: str, ids: tuple[str, ...]) -> list[str]:

@@ -31,7 +31,8 @@ def shortened() -> dict[str, dict[str, str]]:
 
 def lines(section: str, names: Iterable[str] | None = None) -> str:
     """`- name: meaning` for each word of a section, or of those named; on one line those that say all themselves."""
-    table: dict[str, str] = shortened().get(section) or vocabulary()[section]
+    whole = {n: entry["means"] if isinstance(entry, dict) else entry for n, entry in vocabulary()[section].items()}
+    table: dict[str, str] = {**whole, **shortened().get(section, {})}
     chosen = [n for n in (names or table) if n in table]
     told = [f"- {n}: {table[n]}" for n in chosen if table[n]]
     plain = [n for n in chosen if not table[n]]

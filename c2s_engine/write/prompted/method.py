@@ -13,6 +13,7 @@ from c2s_engine.interpret.llm.settings import detect
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.errors import AnswerTruncated, AnswerUnusable, ModelError
 from c2s_engine.models.messages import Message, Question
+from c2s_engine.retrieve.terms import terms_of
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import references
 from c2s_engine.structure.progress import ComponentState, Passage, Progress, Say
@@ -229,7 +230,8 @@ class PromptedMethod:
             return ""
 
     async def _retrieved(self, structure: Structure, cid: ComponentId) -> tuple[list[Passage], list[Passage]]:
-        """CodeICL and DocICL: what the configuration asks for, by the component's sentence."""
+        """CodeICL and DocICL: what the configuration asks for, by the component's sentence; snippets also by what it is
+        and does as read by the embedded interpreter (without one, by the sentence alone)."""
         config, query = self.configuration, structure[cid].description
         if cid == "R" and not query:  # the others tell what the place must have
             told = (c.description for c in (structure.ego, *structure.objects))
@@ -239,7 +241,9 @@ class PromptedMethod:
         snippets, chunks = [], []
         try:
             if config.has("CodeICL"):
-                found = await self.search(query, kind="snippet", component=cid[0], limit=WIDER * config.snippets)
+                about = terms_of(structure, cid) if self.embedded is not None else ()
+                limit = WIDER * config.snippets
+                found = await self.search(query, kind="snippet", component=cid[0], limit=limit, terms=about)
                 snippets = fitted(found, code_so_far(structure, cid))[: config.snippets]
             if config.has("DocICL"):
                 chunks = await self.search(query, kind="doc", component=None, limit=config.chunks)

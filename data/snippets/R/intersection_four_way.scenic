@@ -4,6 +4,7 @@
 #   - crossroads with four arms, continue ahead
 #   - drive straight across a four-legged junction
 # places: [intersection]
+# manoeuvres: [straight]
 # ---
 fourWays = filter(lambda i: i.is4Way, network.intersections)
 junction = Uniform(*fourWays)

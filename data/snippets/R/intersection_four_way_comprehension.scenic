@@ -3,6 +3,7 @@
 # paraphrases:
 #   - junction where four streets meet, ego does not turn
 # places: [intersection]
+# manoeuvres: [straight]
 # ---
 crossings4 = [m for i in network.intersections if i.is4Way for m in i.maneuvers if m.type is ManeuverType.STRAIGHT]
 way = Uniform(*[m for m in crossings4 if m.startLane.centerline.length > 80])

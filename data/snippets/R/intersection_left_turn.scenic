@@ -4,6 +4,7 @@
 #   - take the left road at the crossroads
 #   - the car under test makes a left at the junction
 # places: [intersection]
+# manoeuvres: [left]
 # ---
 leftTurns = [m for i in network.intersections if i.is4Way for m in i.maneuvers if m.type is ManeuverType.LEFT_TURN]
 egoManeuver = Uniform(*leftTurns)

@@ -4,6 +4,8 @@
 #   - leave the through road to the left at an unsignalised T
 #   - left into the minor road at a three-arm junction
 # places: [intersection]
+# manoeuvres: [left]
+# controls: [none]
 # ---
 teeTurns = [m for i in network.intersections if i.is3Way and not i.isSignalized for m in i.maneuvers if m.type is ManeuverType.LEFT_TURN]
 egoManeuver = Uniform(*teeTurns)

@@ -4,6 +4,7 @@
 #   - unprotected left turn against opposite traffic
 #   - left turn across path, opposite direction
 # places: [intersection]
+# manoeuvres: [left]
 # ---
 leftTurns = [m for i in network.intersections if i.is4Way for m in i.maneuvers if m.type is ManeuverType.LEFT_TURN]
 crossed = [m for m in leftTurns if any(c.type is ManeuverType.STRAIGHT for c in m.conflictingManeuvers)]

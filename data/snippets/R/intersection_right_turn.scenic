@@ -4,6 +4,7 @@
 #   - nearside turn into the side street
 #   - right-hand turn at a junction
 # places: [intersection]
+# manoeuvres: [right]
 # ---
 rightTurns = [m for i in network.intersections for m in i.maneuvers if m.type is ManeuverType.RIGHT_TURN]
 egoManeuver = Uniform(*[m for m in rightTurns if m.startLane.centerline.length > 70])

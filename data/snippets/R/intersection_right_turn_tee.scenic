@@ -5,6 +5,7 @@
 #   - turn right where the road ends at another
 #   - right turn at a junction of three roads
 # places: [intersection]
+# manoeuvres: [right]
 # ---
 teeJunctions = filter(lambda i: i.is3Way and any(m.type is ManeuverType.RIGHT_TURN for m in i.maneuvers), network.intersections)
 junction = Uniform(*teeJunctions)

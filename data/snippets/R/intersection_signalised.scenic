@@ -5,6 +5,8 @@
 #   - drive up to a junction controlled by signals
 #   - a junction with traffic lights
 # places: [intersection]
+# manoeuvres: [straight]
+# controls: [signal]
 # ---
 signalised = filter(lambda i: i.isSignalized and i.is4Way, network.intersections)
 junction = Uniform(*signalised)

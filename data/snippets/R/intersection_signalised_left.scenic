@@ -4,6 +4,8 @@
 #   - left turn at the lights
 #   - signal-controlled junction, turning off to the left
 # places: [intersection]
+# manoeuvres: [left]
+# controls: [signal]
 # ---
 lights = [m for i in network.intersections if i.isSignalized for m in i.maneuvers if m.type is ManeuverType.LEFT_TURN]
 egoManeuver = Uniform(*lights)

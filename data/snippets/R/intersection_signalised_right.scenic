@@ -5,6 +5,8 @@
 #   - turn right at the traffic lights
 #   - right turn at a light
 # places: [intersection]
+# manoeuvres: [right]
+# controls: [signal]
 # ---
 signalised = filter(lambda i: i.isSignalized, network.intersections)
 junction = Uniform(*signalised)

@@ -4,6 +4,7 @@
 #   - a side road joins, but the car continues ahead
 #   - three-legged junction, main road
 # places: [intersection]
+# manoeuvres: [straight]
 # ---
 tees = filter(lambda i: i.is3Way, network.intersections)
 junction = Uniform(*filter(lambda i: len(i.maneuvers) >= 6, tees))

@@ -4,6 +4,7 @@
 #   - make a U-turn and go back the way it came
 #   - reversing direction at the crossing
 # places: [intersection]
+# manoeuvres: [u_turn]
 # ---
 uTurnLanes = [m.startLane for i in network.intersections for m in i.maneuvers if m.startLane.group._opposite and m.startLane.centerline.length > 80]
 egoLane = Uniform(*uTurnLanes)

@@ -4,6 +4,8 @@
 #   - uncontrolled crossroads, no signals
 #   - junction without lights, priority by rule
 # places: [intersection]
+# manoeuvres: [straight]
+# controls: [none]
 # ---
 quiet = [i for i in network.intersections if i.is4Way and not i.isSignalized]
 junction = Uniform(*quiet)

@@ -4,6 +4,7 @@
 #   - junction with conflicting cross traffic
 #   - straight crossing paths at an intersection
 # places: [intersection]
+# manoeuvres: [straight]
 # ---
 crossable = [m for i in network.intersections if i.is4Way for m in i.maneuvers if m.type is ManeuverType.STRAIGHT]
 egoManeuver = Uniform(*crossable)

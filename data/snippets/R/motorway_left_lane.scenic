@@ -4,6 +4,7 @@
 #   - fast lane of an expressway
 #   - passing lane on a divided highway
 # places: [motorway]
+# ego_lanes: [leftmost]
 # ---
 carriageways = [g for g in network.laneGroups if g._opposite is None and not g._sidewalk and len(g.lanes) >= 2]
 carriageway = Uniform(*[g for g in carriageways if g.lanes[0].centerline.length > 500])

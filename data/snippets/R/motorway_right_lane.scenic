@@ -4,6 +4,7 @@
 #   - divided highway, slow lane
 #   - interstate, keep to the right
 # places: [motorway]
+# ego_lanes: [rightmost]
 # ---
 carriageways = filter(lambda g: g.road.is1Way and not g._sidewalk and len(g.lanes) >= 2 and g.lanes[0].centerline.length > 500, network.laneGroups)
 carriageway = Uniform(*carriageways)

@@ -4,6 +4,7 @@
 #   - the vehicle under test occupies the inner, fast lane
 #   - start in the passing lane of a multi-lane road
 # places: [road]
+# ego_lanes: [leftmost]
 # ---
 sections = [s for s in network.laneSections if s._laneToRight and s.lane.centerline.length > 220]
 passing = filter(lambda s: s._laneToLeft is None or s._laneToLeft.isForward != s.isForward, sections)

@@ -5,6 +5,7 @@
 #   - a straight road with two lanes going my way
 #   - a straight multi-lane road
 # places: [straight]
+# ego_lanes: [rightmost]
 # ---
 def bend(lane):
     return lane.centerline.length - lane.centerline[0].distanceTo(lane.centerline[-1])

@@ -17,9 +17,10 @@ from c2s_tui.results.actions import Results
 from c2s_tui.screens.dialogs import Choosable, Chooser, Reading
 from c2s_tui.search import Search
 from c2s_tui.start import Start
+from c2s_tui.turns import Turns
 
 
-class Actions(Layout, Start, Files, Past, Choices, Results, Search):
+class Actions(Turns, Layout, Start, Files, Past, Choices, Results, Search):
     """Commands that concern the panes and the session's turns; the other mixins hold the rest."""
 
     async def run_command(self: Any, name: str, argument: str = "") -> None:
@@ -216,6 +217,9 @@ class Actions(Layout, Start, Files, Past, Choices, Results, Search):
             self.picture.add_class("-on")
             self.go_to("picture")
             self.call_after_refresh(self.picture.show, self.desk)
+        elif self.busy or not self.ready:
+            self.then = "picture"
+            self.app.notify("The picture opens as soon as there is a run.", markup=False)
         elif self.desk.program.text and await self._may_begin():
             self.run_again("picture", told=False)
         elif not self.desk.program.text:

@@ -4,14 +4,16 @@ import asyncio
 import os
 import signal
 import sys
+from collections.abc import Iterable
 from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 from textual import work
-from textual.app import App, ComposeResult
+from textual.app import App, ComposeResult, SystemCommand
 from textual.events import Key
+from textual.screen import Screen
 from textual.widgets import Static
 
 from c2s_tui import prefs as preferences
@@ -74,6 +76,10 @@ class C2SApp(App[None]):
             self.backend = Backend()
         self.workbench = module.Workbench(self.backend, self.session_name, self.file)
         await self.push_screen(self.workbench)
+
+    def get_system_commands(self, screen: Screen) -> Iterable[SystemCommand]:
+        """None of Textual's own in the palette: quitting, themes and keys are commands of this app."""
+        return ()
 
     async def action_quit(self) -> None:
         """Leave; the workbench asks first where work would be lost. A second time it is meant."""

@@ -19,6 +19,7 @@ class Prefs:
     animation: bool = True
     welcomed: bool = False
     session: str = ""
+    graphics: str = "auto"  # how the picture is drawn: auto, kitty, sixel, blocks, text
     widths: str = ""  # shares of the three columns, such as "36 46 58"
     keys: dict[str, str] = field(default_factory=dict)
     trouble: str = field(default="", repr=False)  # why the file could not be used; shown once

@@ -49,6 +49,9 @@ class Start:
         self.ready = True
         if self.file is not None and self.session is not None:
             await self.import_file(self.file)
+        if self.then and not self.busy:
+            then, self.then = self.then, ""
+            await self.run_command(then)
 
     async def welcome(self: Any) -> None:
         """The first run: the example session, explained in six lines; no model, no network."""

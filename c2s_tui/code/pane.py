@@ -77,6 +77,7 @@ class CodePane(Vertical):
             self.desk = desk
             return
         self.desk = desk
+        first = not self.base.text and bool(desk.program.text)
         if desk.program.text != self.base.text:
             typed = merged(self.base.text, self.text, desk.program.text)
             self.area.replace_text(desk.program.text)
@@ -86,6 +87,13 @@ class CodePane(Vertical):
         if not self.edited:
             self._live = None
         self._draw()
+        if first:
+            self.call_after_refresh(self._begin_at_ego)
+
+    def _begin_at_ego(self) -> None:
+        """What is looked for first in a program is ego, not settings and imports."""
+        if self.area.cursor_location == (0, 0):
+            self.point("E")
 
     def empty(self) -> None:
         """Forget the text and its history: another session's comes."""

@@ -1,5 +1,5 @@
-"""The packages, found; everything else is in pyproject.toml. Data and benchmark lie beside the engine at the top level and
-are installed under names of their own (package-dir there)."""
+"""The packages, found; everything else is in pyproject.toml. Data and benchmark lie beside the engine at the top level
+and are installed under names of their own (package-dir there)."""
 
 from setuptools import find_packages, setup
 

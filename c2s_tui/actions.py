@@ -7,6 +7,7 @@ from textual import work
 from textual.content import Content
 
 from c2s_engine.structure.edits import SetCode
+from c2s_tui.borders import Borders
 from c2s_tui.choices import Choices
 from c2s_tui.commands import commands
 from c2s_tui.desk import checked
@@ -20,7 +21,7 @@ from c2s_tui.start import Start
 from c2s_tui.turns import Turns
 
 
-class Actions(Turns, Layout, Start, Files, Past, Choices, Results, Search):
+class Actions(Turns, Layout, Borders, Start, Files, Past, Choices, Results, Search):
     """Commands that concern the panes and the session's turns; the other mixins hold the rest."""
 
     async def run_command(self: Any, name: str, argument: str = "") -> None:
@@ -131,7 +132,7 @@ class Actions(Turns, Layout, Start, Files, Past, Choices, Results, Search):
         if self.busy:
             self._waiting_edits = ()
             self.workers.cancel_group(self, "turn")
-            await self.chat.note("Cancelled; everything is as it was before.", "note")
+            await self.chat.note("Cancelled; nothing was changed.", "note")
 
     async def do_why(self: Any, argument: str) -> None:
         from c2s_tui.screens.why import why_screen
@@ -184,7 +185,7 @@ class Actions(Turns, Layout, Start, Files, Past, Choices, Results, Search):
         """All findings as a list; choosing one goes to its line."""
         found = [d for d in self.code.diagnostics if d.line]
         if not found:
-            self.app.notify("Nothing is known to be wrong with the code.", markup=False)
+            self.app.notify("The code has no findings.", markup=False)
             return
         entries = [
             Choosable(str(i), f"{d.severity:<8}line {d.line:<5}{d.component or '':<4}", d.message)
@@ -203,6 +204,14 @@ class Actions(Turns, Layout, Start, Files, Past, Choices, Results, Search):
         """Find in the code: the line to type in, or what was given with the command."""
         self.go_to("code")
         self.call_after_refresh(self.code.finder.open, argument)
+
+    async def do_fold(self: Any, argument: str) -> None:
+        """Fold components in the code, or unfold them."""
+        if argument and argument not in ("all", "none") and argument not in self.desk.structure:
+            await self.chat.note(f"There is no component {argument}; /fold all and /fold none fold every one.", "error")
+            return
+        self.go_to("code")
+        self.code.toggle_fold(argument)
 
     async def do_fix(self: Any, _: str) -> None:
         self.code.take_fix()

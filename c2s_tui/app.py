@@ -108,7 +108,8 @@ class C2SApp(App[None]):
         try:
             preferences.save(self.prefs)
         except OSError as error:
-            self.notify(f"The choice holds for this run only: {error}", severity="warning", markup=False)
+            said = f"This setting cannot be saved; it lasts until you quit: {error}"
+            self.notify(said, severity="warning", markup=False)
 
     def copy_to_clipboard(self, text: str) -> None:
         """To the terminal's clipboard, through a multiplexer where there is one."""

@@ -13,7 +13,7 @@ ALWAYS = ("help", "results", "picture", "zoom", "quit")
 IN_CODE = ("run", "finding", "fix", "find")
 """Commands whose keys stand there, too, while one is in the code."""
 SHORT = {"help": "help", "results": "results", "picture": "picture", "zoom": "zoom", "quit": "quit",
-         "run": "apply and run", "fix": "take the fix", "finding": "next finding", "find": "find"}  # fmt: skip
+         "run": "apply and run", "fix": "apply the fix", "finding": "next finding", "find": "find"}  # fmt: skip
 
 
 def own(widget: Any, keymap: dict[str, str]) -> list[tuple[str, Binding]]:

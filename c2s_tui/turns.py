@@ -15,8 +15,8 @@ from c2s_engine.structure.progress import Finished, StageStarted
 from c2s_tui import desk as desks
 
 _BACK = re.compile(r"(?:please )?(undo|redo)(?: (?:it|that|this|the last (?:change|edit|turn)))?[.!]?")
-DOING = {"interpret": "reading", "resolve": "looking for the place", "write": "writing", "compile": "running",
-         "solve": "choosing what is open"}  # fmt: skip
+DOING = {"interpret": "reading", "resolve": "finding a place on the map", "write": "writing", "compile": "running",
+         "solve": "choosing open values"}  # fmt: skip
 """What a turn does in each stage, for the status line."""
 LONG = 3000
 """Characters of a text from which on its size and the seconds it takes stand in the status line while it is read."""

@@ -58,6 +58,7 @@ class Workbench(Actions, Drawing, Screen):
         self.offered: set[tuple[str, str]] = set()  # (component, words) whose snippets were shown
         self._live: Any = None
         self.then = ""  # a command to run when the turn under way is done
+        self.mouse_free = False  # the terminal has it
         self.file_seen: float | None = None
         self.told_change: float | None = None
         self.saved_text: str | None = None

@@ -188,8 +188,8 @@ def _text(ways: Trajectories, frame: int, columns: int, rows: int) -> Iterator[t
         shape = corners(track, frame)
         _fill(grid, tuple(shape), letter, left, top, cell)
         _put(grid, track.x[frame], track.y[frame], letter, left, top, cell)
-    for i, line in enumerate(grid):
-        yield "".join(line).rstrip(), i
+    for i, row in enumerate(grid):
+        yield "".join(row).rstrip(), i
     for line in legend:
         yield line, -1
 

@@ -88,8 +88,8 @@ class PicturePane(Vertical, can_focus=True):
         colours = pixels.palette(self.app.theme_variables)
         exact = way == KITTY or way == SIXEL and not self.playing
         frame.display = not exact
-        for image in self.query("#pixels"):
-            image.display = exact
+        for widget in self.query("#pixels"):
+            widget.display = exact
         if exact:
             self._show_image(pixels.paint(ways, at, columns, rows, labels, self.view, colours, hits, cell_size(), True))
             return

@@ -133,12 +133,13 @@ def _box(draw, at, track: Track, frame: int, colour, ground, a_metre: float) -> 
 def _names(draw, at, ways: Trajectories, frame: int, labels: Mapping[str, str], colours: Palette, a_metre: float):
     """Labels beside their actors, none over another."""
     taken: list[tuple[float, float, float, float]] = []
-    font = ImageFont.load_default(max(11, min(18, round(2.2 * a_metre))))
+    size = max(11, min(18, round(2.2 * a_metre)))
+    font = ImageFont.load_default(size)
     for track in sorted(ways.tracks, key=lambda t: t.name != EGO):
         name = labels[track.name][:6]
         x, y = at([(track.x[frame], track.y[frame])])[0]
         for shift in (0, 1, -1, 2, -2, 3, -3):
-            place = x + a_metre * (track.length / 2 + 1), y + shift * font.size
+            place = x + a_metre * (track.length / 2 + 1), y + shift * size
             left, top, right, bottom = draw.textbbox(place, name, font=font, anchor="lm")
             if all(right < a or left > c or bottom < b or top > d for a, b, c, d in taken):
                 taken.append((left, top, right, bottom))

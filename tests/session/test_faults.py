@@ -70,7 +70,7 @@ async def test_a_model_that_dies_leaves_the_program_and_marks_what_is_to_be_writ
     assert not events[-1].ok and marked(events) == ["O1"]
     assert session.structure["O1"].description == VAN.description and session.structure["O1"].key == ""
     assert warnings(events) == [
-        "S is changed, its program is not yet (O1). The next turn tries again; undo takes the change back."
+        "S was changed, but its program was not yet (O1). The next turn tries again; undo reverts the change."
     ]
     server.respond, first = Programmer(), len(server.requests)
     await take(session.apply(SetDescription(component="T", description="The run ends after 9 s."), run=False))
@@ -107,7 +107,7 @@ async def test_a_full_disk_is_one_sentence_and_changes_nothing(engine, session, 
         raise OSError(errno.ENOSPC, "No space left on device")
 
     monkeypatch.setattr(engine.library, "working_copy", full)
-    with pytest.raises(SessionError, match=r"No space left on device.*S is as it was"):
+    with pytest.raises(SessionError, match=r"No space left on device.*S is unchanged"):
         await take(session.apply(SetField(component="G", path="weather", value=["rain"]), method="embedded", run=False))
     assert whole(session) == before and session.pending is None
 

@@ -1,6 +1,7 @@
 """What the commands of the app do (a mixin of the workbench: a method `do_NAME` for each)."""
 
 from dataclasses import replace
+from difflib import get_close_matches
 from typing import Any
 
 from textual import work
@@ -27,7 +28,7 @@ class Actions(Turns, Layout, Borders, Start, Files, Past, Choices, Results, Sear
     async def run_command(self: Any, name: str, argument: str = "") -> None:
         """Run a command by name; an unknown one is said in the chat."""
         if name not in commands():
-            near = [c for c in commands() if name and c.startswith(name[0])]
+            near = get_close_matches(name, commands(), 3, 0.5)
             more = f" Did you mean {', '.join('/' + n for n in near)}?" if near else ""
             await self.chat.note(f"There is no command /{name}.{more} /help lists them.", "error")
             return

@@ -25,7 +25,7 @@ async def test_a_result_is_read_in_full_and_says_whose_words_it_is(stage):
         await stage.say(pilot, "/search a car cuts in", wait=False)
         await stage.until(pilot, lambda: NOTES in "".join(str(s.content) for s in stage.bench.query("Sources")))
         await stage.say(pilot, "/read 3", wait=False)
-        await stage.until(pilot, lambda: "Say which: /read 1 to /read 2." in stage.said)
+        await stage.until(pilot, lambda: "Give a number: /read 1 to /read 2." in stage.said)
         await stage.say(pilot, "/read 1", wait=False)
         await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
         body = str(stage.app.screen.body)

@@ -32,7 +32,7 @@ STEPS: tuple[tuple[str, str], ...] = (  # what is typed, what the screen must sh
     (TEXT, ""),
     (ENTER, "requirements met"),
     (F6, "Events"),
-    (F9, "north is"),
+    (F9, "north"),
     *((UP, f"{second}.0 of") for second in range(1, 6)),
     (ESC, "Outcome"),
     (F2, "requirements met"),

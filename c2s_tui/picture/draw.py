@@ -21,6 +21,8 @@ ROADS = (
 ASPECT = 2.0
 """A cell is twice as high as it is wide."""
 TRAIL_SECONDS = 6.0
+BAR = 14
+"""Columns of the bar that shows the scale, at most."""
 LINES_TO = 1.3
 """m a column up to which the borders of lanes are drawn: farther off, a lane is two columns wide."""
 
@@ -228,9 +230,10 @@ def caption(
                 (f" {labels[track.name]}", f"bold {_style(labels[track.name])}"),
                 f" {track.speed[frame] * 3.6:.0f} km/h",
             ]
-    bar = 10 if view.scale < 2 else 50
+    bar = max((m for m in (5, 10, 20, 50, 100) if m / view.scale <= BAR), default=5)
     parts.append((f"   {bar} m {('-' if ascii_only() else '─') * max(1, round(bar / view.scale))}", "$muted"))
-    parts.append((f"   north is {north}\n", "$muted"))
+    arrow = arrow_of({"up": 0.0, "left": 0.5, "down": 1.0, "right": 1.5}[north] * math.pi)
+    parts.append((f"   north {arrow}\n", "$muted"))
     found = [(e.time, labels.get(o.name, o.name), e) for o in (facts.objects if facts else ()) for e in o.events]
     found = [f for f in found if f[2].event not in USUAL] or found
     for when, label, event in _latest(found, time):
